@@ -1,5 +1,5 @@
-// AxisMotion: converts Steps into the axes' motion in time by the Planner: each motion's curve in machine coordinates, where the axes
-// stop, how long pauses take. Used by cli and motion.
+// AxisMotion: converts Steps into the axes' motion in time by the Planner: it computes each motion's curve in machine coordinates, the
+// positions at which the axes stop, and the duration of pauses. Used by cli and motion.
 
 #include "motion/least_time/axis_motion.h"
 
@@ -13,11 +13,12 @@
 namespace kadr {
 namespace {
 
-constexpr double shortest_rise = 1e-3;          // s, rise time of an acceleration without a jerk time: one servo period
+constexpr double shortest_rise = 1e-3;          // s, time in which the acceleration builds up if no jerk time is stated: one servo period
 constexpr double unlimited_acceleration = 1e6;  // mm/s²: 100 g
-constexpr double chord_of_tolerance = 0.04;     // the chords of an arc are a tenth as long as the roundings of their corners are wide
+// chord error of an arc, as a share of the tolerance; the chords are then a tenth as long as the roundings at their ends are wide
+constexpr double chord_of_tolerance = 0.04;
 
-/// Returns the set-up's entry of the axis, else the one for all axes, else nullptr.
+/// Returns the set-up's limits of the axis; if there are none, its limits for all axes ("*"); else nullptr.
 const AxisLimits* of_axis(const Setup& setup, const std::string& axis) {
   for (const std::string& name : {axis, std::string("*")})
     if (const auto found = setup.machine.find(name); found != setup.machine.end()) return &found->second;
@@ -25,7 +26,7 @@ const AxisLimits* of_axis(const Setup& setup, const std::string& axis) {
 }
 
 /// Returns true for actions during which the axes are at rest (nct 7.0.1: the motion stops if a function is executed after it). Words
-/// that only set something (speed, coolant, tool to be prepared, message) do not stop it.
+/// that only set a value (speed, coolant, tool to be prepared, message) do not stop the motion.
 bool needs_rest(const Action& action) {
   return by_kind(
       action, [](const ToolChange& change) { return !change.there; }, [](const MachineFunction& function) { return !function.by_control; },
@@ -40,8 +41,8 @@ double distance(const Axes& from, const Axes& to) {
   return std::sqrt(squares);
 }
 
-/// Returns the factor that converts a tolerance into that of a path on a surface: where the radius is above 180/π mm, one degree of the
-/// rotary axis moves the tool by more than a mm, so the tolerance becomes smaller by that ratio.
+/// Returns the factor that converts a tolerance in mm to a tolerance of a polar or cylindrical motion, whose rotary axis is in degrees.
+/// At a radius above 180/π mm, one degree moves the tool by more than 1 mm, so the tolerance is reduced by that ratio.
 double degrees_for_mm(const Curve& curve, const Motion& motion) {
   if (curve.surface() == PathSurface::plane) return 1;
   const MotionDetail& detail = *motion.detail;
@@ -55,7 +56,7 @@ double degrees_for_mm(const Curve& curve, const Motion& motion) {
 MotionLimits motion_limits(const MachineProfile& profile, const Setup& setup, const std::vector<std::string>& axes) {
   constexpr double per_second = 1.0 / 60;
   MotionLimits limits;
-  Setup at_full_rate = setup;  // the override slows rapid motions (their programmed time), not the axes' capability
+  Setup at_full_rate = setup;  // the override lengthens the programmed time of rapid motions, but does not change the axis limits
   at_full_rate.rapid_override = 100;
   const Rates rates = rates_of(profile, at_full_rate, axes);
   for (std::size_t i = 0; i < std::min(axes.size(), max_axes); ++i) {
@@ -97,12 +98,13 @@ void AxisMotion::start(const Setup& setup, const std::vector<std::string>& axes)
   now_.smoothing = Smoothing(smoothing_rules(setup, axes));
 }
 
-/// Records the motion that is planned from here on. Returns its number, the tag of its cells until they are emitted.
+/// Records the motion that is planned next. Returns its record number, which is the tag of its cells until they are emitted.
 std::uint64_t AxisMotion::record(Spent spent, Switches switches, const Motion& motion) {
   Record record{++now_.motions, spent.tag(), switches, now_.spindle.turning(), motion.own_override ? 1 : now_.spindle.override_part(), 0};
   SurfaceSpeed& surface = record.spindle.surface;
   if (surface.on && surface.axis < max_axes) record.shift = motion.to[surface.axis] - motion.machine[surface.axis];
-  if (spent.on == Spent::On::rapid) {  // nct 11.5.1: a rapid has the spindle speed of its end from its start on
+  // nct 11.5.1: at the start of a rapid motion the spindle already takes the speed for the end position
+  if (spent.on == Spent::On::rapid) {
     record.spindle.arrive(motion.to);
     surface.on = false;
   }
@@ -110,7 +112,7 @@ std::uint64_t AxisMotion::record(Spent spent, Switches switches, const Motion& m
   return now_.motions;
 }
 
-/// Degrees per second; with constant surface speed, the rate in the middle of the cell.
+/// Returns the spindle speed in a cell, degrees per second; with constant surface speed, the speed in the middle of the cell.
 double AxisMotion::spindle_rate(const Record& record, const TimedCells& cells, std::size_t cell) {
   const SpindleTurning& spindle = record.spindle;
   Axes work{};
@@ -139,7 +141,8 @@ void AxisMotion::hand_out(TimedCells& cells) {
 }
 
 void AxisMotion::look_for_faults(const TimedCells& cells) {
-  constexpr double tolerated = 0.01;  // of a tolerance, which is checked at sample positions only (docs/planner.md)
+  // accepted excess as a share of the tolerance, which is checked at sample positions only (docs/planner.md)
+  constexpr double tolerated = 0.01;
   if (cells.unsolved && !cells.sources.empty()) {
     if (now_.faults.unsolved++ == 0) now_.faults.unsolved_at = Spent::of(cells.sources.front().tag);
     for (const TimeLaw& law : cells.laws) now_.faults.unsolved_way += law.length;
@@ -222,7 +225,7 @@ void AxisMotion::move(const Step& step, const Motion& motion) {
   now_.spindle.arrive(motion.to);
 }
 
-/// Couples the spindle to the axis (nct 18.1.9).
+/// Couples the spindle's rotation to the travel of an axis for a rigid-tapping motion (nct 18.1.9).
 void AxisMotion::couple(const Step& step, const Motion& motion) {
   rest();
   const double way = distance(step.from.machine, motion.machine);
@@ -263,8 +266,8 @@ void AxisMotion::add_thread(const Step& step, const Motion& motion, Spent spent)
   if (motion.exact) cut_threads();
 }
 
-/// Emits a cell in which the axes wait until the first thread may start (nct 4.4). It is emitted even if there is nothing to wait for, as
-/// an override may have delayed the axes.
+/// Emits a cell in which the axes wait until the first thread may start (nct 4.4). The cell is emitted even if the waiting time is 0,
+/// because an override may have delayed the axes.
 void AxisMotion::wait_for_spindle() {
   const double seconds = now_.spindle.seconds_to(now_.thread_angle, now_.threads.ramp() / 2);
   TimedCells still = standing(now_.threads.start(), seconds, now_.thread_spent, now_.spindle.per_second());
@@ -273,8 +276,8 @@ void AxisMotion::wait_for_spindle() {
   sink_(still);
 }
 
-/// Emits the chain of threads. Where it has to end early (another speed, a function, too many threads) the next thread continues in the
-/// same groove.
+/// Emits the chain of threads. If the chain must end early (another spindle speed, a function, too many threads) the next thread starts
+/// at the spindle angle that continues the same groove.
 void AxisMotion::cut_threads() {
   if (now_.threads.empty() || ended() != PlanEnd::none) return;
   const Axes end = now_.threads.end();
@@ -292,7 +295,8 @@ AxisMotion::Feeds AxisMotion::feeds(const Pace& pace, const MachinePath& path, c
   std::vector<double> ways, minutes;
   double length = 0, sum = 0;
   Axes last = path.start();
-  const bool even = pace.is_even() && !path.bends();  // even along the tip's path, if the tip is led: the axes then move unevenly
+  // under tool centre point control, is_even() refers to the tip's path; the axes then move unevenly
+  const bool even = pace.is_even() && !path.bends();
   for (int i = 1; i <= pieces && !stop_.asked(); ++i) {
     const Axes to = path.at(static_cast<double>(i) / pieces);
     const double way = distance(last, to);
@@ -309,11 +313,11 @@ AxisMotion::Feeds AxisMotion::feeds(const Pace& pace, const MachinePath& path, c
   return {length, ways};
 }
 
-/// Returns how far the axes may leave the corner at the start of a piece that leads the tip. After a motion that does not lead it, the
-/// tip is assumed to swing with the whole arm.
+/// Returns how far the axes may deviate from the corner at the start of a piece under tool centre point control. If the previous motion
+/// had no tool centre point control, the tip is assumed to swing with the full distance from the rotary axes.
 double AxisMotion::corner_of(const Step& step, const LedPiece& piece, double tolerance) const {
   if (!(tolerance > 0)) return 0;
-  constexpr double used = 0.8;  // the rest is a reserve for effects of higher order
+  constexpr double used = 0.8;  // share of the tolerance that is used; the rest is a reserve for effects of higher order
   if (now_.led.known) return led_tolerance(now_.led, piece, used * tolerance, step.from.space->rotary_axes());
   return tolerance / (1 + rad_per_deg * step.from.space->arm(step.from.machine));
 }
@@ -323,7 +327,7 @@ void AxisMotion::cut(const Step& step, const Motion& motion, std::uint64_t numbe
   const Curve& curve = step.curve();
   const bool stops = motion.exact || motion.kind == MotionKind::home || motion.kind == MotionKind::probe;
   const double tolerance = (motion.tolerance > 0 ? motion.tolerance : tolerance_) * degrees_for_mm(curve, motion);
-  const double rounding = stops || tolerance <= 0 ? tol::exact_path : tolerance;  // at the corners between the chords of a curve
+  const double rounding = stops || tolerance <= 0 ? tol::exact_path : tolerance;  // tolerance of the corners between the chords of a curve
   const double junction = now_.exact ? 0 : tolerance;
   const bool dry = dry_feed_ > 0 && (motion.kind == MotionKind::feed || is_arc(motion.kind) || motion.kind == MotionKind::spline);
   const SpindleTurning any;  // a dry run does not depend on the spindle speed

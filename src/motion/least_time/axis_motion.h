@@ -1,7 +1,7 @@
 #pragma once
-// AxisMotion: converts Steps into the axes' motion in time by the Planner: it computes each motion's curve in machine coordinates, where
-// the axes stop, and how long pauses take. Threads and rigid tapping are synchronised with the spindle, whose angle is part of the
-// output.
+// AxisMotion: converts Steps into the axes' motion in time by the Planner: AxisMotion computes the curve of each motion in machine
+// coordinates, the positions at which the axes stop, and the duration of pauses. Threads and rigid tapping are synchronised with the
+// spindle; the output contains the spindle angle.
 
 #include <deque>
 #include <functional>
@@ -19,73 +19,74 @@
 
 namespace kadr {
 
-/// Returns the limits stated by the profile and the set-up; the set-up has priority.
+/// Returns the axis limits that the machine profile and the set-up state; the set-up has priority.
 MotionLimits motion_limits(const MachineProfile& profile, const Setup& setup, const std::vector<std::string>& axes);
 
-/// What a period of time is spent on, and by which line of the program. Packed, it is the tag of a cell.
+/// The activity that time is spent on (cutting, rapid, dwell, tool change), and the program line that causes it. tag() packs both into
+/// the 64-bit tag of a cell.
 struct Spent {
   enum class On : std::uint8_t { cutting, rapid, dwell, tool_change };
   On on = On::cutting;
   std::uint32_t line = 0;
-  std::uint16_t file = 0;  // Origin::file
+  std::uint16_t file = 0;  // program file of `line`, numbered as in Origin::file
   std::uint64_t tag() const { return std::uint64_t{line} << 32 | std::uint64_t{file} << 16 | static_cast<std::uint64_t>(on); }
   static Spent of(std::uint64_t tag) {
     return {static_cast<On>(tag & 0xFF), static_cast<std::uint32_t>(tag >> 32), static_cast<std::uint16_t>(tag >> 16 & 0xFFFF)};
   }
 };
 
-/// How far the plan is from what it should be.
+/// Faults of the finished plan: segments without a solution, and positions where the path exceeds its tolerance.
 struct PlanFaults {
-  std::size_t unsolved = 0;  // segments for which no speed was found (TimedCells::unsolved)
+  std::size_t unsolved = 0;  // number of segments for which no speed was found (TimedCells::unsolved)
   double unsolved_way = 0;   // mm, total length of those segments
-  Spent unsolved_at;         // the first of them
-  double beyond = 0;         // greatest excess of the path over its tolerance, as a share of the tolerance
-  Spent beyond_at;           // the first position where the path exceeds it
+  Spent unsolved_at;         // activity and program line of the first such segment
+  double beyond = 0;         // greatest excess of the path's deviation over the tolerance, as a share of the tolerance
+  Spent beyond_at;           // activity and program line where the deviation first exceeds the tolerance
 };
 
-/// mm/s: the feed of a motion whose programmed time is unknown (override 0, spindle at rest).
+/// mm/s: the feed used for a motion whose programmed time is unknown (override 0, spindle at rest).
 inline constexpr double unlimited_feed = 1e6;
 
 class AxisMotion {
  public:
-  /// `tolerance`: mm, for corners for which the program states none.
+  /// `tolerance`: corner tolerance, mm, for corners for which the program states no tolerance.
   AxisMotion(const AxisRoles& roles, const MotionLimits& limits, double tolerance, const ToolPosition& start, Planner::Sink sink);
   AxisMotion(const AxisMotion&) = delete;  // the planner holds a pointer to this object
   AxisMotion& operator=(const AxisMotion&) = delete;
 
-  /// Sets how the main spindle rotates at the start, and the parameters of smoothing.
+  /// Sets the main spindle's rotation at the program start, and the smoothing parameters (G5.1).
   void start(const Setup& setup, const std::vector<std::string>& axes);
 
-  /// Called for each motion before it is planned, with its number (CellSource::motion of its cells) and the approximate length of its
-  /// cells together, mm.
+  /// Called for each motion before it is planned. `number`: the motion's number (CellSource::motion of its cells); `way`: the approximate
+  /// total length of its cells, mm.
   std::function<void(std::uint64_t number, double way)> on_motion;
 
-  /// Called for each motion before it is planned, with its number and its start position and frame.
+  /// Called for each motion before it is planned. `number`: the motion's number; `from`: its start position and coordinate frame.
   std::function<void(std::uint64_t number, const ToolPosition& from)> on_place;
 
-  /// Plans a step, given with its time at the programmed feed.
+  /// Plans a step. The step must already have its time at the programmed feed.
   void consume(const Step& step);
-  /// Brings the axes to rest.
+  /// Ends the motion with the axes at rest and emits all cells.
   void finish() { rest(); }
 
-  /// Planner::plan_each().
+  /// Starts a plan after each `seconds` of motion, see Planner::plan_each().
   void plan_each(double seconds) { planner_.plan_each(seconds); }
-  /// Planner::work_side_by_side(), Planner::settle().
+  /// Plans in a separate thread, and waits for that thread: see Planner::work_side_by_side(), Planner::settle().
   void work_side_by_side() { planner_.work_side_by_side(); }
   void settle() { planner_.settle(); }
-  /// Replaces all feeds except those of threads by this one, mm/min; 0: as programmed.
+  /// Dry run: replaces all feeds, except thread feeds, by `feed`, mm/min; 0 restores the programmed feeds.
   void run_dry(double feed) { dry_feed_ = feed; }
 
   /// Sets the token that all long computations check.
   void stop_by(StopToken stop);
-  /// Returns why nothing more is emitted; from then on actions are ignored.
+  /// Returns why planning has ended. After planning has ended, all actions are ignored.
   PlanEnd ended() const { return planner_.ended(); }
-  /// Planner::end_here().
+  /// Ends planning because no more cells are needed, see Planner::end_here().
   void end_here() { planner_.end_here(); }
   const PlanFaults& faults() const { return now_.faults; }
-  /// What the planner refused to emit because of an error of its own.
+  /// The segment that the planner refused to emit because of a planner error: its length, and the activity and program line there.
   struct Refused {
-    double way = 0;  // mm
+    double way = 0;  // length of the refused segment, mm
     Spent at;
   };
   Refused refused() const;
@@ -96,22 +97,23 @@ class AxisMotion {
     std::uint64_t motion, spent;
     Switches switches;
     SpindleTurning spindle;
-    double spindle_part;  // override / 100
-    double shift;         // work coordinate less machine coordinate of the axis that determines the surface speed, mm
+    double spindle_part;  // spindle override / 100
+    // work coordinate minus machine coordinate, mm, of the axis whose position sets the spindle speed at constant surface speed
+    double shift;
   };
 
  public:
-  /// The state that it keeps from step to step. Valid when settled.
+  /// The state that AxisMotion keeps between steps. A copy is valid only after settle().
   struct Memory {
     explicit Memory(const MotionLimits& limits) : threads(limits) {}
     std::deque<Record> records;
     std::uint64_t motions = 0;
-    bool exact = true;  // true if the last motion ended with an exact stop: no rounding after it
-    LedPiece led;       // the piece planned last, if it led the tip
+    bool exact = true;  // true if the last motion ended with an exact stop, so that the corner after it is not rounded
+    LedPiece led;       // the straight piece planned last, if tool centre point control was active in it
     SpindleClock spindle;
     Smoothing smoothing;
-    ThreadChain threads;  // the chain of threads not planned yet
-    Spent thread_spent;   // of the first thread of the chain
+    ThreadChain threads;  // consecutive threads that are not planned yet
+    Spent thread_spent;   // activity and program line of the first thread in `threads`
     PlanFaults faults;
     double thread_angle = 0;  // spindle angle at which the next thread starts, degrees since a zero pulse
   };
@@ -123,8 +125,7 @@ class AxisMotion {
   void restore(const Snapshot& from) { now_ = from.own, planner_.remember(from.planner); }
 
  private:
-  /// The length of a motion, mm, and the speed of each of its pieces, mm/s between its ends; the last speed applies to all further
-  /// pieces.
+  /// The length of a motion, mm, and the speed in each of its pieces, mm/s. The last speed also applies to all pieces beyond the list.
   struct Feeds {
     double length;
     std::vector<double> speeds;
@@ -150,12 +151,12 @@ class AxisMotion {
 
   AxisRoles roles_;
   double tolerance_;
-  double dry_feed_ = 0;  // mm/min; 0: as programmed
-  Axes rapid_{};         // mm/min or degrees/min
+  double dry_feed_ = 0;  // feed of a dry run, mm/min; 0: feeds as programmed
+  Axes rapid_{};         // rapid rates of the axes, mm/min or degrees/min
   Memory now_;
   Planner::Sink sink_;
   Planner planner_;
-  Smoothing::Line line_;  // emits to the planner
+  Smoothing::Line line_;  // passes the lines that Smoothing emits to the planner
   StopToken stop_;
 };
 

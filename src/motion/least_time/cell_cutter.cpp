@@ -14,13 +14,14 @@
 namespace kadr {
 namespace {
 
-constexpr double cell_growth = 0.2;  // growth of the cell size with the distance from what makes cells small
+// growth of the cell size per mm of distance from the corner, stop or feed change that requires small cells
+constexpr double cell_growth = 0.2;
 constexpr double corner_part = 1.0 / SoftCorner::cells;
-constexpr double gentle = 0.1;       // |Δu| of corners that are treated like those of a curve
+constexpr double gentle = 0.1;       // greatest |Δu| of a corner that is treated like a corner between the chords of a curve
 constexpr double longest_s = 0.014;  // duration of the longest cell, at the commanded speed
-constexpr double fastest = 1e12;     // mm²/s²: stands for no limit of ṡ², but finite so that it can be calculated with
+constexpr double fastest = 1e12;     // mm²/s²: means that ṡ² has no limit; finite, so that it can be used in calculations
 
-/// Computes the polynomial of the fifth degree with given position and first two derivatives at 0 and h.
+/// Computes the polynomial of the fifth degree that has the given positions and first two derivatives at 0 and at h.
 void quintic(const std::array<double, 3>& from, const std::array<double, 3>& to, double h, double* c) {
   const double way = to[0] - from[0] - h * (from[1] + h * from[2] / 2);
   const double slope = to[1] - from[1] - h * from[2], bend = to[2] - from[2];
@@ -60,15 +61,16 @@ void CellCutter::begin() {
 }
 
 bool CellCutter::feed_changes(std::size_t vertex) const {
-  constexpr double of_way = 1e-3, on_surface = 0.05;  // relative: a feed is calculated as length / time; on a surface it varies everywhere
+  // relative feed changes that are ignored: the feed is length / time, with errors; in polar or cylindrical motions it varies everywhere
+  constexpr double of_way = 1e-3, on_surface = 0.05;
   if (path_->is_paced(vertex)) return false;
   const double same = path_->on_curve(vertex) ? on_surface : of_way;
   const double before = path_->feed(vertex - 1), behind = path_->feed(vertex);
   return std::fabs(before - behind) > same * (before + behind);
 }
 
-/// Returns the size of cells at a change of feed, mm. A cell has the lowest feed of its pieces: if one of them is short and much slower,
-/// the cell must not extend far beyond it.
+/// Returns the size of cells at a change of feed, mm. A cell has the lowest feed of its pieces: if one piece is short and much slower,
+/// the cell must not extend far beyond this piece.
 double CellCutter::room_at_feed_change(std::size_t vertex) const {
   constexpr double much = 2;
   const std::size_t slower = path_->feed(vertex - 1) < path_->feed(vertex) ? vertex - 1 : vertex, faster = 2 * vertex - 1 - slower;
@@ -76,7 +78,8 @@ double CellCutter::room_at_feed_change(std::size_t vertex) const {
   return path_->at(slower + 1) - path_->at(slower);
 }
 
-/// Returns a time longer than any ramp to this speed, s: farther from the ends of a piece the speed is constant.
+/// Returns a time that is longer than any ramp to `speed`, s. At a greater distance in time from the ends of a piece, the speed is
+/// constant.
 double CellCutter::ramp_s(double speed) const {
   double seconds = 0;
   for (std::size_t a = 0; a < axes_; ++a)
@@ -85,12 +88,13 @@ double CellCutter::ramp_s(double speed) const {
 }
 
 /// Returns the cell size at a length of the path: small at corners, reversals, stops and changes of feed, growing with the distance from
-/// them. A cell takes at most longest_s, except in the middle of a long piece. `curve_part`: size at the roundings between the chords of
-/// a curve, as a share of their width.
+/// them. A cell takes at most longest_s, except in the middle of a long piece. `curve_part`: cell size at the roundings between the
+/// chords of a curve, as a share of the roundings' width.
 double CellCutter::size_at(double s, std::size_t piece, bool last, double curve_part) const {
   const double feed = path_->feed(piece), nearest = std::min(s - path_->at(piece), path_->at(piece + 1) - s);
   double size = longest_s * feed + cell_growth * std::max(0.0, nearest - feed * ramp_s(feed));
-  const auto ramp_part = [](double way) { return 0.01 * std::min(1.0, way); };  // next to a stop: a share of the distance that a ramp takes
+  // cell size next to a stop, as a share of the length of the speed ramp
+  const auto ramp_part = [](double way) { return 0.01 * std::min(1.0, way); };
   const auto rest = [&](std::size_t vertex) { return ramp_part(path_->room(vertex)); };
   size = std::min(size, rest(0) + cell_growth * s);
   if (last) size = std::min(size, rest(path_->pieces()) + cell_growth * (path_->ends() - s));
@@ -109,10 +113,11 @@ double CellCutter::size_at(double s, std::size_t piece, bool last, double curve_
   return std::min(size, size_in_chain(s, piece, reach));
 }
 
-/// Returns the size of a cell among the chain's corners: as long as the chain is wide between lines, where the cell smooths the path
-/// further; shorter among the chords of a curve, which is smooth already, as shorter cells follow the changes of speed better.
+/// Returns the size of a cell among the chain's corners: between programmed lines the cell is as long as the roundings are wide, so that
+/// it smooths the path further. Between the chords of a curve, which is smooth already, it is shorter, because shorter cells follow the
+/// changes of speed better.
 double CellCutter::size_in_chain(double s, std::size_t piece, double reach) const {
-  constexpr double between_lines = 1, on_curves = 0.45;  // of the width
+  constexpr double between_lines = 1, on_curves = 0.45;  // cell size as a share of the rounding width
   double away = reach;
   bool on_curve = false;
   const auto take = [&](std::size_t i, double off) {
@@ -127,11 +132,11 @@ double CellCutter::size_in_chain(double s, std::size_t piece, double reach) cons
   return (on_curve ? on_curves : between_lines) * w + cell_growth * std::max(0.0, away - w);
 }
 
-/// Returns true if the path bends so evenly along a cell that one polynomial describes it: the curvature in the middle is about the mean
-/// of that at the ends.
+/// Returns true if the curvature is so even along a cell of the length `h` that one polynomial describes the path: the curvature in the
+/// middle is about the mean of the curvatures at the ends.
 bool CellCutter::is_even(double h) {
-  constexpr double uneven = 0.02;        // share of the curvature
-  constexpr double unimportant = 0.008;  // share of the acceleration that the axis may have
+  constexpr double uneven = 0.02;        // allowed deviation of the middle curvature from the mean, as a share of the curvature
+  constexpr double unimportant = 0.008;  // a deviation that causes less than this share of the axis' acceleration limit is ignored
   Knot middle, end;
   const std::size_t half = path_->piece_at(cut_ + h / 2, piece_), far = path_->piece_at(cut_ + h, half);
   path_->evaluate(cut_ + h / 2, half, middle.x.data(), middle.x1.data(), middle.x2.data());
@@ -156,7 +161,7 @@ double CellCutter::next_size(bool last) {
 
 void CellCutter::set_knot(double s, std::size_t piece) { path_->evaluate(s, piece, knot_.x.data(), knot_.x1.data(), knot_.x2.data()); }
 
-/// Returns the kind of the tightest rounding that extends into a cell.
+/// Returns the type (corner or curve) of the tightest rounding that extends into a cell.
 Bend CellCutter::bend_at(double to, std::size_t end_piece) const {
   const double from = cut_, chain_before = path_->width_at(from, piece_).w, chain_behind = path_->width_at(to, end_piece).w;
   Bend bend = Bend::none;
@@ -175,8 +180,8 @@ Bend CellCutter::bend_at(double to, std::size_t end_piece) const {
 /// Returns how far a cell with these polynomials, from the last knot on, exceeds the tolerance of the path, as a share of the tolerance:
 /// checked at vertices, halfway between them, and at more positions if the cell has few pieces.
 double CellCutter::beyond(const double* c, double to, std::size_t last_piece) const {
-  constexpr double dense = 16;    // positions checked in a cell within one piece
-  constexpr double used = 0.992;  // share of the tolerance: the rest is a reserve for the positions between
+  constexpr double dense = 16;    // number of positions checked in a cell that lies within one piece
+  constexpr double used = 0.992;  // share of the tolerance that is used; the rest is a reserve for the positions between the samples
   double most = 0;
   const auto look = [&](double s, std::size_t piece) {
     const double z = s - cut_;
@@ -224,8 +229,8 @@ double CellCutter::feed_between(double from, double to) const {
   return feed;
 }
 
-/// Computes the polynomials of a cell from the last knot to a length, and the knot there.
-///   returns  how far the cell exceeds the tolerance
+/// Computes the polynomials of a cell from the last knot to the length `to`, and the knot at `to`.
+///   returns  the excess of the cell's deviation over the tolerance, as a share of the tolerance
 double CellCutter::draw_cell(double to, std::size_t end_piece, double* c, Knot& end) {
   const bool straight = bend_at(to, end_piece) == Bend::none;
   path_->evaluate(to, end_piece, end.x.data(), end.x1.data(), end.x2.data());
@@ -234,7 +239,8 @@ double CellCutter::draw_cell(double to, std::size_t end_piece, double* c, Knot& 
     double* const of_axis = c + a * TimedPath::terms;
     std::fill(of_axis, of_axis + TimedPath::terms, 0);
     if (straight)
-      of_axis[0] = start.x[a], of_axis[1] = start.x1[a];  // small rounded differences would give a third derivative that slows the cell
+      // tiny rounding errors would otherwise cause a third derivative that slows the cell
+      of_axis[0] = start.x[a], of_axis[1] = start.x1[a];
     else quintic({start.x[a], start.x1[a], start.x2[a]}, {end.x[a], end.x1[a], end.x2[a]}, to - cut_, of_axis);
   }
   return straight ? 0 : beyond(c, to, end_piece);
@@ -254,8 +260,8 @@ double CellCutter::most_in(const double* c, double h, double feed) const {
   return most;
 }
 
-/// Returns the time of a segment of the path if each of its pieces had a stop at both ends, s. `piece`: the one in which the segment
-/// starts.
+/// Returns the time of the segment from `from` to `to` if the axes stopped at both ends of each piece, s. `piece`: the piece in which the
+/// segment starts.
 double CellCutter::standing_s(double from, double to, std::size_t piece) {
   double seconds = 0;
   for (std::size_t i = piece; i < path_->pieces() && path_->at(i) < to; ++i) {
@@ -269,9 +275,9 @@ double CellCutter::standing_s(double from, double to, std::size_t piece) {
 }
 
 /// Divides the last cell into several with the same path where the path, not the feed, limits its speed: the speed can then change within
-/// a cell that is long because its path is smooth. `width`: of the chain there.
+/// a cell that is long because its path is smooth. `width`: width of the chain's roundings there, mm.
 void CellCutter::divide(double width, CutCells& out) const {
-  constexpr double part = 0.2;  // share of the width
+  constexpr double part = 0.2;  // length of a part as a share of `width`
   constexpr int most_parts = 8;
   const std::size_t last = out.count() - 1;
   const double h = out.path.h[last];
@@ -284,8 +290,8 @@ void CellCutter::divide(double width, CutCells& out) const {
   for (std::size_t k = last; k < out.count(); ++k) out.path.most[k] = most_in(out.path.shape(k, 0), out.path.h[k], out.sources[k].feed);
 }
 
-/// Adds a cell from the last knot to `to`, or a smaller one if that exceeds the tolerance.
-///   returns  where the cell ends
+/// Adds a cell from the last knot to the length `to`; a shorter cell if that cell would exceed the tolerance.
+///   returns  the path length at the end of the cell
 double CellCutter::add_cell(double to, double least, bool turns, CutCells& out) {
   constexpr double smaller = 0.6;
   double* const c = out.path.add_shapes();
@@ -314,7 +320,7 @@ double CellCutter::add_cell(double to, double least, bool turns, CutCells& out) 
 }
 
 void CellCutter::cut(SmoothPath& path, bool last, StopToken stop, CutCells& out) {
-  constexpr double rest = 1.5;  // cells: a remainder shorter than this before an end becomes one cell
+  constexpr double rest = 1.5;  // if the remaining path before an end is shorter than this many cells, it becomes one cell
   path_ = &path;
   standing_ = {};
   piece_ = passed_ - std::min(passed_, path.forgotten());

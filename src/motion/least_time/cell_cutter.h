@@ -1,6 +1,6 @@
 #pragma once
 // CellCutter: divides a smooth curve (path/smooth/smooth_path) into cells, in each of which every axis is a polynomial of the fifth
-// degree. It does not depend on how fast the cells are passed.
+// degree. The division does not depend on the speed at which the axes later pass the cells.
 
 #include <array>
 #include <cstdint>
@@ -15,11 +15,12 @@
 
 namespace kadr {
 
-/// Cells that are cut but whose speed is not found yet.
+/// Cells whose geometry is computed but whose speed is not.
 struct CutCells {
   TimedPath path;
   std::vector<CellSource> sources;
-  std::vector<double> standing;  // s, for each cell: its share of the time that the path takes with a stop at each corner
+  // s, one per cell: the cell's share of the time that the path would take if the axes stopped at each corner
+  std::vector<double> standing;
 
   std::size_t count() const { return path.cells(); }
   void clear();
@@ -35,13 +36,14 @@ class CellCutter {
 
   /// Prepares for the first cell of a path.
   void begin();
-  /// Cuts a path as far as it is settled; all of it, if this is its end (`last`). The cells are appended to `out`; if `stop` ends the
-  /// work, they are of no use. `path`: the same path with each call, extended since, or a copy of it.
+  /// Divides the settled part of a path into cells and appends them to `out`; with `last` the path is complete and all of it is divided.
+  /// If `stop` ends the work, the appended cells are unusable. `path`: in each call the same path, possibly extended since the last call,
+  /// or a copy of the path.
   void cut(SmoothPath& path, bool last, StopToken stop, CutCells& out);
 
   bool has_cut() const { return cut_ > 0; }
-  /// Returns the length from which on the path is still needed: what lies before affects neither the rounding nor the size of a further
-  /// cell.
+  /// Returns the path length from which on the path is still needed. The path before this length affects neither the rounding nor the
+  /// size of later cells.
   double needed_from() const { return needed_from_; }
 
  private:
@@ -68,17 +70,17 @@ class CellCutter {
 
   std::size_t axes_;
   MotionLimits limits_;
-  SmoothPath* path_ = nullptr;  // set during cut()
-  Knot knot_;                   // the last knot
+  SmoothPath* path_ = nullptr;  // the path being cut; set during cut() only
+  Knot knot_;                   // end of the last cell (a knot is the boundary of two cells)
   bool has_knot_ = false;
-  double cut_ = 0;          // length of the path at the last knot
+  double cut_ = 0;          // path length at the last knot, mm
   std::size_t piece_ = 0;   // the piece that contains the last knot
-  std::size_t passed_ = 0;  // pieces before it, including those that the path has forgotten
+  std::size_t passed_ = 0;  // number of pieces before `piece_`, including pieces that the path has dropped
   double needed_from_ = 0;
   struct {
     std::size_t piece = SIZE_MAX;
     double per_mm = 0;
-  } standing_;  // s per mm of this piece with a stop at both ends: cached for the piece used last
+  } standing_;  // time per length, s/mm, of a piece traversed with a stop at both ends; cached for the piece used last
 };
 
 }  // namespace kadr

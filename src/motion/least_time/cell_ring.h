@@ -1,6 +1,6 @@
 #pragma once
-// CellRing: a lock-free ring buffer of timed cells between the planner and the servo clock, which may run in different threads. One side
-// writes, one reads, neither waits; nothing is allocated after construction.
+// CellRing: a lock-free ring buffer of timed cells between the planner and the servo clock, which may run in different threads. One
+// thread writes, another reads, neither ever waits for the other; the constructor allocates all memory.
 
 #include <algorithm>
 #include <atomic>
@@ -13,7 +13,7 @@ namespace kadr {
 
 class CellRing {
  public:
-  /// CellSource::tag and motion of a cell.
+  /// The CellSource::tag and CellSource::motion of a cell.
   struct Owner {
     std::uint64_t tag = 0, motion = 0;
   };
@@ -28,7 +28,7 @@ class CellRing {
 
   // called by the writer
 
-  /// Appends cells from the `first` on, as many as fit. Returns their number.
+  /// Appends the cells with the index `first` and above, as many as fit. Returns the number of cells appended.
   std::size_t offer(const TimedCells& cells, std::size_t first) {
     const std::uint64_t end = end_.load(std::memory_order_relaxed), begin = begin_.load(std::memory_order_acquire);
     const std::size_t count = std::min(cells.laws.size() - first, size_ - static_cast<std::size_t>(end - begin)),
@@ -51,7 +51,7 @@ class CellRing {
   /// Marks that no more cells follow.
   void finish() { finished_.store(true, std::memory_order_release); }
 
-  // called by the reader; a cell is identified by its number from the start of the motion
+  // called by the reader; `cell` is the number of cells offered before this cell since the start
 
   bool finished() const { return finished_.load(std::memory_order_acquire); }
   std::uint64_t end() const { return end_.load(std::memory_order_acquire); }
@@ -59,7 +59,7 @@ class CellRing {
   double offered() const { return offered_.load(std::memory_order_relaxed); }
   /// Returns true if less than half of the ring is in use.
   bool has_room() const { return end() - begin_.load(std::memory_order_relaxed) < size_ / 2; }
-  /// Frees the cells before this one; they are not read again.
+  /// Frees the slots of all cells before `cell`. The reader must not read those cells again.
   void release(std::uint64_t cell) { begin_.store(cell, std::memory_order_release); }
 
   std::size_t axes() const { return axes_; }
@@ -68,12 +68,12 @@ class CellRing {
   std::uint64_t motion(std::uint64_t cell) const { return owners_[cell % size_].motion; }
   Switches switches(std::uint64_t cell) const { return switches_[cell % size_]; }
   const SpindleTurn& spindle(std::uint64_t cell) const { return spindle_[cell % size_]; }
-  /// Returns the polynomial of an axis, `TimedCells::terms` coefficients.
+  /// Returns the `TimedCells::terms` polynomial coefficients of an axis in a cell.
   const double* path(std::uint64_t cell, std::size_t axis) const {
     return path_.data() + (cell % size_ * axes_ + axis) * TimedCells::terms;
   }
 
-  /// The contents of the ring. To be copied or restored only while neither side is at work.
+  /// The contents of the ring. Copy or restore it only while neither the writer nor the reader is active.
   struct Memory {
     std::uint64_t begin = 0, end = 0;
     double offered = 0;

@@ -17,8 +17,9 @@ double LeastTime::time() const {
   return sum;
 }
 
-/// Solves H · step_ = −gradient_ by L D Lᵀ. Where limits of very different sizes meet, rounding may make a d zero or negative: then the
-/// diagonal element itself is used (Gill, Murray, Wright: Practical Optimization 4.4.2), which gives a shorter step that still descends.
+/// Solves H · step_ = −gradient_ by L D Lᵀ. If limits of very different magnitudes act together, rounding errors may make an element d of
+/// D zero or negative. Then the diagonal element of H is used instead (Gill, Murray, Wright: Practical Optimization 4.4.2): the step
+/// becomes shorter, but is still a descent.
 ///   returns  false if H is not positive definite
 bool LeastTime::newton_step() {
   constexpr double rounding = 1e-13;
@@ -53,10 +54,10 @@ bool LeastTime::newton_step() {
   return true;
 }
 
-/// Moves along step_ as far as that lowers the barrier function.
-///   returns  the decrease that the slope alone promises; 0 if no descent was found
+/// Moves along step_ as far as the barrier function decreases.
+///   returns  the decrease that the slope predicts (to first order); 0 if no descent was found
 double LeastTime::line_search(double mu) {
-  constexpr double enough = 0.01;  // share of the decrease that the slope promises (Armijo)
+  constexpr double enough = 0.01;  // least accepted decrease, as a share of the decrease that the slope predicts (Armijo)
   constexpr int most_halvings = 40;
   double falls = 0, part = 1;
   for (std::size_t v = 0; v < variables_; ++v) {
@@ -76,11 +77,11 @@ double LeastTime::line_search(double mu) {
   return 0;
 }
 
-/// First guess: an earlier solution, after its end slower from cell to cell, in the end by a tenth per cell; the slowing reaches that
-/// tenth `gently` cells after the end.
-///   returns  false if the guess exceeds limits
+/// First guess: the earlier solution; after its end, b decreases from cell to cell. The decrease per cell grows to a tenth, which it
+/// reaches `gently` cells after the end of the earlier solution.
+///   returns  false if the guess exceeds a limit
 bool LeastTime::goes_on_crawling(double gently) {
-  constexpr double slowing = 0.1;  // of b
+  constexpr double slowing = 0.1;  // greatest decrease of b per cell, as a share
   const double slow = ends_.guess.back(), size = path_->h[ends_.guess.size() - 1];
   for (const double floor : {slow, slow / 10, ends_.crawl / 1e4}) {
     double m = slow, cells = 0;
@@ -89,7 +90,7 @@ bool LeastTime::goes_on_crawling(double gently) {
       double less = slowing;
       if (gently > 1) less *= std::min(1.0, (cells += k < ends_.guess.size() ? 0 : 1) / gently) * std::min(1.0, path_->h[k] / size);
       m = k < ends_.guess.size() ? ends_.guess[k] : std::max(floor, m * (1 - less));
-      double& y = y_[variable_[k]];  // where several cells share a variable (next to a stop or a reversal): the slowest
+      double& y = y_[variable_[k]];  // where several cells share a variable (next to a stop or a reversal) the slowest cell determines it
       y = std::min(y, m / scale_[k]);
     }
     if (is_within(y_)) return true;
@@ -97,14 +98,15 @@ bool LeastTime::goes_on_crawling(double gently) {
   return false;
 }
 
-/// First guess: an earlier solution, then as slow as that was at its end, and slower towards the final stop and the reversals, as
-/// constant jerk lets the axes leave them in the opposite direction.
-///   returns  false if the guess exceeds limits
+/// First guess: the earlier solution; after its end the speed at that end, reduced towards the final stop and the reversals to the speed
+/// that constant jerk reaches from rest at that distance.
+///   returns  false if the guess exceeds a limit
 bool LeastTime::goes_on_to_stop() {
   constexpr int most_tries = 16;
   const double slow = ends_.guess.back();
   const std::size_t known = ends_.guess.size();
-  std::vector<double> away(n_, std::numeric_limits<double>::infinity());  // distance of a cell's middle from the nearest stop
+  // distance of each cell's middle from the nearest stop or reversal, mm
+  std::vector<double> away(n_, std::numeric_limits<double>::infinity());
   double way = std::numeric_limits<double>::infinity();
   const auto pass = [&](std::size_t k, bool stops) {
     if (stops) way = 0;
@@ -129,7 +131,7 @@ bool LeastTime::goes_on_to_stop() {
 
 /// Finds a start that obeys all limits: an earlier solution continued at a crawl, or a speed so low that all limits are far away.
 bool LeastTime::first_guess() {
-  for (const double gently : {1., 30., 100., 300.})  // 1: the full slowing from the first new cell on
+  for (const double gently : {1., 30., 100., 300.})  // 1: the full decrease starts at the first new cell
     if (!ends_.guess.empty() && goes_on_crawling(gently)) return true;
   if (!ends_.guess.empty() && ends_.to_stop && goes_on_to_stop()) return true;
   if (!ends_.from_stop) return false;
@@ -146,11 +148,12 @@ bool LeastTime::first_guess() {
 }
 
 bool LeastTime::solve(const TimedPath& path, const PathEnds& ends, StopToken stop) {
-  constexpr double smaller = 0.2;      // factor of μ, once its optimum is near
-  constexpr double accurate = 5e-4;    // share of the time that μ may cost
-  constexpr double near_enough = 0.3;  // share of the cost of μ: below this promise of the next step, μ becomes smaller
-  constexpr int most_rounds = 4;       // rounds that shorten a step where it breaks limits
-  constexpr int most_steps = 150;      // 25 to 45 suffice
+  constexpr double smaller = 0.2;    // factor by which μ is reduced once the optimum for the current μ is near
+  constexpr double accurate = 5e-4;  // final accuracy: the share of the time by which μ may keep the result above the optimum
+  // μ is reduced when the decrease predicted for the next step is below this share of the time that μ costs
+  constexpr double near_enough = 0.3;
+  constexpr int most_rounds = 4;   // number of attempts to shorten a step in the cells where it violates limits
+  constexpr int most_steps = 150;  // bound of the Newton steps; 25 to 45 suffice
   path_ = &path;
   ends_ = ends;
   prepare();

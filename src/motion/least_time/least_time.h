@@ -1,8 +1,9 @@
 #pragma once
 // LeastTime: the least time along a path in cells (motion/least_time/timed_path.h), by an interior-point method whose iterates all obey
-// all limits: Newton steps on T − μ Σ log(slack), μ → 0, with a pentadiagonal Hessian. b as the unknown: Verscheure et al. 2009, IEEE TAC
-// 54(10); the jerk, which is not convex in b, is kept by the barrier itself, and its curvature is left out of the Hessian. Slow but
-// reliable: used for the paths that motion/least_time/primal_dual does not solve.
+// all limits. It makes Newton steps on T − μ Σ log(slack), μ → 0, where T is the time and slack is the distance from a limit; the Hessian
+// is pentadiagonal. The unknown is b = ṡ², the squared path speed: Verscheure et al. 2009, IEEE TAC 54(10). The jerk limit is not convex
+// in b: the logarithmic barrier enforces it, and its curvature is left out of the Hessian. Slow but reliable: used for the paths that
+// motion/least_time/primal_dual does not solve.
 
 #include <array>
 #include <cstddef>
@@ -15,18 +16,19 @@
 
 namespace kadr {
 
-/// Finds the speed along a path. Keeps its memory for the next path.
+/// Finds the speed along a path. Reuses its allocated memory for the next path.
 class LeastTime {
  public:
   explicit LeastTime(const LimitMargins& margins = {}) : margins_(margins) {}
 
-  /// The limits are checked at both ends of a cell and between them, more densely where the jerk of its polynomial is greatest.
+  /// The limits are checked at both ends of a cell and between them, most densely near both ends, where the jerk of the polynomial is
+  /// greatest.
   static constexpr std::size_t places = lanes;
   static constexpr std::array<double, places> place_parts = {0, 0.12, 0.28, 0.43, 0.57, 0.72, 0.88, 1};
 
   ///   pre      at least 4 cells
   ///   returns  false if no speed was found that obeys the limits (a limit that is not positive, a path that is not finite); `stop` may
-  ///            end the search before the time is the least
+  ///            end the search before the minimum time is found
   bool solve(const TimedPath& path, const PathEnds& ends, StopToken stop = {});
 
   const std::vector<CellSpeeds>& speeds() const { return speeds_; }
@@ -35,17 +37,18 @@ class LeastTime {
   int steps() const { return steps_; }
 
  private:
-  static constexpr std::size_t beyond = 2;  // a cell may refer to variables past the last one; their derivatives and steps are 0
+  // number of dummy variables after the last one, which the last cells refer to; their derivatives and steps are 0
+  static constexpr std::size_t beyond = 2;
   using Three = std::array<double, 3>;
-  /// b in a cell by its Bézier ordinates: at the start, in the middle, at the end.
+  /// The three Bézier ordinates of the polynomial b in a cell: at the start, in the middle, at the end.
   using Ordinates = Three;
-  /// An axis that moves, and the reciprocals of its limits.
+  /// An axis that moves on this path, and the reciprocals of its acceleration and jerk limits.
   struct Moving {
     std::size_t axis = 0;
     double by_acceleration = 0, by_jerk = 0;
   };
   class Logs;
-  /// The objective: T and Σ log(slack).
+  /// The terms of the objective T − μ Σ log(slack): the time T, and the sum of logarithms.
   struct Height {
     double time, logs;
     double at(double mu) const { return time - mu * logs; }
@@ -54,7 +57,8 @@ class LeastTime {
   struct Diagonals {
     std::vector<double> h0, h1, h2;
   };
-  /// An ordinate as a linear combination of variables: those of the cell before, its own cell and the cell after.
+  /// A Bézier ordinate as a linear combination: a constant `given`, and factors for the variables of the previous cell, its own cell and
+  /// the next cell.
   struct Mix {
     double given = 0;
     Three by{};
@@ -96,20 +100,21 @@ class LeastTime {
   const TimedPath* path_ = nullptr;
   PathEnds ends_;
   LimitMargins margins_;
-  std::vector<double> x1_, x2_, x3_;  // x′, x″, x‴ in each cell at its sample positions: (cell * axes + axis) * places + place
-  std::size_t n_ = 0;                 // cells
-  std::size_t variables_ = 0;         // m of a cell = scale * its variable; cells next to stops and reversals share the neighbour's
+  std::vector<double> x1_, x2_, x3_;  // x′, x″, x‴ at the sample positions of each cell; index (cell * axes + axis) * places + place
+  std::size_t n_ = 0;                 // number of cells
+  // number of unknowns; middle ordinate m of a cell = scale * variable; a cell next to a stop or reversal shares its neighbour's variable
+  std::size_t variables_ = 0;
   std::vector<std::size_t> variable_;
   std::vector<double> scale_;
-  bool first_given_ = false;  // the speed of the first cell is fixed by the start
+  bool first_given_ = false;  // true if the speed at the start of the path determines the speed of the first cell
   std::vector<Moving> moving_;
-  std::vector<std::array<Mix, 2>> mixes_;  // for the first and the last ordinate of each cell
+  std::vector<std::array<Mix, 2>> mixes_;  // the first and the last ordinate of each cell as combinations of variables
   std::vector<double> cap_;
-  std::vector<double> m_;                            // one per cell
-  std::vector<double> y_, trial_, step_, gradient_;  // one per variable
-  Diagonals hessian_, factors_;                      // factors: L D Lᵀ
-  std::vector<char> broken_, was_broken_;            // groups of cells in which the step breaks a limit
-  Height height_{};                                  // at y_
+  std::vector<double> m_;                            // middle ordinates of b, one per cell
+  std::vector<double> y_, trial_, step_, gradient_;  // vectors with one entry per variable
+  Diagonals hessian_, factors_;                      // factors_: the decomposition L D Lᵀ of the Hessian
+  std::vector<char> broken_, was_broken_;            // one flag per group of cells: the step violates a limit in the group
+  Height height_{};                                  // objective at y_
   std::vector<CellSpeeds> speeds_;
   int steps_ = 0;
 };

@@ -1,4 +1,5 @@
-// LeastTime, the limits within the cells: their barrier with its gradient and Hessian, and where a step would break them.
+// LeastTime, the limits within the cells: computes the barrier function of the limits with its gradient and Hessian, and finds the cells
+// where a step would violate a limit.
 
 #include <algorithm>
 #include <cmath>
@@ -11,8 +12,10 @@ namespace kadr {
 namespace {
 
 constexpr double most_of_slack = 0.95;  // the share of a slack that one step may use up
-constexpr double bend_of_time = 0.1;    // 0.75 in theory: less makes the steps longer far from the limits; near them the barrier prevails
-constexpr std::size_t group_size = 16;  // cells
+// factor of the second derivative of the time, 0.75 in theory; a smaller factor makes the steps longer far from the limits; near the
+// limits the barrier dominates
+constexpr double bend_of_time = 0.1;
+constexpr std::size_t group_size = 16;  // number of cells in a group
 
 constexpr auto& place_parts = LeastTime::place_parts;
 
@@ -25,16 +28,16 @@ constexpr AtPlaces at_places_of(const Function& f) {
   return values;
 }
 
-/// Weights of a cell's Bézier ordinates in the value of b at the sample positions: (1−t)², 2t(1−t), t².
+/// Weights of a cell's Bézier ordinates in the value of b at the sample positions, with t the fraction of the cell: (1−t)², 2t(1−t), t².
 constexpr AtPlaces weights[3] = {at_places_of([](double t) { return (1 - t) * (1 - t); }),
                                  at_places_of([](double t) { return 2 * t * (1 - t); }), at_places_of([](double t) { return t * t; })};
-/// Weights in the derivative by t, the fraction of the cell.
+/// Weights of the ordinates in db/dt, where t is the fraction of the cell.
 constexpr AtPlaces slopes[3] = {at_places_of([](double t) { return -2 * (1 - t); }), at_places_of([](double t) { return 2 * (1 - 2 * t); }),
                                 at_places_of([](double t) { return 2 * t; })};
-/// Weights in the second derivative, the same at all sample positions.
+/// Weights of the ordinates in d²b/dt², the same at all sample positions.
 constexpr double bends[3] = {2, -4, 2};
 
-/// Gradient and Hessian of a function of b, b′ and b″, at each sample position separately.
+/// Gradient and Hessian of a function of (b, b′, b″), stored separately for each sample position.
 template <class Lanes>
 struct Sums {
   Lanes by[3] = {}, h00 = {}, h01 = {}, h02 = {}, h11 = {}, h12 = {}, h22 = {};
@@ -44,26 +47,26 @@ struct Sums {
     const Lanes bend0 = bend * e0;
     h00 += bend0 * e0, h01 += bend0 * e1, h11 += bend * e1 * e1;
   }
-  /// Likewise with r = (e0, e1, e2).
+  /// Adds `bend` · r rᵀ, where r = (e0, e1, e2), to the Hessian.
   KADR_LANES void add(const Lanes& bend, const Lanes& e0, const Lanes& e1, const Lanes& e2) {
     const Lanes bend2 = bend * e2;
     add(bend, e0, e1);
     h02 += bend2 * e0, h12 += bend2 * e1, h22 += bend2 * e2;
   }
-  /// Adds −log(1 − x²), where x = `scale` · (e0 b + e1 b′), an acceleration.
+  /// Adds the barrier −log(1 − x²) of an acceleration, where x = `scale` · (e0 b + e1 b′) is the share of its limit.
   KADR_LANES void barrier(const Lanes& x, double scale, const Lanes& e0, const Lanes& e1) {
     const Lanes inverse = 1 / (1 - x * x), slope = 2 * x * inverse, by_scale = slope * scale;
     by[0] += by_scale * e0, by[1] += by_scale * e1;
     add((2 * inverse + slope * slope) * (scale * scale), e0, e1);
   }
-  /// Likewise for a jerk, x = `scale` · (e0 b + e1 b′ + e2 b″).
+  /// Adds the barrier −log(1 − x²) of a jerk, where x = `scale` · (e0 b + e1 b′ + e2 b″) is the share of its limit.
   KADR_LANES void barrier(const Lanes& x, double scale, const Lanes& e0, const Lanes& e1, const Lanes& e2) {
     const Lanes inverse = 1 / (1 - x * x), slope = 2 * x * inverse, by_scale = slope * scale;
     by[0] += by_scale * e0, by[1] += by_scale * e1, by[2] += by_scale * e2;
     add((2 * inverse + slope * slope) * (scale * scale), e0, e1, e2);
   }
 
-  /// Computes the gradient with respect to the ordinates of a cell of length `h`.
+  /// Computes the gradient with respect to the three ordinates of a cell of length `h`.
   KADR_LANES void gradient(double h, std::array<double, 3>& of) const {
     const double once = 1 / h, twice = once * once;
     for (std::size_t o = 0; o < 3; ++o)
@@ -81,7 +84,7 @@ struct Sums {
   }
 };
 
-/// b, b′ and b″ at the sample positions of a cell.
+/// The values of b, b′ and b″ (b = ṡ², timed_path.h) at the sample positions of a cell.
 template <class Lanes>
 struct CellSpeed {
   Lanes b, d;
@@ -95,23 +98,23 @@ struct CellSpeed {
   }
 };
 
-/// x′/2, x″ and x‴ of an axis at the sample positions of a cell.
+/// The derivatives x′/2, x″ and x‴ of an axis position x at the sample positions of a cell.
 template <class Lanes>
 struct Shape {
   Lanes x1, x2, x3;
   KADR_LANES Shape(const std::vector<double>& x1_at, const std::vector<double>& x2_at, const std::vector<double>& x3_at, std::size_t at)
       : x1(0.5 * Lanes(&x1_at[at])), x2(&x2_at[at]), x3(&x3_at[at]) {}
   KADR_LANES Lanes acceleration(const CellSpeed<Lanes>& v) const { return x2 * v.b + x1 * v.d; }
-  /// The jerk divided by √b.
+  /// Returns the jerk of the axis, divided by √b.
   KADR_LANES Lanes jerk(const CellSpeed<Lanes>& v) const { return x3 * v.b + 1.5 * x2 * v.d + x1 * v.q; }
 };
 
 }  // namespace
 
-/// A sum of logarithms that calls log() once for many factors.
+/// A sum of logarithms. It multiplies many factors and calls log() once for their product.
 class LeastTime::Logs {
  public:
-  /// `factor` may be as small as 1e-200.
+  /// Adds log(factor) to the sum. `factor` may be as small as 1e-200.
   void take(double factor) {
     product_ *= factor;
     if (product_ < 1e-100) sum_ += std::log(product_), product_ = 1;
@@ -149,8 +152,8 @@ KADR_LANES bool LeastTime::add_logs(Logs& logs) const {
   return true;
 }
 
-/// Evaluates T and Σ log(slack) at y; T is infinite if y breaks a limit. A limit |x| ≤ 1 has the slack 1 − x². Sets m_ to the ordinates
-/// of y.
+/// Evaluates T and Σ log(slack) at y; T is infinite if y violates a limit. A limit |x| ≤ 1 has the slack 1 − x². Sets m_ to the middle
+/// ordinates that y stands for.
 LeastTime::Height LeastTime::height(const std::vector<double>& y) {
   constexpr Height none{infinite, 0};
   Logs logs;
@@ -163,7 +166,8 @@ LeastTime::Height LeastTime::height(const std::vector<double>& y) {
   return is_within ? Height{time(), logs.sum()} : none;
 }
 
-/// Computes the derivatives of a cell's three ordinates by the variables of the cell before, of the cell itself and of the cell after.
+/// Computes the derivatives of a cell's three ordinates with respect to the variables of the previous cell, the cell itself and the next
+/// cell.
 void LeastTime::by_variables(std::size_t cell, std::array<Three, 3>& by) const {
   by = {mixes_[cell][0].by, {}, mixes_[cell][1].by};
   if (!(cell == 0 && first_given_)) by[1][variable_[cell] - first_variable(cell)] = scale_[cell];
@@ -205,7 +209,7 @@ void LeastTime::add_hessian(std::size_t cell, double scale, const std::array<Thr
   hessian_.h2[first] += product(0, 2);
 }
 
-/// Computes gradient and Hessian of the barrier function at y_. Needs m_ as of y_.
+/// Computes the gradient and Hessian of the barrier function at y_. m_ must already correspond to y_.
 void LeastTime::derivatives(double mu) {
   for (std::vector<double>* const all : {&gradient_, &hessian_.h0, &hessian_.h1, &hessian_.h2}) all->assign(variables_ + beyond, 0);
   for (std::size_t v = 0; v < variables_; ++v) {
@@ -224,7 +228,7 @@ void LeastTime::derivatives(double mu) {
   });
 }
 
-/// Returns the changes of a cell's ordinates by step_.
+/// Returns by how much step_ changes the three ordinates of a cell.
 LeastTime::Three LeastTime::step_in(std::size_t cell) const {
   std::array<Three, 3> by;
   by_variables(cell, by);
@@ -266,9 +270,9 @@ KADR_LANES bool LeastTime::stiffen_cell(std::size_t cell, double mu) {
   return true;
 }
 
-/// Makes the step shorter only where it would break limits (to first order), not everywhere: stiffens the Hessian in the directions that
-/// break them.
-///   returns  false if the step breaks no limit
+/// Shortens the step only in cells where it would violate limits (to first order), by enlarging the Hessian in the directions that
+/// violate them.
+///   returns  false if the step violates no limit
 bool LeastTime::stiffen(double mu, bool first) {
   const std::size_t groups = (n_ + group_size - 1) / group_size;
   if (first) was_broken_.assign(groups, 1);

@@ -1,5 +1,5 @@
-// LeastTime, what follows from a path's limits before any speed is known: the variables, the ordinates as linear forms of them, the
-// greatest value of each variable.
+// LeastTime, preparation before any speed is known: numbers the variables, expresses the ordinates as linear combinations of the
+// variables, and computes the greatest value of each variable.
 
 #include <algorithm>
 #include <cmath>
@@ -11,7 +11,8 @@
 namespace kadr {
 namespace {}  // namespace
 
-/// A cell next to a stop has b = b₁ (σ/h)^(4/3), so that at its inner knot b′ = 4/3 b₁/h: its middle ordinate is a third of b₁.
+/// A cell of length h next to a stop has b = b₁ (σ/h)^(4/3), where σ is the distance from the stop and b₁ the value of b at the other
+/// knot. There b′ = 4/3 b₁/h, so the middle ordinate is a third of b₁.
 void LeastTime::number_variables() {
   const std::vector<double>& h = path_->h;
   variable_.assign(n_, 0);
@@ -53,8 +54,8 @@ void LeastTime::prepare() {
   if (ends_.to_stop) keep_stop(n_ - 1);
 }
 
-/// b at a knot is interpolated linearly between the middle ordinates of its two cells; at a reversal it is 0, and at a crawling end it
-/// equals the middle ordinate of the last cell.
+/// Expresses the ordinates at the cell boundaries by variables: b at a knot is interpolated linearly between the middle ordinates of its
+/// two cells; at a reversal it is 0, and at a crawling end it equals the middle ordinate of the last cell.
 void LeastTime::find_mixes() {
   mixes_.assign(n_, {});
   for (std::size_t k = 0; k < n_; ++k) {

@@ -1,4 +1,5 @@
-// Corners of the axes' path while the tip is led. Used by motion/least_time/axis_motion; tested by tests/motion/led_corner_test.cpp.
+// Computes the tolerance of corners of the axes' path under tool centre point control. Used by motion/least_time/axis_motion; tested by
+// tests/motion/led_corner_test.cpp.
 
 #include "motion/least_time/led_corner.h"
 
@@ -10,12 +11,14 @@
 namespace kadr {
 namespace {
 
-constexpr double straight_on = 1e-12;  // |Δu| of pieces that are collinear except for rounding errors
-constexpr double most_off = 0.1;       // mm: most that rounding may move the axes, whatever the tip does; or the tolerance, if larger
-constexpr double most_swing = 0.05;    // degrees: likewise for a rotary axis
-constexpr double of_direction = 0.01;  // degrees: half of what the judge of five-axis samples allows (docs/planner.md)
+constexpr double straight_on = 1e-12;  // |Δu| (change of direction) below which two pieces count as collinear; covers rounding errors
+// mm: most that rounding may move the axes, even if the tip would stay within its tolerance; the tolerance itself applies if it is larger
+constexpr double most_off = 0.1;
+constexpr double most_swing = 0.05;  // degrees: most that rounding may move a rotary axis
+// degrees: allowed error of the tool direction; half of what the test of the five-axis samples allows (docs/planner.md)
+constexpr double of_direction = 0.01;
 
-/// Returns degrees per mm of the tip's path; 0 if the tip does not move.
+/// Returns the rotation per travel of the tip, degrees/mm; 0 if the tip does not move.
 double rate(double degrees, Vec3 tip) {
   constexpr double stands = 1e-9;
   const double way = length(tip);
@@ -38,7 +41,7 @@ LedPiece led_piece(std::size_t axes, const Axes& from, const Axes& to, Vec3 tip_
 }
 
 bool LedPiece::keeps_pace(const LedPiece& before) const {
-  constexpr double same = 1e-3;  // relative: for the chords of a curve
+  constexpr double same = 1e-3;  // relative: greatest difference of the tip's speed in two chords of the same curve
   const double now = feed * kadr::length(tip), then = before.feed * kadr::length(before.tip);
   return known && before.known && now > 0 && std::fabs(now - then) <= same * now;
 }
@@ -53,12 +56,14 @@ double led_tolerance(const LedPiece& before, const LedPiece& behind, double tole
     if ((rotary >> a & 1U) == 0) continue;
     swing += change * change;
     const double one = rate(before.along[a], before.tip), other = rate(behind.along[a], behind.tip);
-    const double beside = change - (one + other) / 2 * along;  // how much more the axis rotates than the tip's position requires
+    // change of the axis' rotation rate that does not follow from the tip's position
+    const double beside = change - (one + other) / 2 * along;
     off_direction += beside * beside;
   }
   turn = std::sqrt(turn);
   if (turn < straight_on) return tolerance;
-  const double felt = std::max(off / tolerance, std::sqrt(off_direction) / of_direction);  // share of the allowed, per unit of rounding
+  // greatest deviation as a share of the allowed deviation, per unit of rounding
+  const double felt = std::max(off / tolerance, std::sqrt(off_direction) / of_direction);
   return std::min(
       {turn / std::max(felt, straight_on), std::max(most_off, tolerance), most_swing * turn / std::max(std::sqrt(swing), straight_on)});
 }

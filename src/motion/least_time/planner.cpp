@@ -14,7 +14,7 @@
 namespace kadr {
 namespace {
 
-constexpr std::size_t planned_at = 1024;  // pieces that arrive before the next plan
+constexpr std::size_t planned_at = 1024;  // number of pieces that must arrive before the next plan starts
 
 }  // namespace
 
@@ -36,9 +36,9 @@ void Planner::begin(const double* at) {
   now_.fresh_s = 0;
 }
 
-/// Returns true if the next piece has another direction than the last.
+/// Returns true if the piece to `to` has a direction other than that of the last piece.
 bool Planner::turns(const double* to) const {
-  constexpr double straight = 1e-9;  // |Δu|
+  constexpr double straight = 1e-9;  // |Δu| below which two directions count as equal
   if (now_.way.empty()) return false;
   double squares = 0, bend = 0;
   for (std::size_t a = 0; a < axes_; ++a) squares += square(to[a] - now_.at[a]);
@@ -113,7 +113,7 @@ void Planner::remember(const Memory& memory) {
   now_ = memory.path, cutter_ = memory.cutter, timer_.remember(memory.window);
 }
 
-/// Emits what is done.
+/// Emits the cells that the timer has finished.
 void Planner::fetch() {
   std::vector<TimedCells> done;
   done.swap(timer_.done());

@@ -1,12 +1,12 @@
 #pragma once
 // Planner: turns a path of straight pieces and stops into positions in time, with the least time that the axes' limits and the path's
-// tolerances allow (mode `optimal` of a machine profile; older controls had nothing comparable). Memory is bounded: it plans a window of
-// the path, emits what later pieces cannot change any more, and continues from there.
+// tolerances allow (mode `optimal` of a machine profile; older controls had nothing comparable). Memory is bounded: the planner plans a
+// window of the path, emits the cells that later pieces cannot change any more, and continues after them.
 //
 //   pieces ─path/smooth/smooth_path─▶ smooth curve ─cell_cutter─▶ cells ─window_timer─▶ TimedCells
 //
-// It looks ahead of the emitted cells by the stopping distance plus some thousand pieces at most. Smoothing and the later stages may run
-// in parallel; what is emitted, and at which input, does not depend on which of them is faster.
+// The planner looks ahead of the emitted cells by at most the stopping distance plus some thousand pieces. Smoothing and the later stages
+// may run in parallel; the emitted cells, and the input piece at which they are emitted, do not depend on the speed of the two threads.
 
 #include <cstdint>
 #include <functional>
@@ -21,33 +21,35 @@
 
 namespace kadr {
 
-/// Why a planner emits nothing more.
+/// Why a planner has stopped emitting cells.
 enum class PlanEnd : std::uint8_t {
-  none,      // it still emits
-  stopped,   // it was stopped from outside
-  enough,    // the receiver needs no more
-  too_slow,  // the result is not a valid plan: an error of the planner
+  none,      // planning has not ended
+  stopped,   // the stop token ended planning
+  enough,    // the receiver called end_here(): it needs no more cells
+  too_slow,  // the planned time is impossibly long (most_of_standing): a planner error
 };
 
 class Planner {
  public:
-  using Sink = std::function<void(TimedCells&)>;  // may complete the cells with its own data
+  using Sink = std::function<void(TimedCells&)>;  // the receiver of finished cells; it may add its own data to the cells
   Planner(const MotionLimits& limits, Sink sink);
 
-  /// Sets the position of the axes at rest. Call it first, and whenever something else has moved the axes while they were at rest.
+  /// Sets the position `at` at which the axes are at rest. Call begin() first, and whenever something other than this planner has moved
+  /// the axes.
   void begin(const double* at);
-  /// Adds a straight piece. `feed`: mm/s along it. `tolerance`: of the corner at its start, mm; 0: exactly through the corner, so the
-  /// axes stop there. `on_curve`: that corner lies between two chords of a curve. `tag`: is copied to the piece's cells.
+  /// Adds a straight piece. `feed`: mm/s along the piece. `tolerance`: how far the corner at the start of the piece may be rounded, mm;
+  /// 0: not at all, so the axes stop at the corner. `on_curve`: the corner lies between two chords of a curve. `tag`: is copied to the
+  /// cells of the piece.
   void line_to(const double* to, double feed, double tolerance, bool on_curve, std::uint64_t tag, bool paced = false);
   /// Brings the axes to rest and emits everything.
   void stop();
 
-  /// Plans whenever pieces with this many seconds of motion at the commanded feeds have arrived, not only after some hundred pieces. For
-  /// callers that need the first cells of long pieces early; it costs additional plans.
+  /// Makes the planner start a plan whenever the pieces received since the last plan take `seconds` at the commanded feeds, not only
+  /// after some hundred pieces. For callers that need the first cells of long pieces early; the cost is additional plans.
   void plan_each(double seconds) { plan_each_ = seconds; }
-  /// Cuts and times cells in a separate thread while further pieces arrive and are smoothed: the cells are emitted with the next plan.
+  /// Cuts and times cells in a separate thread while further pieces arrive and are smoothed. The next plan emits the cells of this one.
   void work_side_by_side() { side_by_side_ = true; }
-  /// Waits for the separate thread and emits what is done. Call it before memory().
+  /// Waits for the separate thread and emits its finished cells. Call settle() before memory().
   void settle();
   /// Sets the token that all long computations check.
   void stop_by(StopToken stop) { stop_ = stop; }
@@ -55,15 +57,14 @@ class Planner {
   void end_here() {
     if (now_.ended == PlanEnd::none) now_.ended = PlanEnd::enough;
   }
-  /// Returns why planning has ended; from then on all input is ignored.
+  /// Returns why planning has ended. After planning has ended, all input is ignored.
   PlanEnd ended() const { return now_.ended; }
-  /// Returns the segment at which planning ended because of an error of the planner.
+  /// Returns the segment at which a planner error ended planning.
   const WindowTimer::Refused& refused() const { return timer_.refused(); }
 
   static constexpr double most_of_standing = WindowTimer::most_of_standing;
 
-  /// Returns the number of segments for which no speed was found; they are planned cell by cell with a stop after each
-  /// (TimedCells::unsolved).
+  /// Returns the number of segments for which no speed was found; in these segments the axes stop after each cell (TimedCells::unsolved).
   std::size_t failures() const { return timer_.failures(); }
 
   /// Statistics of the solvers.
@@ -73,15 +74,15 @@ class Planner {
   struct Path {
     explicit Path(std::size_t axes) : smooth(axes), at(axes) {}
     SmoothPath smooth;
-    std::vector<double> at;   // the end of the last piece
-    std::vector<double> way;  // direction of the last piece, a unit vector; empty: none yet
-    std::size_t fresh = 0;    // pieces since the last plan
-    double fresh_s = 0;       // s, the time of these pieces at the commanded feeds
+    std::vector<double> at;   // axis positions at the end of the last piece
+    std::vector<double> way;  // direction of the last piece, a unit vector; empty: there is no piece yet
+    std::size_t fresh = 0;    // number of pieces since the last plan
+    double fresh_s = 0;       // time of the `fresh` pieces at the commanded feeds, s
     PlanEnd ended = PlanEnd::none;
   };
 
  public:
-  /// The state that it keeps from piece to piece: the window of the path that is not emitted yet.
+  /// The state that the planner keeps between pieces: the part of the path that is not emitted yet.
   struct Memory {
     Path path;
     CellCutter cutter;
@@ -108,9 +109,9 @@ class Planner {
   CutCells cut_;
   SmoothPath given_;  // a copy of the path, for the separate thread
   StopToken stop_;
-  double plan_each_ = 0;  // s; 0: only the number of pieces counts
+  double plan_each_ = 0;  // s of motion between two plans; 0: only the number of pieces triggers a plan
   bool side_by_side_ = false;
-  SideBySide beside_;  // uses cutter_, timer_, cut_, given_
+  SideBySide beside_;  // the separate thread, which uses cutter_, timer_, cut_, given_
 };
 
 }  // namespace kadr

@@ -1,5 +1,5 @@
-// PrimalDual: the iteration: steps over all cells, then over the blocks that have not converged. Used by motion/least_time/path_timer;
-// tested by tests/motion/primal_dual_test.cpp.
+// PrimalDual, the iteration: makes steps over all cells, then over the blocks of eight cells that have not converged. Used by
+// motion/least_time/path_timer; tested by tests/motion/primal_dual_test.cpp.
 
 #include "motion/least_time/primal_dual.h"
 
@@ -10,15 +10,15 @@
 namespace kadr {
 namespace {
 
-constexpr double first_mu = 0.5, last_mu = 3e-3;  // μ of all limits together, as a share of the time
-constexpr double smaller = 0.2;                   // factor of μ from step to step
+constexpr double first_mu = 0.5, last_mu = 3e-3;  // first and last value of μ, summed over all limits, as a share of the time
+constexpr double smaller = 0.2;                   // factor by which μ is reduced from step to step
 constexpr int steps_of_all = 6;
 constexpr std::size_t beside = 4;  // blocks on each side that continue together with a block that has not converged
 constexpr double slower = 0.7;     // initial guess, as a share of the envelope
 
 }  // namespace
 
-/// Fills the rows of eight with the limits of the cells.
+/// Fills the table rows (eight cells each) with the limits of the cells.
 ///   returns  false if the path is not supported: a stop in a cell next to a reversal, or too few cells
 bool PrimalDual::prepare() {
   const TimedPath& path = *path_;
@@ -56,7 +56,7 @@ void PrimalDual::find_moving() {
   }
 }
 
-/// Computes the lengths, the weights of the middle ordinates in the other ordinates, and the greatest middle ordinates.
+/// Computes the lengths of the cells, the weights of the middle ordinates in the ordinates at the ends, and the greatest middle ordinates.
 void PrimalDual::mix() {
   const TimedPath& path = *path_;
   turns_ = false;
@@ -71,7 +71,7 @@ void PrimalDual::mix() {
       of_cell(k, own_before) = path.h[k - 1] / (path.h[k - 1] + h);
     }
     if (k == 0 && !ends_->from_stop) of_cell(k, given) = ends_->from.b;
-    if (is_last && !turn_behind) of_cell(k, own_behind) = 1;  // the end crawls at a constant speed
+    if (is_last && !turn_behind) of_cell(k, own_behind) = 1;  // the axes crawl at constant speed at the end
     if (!is_last && !turn_behind) {
       of_cell(k, behind) = h / (h + path.h[k + 1]);
       of_cell(k, own_behind) = path.h[k + 1] / (h + path.h[k + 1]);
@@ -102,9 +102,10 @@ void PrimalDual::keep_polynomials() {
     }
 }
 
-/// Sets the initial guess: somewhat below the envelope; at the front the earlier solution, as far as its end had not slowed it.
+/// Sets the initial guess: a value somewhat below the envelope (find_envelope). The first cells get the earlier solution, except near its
+/// end, where the end reduced its speed.
 void PrimalDual::guess() {
-  constexpr std::size_t unsure = 16;  // 1/16 of the part that its end had not slowed is not used either
+  constexpr std::size_t unsure = 16;  // of the part that the earlier solution's end did not slow, the last 1/16 is not used either
   find_envelope(*path_, *ends_, middles_);
   for (std::size_t k = 0; k < n_; ++k) m_[k + pad] = slower * middles_[k];
   const std::vector<double>& known = ends_->guess;
@@ -124,8 +125,8 @@ double PrimalDual::seconds() const {
   return sum;
 }
 
-/// Makes one Newton step.
-///   returns  false if it has no finite solution
+/// Makes one Newton step for all cells of a range.
+///   returns  false if the step is not finite
 bool PrimalDual::step(const Range& range, double mu, Progress& progress) {
   derive(range, mu);
   if (!newton(range)) return false;
@@ -137,16 +138,17 @@ bool PrimalDual::step(const Range& range, double mu, Progress& progress) {
 PrimalDual::Range PrimalDual::widened(const Range& range, std::size_t by) const {
   Range wide{range.first > by ? range.first - by : 1, std::min(range.end + by, blocks_end_), false, false};
   const auto is_tied = [&](std::size_t cell) { return tied_[cell] != 0 || tied_[cell + 1] != 0; };
-  while (turns_ && wide.first > 1 && is_tied(wide.first * lanes)) --wide.first;  // does not separate the two cells of a reversal
+  while (turns_ && wide.first > 1 && is_tied(wide.first * lanes)) --wide.first;  // keeps the two cells of a reversal in one range
   while (turns_ && wide.end < blocks_end_ && is_tied(wide.end * lanes - 1)) ++wide.end;
   wide.from_stop = wide.first == 1 && ends_->from_stop;
   wide.to_stop = wide.end == blocks_end_ && ends_->to_stop;
   return wide;
 }
 
-/// Slows the range down, except at its ends.
+/// Lowers the speeds in a range, except near its ends.
 void PrimalDual::lower(const Range& range) {
-  constexpr double less = 0.3, over = 48;  // cells
+  // less: greatest reduction, as a share; over: number of cells over which the reduction grows from the ends of the range
+  constexpr double less = 0.3, over = 48;
   const std::size_t first = range.first * lanes, end = std::min(range.end * lanes, pad + n_);
   for (std::size_t i = first + 1; i + 1 < end; ++i) {
     const double from_first = range.from_stop ? over : static_cast<double>(i - first);
@@ -161,7 +163,7 @@ void PrimalDual::lower(const Range& range) {
 /// Iterates over a range until it converges; if it does not, retries with a wider range and from a start farther inside the limits.
 bool PrimalDual::settle_range(Range& range, double mu) {
   constexpr int most_steps = 16, more = 12, most_tries = 4;
-  constexpr std::size_t wider = 16;  // blocks, more with each try
+  constexpr std::size_t wider = 16;  // number of blocks by which the range grows with each attempt
   for (int attempt = 0; attempt < most_tries; ++attempt) {
     double now = mu;
     if (attempt > 0) {
@@ -200,7 +202,9 @@ bool PrimalDual::settle(double mu) {
 
 bool PrimalDual::solve(const TimedPath& path, const PathEnds& ends, StopToken stop) {
   constexpr int most_looks = 12;
-  constexpr int most_tighter = 16;  // times the excess: doubles with each check, as tightening also affects the positions between
+  // greatest factor of the excess by which limits are tightened; it doubles with each check, because tightening also acts between the
+  // positions
+  constexpr int most_tighter = 16;
   constexpr double most_of_limit = 1.01;
   path_ = &path;
   ends_ = &ends;

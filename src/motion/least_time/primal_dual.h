@@ -1,17 +1,18 @@
 #pragma once
-// PrimalDual: the least time along a path in cells (motion/least_time/timed_path.h), by a primal-dual interior-point method that may
-// start outside the limits. Eight cells are computed in parallel (base/lanes.h), with results that are bit-identical on all processors.
+// PrimalDual: the least time along a path in cells (motion/least_time/timed_path.h), by a primal-dual interior-point method whose first
+// guess may violate the limits. Eight cells are computed in parallel (base/lanes.h), with results that are bit-identical on all processors.
 //
-// Each limit ±c ≤ 1 has a slack s = 1 ∓ c of its own, and a dual z; s z = μ, μ → 0 (Nocedal, Wright: Numerical Optimization, 19). It is
-// fast for these reasons:
+// Each limit is written as ±c ≤ 1, where c is acceleration or jerk as a share of its limit. It has its own slack s = 1 ∓ c and dual
+// variable z; the method solves s z = μ for μ → 0 (Nocedal, Wright: Numerical Optimization, 19). It is fast for these reasons:
 //
-//   - The jerk is |L| ≤ J/√b with L linear in b. J/√b is convex, so its tangent lies below it: a step within the tangent is within the
-//     limit.
-//   - Every slack and every dual has a step length of its own, and b makes the full step: one tight spot does not shorten the step of the
-//     whole window. The next step corrects the errors that this causes.
-//   - After some steps over all cells, only those blocks of eight cells continue that have not converged, and some blocks around them.
-//   - Limits are checked at three positions of a cell, afterwards at sixteen more; where a limit is exceeded, the limits of the cell are
-//     tightened by the excess, and its block continues.
+//   - The jerk limit J is |L| ≤ J/√b, where b is the squared path speed and L is linear in b. The curve J/√b is convex, so its tangent
+//     lies below it: a step that stays below the tangent obeys the limit.
+//   - Every slack and every dual variable has its own step length, and b always makes the full step. So one cell near a limit does not
+//     shorten the step of the whole window. The next step corrects the resulting errors.
+//   - After some steps over all cells, only blocks of eight cells that have not converged, and some blocks around them, are computed
+//     further.
+//   - Limits are checked at three positions of each cell, and after convergence at sixteen more. If a limit is exceeded there, the limits
+//     of the cell are tightened by the excess and its block is solved again.
 
 #include <array>
 #include <cstddef>
@@ -25,53 +26,56 @@ namespace kadr {
 
 class PrimalDual {
  public:
-  ///   returns  false if some blocks did not converge within the limits; speeds() are then of no use; `stop` may end the search early
+  ///   returns  false if some blocks did not converge within the limits; speeds() is then not valid; `stop` may end the search early
   bool solve(const TimedPath& path, const PathEnds& ends, StopToken stop = {});
 
   const std::vector<CellSpeeds>& speeds() const { return speeds_; }
   /// The middle ordinates of the solution, one per cell.
   const std::vector<double>& middles() const { return middles_; }
-  /// Work done: steps over all cells, or over as many single blocks.
+  /// Work done, in steps over all cells; a step over some blocks counts as a fraction.
   double steps() const { return steps_; }
 
  private:
-  static constexpr std::size_t places = 3;     // positions in a cell where its limits are checked: its ends and its middle
-  static constexpr std::size_t pad = lanes;    // dummy cells before the first and after the last cell, which fill up the blocks
-  static constexpr std::size_t per_axis = 34;  // numbers per moving axis in each cell, in the rows below
-  // per position: x′, x″, x‴ divided by the jerk limit
+  static constexpr std::size_t places = 3;   // positions in a cell where its limits are checked: its ends and its middle
+  static constexpr std::size_t pad = lanes;  // dummy cells before the first and after the last cell, which fill up the blocks
+  // table rows per moving axis, laid out by the functions and constants below; each row has one number per cell
+  static constexpr std::size_t per_axis = 34;
+  // first row of a position's x′, x″, x‴, each divided by the jerk limit
   static constexpr std::size_t shape_row(std::size_t place) { return place * 3; }
-  // per position: slacks +, −, duals +, −
+  // first row of a position's jerk limit: slack of the upper and lower limit, dual variable of the upper and lower limit
   static constexpr std::size_t jerk_row(std::size_t place) { return 9 + place * 4; }
-  // for the middle and the end only: the acceleration is continuous
+  // the same for the acceleration limit, at the middle and the end only: continuous acceleration makes the start equal the previous end
   static constexpr std::size_t acceleration_row(std::size_t place) { return 17 + place * 4; }
   static constexpr std::size_t polynomial_row = 29;
 
   static constexpr LimitMargins margins{0.996, 0.995};
-  static constexpr double at_rest = 0.005;                  // relative step of a middle ordinate, below which it has converged
-  static constexpr double most_beyond = 0.005;              // greatest excess over a limit with its margin, at the positions checked
-  static constexpr double most_gap = 3;                     // greatest slack · dual of the limits of a cell, as a share of their μ
-  static constexpr double allowed = 1;                      // greatest share of a limit
+  static constexpr double at_rest = 0.005;  // a middle ordinate has converged when its relative step is below this
+  // greatest accepted excess over a limit less its margin, at the checked positions
+  static constexpr double most_beyond = 0.005;
+  // greatest accepted slack · dual of any limit in a cell, as a multiple of the target μ
+  static constexpr double most_gap = 3;
+  static constexpr double allowed = 1;                      // greatest accepted acceleration or jerk, as a share of its limit
   static constexpr double most_fall = -0.7, most_rise = 2;  // bounds of the relative change of a middle ordinate in one step
 
-  /// The numbers kept for each cell; a block stores eight of each in a row.
+  /// The numbers stored for each cell. Each is a table row of a block, with one number for each of its eight cells.
   enum Row : std::size_t {
     length,
-    inverse,     // 1 / length
-    limited,     // 1: the limits of the cell count; 0: next to a stop, or a dummy cell
-    before,      // weights in the ordinate at its start: of the previous middle ordinate,
-    own_before,  // of its own,
-    given,       // and the constant part
-    behind,      // weights in the ordinate at its end: of the next middle ordinate,
-    own_behind,  // of its own
+    inverse,     // 1 / length of the cell
+    limited,     // 1: the acceleration and jerk limits of the cell are used; 0: they are not, for a cell next to a stop or a dummy cell
+    before,      // factor of the previous cell's middle ordinate in the ordinate at the start of this cell
+    own_before,  // factor of this cell's middle ordinate in the ordinate at its start
+    given,       // constant part of the ordinate at the start
+    behind,      // factor of the next cell's middle ordinate in the ordinate at the end of this cell
+    own_behind,  // factor of this cell's middle ordinate in the ordinate at its end
     inverse_cap,
     cap_slack,
     cap_dual,
     rows
   };
 
-  /// Cells whose speed is being solved, in whole blocks; the cells at the borders are fixed, except at stops.
+  /// A range of blocks whose speeds are being solved. The cells outside its borders keep their speeds, unless the border is a stop.
   struct Range {
-    std::size_t first, end;  // blocks
+    std::size_t first, end;  // block indices; `end` is excluded
     bool from_stop, to_stop;
   };
   template <class Lanes>
@@ -83,10 +87,10 @@ class PrimalDual {
   template <class Lanes>
   struct OrdinateSums;
   struct Progress {
-    double worst = 1, step = 0;  // least slack before the step; greatest relative step
-    double gap = 0;              // slack · dual of a cell's limits, as a share of the value it should have
+    double worst = 1, step = 0;  // worst: least slack before the step; step: greatest relative step
+    double gap = 0;              // greatest slack · dual of the limits of a cell, as a multiple of the target μ
     bool is_quiet() const { return step <= at_rest && worst >= -most_beyond && gap <= most_gap; }
-    /// True if nothing more will change. Needed where an earlier solution gives a start that is very near its limits.
+    /// True if further steps would change nothing. Needed where the start comes from an earlier solution that is very near the limits.
     bool stands() const { return step < 0.2 * at_rest && worst > 1 - allowed / margins.jerk; }
   };
   struct Moving {
@@ -141,19 +145,22 @@ class PrimalDual {
   const TimedPath* path_ = nullptr;
   const PathEnds* ends_ = nullptr;
   StopToken stop_;
-  std::size_t n_ = 0;           // cells
+  std::size_t n_ = 0;           // number of cells
   std::size_t blocks_end_ = 0;  // blocks 1 … blocks_end_ − 1 contain cells
   std::vector<Moving> moving_;
-  std::vector<double> cells_;                    // rows of each block
-  std::vector<float> limits_;                    // of each block and moving axis
-  std::vector<double> m_, step_, gradient_;      // one per cell, with padding before and after
-  std::array<std::vector<double>, 6> products_;  // of each cell: its matrix elements, by pairs of the middle ordinates before, own, after
-  std::array<std::vector<double>, 3> slopes_;    // of each cell: its part of the gradient, likewise
+  std::vector<double> cells_;  // the table rows (Row) of all blocks
+  std::vector<float> limits_;  // per_axis table rows of each block and moving axis
+  // middle ordinates, their steps, the gradient: one entry per cell, with dummy entries before and after
+  std::vector<double> m_, step_, gradient_;
+  // each cell's contribution to the matrix, one element for each pair of the previous, own and next middle ordinates
+  std::array<std::vector<double>, 6> products_;
+  std::array<std::vector<double>, 3> slopes_;  // each cell's contribution to the gradient, for the previous, own and next middle ordinate
   std::array<std::vector<double>, 3> diagonals_;
-  std::vector<double> tied_;                 // of each cell after a reversal: its middle ordinate as a share of the one before; else 0
+  // one per cell: after a reversal, its middle ordinate divided by the previous cell's; elsewhere 0
+  std::vector<double> tied_;
   bool turns_ = false;                       // true if the path has reversals
-  std::vector<char> restless_;               // blocks that have not converged
-  double first_share_ = 0, last_share_ = 0;  // middle ordinates next to stops, as shares of their neighbours'
+  std::vector<char> restless_;               // one flag per block: it has not converged
+  double first_share_ = 0, last_share_ = 0;  // middle ordinate of the cell next to the stop at the start or end, divided by its neighbour's
   std::vector<double> middles_;
   std::vector<CellSpeeds> speeds_;
   double steps_ = 0;

@@ -1,5 +1,5 @@
-// PrimalDual, the limits within the cells, eight cells in parallel: their contributions to the matrix, the change of slacks and duals in
-// a step, and where they are exceeded. Used by motion/least_time/primal_dual.
+// PrimalDual, the limits within the cells, eight cells in parallel: their contributions to the matrix, the change of slacks and dual
+// variables in a step, and the cells where a limit is exceeded. Used by motion/least_time/primal_dual.
 
 #include <algorithm>
 #include <array>
@@ -11,17 +11,18 @@ namespace kadr {
 namespace {
 
 constexpr std::array<double, 3> place_of = {0, 0.5, 1};
-constexpr double least_b = 1e-6;                    // as a share of the middle ordinate: next to a reversal b is 0
-constexpr double least_slack = 1e-5;                // as a share of a limit
-constexpr double greatest_dual = 1e3;               // s per limit
-constexpr double least_dual = 0.05;                 // as a share of μ
-constexpr double kept = 0.2;                        // the least share of a slack or dual that one step leaves
-constexpr double first_slack = 0.2;                 // the least initial slack
-constexpr double second_derivative_of_time = 0.75;  // d²/dm² of m^(−1/2)
+constexpr double least_b = 1e-6;       // lower bound of b as a share of the middle ordinate, because b is 0 at a reversal
+constexpr double least_slack = 1e-5;   // lower bound of a slack, as a share of the limit
+constexpr double greatest_dual = 1e3;  // upper bound of a dual variable, s per limit
+constexpr double least_dual = 0.05;    // lower bound of a dual variable, as a share of μ
+constexpr double kept = 0.2;           // a step leaves at least this share of a slack or dual variable
+constexpr double first_slack = 0.2;    // the least initial slack
+// factor in the second derivative of m^(−1/2), to which the time of a cell is proportional
+constexpr double second_derivative_of_time = 0.75;
 
 }  // namespace
 
-/// b, b′ and b″/2 of eight cells, computed from their Bézier ordinates.
+/// The squared path speed b and its derivatives b′, b″/2 in eight cells, computed from their Bézier ordinates.
 template <class Lanes>
 struct PrimalDual::BlockSpeed {
   Lanes o0, o1, o2, by_length;
@@ -34,17 +35,17 @@ struct PrimalDual::BlockSpeed {
   KADR_LANES Lanes half_bend() const { return (o0 - 2 * o1 + o2) * by_length * by_length; }
   KADR_LANES Lanes at(double t) const { return ((1 - t) * (1 - t)) * o0 + (2 * t * (1 - t)) * o1 + (t * t) * o2; }
   KADR_LANES Lanes slope(double t) const { return 2 * ((1 - t) * (o1 - o0) + t * (o2 - o1)) * by_length; }
-  /// b with a positive lower bound, for square roots.
+  /// Returns b with a positive lower bound, so that square roots of it are valid.
   KADR_LANES Lanes safe_at(double t, const Lanes& is_limited) const {
     return where_positive(is_limited, greater(at(t), least_b * o1), Lanes::all(1));
   }
 };
 
-/// Slacks and duals of ±c ≤ 1 in eight cells.
+/// The slacks and dual variables of the limits ±c ≤ 1 in eight cells.
 template <class Lanes>
 struct PrimalDual::Pairs {
   float* rows;
-  Lanes slack_up, slack_down, dual_up, dual_down, by_up, by_down;  // by: 1/slack
+  Lanes slack_up, slack_down, dual_up, dual_down, by_up, by_down;  // by_up, by_down: 1/slack
 
   KADR_LANES explicit Pairs(float* from)
       : rows(from), slack_up(from), slack_down(from + lanes), dual_up(from + 2 * lanes), dual_down(from + 3 * lanes) {
@@ -58,8 +59,9 @@ struct PrimalDual::Pairs {
   KADR_LANES static Lanes moved_dual(const Lanes& dual, const Lanes& to, double mu) {
     return lesser(greater(greater(to, kept * dual), Lanes::all(least_dual * mu)), Lanes::all(greatest_dual));
   }
-  /// Moves slacks and duals by a step that changes c by dc; `tangent`: how much more of both slacks the step uses up.
-  ///   returns  the sum of slack · dual of both, after the step
+  /// Updates slacks and dual variables for a step that changes c by dc. `tangent`: additional reduction of both slacks, from the tangent
+  /// to the jerk limit.
+  ///   returns  the sum of slack · dual of the upper and the lower limit after the step
   KADR_LANES Lanes move(const Lanes& c, const Lanes& dc, const Lanes& tangent, double mu) {
     const Lanes up = (1 - c - slack_up) - dc - tangent, down = (1 + c - slack_down) + dc - tangent;
     const Lanes new_up = moved_slack(slack_up, up), new_down = moved_slack(slack_down, down);
@@ -77,12 +79,12 @@ struct PrimalDual::Pairs {
   }
 };
 
-/// Gradient and Hessian with respect to b, b′ and b″/2 at one position.
+/// Gradient and Hessian with respect to b, b′ and b″/2 at one sample position.
 template <class Lanes>
 struct PrimalDual::PlaceSums {
   Lanes g0 = {}, g1 = {}, g2 = {}, h00 = {}, h01 = {}, h02 = {}, h11 = {}, h12 = {}, h22 = {};
 
-  /// Adds a jerk limit, c = e0 b + e1 b′ + e2 b″/2; `tangent`: derivative by b of what the tangent uses up of both slacks.
+  /// Adds a jerk limit with c = e0 b + e1 b′ + e2 b″/2. `tangent`: derivative with respect to b of the slack reduction by the tangent.
   KADR_LANES void add_jerk(const Pairs<Lanes>& of, double mu, const Lanes& c, const Lanes& e0, const Lanes& e1, const Lanes& e2,
                            const Lanes& tangent) {
     const Lanes bend_up = of.dual_up * of.by_up, bend_down = of.dual_down * of.by_down, both = bend_up + bend_down;
@@ -94,7 +96,7 @@ struct PrimalDual::PlaceSums {
     h01 += (b0 + skew) * e1, h02 += (b0 + skew) * e2;
     h11 += b1 * e1, h12 += b1 * e2, h22 += both * e2 * e2;
   }
-  /// Adds an acceleration limit, c = e0 b + e1 b′.
+  /// Adds an acceleration limit with c = e0 b + e1 b′.
   KADR_LANES void add_acceleration(const Pairs<Lanes>& of, double mu, const Lanes& c, const Lanes& e0, const Lanes& e1) {
     const Lanes bend_up = of.dual_up * of.by_up, bend_down = of.dual_down * of.by_down, both = bend_up + bend_down;
     const Lanes along = mu * (of.by_up - of.by_down) - bend_up * (1 - c - of.slack_up) + bend_down * (1 + c - of.slack_down);
@@ -104,7 +106,7 @@ struct PrimalDual::PlaceSums {
   }
 };
 
-/// Gradient and Hessian with respect to the ordinates of the cells.
+/// Gradient and Hessian with respect to the three Bézier ordinates of eight cells.
 template <class Lanes>
 struct PrimalDual::OrdinateSums {
   Lanes g0 = {}, g1 = {}, g2 = {}, h00 = {}, h01 = {}, h02 = {}, h11 = {}, h12 = {}, h22 = {};
@@ -130,7 +132,7 @@ struct PrimalDual::OrdinateSums {
   }
 };
 
-/// Computes x′, x″, x‴ at the positions checked, divided by the jerk limit.
+/// Computes x′, x″, x‴, divided by the jerk limit, at the positions where limits are checked.
 template <class Lanes>
 KADR_LANES void PrimalDual::fill_shapes() {
   for (std::size_t block = 1; block < blocks_end_; ++block) {
@@ -171,7 +173,7 @@ KADR_LANES void PrimalDual::begin_duals(const Range& range, double mu) {
   }
 }
 
-/// Computes the matrix and the gradient, separately for each cell.
+/// Computes the contribution of each cell to the matrix and the gradient.
 template <class Lanes>
 KADR_LANES void PrimalDual::build(const Range& range, double mu) {
   for (std::size_t block = range.first; block < range.end; ++block) {
@@ -226,7 +228,7 @@ KADR_LANES void PrimalDual::gather(const Range& range) {
   }
 }
 
-/// Moves slacks and duals by their step; move() does the same with the middle ordinates.
+/// Applies the step to slacks and dual variables; move() applies it to the middle ordinates.
 template <class Lanes>
 KADR_LANES PrimalDual::Progress PrimalDual::update(const Range& range, double mu) {
   Lanes all_worst = Lanes::all(1), all_steps = {}, all_gaps = {};
@@ -277,9 +279,9 @@ KADR_LANES void PrimalDual::move(const Range& range) {
   }
 }
 
-/// Checks every cell at more positions. `tighter`: where a limit is exceeded, the cell's limits are tightened by this multiple of the
-/// excess.
-///   returns  the greatest share of a limit
+/// Checks the limits of every cell at sixteen more positions. `tighter`: if a limit is exceeded, the cell's limits are tightened by this
+/// multiple of the excess.
+///   returns  the greatest acceleration or jerk, as a share of its limit
 template <class Lanes>
 KADR_LANES double PrimalDual::look(const Range& range, int tighter) {
   constexpr std::array<double, 16> between = {0, 0.04, 0.1, 0.16, 0.22, 0.28, 0.34, 0.4, 0.6, 0.66, 0.72, 0.78, 0.84, 0.9, 0.96, 1};
@@ -329,7 +331,7 @@ void PrimalDual::begin(const Range& range, double mu) {
 
 void PrimalDual::derive(const Range& range, double mu) {
   side_by_side([&](auto like) __attribute__((always_inline)) { build<decltype(like)>(range, mu); });
-  // removes the contributions of cells outside the range
+  // the cells next to the range: their contributions are removed
   const std::size_t outside[] = {range.first * lanes - 1, range.end * lanes};
   for (const std::size_t i : outside)
     for (auto* const all :

@@ -6,12 +6,12 @@
 
 namespace kadr {
 
-/// Solves H · step_ = step_ for the variables first … end − 1. Where rounding leaves a d that is not clearly positive, the diagonal
-/// element itself is used (Gill, Murray, Wright: Practical Optimization 4.4.2).
+/// Solves H · step_ = step_ for the variables first … end − 1. If rounding errors leave an element d of D that is not clearly positive,
+/// the diagonal element of H is used instead (Gill, Murray, Wright: Practical Optimization 4.4.2).
 void PrimalDual::factor(std::size_t first, std::size_t end) {
   constexpr double rounding = 1e-11;
   double *const d0 = diagonals_[0].data(), *const d1 = diagonals_[1].data(), *const d2 = diagonals_[2].data(), *const x = step_.data();
-  // of the previous row, and of the one before it: 1/d, the elements right of its diagonal, its part of the right-hand side
+  // of the previous row, and (…_before) of the row before that: 1/d, the elements to the right of the diagonal, the right-hand side
   double by_d = 0, next = 0, after = 0, value = 0, by_d_before = 0, after_before = 0, value_before = 0;
   for (std::size_t i = first; i < end; ++i) {
     const double l1 = next * by_d, l2 = after_before * by_d_before;
@@ -30,9 +30,9 @@ void PrimalDual::factor(std::size_t first, std::size_t end) {
   }
 }
 
-/// Merges the variables of reversals: a cell after a reversal has no variable of its own; its rows are added to those of the cell before,
-/// and all further rows move up.
-///   returns  the end of the variables
+/// Merges the variables of reversals: a cell after a reversal has no variable of its own; its matrix row is added to that of the previous
+/// cell, and all further rows move up by one.
+///   returns  the index after the last variable
 std::size_t PrimalDual::merge_turns(std::size_t first, std::size_t end) {
   auto& [d0, d1, d2] = diagonals_;
   std::size_t variable = first;
@@ -58,7 +58,7 @@ void PrimalDual::spread_turns(std::size_t first, std::size_t end, std::size_t va
 bool PrimalDual::newton(const Range& range) {
   auto& [d0, d1, d2] = diagonals_;
   const std::size_t all = range.first * lanes, cells_end = std::min(range.end * lanes, pad + n_);
-  std::size_t first = all + 1, end = cells_end;  // the first cell is fixed, or follows from the next
+  std::size_t first = all + 1, end = cells_end;  // the first cell has no variable: it is fixed, or depends on the second cell
   if (range.from_stop) {
     const double share = first_share_;
     d0[first] += share * share * d0[all] + 2 * share * d1[all];

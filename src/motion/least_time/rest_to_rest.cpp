@@ -1,5 +1,5 @@
-// The least time of a straight line from rest to rest: seven phases of constant jerk, some of which may have no duration. Used by
-// motion/least_time/planner.
+// The minimum-time motion along a straight line from rest to rest: seven phases of constant jerk, some of which may have zero duration.
+// Used by motion/least_time/planner.
 
 #include "motion/least_time/rest_to_rest.h"
 
@@ -10,14 +10,15 @@
 namespace kadr {
 namespace {
 
-/// Acceleration from rest: `rising` s of jerk, `steady` s of constant acceleration, `rising` s of opposite jerk.
+/// A ramp from rest to a speed: `rising` s of positive jerk, `steady` s of constant acceleration, `rising` s of negative jerk.
 struct JerkRamp {
   double rising = 0, steady = 0, acceleration = 0, speed = 0;
   double seconds() const { return 2 * rising + steady; }
 };
 
 JerkRamp ramp_to(double speed, const LineLimits& limits) {
-  const double reached = std::min(limits.acceleration, std::sqrt(speed * limits.jerk));  // √(v j): the acceleration limit is not reached
+  // √(v j) is the peak acceleration if the acceleration limit is not reached
+  const double reached = std::min(limits.acceleration, std::sqrt(speed * limits.jerk));
   const double rising = reached / limits.jerk;
   return {rising, std::max(0.0, speed / reached - rising), reached, speed};
 }

@@ -1,5 +1,6 @@
 #pragma once
-// The least time of a straight line from rest to rest: seven phases of constant jerk, some of which may have no duration.
+// The minimum-time motion along a straight line from rest to rest. It has seven phases of constant jerk; some phases may have zero
+// duration.
 
 #include <vector>
 
@@ -13,10 +14,12 @@ struct LineLimits {
   double speed = 0, acceleration = 0, jerk = 0;
 };
 
-/// Returns the limits of the axes along a straight line, `way` its unit vector, with `feed`, mm/s, as a further limit of the speed.
+/// Returns the limits along a straight line that follow from the axis limits. `way`: unit vector of the line. `feed`: a further speed
+/// limit, mm/s.
 LineLimits limits_along(const MotionLimits& limits, const double* way, double feed);
 
-/// Appends the phases of the line. NCT 7.0 has the same closed form with T = acceleration / jerk.
+/// Appends to `to` the phases of the motion along the line. NCT 7.0 has the same closed form, with the build-up time T = acceleration /
+/// jerk.
 ///   pre  length > 0, limits > 0
 void rest_to_rest(double length, const LineLimits& limits, std::vector<TimeLaw>& to);
 

@@ -14,7 +14,7 @@
 namespace kadr {
 namespace {
 
-constexpr double chord_of_curve = 0.04 * tol::exact_path;  // like the chords of an arc that is followed exactly (AxisMotion)
+constexpr double chord_of_curve = 0.04 * tol::exact_path;  // chord error, as for an arc that is followed exactly (AxisMotion)
 
 double angle_between(const Axes& before, const Axes& behind) {
   double squares = 0;
@@ -43,7 +43,7 @@ SmoothingRules smoothing_rules(const Setup& setup, const std::vector<std::string
 }
 
 bool Smoothing::is_sharp(const Held& before, const Held& behind) const {
-  constexpr double turns_back = 179.9;  // degrees: the pieces have no mean direction
+  constexpr double turns_back = 179.9;  // degrees: from this corner angle on, two pieces have no mean direction
   const double angle = angle_between(before.way, behind.way);
   const bool fine = before.piece.mode == 3 && behind.piece.mode == 3;
   const bool short_one = fine && std::min(before.length, behind.length) < rules_.always_below;
@@ -75,8 +75,8 @@ void Smoothing::finish(const Line& line) {
   held_.reset();
 }
 
-/// Emits the held piece. `next`: the piece that follows; nullptr: none that is smoothed, so it ends straight (4.7: next to a piece that
-/// is not smoothed, the tangent is the chord's).
+/// Emits the held piece. `next`: the piece that follows; nullptr: no smoothed piece follows, so the held piece ends in its own direction
+/// (4.7: next to a piece that is not smoothed, the tangent is that of the chord).
 void Smoothing::let_out(const Held* next, const Line& line) {
   const Held& held = *held_;
   const Piece& piece = held.piece;

@@ -1,12 +1,13 @@
 #pragma once
-// ThreadChain: consecutive threads as one motion synchronised with the spindle. NCT 4.4.
+// ThreadChain: plans consecutive threading blocks as one motion synchronised with the spindle. NCT 4.4.
 //
 //   speed of an axis, as the spindle demands it:   ┌────┐┌───   each step is spread over the same time T, half of it before
 //                                                  │    └┘      the step and half after:   ──/‾‾‾\_/‾‾
 //                                               ───┘           so between the steps the axes neither lead nor lag the spindle
 //
-// T is the shortest time for which every axis keeps its acceleration and jerk: the steps are convolved with a trapezoid (W1, W2: the
-// sides of the two boxes whose convolution it is). INFERRED: the manual leaves run-in and run-out to the servo's following error.
+// T is the shortest time for which every axis keeps its acceleration and jerk limits. The speed steps are convolved with a trapezoid of
+// duration T = W1 + W2, itself the convolution of two rectangular pulses with the durations W1 and W2. INFERRED: the manual leaves thread
+// run-in and run-out to the servo's following error.
 
 #include <cstdint>
 #include <vector>
@@ -21,25 +22,25 @@ class ThreadChain {
  public:
   explicit ThreadChain(MotionLimits limits) : limits_(std::move(limits)) {}
 
-  /// Clears the chain; the axes are at rest at this position.
+  /// Clears the chain. The axes are at rest at the position `at`.
   void begin(const Axes& at);
-  /// Adds a straight thread that takes the time given by the spindle, s; longer if an axis is not fast enough (then it is not
-  /// synchronised).
+  /// Adds a straight thread. `seconds`: the time that the spindle speed and thread lead give; the thread takes longer, and is not
+  /// synchronised, if an axis is not fast enough.
   void add(const Axes& to, double seconds, std::uint64_t tag);
 
   bool empty() const { return knots_.size() < 2; }
-  /// True if no more should be added, so that memory stays bounded. The axes then stop and synchronise again.
+  /// True if no more threads should be added, so that memory stays bounded. The axes then stop and synchronise again.
   bool full() const { return knots_.size() > most; }
   const Axes& start() const { return knots_.front().at; }
   const Axes& end() const { return knots_.back().at; }
-  /// The time from the first step to the last, s.
+  /// The time from the first speed step to the last, s.
   double seconds() const { return knots_.back().time; }
-  /// T, s: the motion from rest to rest takes this much longer.
+  /// Returns T, s: the motion from rest to rest takes T longer than seconds().
   double ramp() const;
 
-  /// Returns the motion from rest to rest; the first step is at `ramp() / 2` after its start.
-  ///   law  between two steps, at least T/2 away from both: position = position at the first step + thread length · time since it /
-  ///        thread time
+  /// Returns the motion from rest to rest. The first speed step is `ramp() / 2` after the start of the motion.
+  ///   law  between two speed steps, at least T/2 away from both: position = position at the first step + thread length · time since that
+  ///        step / thread time
   TimedCells cells() const;
 
   static constexpr std::size_t most = 1024;
@@ -48,11 +49,11 @@ class ThreadChain {
   struct Knot {
     double time;
     Axes at;
-    Axes speed;         // after this knot, per s
-    std::uint64_t tag;  // of the thread after this knot
+    Axes speed;         // axis speeds after this knot, mm/s or degrees/s
+    std::uint64_t tag;  // tag of the thread after this knot
   };
   struct Weight {
-    double longer = 0, shorter = 0;  // W1, W2, s
+    double longer = 0, shorter = 0;  // W1, W2: durations of the two rectangular pulses, s
     double time() const { return longer + shorter; }
   };
   Weight weight() const;

@@ -8,14 +8,14 @@
 namespace kadr {
 namespace {
 
-/// s = v S + a C solves s̈ = a + k s with s(0) = 0, ṡ(0) = v; derivatives: dS/dt = 1 + k C, dC/dt = S.
+/// The functions S(t), C(t) with which s = v S + a C solves s̈ = a + k s, s(0) = 0, ṡ(0) = v. Derivatives: dS/dt = 1 + k C, dC/dt = S.
 struct Growth {
   double s, c;
 };
 
 Growth growth(double k, double t) {
   const double x = k * t * t;
-  constexpr double series_below = 0.3;  // the first omitted term is then below 1e-15
+  constexpr double series_below = 0.3;  // below this argument a power series is used; its first omitted term is below 1e-15
   if (std::fabs(x) < series_below) {
     const double s = t * (1 + x / 6 * (1 + x / 20 * (1 + x / 42 * (1 + x / 72 * (1 + x / 110 * (1 + x / 156))))));
     const double c = t * t / 2 * (1 + x / 12 * (1 + x / 30 * (1 + x / 56 * (1 + x / 90 * (1 + x / 132 * (1 + x / 182))))));
@@ -64,13 +64,13 @@ TimeLaw TimeLaw::of_jerk(double seconds, double v, double a, double j) {
 TimeLaw TimeLaw::of_squares(double length, double v, double a, double j) {
   TimeLaw law{0, length, false, v, a, j};
   const double end = std::sqrt(std::max(0.0, v * v + length * (2 * a + j * length)));
-  if (end < v) {  // the time is found from the slow end, where the speed may be 0: the backward motion takes the same time
+  if (end < v) {  // solves for the time from the slower end, where the speed may be 0; the reversed motion takes the same time
     const TimeLaw back = of_squares(length, end, -(a + j * length), j);
     law.seconds = back.seconds;
     return law;
   }
   double t = 2 * length / (v + end);
-  constexpr int most_steps = 30;  // Newton; four or five steps suffice
+  constexpr int most_steps = 30;  // bound of Newton steps; four or five suffice
   for (int step = 0; step < most_steps; ++step) {
     const double error = law.way(t) - length, rate = law.speed(t);
     if (!(rate > 0)) break;

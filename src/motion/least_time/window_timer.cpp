@@ -1,4 +1,5 @@
-// WindowTimer: the speed of a path's cells, window by window. Used by motion/least_time/planner; tested by tests/motion/planner_test.cpp.
+// WindowTimer: finds the speed of a path's cells, window by window. Used by motion/least_time/planner; tested by
+// tests/motion/planner_test.cpp.
 
 #include "motion/least_time/window_timer.h"
 
@@ -14,9 +15,9 @@
 namespace kadr {
 namespace {
 
-constexpr std::size_t least_window = 600;  // cells
-constexpr std::size_t most_window = 6000;  // cells: with more, some are emitted although the window's end may have slowed them
-constexpr double crawl_of_slowest = 0.03;  // share of the ṡ² that the slowest cell allows: the crawl after the window's end
+constexpr std::size_t least_window = 600;  // number of cells from which on a window is solved
+constexpr std::size_t most_window = 6000;  // with more cells, some are emitted although the window's end may have slowed them
+constexpr double crawl_of_slowest = 0.03;  // ṡ² of the crawl at the window's end, as a share of the ṡ² that the slowest cell allows
 
 }  // namespace
 
@@ -51,12 +52,12 @@ void WindowTimer::hand_on(TimedCells made, double standing, std::uint64_t tag) {
   now_.refused = {way, made.sources.empty() ? tag : made.sources[longest].tag};
 }
 
-/// Returns the standing time of the first cells, s.
+/// Returns the time that the first `count` cells would take with a stop at each corner, s.
 double WindowTimer::standing_of(std::size_t count) const {
   return std::accumulate(now_.cells.standing.begin(), now_.cells.standing.begin() + static_cast<std::ptrdiff_t>(count), 0.0);
 }
 
-/// Returns how many cells of a solution that ends crawling are final: up to the last speed that the end has not reduced.
+/// Returns how many cells are final in a solution that ends at crawling speed: the cells whose speed the crawl at the end has not reduced.
 std::size_t WindowTimer::sure_cells() const {
   const std::vector<CellSpeeds>& speeds = timer_.speeds();
   std::size_t cell = now_.cells.count();
@@ -68,7 +69,8 @@ void WindowTimer::solve(bool last, const StopToken& stop) {
   now_.ends.to_stop = last;
   now_.ends.crawl = crawl_of_slowest * slowest_alone(now_.cells.path);
   bool found = timer_.solve(now_.cells.path, now_.ends, stop);
-  constexpr double as_slow = 2, a_little = 1e-6;  // the earlier solution's crawl may stay if it is below twice that of the new cells
+  // the crawling speed of the earlier solution may stay if it is below twice that of the new cells
+  constexpr double as_slow = 2, a_little = 1e-6;
   if (const auto& known = now_.ends.guess; !found && !stop.asked() && !known.empty() && known.back() < as_slow * now_.ends.crawl) {
     now_.ends.crawl = std::max(now_.ends.crawl, (1 + a_little) * known.back());
     found = timer_.solve(now_.cells.path, now_.ends, stop);
@@ -82,7 +84,7 @@ void WindowTimer::solve(bool last, const StopToken& stop) {
   else if (all > most_window) hand_out(all / 3);
 }
 
-/// Emits the first cells; the path continues after them, from a stop if they end with one.
+/// Emits the first `count` cells; the rest of the path continues after them. `stops`: the axes stop after these cells.
 void WindowTimer::hand_out(std::size_t count, bool stops) {
   const TimedPath& path = now_.cells.path;
   const std::size_t all = path.cells();
@@ -111,9 +113,9 @@ void WindowTimer::hand_out(std::size_t count, bool stops) {
   now_.cells.forget(count);
 }
 
-/// Handles the case that no speed was found which continues an earlier solution: the axes stop where that ended crawling, and the rest
-/// starts from there.
-///   returns  false if there is no such position, or the axes cannot stop there
+/// Handles the case that no speed was found that continues an earlier solution: the axes stop where the earlier solution ended at
+/// crawling speed, and the rest of the path starts there from rest.
+///   returns  false if there is no such crawling position, or the axes cannot stop there
 bool WindowTimer::stop_where_known(const StopToken& stop) {
   const std::size_t known = now_.ends.guess.size();
   if (now_.ends.from_stop || known < least_cells || known >= now_.cells.count()) return false;
@@ -124,7 +126,7 @@ bool WindowTimer::stop_where_known(const StopToken& stop) {
   return true;
 }
 
-/// Handles the case that no speed was found at all: passes the cells one by one, as straight lines with a stop after each.
+/// Handles the case that no speed was found at all: times each cell as a straight line with a stop at its end.
 void WindowTimer::cell_by_cell() {
   ++now_.failures;
   const TimedPath& path = now_.cells.path;

@@ -1,5 +1,5 @@
-// The geometric limits of the speed on a path: of a block, and of the junction between two blocks. Used by motion/look_ahead/look_ahead
-// and motion/time/rapid_time.
+// Computes the speed limits that follow from the geometry of a path: within a block, and at the junction between two blocks. Used by
+// motion/look_ahead/look_ahead and motion/time/rapid_time.
 
 #include "motion/look_ahead/control_speed.h"
 
@@ -13,7 +13,7 @@
 namespace kadr {
 namespace {
 
-/// Returns `factor` times the vector, in the directions of the machine's axes.
+/// Returns the vector `work`, multiplied by `factor` and converted from work to machine axis directions.
 Axes along_machine(const Axes& work, double factor, const FrameTurn* turn) {
   Axes all = turned(turn, work);
   for (double& value : all) value *= factor;
@@ -43,7 +43,7 @@ double turn_deg(const Axes& first, const Axes& second) {
   return 2 * std::asin(std::min(size(change(one, other)) / 2, 1.0)) / rad_per_deg;
 }
 
-/// min over the axes of most_i/|part_i|.
+/// Returns the minimum over the axes i of most_i/|part_i|.
 double slowest(const Axes& most, const Axes& part) {
   double least = unlimited;
   for (std::size_t i = 0; i < max_axes; ++i)
@@ -51,7 +51,8 @@ double slowest(const Axes& most, const Axes& part) {
   return least;
 }
 
-/// Returns du/ds of an arc: it points from the point to the centre, its size is (part in the plane)²/r.
+/// Returns du/ds of an arc at the point `at`. It points to the centre; its magnitude is in_plane²/r, with in_plane the share of s in the
+/// arc's plane.
 Axes bend(const Motion& m, const Axes& at, double in_plane, const FrameTurn* turn) {
   const Vec2 arm = m.center - Vec2{at[m.first], at[m.second]};
   Axes towards{};
@@ -67,14 +68,14 @@ void widen(Axes& most, const Axes& u) {
 
 void set_arc(PathShape& shape, const Motion& m, const Axes& from, double in_plane, const FrameTurn* turn) {
   const auto radius_at = [&](const Axes& at) { return length(Vec2{at[m.first], at[m.second]} - m.center); };
-  shape.radius = std::max(std::min(radius_at(from), radius_at(m.to)), tol::least_radius);  // INFERRED (7.2): of a spiral the least
+  shape.radius = std::max(std::min(radius_at(from), radius_at(m.to)), tol::least_radius);  // INFERRED (7.2): the smaller radius of a spiral
   shape.in_plane = in_plane;
   shape.start_bend = bend(m, from, in_plane, turn);
   shape.end_bend = bend(m, m.to, in_plane, turn);
   for (const std::size_t axis : {driven(m.first, turn), driven(m.second, turn)}) shape.most[axis] = std::max(shape.most[axis], in_plane);
 }
 
-/// Returns du/ds of a spline at a part of it: its curvature, towards its left.
+/// Returns du/ds of a spline at the position `part`, 0 … 1: the curvature vector, perpendicular to the path, positive to the left.
 Axes bend_of_spline(const Motion& m, const Curve& curve, double part, double in_plane, const FrameTurn* turn) {
   const Axes rates = curve.rates(part);
   const double along = std::hypot(rates[m.first], rates[m.second]);
@@ -99,7 +100,7 @@ void set_spline(PathShape& shape, const Motion& m, const Curve& curve, double in
   for (const std::size_t axis : {driven(m.first, turn), driven(m.second, turn)}) shape.most[axis] = std::max(shape.most[axis], in_plane);
 }
 
-/// Returns the share of the feed that remains on the inside of an arc (6.4); 1 on the outside, INFERRED.
+/// Returns the share of the feed that applies if the tool is on the inside of an arc (6.4); 1 on the outside, INFERRED.
 double inner_arc_part(const SpeedRules& rules, const Motion& m, const PathShape& shape) {
   const bool turns_left = m.kind == MotionKind::arc_ccw;
   const bool inside = m.tool_radius != 0 && m.side != 0 && (m.side * m.tool_radius > 0) == turns_left;
@@ -107,7 +108,8 @@ double inner_arc_part(const SpeedRules& rules, const Motion& m, const PathShape&
   return std::max(shape.radius / (shape.radius + std::abs(m.tool_radius)), rules.least_arc_part);
 }
 
-/// Returns F = √(a·r), a of the weaker of the two axes; not below Circ F Min (7.2). INFERRED: of a helix its part in the plane counts.
+/// Returns the arc feed F = √(a·r), with r the radius and a the normal acceleration of the weaker of the two axes, but at least Circ F
+/// Min (7.2). INFERRED: for a helix only the motion in the plane counts.
 double arc_speed(const SpeedRules& rules, const PathShape& shape) {
   double most = unlimited;
   for (std::size_t i = 0; i < max_axes; ++i)
@@ -126,7 +128,7 @@ bool cuts_in_plane(const Motion& m, const PathShape& shape) {
   return m.side != 0 && (m.kind == MotionKind::feed || is_arc(m.kind)) && (shape.moves & ~shape.plane) == 0;
 }
 
-/// Sets u where the tip is led: over quarters of the motion, and close to its ends.
+/// Sets u under tool centre point control: sampled over quarters of the motion, and close to its ends.
 void set_led(PathShape& shape, const MachinePath& path, std::size_t axes) {
   constexpr double near = 1.0 / 64;
   constexpr double parts[] = {0, near, 0.25, 0.5, 0.75, 1 - near, 1};
@@ -201,7 +203,7 @@ double junction_speed(const SpeedRules& rules, const PathShape& before, const Pa
 
 double blend_speed(const SpeedRules& rules, const PathShape& before, const PathShape& after, double tolerance) {
   const Axes turn = change(before.end, after.start);
-  const double by_speed = 1 / slowest(rules.acceleration, turn);  // t/v
+  const double by_speed = 1 / slowest(rules.acceleration, turn);  // duration t of the change of direction, divided by the speed v
   if (size(turn) <= tol::tangential || !(by_speed > 0)) return unlimited;
   return std::sqrt(std::min(8 * tolerance / size(turn), std::min(before.length, after.length)) / by_speed);
 }
@@ -223,7 +225,7 @@ bool is_slow_corner(const SpeedRules& rules, const Motion& before, const PathSha
   if (!(rules.inner_part < 1) || before.side != after.side) return false;
   if (!cuts_in_plane(before, first) || !cuts_in_plane(after, second) || first.plane != second.plane) return false;
   const Vec2 in{first.end[before.first], first.end[before.second]}, out{second.start[after.first], second.start[after.second]};
-  const double turn = std::atan2(cross(in, out), dot(in, out)) / rad_per_deg;  // positive: counter-clockwise
+  const double turn = std::atan2(cross(in, out), dot(in, out)) / rad_per_deg;  // change of direction, degrees, counter-clockwise positive
   const double side = before.side * (before.tool_radius < 0 ? -1 : 1);
   return turn * side > 0 && 180 - std::abs(turn) < rules.inner_angle;
 }

@@ -1,5 +1,5 @@
-// Finds what keeps a planned cell from being faster: the nearest of all limits that it must obey (motion/least_time/least_time.h). Used
-// by motion and out; tested by tests/motion/limited_by_test.cpp.
+// Finds the limit that determines the speed of a planned cell: of all limits that the cell must obey (motion/least_time/least_time.h),
+// the nearest one. Used by motion and out; tested by tests/motion/limited_by_test.cpp.
 
 #include "motion/look_ahead/limited_by.h"
 
@@ -28,7 +28,7 @@ void each_axis(const TimedCells& cells, std::size_t cell, double part, const Tak
   }
 }
 
-/// One type of limit: how much of it each axis uses, summed over the sample positions of a cell.
+/// For one type of limit: the share of the limit that each axis uses, summed over the sample positions of a cell.
 struct Nearness {
   Axes part{}, along{}, across{};
 
@@ -65,8 +65,9 @@ LimitShares shares_at(const TimedCells& cells, std::size_t cell, double part, co
 }
 
 LimitedBy limited_by(const TimedCells& cells, std::size_t cell, const MotionLimits& limits) {
-  constexpr double felt = 0.25;  // curvature counts as the limit if it causes a fifth or more: the speed changes because of it
-  constexpr double same = 1e-6;  // relative: the feed is a length divided by its time
+  // curvature is reported as the cause if it causes a fifth or more: the speed then changes because of the curvature
+  constexpr double felt = 0.25;
+  constexpr double same = 1e-6;  // relative difference of equal speeds, because the feed is calculated as length / time
   const CellSource& source = cells.sources[cell];
   if (source.feed <= 0) return {Limit::pause, 0};
   Nearness speed, acceleration, jerk;

@@ -1,4 +1,4 @@
-// LookAhead: takes Steps with their programmed times and emits them in order with the times that the machine needs. Used by cli/run_view;
+// LookAhead: accepts Steps with their programmed times and emits them in order with the times that the machine needs. Used by cli/run_view;
 // tested by tests/motion/look_ahead_test.cpp.
 
 #include "motion/look_ahead/look_ahead.h"
@@ -13,8 +13,8 @@
 namespace kadr {
 namespace {
 
-/// Returns true for actions before which the axes stop (nct 7.0.1). INFERRED: every function of spindle, tool, coolant and machine; a
-/// message that expects no answer does not stop the axes.
+/// Returns true for actions before which the axes stop (nct 7.0.1). INFERRED: every spindle, tool, coolant and machine function stops the
+/// axes; a message that expects no answer does not.
 bool stops(const Action& action, const SpeedRules& rules) {
   return by_kind(
       action, same<FrameChange, ZoneChange>(rules.frames_stop), [](const Message& text) { return text.asks; },
@@ -23,7 +23,8 @@ bool stops(const Action& action, const SpeedRules& rules) {
            Uncouple>(true));
 }
 
-/// Returns true for motions that keep their programmed time: the spindle or the rotation centre determines it, or it is infinite.
+/// Returns true for motions that keep their programmed time: the spindle or the rotary axis of polar interpolation determines this time,
+/// or it is infinite.
 bool keeps_time(const Motion& motion, const MotionTime& programmed) {
   const bool polar = motion.detail && motion.detail->surface == PathSurface::polar;
   return motion.kind == MotionKind::thread || polar || !(programmed.seconds > 0);
@@ -154,15 +155,15 @@ void LookAhead::join(Open& next) {
   close(slow_from);
 }
 
-/// Limits the jump of acceleration between the junction at the start of the open line and the one at its end (nct 7.3). INFERRED: it
-/// limits the speed of both.
+/// Limits the jump of acceleration between the junction at the start of the open line and the one at its end (nct 7.3). INFERRED: the
+/// limit applies to the speed at both junctions.
 void LookAhead::limit_step(Open* next, const Axes& bend) {
   const double most = speed_over_step(rules_, open_->bend, bend);
   open_->enter = std::min(open_->enter, most);
   if (next != nullptr) next->enter = std::min(next->enter, most);
 }
 
-/// Adds the open motion to the path: as up to three pieces, of which the outer ones lie near inner corners.
+/// Adds the open motion to the path as up to three pieces; the first and the last piece are slow zones near inner corners.
 void LookAhead::close(double slow_from) {
   const Open& open = *open_;
   const Acceleration acceleration = acceleration_of(rules_, open.shape);
@@ -184,7 +185,7 @@ void LookAhead::close(double slow_from) {
   open_.reset();
 }
 
-/// Plans and emits everything held; the axes are at rest after it.
+/// Plans and emits all stored steps. The axes are at rest after the last step.
 void LookAhead::rest() {
   last_rapid_.reset();
   if (open_) {
@@ -196,8 +197,8 @@ void LookAhead::rest() {
   start_speed_ = 0;
 }
 
-/// Returns the number of pieces up to the last motion end in the older half from which the path can be planned separately, else up to the
-/// first such end after that; all pieces if there is none.
+/// Returns how many pieces to plan now. The path is divided at the end of a motion from which the rest can be planned separately: the
+/// last such end in the older half, else the first such end in the newer half. If there is none, returns the number of all pieces.
 std::size_t LookAhead::place_to_part() const {
   std::size_t end = 0, best = pieces_.size();
   for (const Held& held : held_) {
@@ -217,7 +218,7 @@ void LookAhead::plan_older() {
   release(count);
 }
 
-/// Emits the motions of the first pieces, and the other actions that follow them.
+/// Emits the motions of the first `pieces` pieces, and the actions that follow these motions.
 void LookAhead::release(std::size_t pieces) {
   std::size_t done = 0;
   while (!held_.empty() && (done < pieces || (held_.front().pieces == 0 && !(open_ && open_->held == &held_.front())))) {

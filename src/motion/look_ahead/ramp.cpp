@@ -11,10 +11,11 @@
 namespace kadr {
 namespace {
 
-constexpr int most_steps = 100;        // of a search: bisection reaches rounding errors in some 60
-constexpr double near_enough = 1e-14;  // relative: a few rounding errors
+constexpr int most_steps = 100;        // bound of the steps of a search; bisection reaches rounding errors after some 60 steps
+constexpr double near_enough = 1e-14;  // relative accuracy of a search: a few rounding errors
 
-/// Returns x of x³ + 2·b·x = q, none of them negative. Newton's method from above descends monotonically, as the left side is convex.
+/// Solves x³ + 2·b·x = q for x ≥ 0; b and q must not be negative. Newton's method, started above the solution, decreases monotonically
+/// because the left side is convex.
 double cubic_root(double b, double q) {
   if (b == 0) return std::cbrt(q);
   double x = std::min(std::cbrt(q), q / (2 * b));
@@ -38,12 +39,13 @@ double ramp_length(double from, double to, const Acceleration& acceleration) {
   return (from + to) / 2 * ramp_seconds(std::abs(to - from), acceleration);
 }
 
-/// Solves (2v + D)/2 · (D/a + T) = L, a quadratic; for D < a·T: (2v + D) · √(D·T/a) = L, a cubic in √D.
+/// With v = from, D the change of speed, L = length, a the acceleration and T the build-up time: solves the quadratic equation (2v + D)/2
+/// · (D/a + T) = L; for D < a·T the equation (2v + D) · √(D·T/a) = L, which is cubic in √D.
 double reached(double from, double length, const Acceleration& acceleration) {
   const double a = acceleration.most, t = acceleration.build_up;
   if (std::isinf(a)) return length > 0 ? a : from;
   if (t == 0) return std::sqrt(from * from + 2 * a * length);
-  const double b = from + a * t / 2;  // D² + 2·b·D = 2·a·(L − v·T)
+  const double b = from + a * t / 2;  // of the quadratic equation D² + 2·b·D = 2·a·(L − v·T) for the change of speed D
   const double rest = 2 * a * (length - from * t);
   if (rest > 0) {
     const double change = rest / (b + std::sqrt(b * b + rest));
@@ -91,7 +93,7 @@ Ramp::Ramp(double from, double to, const Acceleration& acceleration)
 /// Computes the first half of the ramp; the second half is its mirror image.
 Ramp::Moment Ramp::rising(double t, double start_speed, double sign) const {
   const double flat = std::max(t - build_up_, 0.0), build = std::min(t, build_up_);
-  double gained = 0, way = 0;  // within the build-up
+  double gained = 0, way = 0;  // change of speed and distance, at first for a time within the build-up
   if (build_up_ > 0 && jerk_free_) {
     const double turn = build_up_ / pi;
     gained = peak_ / 2 * (build - turn * std::sin(build / turn));

@@ -13,49 +13,51 @@ namespace kadr {
 
 /// The acceleration with which a path may change its speed.
 struct Acceleration {
-  double most = std::numeric_limits<double>::infinity();  // infinite: the speed changes instantly
-  double build_up = 0;                                    // s until `most` is reached; 0: linear
-  bool jerk_free = false;                                 // N0421 #1 JRK; INFERRED: half a cosine, which takes the same time and distance
+  double most = std::numeric_limits<double>::infinity();  // mm/s²; infinite: the speed changes instantly
+  double build_up = 0;                                    // time until `most` is reached, s; 0: linear ramp
+  // N0421 #1 JRK; INFERRED: the acceleration follows half a cosine, with the same time and distance
+  bool jerk_free = false;
 };
 
-/// Returns the time of a change of speed by `change`.
-///   law  linear D/a; bell-shaped D/a + T where D ≥ a·T, else 2·√(D·T/a)
+/// Returns the duration of a ramp that changes the speed by `change`.
+///   law  with D = |change|, a = acceleration, T = build-up time: linear D/a; bell-shaped D/a + T where D ≥ a·T, else 2·√(D·T/a)
 double ramp_seconds(double change, const Acceleration& acceleration);
 
-/// Returns the length of a ramp between two speeds, in either direction: their mean times its duration.
+/// Returns the length of a ramp between two speeds, up or down: the mean of the two speeds times the duration of the ramp.
 double ramp_length(double from, double to, const Acceleration& acceleration);
 
-/// Returns the speed that is reached within `length` by a ramp that is complete there (acceleration 0 again).
+/// Returns the speed that a ramp starting at the speed `from` reaches at the distance `length`, where the acceleration is 0 again.
 ///   law  ramp_length(from, reached(from, L, a), a) == L
 double reached(double from, double length, const Acceleration& acceleration);
 
-/// Returns the highest speed on a path of `length` with these speeds at its ends; at most `most`, at least the higher of the two.
+/// Returns the highest speed on a path of `length` with the speeds `from` and `to` at its ends. The result is at most `most`, but at
+/// least the higher of `from` and `to`.
 double top_speed(double from, double to, double length, double most, const Acceleration& acceleration);
 
-/// Returns the time of such a path: up to the top speed, constant, down. If `length` is too short for the change of speed, that is
-/// linear.
+/// Returns the time of such a path: ramp up to the top speed, constant speed, ramp down. If `length` is too short for the ramp, the speed
+/// changes linearly.
 double way_seconds(double from, double to, double length, double most, const Acceleration& acceleration);
 
-/// A single ramp, which can be evaluated at any time or position.
+/// A single change of speed, which can be evaluated at any time or position.
 class Ramp {
  public:
   Ramp(double from, double to, const Acceleration& acceleration);
   double seconds() const { return seconds_; }
   double length() const { return length_; }
-  /// Returns the time at which the point `at` mm from the start is passed.
+  /// Returns the time at which the position `at`, mm from the start, is reached.
   double seconds_at(double at) const;
   double speed_at(double seconds) const;
 
  private:
   struct Moment {
-    double way, gained;  // since the start of the ramp; gained: absolute change of speed
+    double way, gained;  // way: distance since the start of the ramp; gained: absolute change of speed since then
   };
   Moment rising(double seconds, double start_speed, double sign) const;
   double way_at(double seconds) const;
 
   double from_, to_;
-  double peak_ = 0;      // acceleration, mm/s²
-  double build_up_ = 0;  // s until the peak is reached
+  double peak_ = 0;      // the greatest acceleration of the ramp, mm/s²
+  double build_up_ = 0;  // time until the acceleration `peak_` is reached, s
   bool jerk_free_;
   double seconds_, length_;
 };

@@ -1,5 +1,5 @@
-// The speeds along a path of pieces, each with a limit, from a given speed to rest. Used by motion/look_ahead/look_ahead; tested by
-// tests/motion/speed_plan_test.cpp.
+// Plans the speeds along a path of pieces, each with a speed limit, from a given speed to rest. Used by motion/look_ahead/look_ahead;
+// tested by tests/motion/speed_plan_test.cpp.
 
 #include "motion/look_ahead/speed_plan.h"
 
@@ -13,21 +13,22 @@
 namespace kadr {
 namespace {
 
-constexpr double rounding = 1e-9;  // relative: rounding may make a speed need this much more length than it was computed from
+// relative: because of rounding errors a change of speed may need this much more length than that it was computed from
+constexpr double rounding = 1e-9;
 
-/// Returns true if two speeds differ by rounding errors only: which of them is lower must not matter.
+/// Returns true if two speeds differ by rounding errors only: such speeds must be treated as equal.
 bool is_same(double a, double b) { return a == b || std::abs(a - b) <= rounding * std::max(a, b); }
 
-/// Sets the limits of consecutive pieces that differ by rounding errors only to that of the first.
+/// Makes the speed limits of consecutive pieces equal if they differ by rounding errors only.
 void level(std::span<PathPiece> pieces) {
   for (std::size_t k = 1; k < pieces.size(); ++k)
     if (is_same(pieces[k].most, pieces[k - 1].most)) pieces[k].most = pieces[k - 1].most;
 }
 
-/// Returns the speed after `length` of an acceleration that continues: the speed that a ramp to a far higher speed has there.
+/// Returns the speed at the distance `length` in a ramp that is not complete there, that is, a ramp to a far higher speed.
 double passing(double from, double length, const Acceleration& acceleration) {
   if (std::isinf(acceleration.most)) return length > 0 ? acceleration.most : from;
-  const double gain = std::sqrt(2 * acceleration.most * length);  // no ramp gains more over this length
+  const double gain = std::sqrt(2 * acceleration.most * length);  // upper bound of the change of speed over this length
   const Ramp ramp(from, from + gain + acceleration.most * acceleration.build_up, acceleration);
   return ramp.speed_at(ramp.seconds_at(length));
 }
@@ -73,7 +74,8 @@ Acceleration SpeedPlan::gentlest(std::size_t first, std::size_t last) const {
   return all;
 }
 
-/// Returns the opposite: no ramp through the pieces is faster. A jerk-free one is bounded by its greatest jerk, π/2 times the mean.
+/// Returns an acceleration that no ramp through these pieces can exceed. Jerk-free ramps are bounded by their greatest jerk, which is π/2
+/// times the mean jerk.
 Acceleration SpeedPlan::liveliest(std::size_t first, std::size_t last) const {
   Acceleration all = pieces_[first].acceleration;
   for (std::size_t k = first + 1; k < last; ++k) {
@@ -84,13 +86,14 @@ Acceleration SpeedPlan::liveliest(std::size_t first, std::size_t last) const {
   return all;
 }
 
-/// Returns true if the limit does not change at the node, so that a line divided into two pieces counts as one.
+/// Returns true if the speed limit does not change at the node, so that a line divided into two pieces is planned as one piece.
 bool SpeedPlan::is_anchor_free(std::size_t node) const {
   return is_same(speed_[node], pieces_[node - 1].most) && is_same(speed_[node], pieces_[node].most);
 }
 
-/// Places an anchor at the node's limit if that is reached at all; if the limit is above the speed that a complete ramp can reach there,
-/// but within reach of a ramp that continues, at the former speed.
+/// Places an anchor (a point of zero acceleration) at the node. Its speed is the node's limit if a complete ramp can reach this limit. If
+/// only a ramp that continues beyond the node can reach the limit, the anchor has the speed that a complete ramp reaches. If no ramp can,
+/// there is no anchor.
 void SpeedPlan::place_anchor(std::size_t node) {
   std::size_t before = node - 1, after = node + 1;
   while (!anchor_[before]) --before;
@@ -115,7 +118,8 @@ void SpeedPlan::make_smooth() {
     if (!is_anchor_free(k)) order_.push_back(k);
   const auto from_end = [&](std::size_t node) { return std::min(at_[node], at_.back() - at_[node]); };
   std::sort(order_.begin(), order_.end(), [&](std::size_t a, std::size_t b) { return speed_[a] < speed_[b]; });
-  for (auto same = order_.begin(); same != order_.end();) {  // equal speeds: from both ends inwards, so that the plan is symmetric
+  // anchors of equal speed are placed from both ends inwards, so that the plan is symmetric
+  for (auto same = order_.begin(); same != order_.end();) {
     auto end = std::next(same);
     while (end != order_.end() && is_same(speed_[*end], speed_[*std::prev(end)])) ++end;
     std::sort(same, end, [&](std::size_t a, std::size_t b) { return from_end(a) != from_end(b) ? from_end(a) < from_end(b) : a < b; });
@@ -129,9 +133,9 @@ void SpeedPlan::make_smooth() {
   }
 }
 
-/// Plans between two anchors. The limits in between are not reached on the ramps, so only those of the pieces at the top speed count. If
-/// a plan starts in the middle of an older one that passed a limit while slowing down, a complete ramp may need more length than there
-/// is: then the speed changes linearly, somewhat harder than allowed.
+/// Plans between two anchors. The ramps do not reach the limits in between, so only the limits of the pieces at the top speed count. If a
+/// plan starts in the middle of an older plan that passed a limit while slowing down, a complete ramp may need more length than is
+/// available; then the speed changes linearly, with somewhat more acceleration than allowed.
 void SpeedPlan::fill(std::size_t first, std::size_t last) {
   const double from = speed_[first], to = speed_[last], length = way(first, last);
   Acceleration a = gentlest(first, last);

@@ -1,5 +1,5 @@
 #pragma once
-// The speeds along a path of pieces, each with a limit, from a given speed to rest. NCT 7.0.2.
+// Plans the speeds along a path of pieces, each with a speed limit; the path starts at a given speed and ends at rest. NCT 7.0.2.
 //
 //   limits   ┌─────┐     ┌───        linear: one backward and one forward pass over the speeds of the junctions, each piece with its own
 //            │     └──┐  │           acceleration (INFERRED algorithm of 7.0.2).
@@ -17,22 +17,22 @@
 namespace kadr {
 
 struct PathPiece {
-  double length = 0;  // above 0
-  double most = 0;    // the highest speed in it, above 0
-  double enter = 0;   // the highest speed at its start, apart from that of the piece before
+  double length = 0;  // length of the piece, above 0
+  double most = 0;    // limit: the highest speed allowed in the piece, above 0
+  double enter = 0;   // the highest speed at its start; the limits of the previous piece apply in addition
   Acceleration acceleration{};
   // results
   double seconds = 0;
-  double top = 0;      // the highest speed in it
-  double end = 0;      // the speed at its end
-  bool steady = true;  // the path does not slow down at its end: a plan that starts there can stop within the remaining path
+  double top = 0;      // result: the highest speed in the piece
+  double end = 0;      // result: the speed at the end of the piece
+  bool steady = true;  // the speed does not fall at the end of this piece, so a plan that starts there can stop within the remaining path
 };
 
-/// Computes the plan. Keeps its memory from one plan to the next.
+/// Computes the plan. Reuses its allocated memory from one plan to the next.
 class SpeedPlan {
  public:
   /// Plans from the speed `start` to rest at the end of the last piece.
-  ///   law  top ≤ most; end ≤ enter of the next piece; the change of speed in a piece needs at most its length
+  ///   law  top ≤ most; end ≤ enter of the next piece; the change of speed in a piece needs no more than the length of the piece
   void make(std::span<PathPiece> pieces, double start);
 
  private:
@@ -46,8 +46,9 @@ class SpeedPlan {
   double way(std::size_t first, std::size_t last) const { return at_[last] - at_[first]; }
 
   std::span<PathPiece> pieces_;
-  std::vector<double> speed_;  // at each node, that is between two pieces and at both ends: first the limit, finally the planned speed
-  std::vector<double> at_;     // path length up to the node
+  // at each node (a joint of two pieces, or an end of the path): at first the limit, at the end the planned speed
+  std::vector<double> speed_;
+  std::vector<double> at_;  // path length up to each node
   std::vector<bool> anchor_;
   std::vector<std::size_t> order_;
 };

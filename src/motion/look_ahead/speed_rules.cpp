@@ -1,5 +1,5 @@
-// The limits of a machine's speed along its path besides the programmed feed: its accelerations, and the parameters of a control that has
-// them (NCT 4.1, 6.2–6.4, 7). Used by motion/look_ahead/control_speed; tested by tests/motion/speed_rules_test.cpp.
+// The limits of the speed along the path other than the programmed feed: the accelerations of the machine, and the parameters of controls
+// that support them (NCT 4.1, 6.2–6.4, 7). Used by motion/look_ahead/control_speed; tested by tests/motion/speed_rules_test.cpp.
 
 #include "motion/look_ahead/speed_rules.h"
 
@@ -16,11 +16,11 @@ double feed_limit(double per_minute) { return limit(per_minute / seconds_per_min
 
 struct AxisAcceleration {
   bool stated = false;
-  double most = unlimited;  // per s²
-  double build_up = 0;      // s
+  double most = unlimited;  // acceleration, mm/s² or degrees/s²
+  double build_up = 0;      // time until the acceleration is reached, s
 };
 
-/// The only place that determines where accelerations come from.
+/// Returns an axis' acceleration from the set-up or the profile. No other function chooses between these sources.
 AxisAcceleration acceleration_of(const Setup& setup, const std::string& axis, const MachineProfile& profile) {
   AxisAcceleration found;
   for (const std::string& name : {std::string("*"), axis}) {  // the axis' own entry overrides "*"
@@ -78,7 +78,7 @@ void obey_parameters(SpeedRules& rules, const Setup& setup, const std::vector<st
   rules.inner_after = std::max(given.of_channel("1408"), 0.0);
   rules.inner_angle = given.of_channel("1409");
   if (const double part = given.of_channel("1410"); part > 0) rules.inner_part = std::min(part, 1.0);
-  rules.overlaps_rapids = given.of_channel("0421", {0, "ROL"});  // number INFERRED (4.1.1)
+  rules.overlaps_rapids = given.of_channel("0421", {0, "ROL"});  // parameter number INFERRED (4.1.1)
   rules.overlap_from = std::clamp(given.of_channel("0422") / 100, 0.0, 1.0);
   const bool corners = rules.by_axis_change ? limits_something(rules.axis_change) : rules.corner_feed < unlimited;
   const bool zones = rules.inner_part < 1 && rules.inner_angle > 0;

@@ -1,6 +1,6 @@
 #pragma once
-// OverrideRamp: a smooth change of the share of the planned speed from one override to another, so that acceleration and jerk stay
-// bounded. The plan is played at the rate `share`: plan time = ∫ share dt.
+// OverrideRamp: a smooth change from one override to another, so that acceleration and jerk stay bounded. The override is expressed as
+// the share of the planned speed. The plan is played at the rate `share`: plan time = ∫ share dt.
 
 #include <array>
 
@@ -15,14 +15,15 @@ class OverrideRamp {
  public:
   /// A constant share.
   explicit OverrideRamp(double share) : end_(share) { c_[0] = share; }
-  /// A ramp from `from` to the share `to` in `seconds` > 0: the polynomial of the fifth degree whose rate and bend are 0 at the end.
+  /// A ramp from `from` to the share `to` in `seconds` > 0: a polynomial of the fifth degree whose first and second derivatives are 0 at
+  /// the end.
   OverrideRamp(OverrideShare from, double to, double seconds);
 
   double seconds() const { return seconds_; }
-  /// The share after the ramp.
+  /// The share at the end of the ramp and after it.
   double end() const { return end_; }
   OverrideShare at(double t) const;
-  /// Plan time that has passed after t seconds: ∫ share.
+  /// Plan time that passes in the first t seconds of the ramp: ∫ share dt.
   double passed(double t) const;
 
  private:

@@ -1,5 +1,5 @@
-// Playback: the axes' positions at the servo rate, from the cells that the planner emits, with feed hold, resume and override at any
-// time. Used by out/trace/samples; tested by tests/motion/playback_test.cpp.
+// Playback: computes the axes' positions at the servo rate from the cells that the planner emits, with feed hold, resume and override at
+// any time. Used by out/trace/samples; tested by tests/motion/playback_test.cpp.
 
 #include "motion/play/playback.h"
 
@@ -12,29 +12,31 @@
 namespace kadr {
 namespace {
 
-constexpr int tries_an_instant = 25;             // positions of the next ramp that are checked per servo period: some µs
-constexpr double least_places = 25;              // fewest positions per ramp; in a long ramp one per period
-constexpr double longer = 1.15;                  // factor of the duration of the next ramp to try
-constexpr double longest = 20;                   // s; no ramp is longer: then it tries again from the shortest, with more jerk
-constexpr double a_little_more = 0.005;          // share of the jerk limit by which a ramp may exceed it; if no ramp fits, as much again,
-constexpr double most_over = 0.015;              // up to this share
+constexpr int tries_an_instant = 25;  // number of positions of the next ramp that are checked per servo period; takes some µs
+constexpr double least_places = 25;   // least number of checked positions per ramp; in a long ramp one per servo period
+constexpr double longer = 1.15;       // factor by which the next ramp to try is longer than the last
+// s, the longest ramp; if it fails too, the trial starts again with the shortest ramp and more jerk
+constexpr double longest = 20;
+// excess over the jerk limit that a ramp may have, as a share of the limit; raised by this amount if no ramp fits,
+constexpr double a_little_more = 0.005;
+constexpr double most_over = 0.015;              // up to this excess
 constexpr double rounding_of_limits = 1 + 1e-9;  // tolerance for rounding errors, of all limits
 // If the plan uses its full jerk, playing it at these shares leaves 2, 9, 27 and 66 % of the jerk for the change. A ramp that would take
-// much longer than shortest() is therefore split at one of them, so that the little jerk left at its start need not do for the whole
+// much longer than shortest() is therefore split at one of them, so that the little jerk available at its start does not limit the whole
 // change.
 constexpr std::array on_the_way = {0.992, 0.97, 0.9, 0.7};
 constexpr double much_longer = 1.2;
-constexpr double least_change = 0.001;  // of the share, when cells are missing
-constexpr double least_ramp = 4;        // servo periods
+constexpr double least_change = 0.001;  // least change of the share that is tried when cells are missing
+constexpr double least_ramp = 4;        // shortest ramp, in servo periods
 
 }  // namespace
 
 Playback::Playback(MotionLimits limits, double rate, std::size_t cells)
     : limits_(std::move(limits)), period_(1 / rate), ring_(limits_.speed.size(), cells) {}
 
-/// Moves the cursor by `seconds` of the servo clock. `crossed(end, time on the ramp)` is called for each cell that ends meanwhile. It may
-/// return the seconds by which the next cell, in which the axes are at rest, has to be delayed; from there on the share is 1.
-///   returns  false if there are not enough cells; the cursor is then at the end of the last one
+/// Moves the cursor by `seconds` of the servo clock. `crossed(end, time on the ramp)` is called for each cell that ends meanwhile. The
+/// call may return a delay, s, for the next cell, in which the axes are at rest; from that cell on the share is 1.
+///   returns  false if there are not enough cells; the cursor is then at the end of the last cell
 template <class Crossed>
 bool Playback::advance(Cursor& at, const OverrideRamp& ramp, double on_ramp, double seconds, Crossed&& crossed) const {
   double left = seconds;
@@ -76,7 +78,7 @@ void Playback::show(const Cursor& at, double* x) {
   now_.spindle = ring_.spindle(cell).at(t, s) + now_.slip;
 }
 
-/// Returns true if at this pace no axis exceeds its limits, or the value that the plan itself demands where that is greater.
+/// Returns true if no axis exceeds its limits at the share `pace`. Where the plan itself exceeds a limit, the planned value is the limit.
 bool Playback::is_allowed(const Cursor& at, const OverrideShare& pace) const {
   if (pace.share < 0 || pace.share > rounding_of_limits) return false;
   if (is_over(at)) return true;
@@ -104,7 +106,7 @@ double Playback::shortest(double target) const {
   const TimeLaw& law = ring_.law(now_.at.cell);
   const TimeLaw::State i = law.after(now_.at.t);
   const double change = std::fabs(target - share());
-  constexpr double most_rate = 1.875, most_bend = 5.77;  // of a ramp from 0 to 1 in 1 s
+  constexpr double most_rate = 1.875, most_bend = 5.77;  // greatest first and second derivative of a ramp from 0 to 1 in 1 s
   for (std::size_t a = 0; a < ring_.axes(); ++a) {
     const double* const c = ring_.path(now_.at.cell, a);
     const double speed =
@@ -114,7 +116,8 @@ double Playback::shortest(double target) const {
   return std::min(seconds, longest);
 }
 
-/// Starts to try a ramp to a share, with this duration. The ramp starts at the instant at which the trial will be complete.
+/// Starts the check of a ramp to the share `target` that lasts `seconds`. The ramp will start at the servo instant at which the check is
+/// complete.
 void Playback::try_ramp(double target, double seconds) {
   const double places = std::max(seconds / period_, least_places);
   const auto lead = static_cast<std::uint64_t>(std::ceil(places / tries_an_instant)) + 2;
@@ -128,7 +131,8 @@ void Playback::try_ramp(double target, double seconds) {
   now_.tried = false;
 }
 
-/// Returns the intermediate share nearest to the target at which the ramp under trial might end instead; nullopt if there is none.
+/// Returns the intermediate share nearest to the target, to which a ramp can be tried instead of the ramp under check; nullopt if there
+/// is none.
 std::optional<double> Playback::share_on_the_way() const {
   const double from = now_.next.at(0).share, to = now_.next.end();
   std::optional<double> nearest;
@@ -137,14 +141,14 @@ std::optional<double> Playback::share_on_the_way() const {
   return nearest;
 }
 
-/// Allows a little more jerk and tries again from the shortest ramp.
+/// Allows a little more jerk and starts again with the shortest ramp.
 void Playback::exceed_a_little() {
   now_.over = std::min(now_.over + a_little_more, most_over);
   try_ramp(now_.next.end(), shortest(now_.next.end()));
 }
 
-/// Continues the trial of a ramp. The limits are checked at the servo instants, in a short ramp also between them, and at both sides of
-/// each cell boundary, because the jerk jumps there.
+/// Continues the check of the next ramp. The limits are checked at the servo instants, in a short ramp also between them, and at both
+/// sides of each cell boundary, because the jerk jumps there.
 void Playback::go_on_trying() {
   const double step = std::min(period_, now_.next.seconds() / least_places);
   bool allowed = true;
@@ -160,7 +164,9 @@ void Playback::go_on_trying() {
     }
     const bool known = advance(now_.probe, now_.next, now_.on_next, step, look) || ring_.finished();
     now_.on_next += step;
-    if (!known) {  // not enough cells: a little more jerk, or a smaller change that fits into the known cells; another ramp follows it
+    // not enough cells for the check: allow a little more jerk, or try a smaller change that fits into the known cells and is followed by
+    // another ramp
+    if (!known) {
       const bool fits = shortest(0) * share() < 2 * ahead();
       if (now_.next.end() <= 0 && now_.over < most_over && fits) return exceed_a_little();
       const double from = now_.next.at(0).share, change = (now_.next.end() - from) / 2;
@@ -176,7 +182,8 @@ void Playback::go_on_trying() {
   }
 }
 
-/// Returns the share that the operator requests, as far as the switches act here.
+/// Returns the share that the operator requests. Where the override switch does not act, it is 1; where feed hold does not act, the last
+/// share above 0 replaces a request of 0.
 double Playback::asked() {
   const double wanted = wanted_.load(std::memory_order_relaxed);
   if (wanted > 0) now_.last_override = wanted;
@@ -186,7 +193,7 @@ double Playback::asked() {
   return switches.feed_override ? now_.last_override : 1;
 }
 
-/// Compares the requested share with the current one, starts, continues or accepts the trial of a ramp. Brakes if cells become scarce.
+/// Compares the requested share with the current one, and starts, continues or ends the check of a ramp. Brakes if few cells are left.
 void Playback::steer() {
   const bool scarce = !ring_.finished() && ring_.has_room() && ahead() < reserve * (now_.goal > 0 ? 1 : 2);
   const double wanted = scarce ? 0 : asked();
@@ -203,9 +210,10 @@ void Playback::steer() {
   now_.trying = now_.tried = false;
 }
 
-/// Called when a cell starts at whose end the axes synchronise with the spindle. Returns how much longer the spindle must rotate, s.
+/// Called at the start of a cell at whose end the axes synchronise with the spindle. Returns by how much the axes must wait longer than
+/// planned for the spindle angle, s.
 double Playback::wait_for_spindle(std::uint64_t cell) {
-  constexpr double turn = 360, same = 1e-6;  // degrees
+  constexpr double turn = 360, same = 1e-6;  // one revolution; angles that count as equal; degrees
   const double rate = ring_.spindle(cell).per_second, turns = std::round(now_.slip / turn);
   if (rate == 0 || std::fabs(now_.slip - turn * turns) < same) {
     now_.slip = turn * turns;
@@ -222,9 +230,10 @@ bool Playback::go_on() {
   constexpr double turn = 360;
   const bool as_planned = now_.on_ramp >= now_.ramp.seconds() && now_.ramp.end() == 1;
   const double begins = now_.on_ramp;
-  double on_plan = now_.at.t, on_clock = begins, over = 0;  // s, at the start of the current cell
+  double on_plan = now_.at.t, on_clock = begins, over = 0;  // times at the start of the current cell, s
   bool in_step = false;
-  const auto turns_on = [&](const Cursor& to, double clock) {  // the spindle rotates by the clock, not by plan time
+  // adds to `over` how far the spindle, which rotates in real time, is ahead of its planned rotation at `to`
+  const auto turns_on = [&](const Cursor& to, double clock) {
     if (!as_planned && !in_step) over += ring_.spindle(to.cell).per_second * ((clock - on_clock) - (to.t - on_plan));
   };
   const bool known = advance(now_.at, now_.ramp, begins, period_, [&](const Cursor& end, double clock) -> std::optional<double> {

@@ -1,18 +1,19 @@
 #pragma once
-// Playback: the axes' positions at the servo rate, from the cells that the planner emits, with feed hold, resume and override at any
-// time.
+// Playback: computes the axes' positions at the servo rate from the cells that the planner emits. Feed hold, resume and override are
+// possible at any time.
 //
 //   planner ─offer─▶ CellRing ─▶ cursor on the plan ─fill─▶ positions
 //
 // An override o runs plan time at o times its rate: the path stays the same, speed scales with o, acceleration with o², jerk with o³.
-// Between two overrides the rate follows an OverrideRamp. Before a ramp is accepted it is checked at all instants of the servo clock that
-// it will last, and at the ends of the cells between: where an axis would exceed its acceleration or jerk, a longer ramp is tried, or one
-// to an intermediate share, from which more jerk is left for the change. The check is spread over several instants, so that none takes
-// long. A pause of the program is not lengthened by an override, only by a feed hold. Where the switches do not act (threads, G63:
-// CellSource::switches) the share returns to 1 as soon as a ramp allows; a thread, before which the axes are at rest, starts at 1. The
-// spindle keeps rotating by the clock whatever the axes do; before a thread they wait for its angle.
+// Between two overrides the rate follows an OverrideRamp. Before a ramp is accepted, it is checked at all instants of the servo clock
+// during the ramp and at all cell boundaries between them. If an axis would exceed its acceleration or jerk limit, a longer ramp is
+// tried, or a ramp to an intermediate share, where the plan itself uses less jerk. The check is spread over several servo instants, so
+// that no instant takes long. An override does not lengthen a programmed pause (dwell); a feed hold does. Where the operator's switches
+// do not act (threads, G63: CellSource::switches) the share returns to 1 as soon as a ramp allows. A thread starts at share 1, because
+// the axes are at rest before it. The spindle keeps rotating in real time at any override; before a thread the axes wait for the spindle
+// angle.
 //
-// If cells arrive too late it brakes by itself, and continues when there are enough.
+// If cells arrive too late, Playback brakes the axes, and continues when enough cells are available.
 
 #include <atomic>
 #include <cstdint>
@@ -26,12 +27,12 @@ namespace kadr {
 
 class Playback {
  public:
-  /// `rate`: of the servo clock, Hz. `cells`: capacity of the cell ring.
+  /// `rate`: frequency of the servo clock, Hz. `cells`: capacity of the cell ring.
   Playback(MotionLimits limits, double rate, std::size_t cells = 8192);
 
   // called by the planning thread
 
-  /// Appends cells from the `first` on, as many as fit. Returns their number.
+  /// Appends the cells with the index `first` and above, as many as fit. Returns the number of cells appended.
   std::size_t offer(const TimedCells& cells, std::size_t first) { return ring_.offer(cells, first); }
   /// Marks that no more cells follow.
   void finish() { ring_.finish(); }
@@ -41,17 +42,17 @@ class Playback {
 
   // called by the operator, from any thread
 
-  /// Requests a share, 0 … 1, of the planned speed; 0 is feed hold. More than 1 counts as 1: that would need a faster plan.
+  /// Requests a share, 0 … 1, of the planned speed; 0 is feed hold. A share above 1 counts as 1, because it would need a faster plan.
   void override_to(double share) { wanted_.store(share > 0 ? share < 1 ? share : 1 : 0, std::memory_order_relaxed); }
 
   // called by the servo clock, in one thread
 
   /// Writes the positions at the next instants, `count` rows of all axes; never allocates. Returns the number of rows: 0 before the first
-  /// cell arrives, fewer than `count` when the motion is over (the last row is then its end).
+  /// cell arrives; fewer than `count` when the motion is over (the last row is then the end position).
   std::size_t fill(double* positions, std::size_t count);
   /// True if the end of the motion was written.
   bool done() const { return now_.done; }
-  /// The share that is currently reached.
+  /// The current share of the planned speed.
   double share() const { return now_.ramp.at(now_.on_ramp).share; }
   /// True if the axes are held by an override of 0.
   bool is_held() const {
@@ -59,7 +60,7 @@ class Playback {
   }
   /// The tag of the cell at the last instant.
   std::uint64_t tag() const { return now_.tag; }
-  /// The motion of that cell, as AxisMotion counts them; 0: the axes are at rest.
+  /// The number of the motion at the last instant, counted by AxisMotion; 0: the axes are at rest.
   std::uint64_t motion() const { return now_.motion; }
   /// The spindle's angle at the last instant, degrees.
   double spindle() const { return now_.spindle; }
@@ -67,39 +68,40 @@ class Playback {
   double played() const { return now_.played + now_.at.t; }
   /// Plan time that can still be played without further cells, s.
   double ahead() const { return ring_.offered() - played(); }
-  /// It brakes if less plan time than this is ahead, s.
+  /// Playback brakes the axes if ahead() is less than this plan time, s.
   static constexpr double reserve = 1;
-  /// Number of instants at which it had to stop abruptly because cells were missing: 0 unless braking takes longer than the reserve.
+  /// Number of servo instants at which the axes had to stop abruptly because no cells were available: 0 unless braking takes longer than
+  /// the reserve.
   std::uint64_t starved() const { return now_.starved; }
 
  private:
   /// A position in the plan.
   struct Cursor {
     std::uint64_t cell = 0;
-    double t = 0;  // s since the start of the cell
+    double t = 0;  // plan time since the start of the cell, s
   };
   struct Place {
     Cursor at;
-    OverrideRamp ramp{1};  // the current ramp
-    double on_ramp = 0;    // s since its start
-    double played = 0;     // s, of the completed cells
+    OverrideRamp ramp{1};  // the ramp being played
+    double on_ramp = 0;    // time since the start of `ramp`, s
+    double played = 0;     // plan time of the completed cells, s
     std::uint64_t instant = 0, tag = 0, motion = 0, starved = 0;
-    double spindle = 0, slip = 0;  // degrees; slip: excess over the planned angle
-    double last_override = 1;      // the last override above 0
+    double spindle = 0, slip = 0;  // degrees; slip: actual spindle angle minus planned angle
+    double last_override = 1;      // the last requested override above 0, as a share
     bool started = false, done = false;
 
-    // the next ramp
-    bool trying = false, tried = false;  // tried: it may be used
-    double goal = 1;                     // the share finally wanted, or the current one
+    // the next ramp, which is checked before it is used
+    bool trying = false, tried = false;  // trying: the check of `next` is in progress; tried: `next` passed the check
+    double goal = 1;                     // the share that the ramps lead to, or the current share
     OverrideRamp next{1};
-    std::uint64_t begins = 0;  // instant at which it starts
-    Cursor probe;
-    double on_next = 0;  // s, position of the probe on the next ramp
-    double over = 0;     // allowed excess over the jerk limits, as a share: a feed hold must not fail
+    std::uint64_t begins = 0;  // servo instant at which `next` starts
+    Cursor probe;              // position in the plan up to which `next` is checked
+    double on_next = 0;        // time of the probe since the start of `next`, s
+    double over = 0;           // allowed excess over the jerk limits, as a share of them; above 0 only so that a feed hold cannot fail
   };
 
  public:
-  /// The position and the cells still to be played. To be copied or restored only while no other thread is active.
+  /// The position in the plan, and the cells not played yet. Copy or restore it only while no other thread is active.
   struct Memory {
     Place place;
     double wanted = 1;

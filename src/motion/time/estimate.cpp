@@ -58,10 +58,10 @@ double Rates::least_most() const {
   return least;
 }
 
-/// INFERRED: on an arc each axis of the plane reaches the speed of the path, as it does in a whole quadrant.
+/// INFERRED: on an arc each axis of the plane reaches the full path speed, as it does on an arc of at least a quadrant.
 SlowestAxis slowest_axis(const AxisRoles& roles, const Curve& curve, const Motion& motion, const Axes& most) {
   SlowestAxis slowest;
-  if (curve.surface() != PathSurface::plane) return slowest;  // its feed follows the rotary axis (polar_feed.h)
+  if (curve.surface() != PathSurface::plane) return slowest;  // polar_feed.h limits the feed of these motions by the rotary axis
   for (std::size_t i = 0; i < roles.count; ++i) {
     const bool turns = !curve.straight() && (i == motion.first || i == motion.second);
     const double way = turns ? curve.length(motion.along) : std::abs(curve.way(i));
@@ -91,7 +91,7 @@ double& TimeEstimate::share_of(const Motion& motion) {
   return motion.kind == MotionKind::rapid || motion.kind == MotionKind::home ? split_.rapid : split_.cutting;
 }
 
-/// All axes move together: the slowest determines the time.
+/// Returns the time of a rapid motion in which all axes move together: the slowest axis determines the time.
 double TimeEstimate::rapid_minutes(const Curve& curve) const {
   if (curve.surface() == PathSurface::polar) return kadr::rapid_minutes(curve, roles_, rates_.rapid);
   double minutes = 0;
@@ -102,7 +102,8 @@ double TimeEstimate::rapid_minutes(const Curve& curve) const {
   return minutes;
 }
 
-/// The lead applies along the axis with the longest travel (nct 4.4); overrides do not apply.
+/// Returns the time of a thread. The thread lead is the travel per revolution of the axis with the longest travel (nct 4.4); overrides do
+/// not apply.
 double TimeEstimate::thread_minutes(const Motion& motion, const Curve& curve) const {
   double longest = 0;
   for (std::size_t i = 0; i < roles_.count; ++i) longest = std::max(longest, std::abs(curve.way(i)));
@@ -111,7 +112,7 @@ double TimeEstimate::thread_minutes(const Motion& motion, const Curve& curve) co
 
 /// Returns the time at a feed in mm/rev, of a spindle whose speed depends on the tool's position (nct 11.5).
 double TimeEstimate::turning_minutes(const Motion& motion, const Curve& curve, double feed) const {
-  constexpr double error = 1e-9;  // relative
+  constexpr double error = 1e-9;  // relative error of the integration
   const SpindleTurning& spindle = turning(motion);
   return integral([&](double part) { return curve.rate(motion.along, part) / (feed * spindle.at(curve.at(part))); }, 0, 1, error);
 }
@@ -143,8 +144,8 @@ double TimeEstimate::cutting_minutes(const Motion& motion, const Curve& curve, M
   return std::max(minutes, slowest_axis(roles_, curve, motion, rates_.most).minutes);
 }
 
-/// Returns the least time by the machine axes' travel. Where rotary axes carry the tool or the part along, the machine's axes travel
-/// other distances than the work coordinates (nct 25); the ends of the motion are compared.
+/// Returns the least time that the machine axes need for their travel. If rotary axes move the tool or the workpiece, the machine axes
+/// travel other distances than the work coordinates (nct 25). The travel is the difference of the end positions.
 double TimeEstimate::machine_minutes(const Motion& motion, const ToolPosition& from, bool rapid) const {
   double minutes = 0;
   for (std::size_t i = 0; i < roles_.count; ++i) {
@@ -199,7 +200,7 @@ void TimeEstimate::other(const Action& action) {
               ContourBreak, ContourCorner, ContourCheck>);
 }
 
-/// Times any step. The pause is the growth of the sums, so that the pauses add up to the sums exactly.
+/// Computes the time of a step. A step's pause is the increase of the sums, so that all pauses add up exactly to the sums.
 void TimeEstimate::time(Step& step) {
   if (const Motion* const moved = step.motion()) {
     step.time = motion(*moved, step.curve(), &step.from);

@@ -1,6 +1,6 @@
 #pragma once
-// Machining time from programmed feeds and the machine's rapid rates, without acceleration. With acceleration:
-// motion/look_ahead/look_ahead.h.
+// Computes the machining time from programmed feeds and the machine's rapid rates, without acceleration. motion/look_ahead/look_ahead.h
+// computes it with acceleration.
 
 #include "action/step.h"
 #include "config/machine_profile.h"
@@ -11,14 +11,14 @@ namespace kadr {
 
 /// The speeds of the machine, per axis.
 struct Rates {
-  Axes rapid{};             // mm/min or degrees/min, override included
+  Axes rapid{};             // rapid rate of each axis, mm/min or degrees/min, override included
   double feed_part = 1;     // feed override / 100
   double spindle_part = 1;  // spindle override / 100
   double tool_change_s = 0;
   double spindle_start_s = 0;
-  bool exact_times = false;  // the axes need no time to accelerate: the estimate is exact
-  Axes most{};               // of each axis, mm/min or degrees/min: its rapid rate without override; 0: unknown
-  /// Returns the least of the known `most`: a motion at this feed or less needs no check per axis.
+  bool exact_times = false;  // true: the axes accelerate instantly, so the estimate is exact
+  Axes most{};               // rapid rate of each axis without override, mm/min or degrees/min; 0: unknown
+  /// Returns the lowest known rate in `most`. A motion at this feed or less cannot exceed the rate of any axis.
   double least_most() const;
 };
 
@@ -26,10 +26,10 @@ struct Rates {
 /// `"acceleration": null` for "*" or for every axis.
 Rates rates_of(const MachineProfile& profile, const Setup& setup, const std::vector<std::string>& axes);
 
-/// Returns the limits of one axis in machine coordinates; the set-up has priority over the profile.
+/// Returns the travel limits of one axis in machine coordinates (least, most); the set-up has priority over the profile.
 std::pair<double, double> limits_of(const MachineProfile& profile, const Setup& setup, const std::string& axis);
 
-/// The axis that needs the longest time at its rapid rate: no feed makes the motion shorter.
+/// The axis of a motion that needs the longest time at its rapid rate. No feed can make the motion shorter than this time.
 struct SlowestAxis {
   std::size_t axis = 0;
   double minutes = 0;
@@ -41,27 +41,27 @@ struct TimeSplit {
   double cutting = 0;
   double rapid = 0;
   double dwell = 0;
-  double tool_change = 0;     // including starts of the spindle
+  double tool_change = 0;     // includes spindle start times
   std::uint64_t unknown = 0;  // number of motions that would never end (no feed, spindle at rest, override 0); not included in the times
   double total() const { return cutting + rapid + dwell + tool_change; }
 };
 
-/// Adds up the time of Actions, in order.
+/// Adds up the times of Actions, which must be given in program order.
 class TimeEstimate {
  public:
   TimeEstimate(const AxisRoles& roles, const Rates& rates);
 
-  /// Times a motion along its curve.
+  /// Computes the time of a motion along its curve and adds it to the sum.
   ///   from  the axes' position before it; nullptr: the start of the curve
   MotionTime motion(const Motion& motion, const Curve& curve, const ToolPosition* from = nullptr);
 
-  /// Times any other action. A Sync takes no time of its own.
+  /// Adds the time of an action that is not a motion. A Sync (wait for another channel) adds no time.
   void other(const Action& action);
 
-  /// Times any step and stores the result in it.
+  /// Computes the time of a step of any type and stores it in the step.
   void time(Step& step);
 
-  /// Adds `longer`, s, to the time of a motion after the look-ahead has planned it; negative: the motion is shorter.
+  /// Adds `longer`, s, to the sum when the look-ahead has planned a motion; negative: the motion takes less than its programmed time.
   void lengthen(const Motion& motion, double longer) { share_of(motion) += longer; }
 
   void spindle(double rpm, std::size_t number = 1) { spindle_of(number).rpm = rpm; }
@@ -87,8 +87,8 @@ class TimeEstimate {
   Rates rates_;
   double least_most_;
   TimeSplit split_;
-  double feed_ratio_ = 1;  // feed per revolution: revolutions of a gearbox's slave per revolution of the spindle
-  std::vector<SpindleTurning> spindles_ = std::vector<SpindleTurning>(2);  // by number; 0 is unused
+  double feed_ratio_ = 1;  // for feed per revolution with an electronic gearbox: revolutions of the slave axis per spindle revolution
+  std::vector<SpindleTurning> spindles_ = std::vector<SpindleTurning>(2);  // index: spindle number; entry 0 is unused
 };
 
 }  // namespace kadr

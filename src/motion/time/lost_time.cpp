@@ -61,8 +61,9 @@ void LostTime::take(const TimedCells& cells) {
 }
 
 std::vector<LostTime::Place> LostTime::worst(std::size_t count) const {
-  constexpr double accurate = 1e-3;  // share of the time: the planner's error is up to half of that (motion/least_time/least_time)
-  constexpr double shown = 5e-4;     // s: a smaller value would be displayed as 0
+  // losses below this share of the time are ignored; the planner's error is up to half of it (motion/least_time/least_time)
+  constexpr double accurate = 1e-3;
+  constexpr double shown = 5e-4;  // s; a smaller loss would be displayed as 0
   std::vector<Place> places;
   for (const Row& row : rows_) {
     if (row.place.lost() < std::max(shown, accurate * row.place.seconds)) continue;

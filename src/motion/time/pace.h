@@ -1,7 +1,8 @@
 #pragma once
-// Pace: how the time of a motion is distributed over its pieces where the axes do not move in proportion to the feed: in polar
-// interpolation, whose feed applies in the programmed plane and whose rotary axis has a limit (NCT 4.5), in cylindrical interpolation, on
-// the unrolled surface (4.6), and at a feed per revolution of a spindle whose speed depends on the tool's position (11.5).
+// Pace: computes how the time of a motion is distributed along it where the axes do not move in proportion to the feed. There are three
+// cases: polar interpolation, where the feed applies in the programmed plane and the rotary axis has a speed limit (NCT 4.5); cylindrical
+// interpolation, where the feed applies on the unrolled surface (4.6); and feed per revolution of a spindle whose speed depends on the
+// tool's position (11.5).
 
 #include "action/axis_roles.h"
 #include "motion/time/polar_feed.h"
@@ -9,11 +10,11 @@
 
 namespace kadr {
 
-/// A view of a curve, which must outlive it.
+/// A view of a curve. The curve must outlive the Pace.
 class Pace {
  public:
-  ///   feed   mm/min along the length that the motion's feed applies to; 0: rapid
-  ///   rapid  of each axis, mm/min or degrees/min
+  ///   feed   mm/min along the length to which the motion's feed refers; 0: rapid motion
+  ///   rapid  rapid rate of each axis, mm/min or degrees/min
   Pace(const AxisRoles& roles, const Curve& curve, const Motion& motion, double feed, const Axes& rapid, const SpindleTurning& spindle);
 
   /// True if the axes move in proportion to the feed along the whole path.
@@ -21,8 +22,9 @@ class Pace {
   /// Returns the number of equal pieces to cut the motion into, so that the feed changes little within each.
   int pieces() const;
 
-  /// Returns the time between two parts of the motion, accurate enough to distribute the time of the whole motion (Simpson's rule).
-  ///   law  the rotary axis of polar interpolation keeps its limit
+  /// Returns the time between two positions, 0 … 1, in the motion. Simpson's rule makes it accurate enough to distribute the time of the
+  /// whole motion.
+  ///   law  the rotary axis of polar interpolation does not exceed its speed limit
   double minutes(double from, double to) const;
 
  private:

@@ -7,9 +7,9 @@
 namespace kadr {
 namespace {
 
-/// Returns the rest of the time that slowing down from `top` to rest takes, after the speed has fallen by the share `part`.
+/// Returns the remaining time of a ramp from the speed `top` to rest, after the speed has fallen by the share `part`.
 double left_of_ramp(double top, double part, const Acceleration& acceleration) {
-  constexpr int steps = 60;  // halvings: down to rounding errors
+  constexpr int steps = 60;  // number of bisection steps, enough to reach rounding errors
   const Ramp down(top, 0, acceleration);
   double low = 0, high = down.seconds();
   for (int step = 0; step < steps; ++step) {

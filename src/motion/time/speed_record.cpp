@@ -1,5 +1,5 @@
-// SpeedRecord: speed, and how near the axes are to their limits, over the time of a least-time plan. Used by out/picture/speed_page;
-// tested by tests/motion/speed_record_test.cpp.
+// SpeedRecord: records the speed, and how near the axes are to their limits, over the time of a least-time plan. Used by
+// out/picture/speed_page; tested by tests/motion/speed_record_test.cpp.
 
 #include "motion/time/speed_record.h"
 

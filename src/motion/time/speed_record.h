@@ -1,6 +1,6 @@
 #pragma once
-// SpeedRecord: speed, and how near the axes are to their limits, over the time of a least-time plan; the data of a picture. Bounded
-// memory: columns of time; when all are used, pairs of columns are merged.
+// SpeedRecord: records the speed, and how near the axes are to their limits, over the time of a least-time plan. The result is the data
+// of a diagram. Memory is bounded: each column covers an equal interval of time; when all columns are used, pairs of columns are merged.
 
 #include <limits>
 #include <vector>
@@ -12,21 +12,22 @@ namespace kadr {
 
 class SpeedRecord {
  public:
-  /// An interval of time. If it is spent on several things, speed, feed, line and `on` are those of the cutting; without cutting those of
-  /// the rapid motion, else of the pause.
+  /// An interval of time. If the interval contains several activities, speed, feed, line and `on` describe the cutting; without cutting,
+  /// the rapid motion; else the pause.
   struct Column {
-    double least = std::numeric_limits<double>::infinity();  // path speed, mm/s
+    double least = std::numeric_limits<double>::infinity();  // lowest path speed in the interval, mm/s; `most` is the highest
     double most = 0;
-    double feed = 0;                            // the greatest commanded feed; 0: the axes are at rest, or the time is unknown
-    LimitShares::Share acceleration{}, jerk{};  // the greatest shares
-    Spent::On on = Spent::On::cutting;          // what it is spent on
-    std::uint32_t line = 0;                     // the line of the program it is spent on
+    // the greatest commanded feed, mm/s; 0: the axes are at rest, or the programmed time is unknown
+    double feed = 0;
+    LimitShares::Share acceleration{}, jerk{};  // the greatest shares of the limits used by an axis
+    Spent::On on = Spent::On::cutting;          // activity that the interval is spent on
+    std::uint32_t line = 0;                     // program line that the interval is spent on
     bool seen = false;
 
     void take(const Column& later);
   };
 
-  /// `most`: columns, an even number.
+  /// `most`: number of columns, even.
   explicit SpeedRecord(MotionLimits limits, std::size_t most = 1400) : limits_(std::move(limits)), most_(most) {}
 
   void take(const TimedCells& cells);

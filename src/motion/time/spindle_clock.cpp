@@ -1,4 +1,4 @@
-// SpindleClock: the angle of the spindles over the time of the axes' motion. Used by motion/least_time/axis_motion; tested by
+// SpindleClock: computes the angles of the spindles over the time of the axes' motion. Used by motion/least_time/axis_motion; tested by
 // tests/motion/spindle_clock_test.cpp.
 
 #include "motion/time/spindle_clock.h"
@@ -53,7 +53,7 @@ void SpindleClock::couple(double degrees_per_mm) {
   led().turning.on = false;
 }
 
-/// INFERRED: the spindles that do not lead rotate by their commands all the time.
+/// INFERRED: the spindles other than the leading one rotate all the time at their commanded speeds.
 SpindleTurn SpindleClock::turn(double per_second, const TimeLaw& law) {
   Turned& leads = led();
   for (Turned& other : spindles_)
@@ -64,10 +64,10 @@ SpindleTurn SpindleClock::turn(double per_second, const TimeLaw& law) {
 }
 
 double SpindleClock::seconds_to(double angle, double ahead) const {
-  constexpr double same = 1e-9;  // of a revolution: a pulse that comes just now counts
+  constexpr double same = 1e-9;  // share of a revolution: a zero pulse that occurs at this moment counts
   const double rate = std::fabs(per_second()), angle_now = spindles_[leading_].angle, turned = turning().reversed ? -angle_now : angle_now;
   const double pulse = full_turn * std::ceil(turned / full_turn - same);
-  const double least = rate * ahead;  // degrees turned since the pulse, at least
+  const double least = rate * ahead;  // least rotation since the zero pulse, degrees
   const double more = full_turn * std::max(0.0, std::ceil((least - angle) / full_turn - same));
   return std::max(0.0, (pulse - turned + angle + more - least) / rate);
 }

@@ -1,5 +1,5 @@
 #pragma once
-// SpindleTurning: the rotation of a spindle as commanded. INFERRED: it reaches its speed at once.
+// SpindleTurning: the commanded rotation of a spindle. INFERRED: the spindle reaches a commanded speed at once.
 
 #include <algorithm>
 
@@ -8,16 +8,16 @@
 namespace kadr {
 
 struct SpindleTurning {
-  double rpm = 0;         // commanded, rev/min
-  bool on = true;         // the set-up may state that it is at rest: then rpm is 0
-  bool reversed = false;  // counter-clockwise (M4)
+  double rpm = 0;         // commanded speed, rev/min
+  bool on = true;         // true at the start too; if the set-up states that the spindle is at rest, rpm is 0
+  bool reversed = false;  // true: counter-clockwise rotation (M4)
 
-  SurfaceSpeed surface{};  // of the main spindle
+  SurfaceSpeed surface{};  // constant surface speed, for the main spindle only
 
   double now() const { return on ? rpm : 0; }
   /// Returns the speed while the tool is at this position, work coordinates, rev/min.
   double at(const Axes& work) const { return on && surface.on ? by_surface(work) : now(); }
-  /// Reports the end of a motion there, work coordinates.
+  /// Reports that a motion ended at the position `work`, work coordinates.
   void arrive(const Axes& work) {
     if (surface.on) rpm = by_surface(work);
   }
@@ -37,7 +37,7 @@ struct SpindleTurning {
   void take(const Speed& speed) { rpm = speed.surface ? speed.rpm : speed.value; }
 
  private:
-  /// INFERRED: towards the centre no spindle exceeds this, even if no limit is stated.
+  /// Upper bound of the speed when the tool moves towards the rotation centre. INFERRED: it applies even if no limit is stated.
   static constexpr double fastest = 1e5;  // rev/min
   double by_surface(const Axes& work) const { return std::min(surface.rpm(work, rpm), fastest); }
 };

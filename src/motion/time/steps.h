@@ -9,9 +9,9 @@ namespace kadr {
 
 class Steps {
  public:
-  /// `roles` and `clock` must outlive it.
+  /// `roles` and `clock` must outlive the Steps object.
   ///   start  position of the tool before the first action
-  ///   clock  times each step; nullptr: steps are not timed
+  ///   clock  computes the time of each step; nullptr: steps have no time
   Steps(const AxisRoles& roles, ToolPosition start, TimeEstimate* clock = nullptr) : roles_(roles), at_(std::move(start)), clock_(clock) {}
 
   /// Passes the next action to a `sink(const Step&)`.

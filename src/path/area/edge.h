@@ -1,5 +1,5 @@
 #pragma once
-// Geometry of one edge: a line or an arc of at most half a circle.
+// Geometry of one edge of a contour in a plane: a line or an arc of at most half a circle.
 
 #include <limits>
 
@@ -19,20 +19,20 @@ double length_of(const Edges& path);
 Edge reversed(const Edge& e);
 Edges reversed(const Edges& path);
 
-/// Returns the point at `part` of the length, 0..1.
+/// Returns the point at the fraction `part` of the edge's length, 0 … 1.
 Vec2 at(const Edge& e, double part);
-/// Returns the direction of travel at that part, a unit vector.
+/// Returns the direction of travel at the fraction `part` of the length, a unit vector.
 Vec2 direction(const Edge& e, double part);
-/// Returns the piece of the edge between two parts.
+/// Returns the section of the edge between two fractions of its length.
 Edge stretch(const Edge& e, double from, double to);
-/// Returns the part of the edge's point nearest to `p`.
+/// Returns where the edge is nearest to `p`, as a fraction of the edge's length.
 double nearest_part(const Edge& e, Vec2 p);
 double distance(const Edge& e, Vec2 p);
 
-/// Returns the least distance between two edges (path/curve/plane_distance); 0 where they cross.
+/// Returns the least distance between two edges (path/curve/plane_distance); 0 if they cross.
 double distance(const Edge& a, const Edge& b);
 
-/// Returns where two edges meet, ends included; overlapping edges give their ends.
+/// Returns the points that two edges have in common, end points included. If the edges overlap, these are the end points of the overlap.
 std::vector<Vec2> meetings(const Edge& a, const Edge& b);
 
 struct Bounds {
@@ -40,7 +40,7 @@ struct Bounds {
   Vec2 most{-std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()};
   void take(Vec2 p);
   void take(const Edge& e);
-  /// True if the boxes are at most `reach` apart.
+  /// True if the two bounding boxes are at most `reach` apart.
   bool near(const Bounds& other, double reach) const;
 };
 Bounds bounds_of(const Edges& path);
@@ -48,8 +48,8 @@ Bounds bounds_of(const Edges& path);
 /// Returns the edge rotated about the origin.
 Edge rotated(const Edge& e, double deg);
 
-/// Returns a circular arc from `from`, starting in the direction `way`, to `to`; a line if that is straight. An arc longer than half a
-/// circle becomes two edges.
+/// Returns the circular arc from `from` to `to` that starts in the direction `way`; a line if `to` lies straight ahead. An arc longer
+/// than half a circle becomes two edges.
 Edges tangent_arc(Vec2 from, Vec2 way, Vec2 to);
 
 }  // namespace kadr::area

@@ -18,8 +18,8 @@ Edges all_edges(const std::vector<Edges>& loops) {
   return all;
 }
 
-/// Appends the parts of a loop that are walls (or open sides) as polylines; a polyline round the whole loop ends with its first two
-/// corners again.
+/// Appends the parts of a loop that are walls (with `open`: open sides) to `lines` as polylines. A polyline around the whole loop repeats
+/// its first two corners at its end.
 void add_stretches(const Edges& loop, bool open, Polygons& lines) {
   const auto begin = std::find_if(loop.begin(), loop.end(), [&](const Edge& e) { return e.open != open; });
   if (begin == loop.end()) {
@@ -77,7 +77,7 @@ class Fields {
       field.reach_area = flattened(field.reach, chord);
       if (field.reach.empty()) continue;
       field.work = open_.empty() ? field.reach : recovered(common(work, part), carriers(passes_beyond));
-      if (field.work.empty()) field.work = field.reach;  // here the tool only cuts from outside, through an open side
+      if (field.work.empty()) field.work = field.reach;  // the tool's centre stays outside the zone and cuts through an open side only
       field.work_area = flattened(field.work, chord);
       field.roomy = Room(grown(field.reach_area, tol::area_wall / 2, chord));
       field.wanted = common(grown(field.reach_area, job_.radius, chord), area_);
@@ -110,7 +110,7 @@ class Fields {
 std::vector<Field> fields_of(const Zone& zone, const Job& job) {
   const double off_walls = job.radius + job.allowance;
   std::vector<Field> fields = Fields(zone, job, off_walls).make();
-  if (fields.empty()) fields = Fields(zone, job, off_walls - tol::area_wall / 2).make();  // a slot exactly as wide as the tool
+  if (fields.empty()) fields = Fields(zone, job, off_walls - tol::area_wall / 2).make();  // for a slot exactly as wide as the tool
   return fields;
 }
 

@@ -1,6 +1,7 @@
 #pragma once
-// Field: a connected area that the tool's centre may reach, for one zone. A zone (spec/correctors 4) is closed if all sides are walls,
-// open if none is, else half-open or combined; the centre keeps off walls and runs over open sides.
+// Field: a connected area that the tool's centre may reach in one zone. A zone (spec/correctors 4) is an area to mill, bounded by sides.
+// It is closed if all sides are walls, open if no side is a wall, else half-open or combined. The tool's centre keeps its distance from
+// walls and may pass over open sides.
 
 #include "path/area/mill.h"
 #include "path/area/recover.h"
@@ -9,29 +10,30 @@
 namespace kadr::area {
 
 struct Field {
-  std::vector<Edges> reach;  // exact loops around the area that the centre may reach
+  std::vector<Edges> reach;  // boundary of the area that the tool's centre may reach, as exact closed loops
   Polygons reach_area;
-  std::vector<Edges> work;  // likewise with less overrun: what the scheme covers; the rest of `wanted` is cut along `reach`
+  // boundary of the area that the scheme's passes cover, with less overrun; the rest of `wanted` is cut along `reach`
+  std::vector<Edges> work;
   Polygons work_area;
-  Room roomy;   // the reach, slightly enlarged: the tool's centre must stay in it
-  Edges walls;  // of the zone
+  Room roomy;   // `reach_area`, slightly enlarged: the tool's centre must stay inside
+  Edges walls;  // walls of the zone
   Polygons zone;
-  Polygons wanted;  // the part of the zone that the tool can clear: all except corners and narrow places
+  Polygons wanted;  // the part of the zone that the tool can clear: all except corners and narrow parts
 };
 
-/// Returns the fields of a zone; none if the tool does not fit.
+/// Returns the fields of a zone; an empty list if the tool does not fit anywhere.
 std::vector<Field> fields_of(const Zone& zone, const Job& job);
 
-/// Returns true if the path stays within field.roomy.
+/// Returns true if the path stays within field.roomy, the area in which the tool's centre must stay.
 bool holds(const Field& field, const Edges& path);
 
-/// Returns true if the disk of the tool at `p` touches no material.
+/// Returns true if a tool with its centre at `p` touches no material.
 bool in_air(const Field& field, const Job& job, Vec2 p);
 
-/// Returns exact loops at `by` mm inside the work area.
+/// Returns exact closed loops inside the work area, `by` mm from its boundary.
 std::vector<Edges> rings_at(const Field& field, double by);
 
-/// Returns the part of `wanted` that the paths leave uncut, except cusps.
+/// Returns the part of `wanted` that the paths leave uncut, without the cusps between passes.
 Polygons uncut(const Field& field, const Job& job, const Polygons& paths);
 
 }  // namespace kadr::area

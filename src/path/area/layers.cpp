@@ -1,4 +1,5 @@
-// Layers: executes the passes of each field level by level, with plunges, links and lifts between them. Entry point: area_path().
+// Layers: creates the moves that execute the passes of each field, layer by layer, with plunges, links and lifts between the passes.
+// Entry point: area_path().
 
 #include <algorithm>
 #include <cmath>
@@ -11,8 +12,8 @@
 namespace kadr::area {
 namespace {
 
-constexpr double above = 1;     // mm over cut ground, where rapid motion ends
-constexpr double rough = 0.02;  // mm: chord tolerance for checks whether material remains
+constexpr double above = 1;     // mm above the ground cut by the previous layer, at which rapid motion ends
+constexpr double rough = 0.02;  // mm, chord tolerance of the checks whether material remains
 
 class Layers {
  public:
@@ -59,7 +60,8 @@ class Layers {
     out_.reset();
   }
 
-  /// Chooses the start of a ring for all layers: there the hole is drilled, or it is next to the given hole or to air.
+  /// Chooses one start of the first ring for all layers: where the hole is to be drilled, or next to the given hole, or next to a
+  /// position outside the material.
   void begin_first(Pass& first) {
     const bool own_hole = job_.plunge == Plunge::hole && job_.hole && contains(field_->roomy.area(), *job_.hole);
     if (!first.closed) return;
@@ -70,7 +72,7 @@ class Layers {
 
   void pass(const Pass& pass, bool first) {
     if (first) return first_pass(pass);
-    if (!pass.lifted || length(pass.path.front().from - here()) < job_.radius)  // avoids a lift that ends where it started
+    if (!pass.lifted || length(pass.path.front().from - here()) < job_.radius)  // avoids a lift that would end where it started
       if (const auto begun = begun_from(*field_, job_, pass, here(), out_)) {
         cut(begun->way);
         return cut(begun->path);
@@ -89,13 +91,13 @@ class Layers {
     cut(path);
   }
 
-  /// Moves off a wall before the tool is lifted.
+  /// Moves the tool away from a wall before it is lifted.
   void leave(const Pass& pass) {
     if (!pass.closed || cut_.empty()) return;
     if (const auto arc = arc_out_of(*field_, job_, cut_)) cut({*arc});
   }
 
-  /// Goes down to the level and to the start of the path; `again`: in a layer already started.
+  /// Moves the tool down to the level of the layer and to the start of the path. `again`: the tool has already cut in this layer.
   void enter(const Edges& path, bool again) {
     const Vec2 start = path.front().from;
     if (in_air(*field_, job_, start) || (again && cleared(start))) return descend(start, again);
@@ -116,7 +118,7 @@ class Layers {
     }
   }
 
-  /// Enters sideways from ground that is already cut on this level, or through a hole.
+  /// Moves sideways to the start from a position that is already cut on this level; else plunges through a hole.
   void enter_by_hole(Vec2 start, bool again) {
     if (const auto beside = again ? cut_beside(start) : std::nullopt) {
       descend(*beside, again);
@@ -139,7 +141,7 @@ class Layers {
       path_.holes.push_back(hole);
   }
 
-  /// Enters through a hole because no ramp has room: through a listed one if it can be reached.
+  /// Plunges through a predrilled hole because there is no room for a ramp; uses a hole of the list if the start can be reached from it.
   void enter_drilled(Vec2 start, bool again) {
     ++path_.plunges.no_room;
     for (const Vec2 hole : path_.holes)
@@ -152,7 +154,7 @@ class Layers {
     descend(start, again);
   }
 
-  /// Goes to the point, through the air or over the ground cut by the previous layer, then down.
+  /// Moves to the point above the material or above the ground cut by the previous layer, then down.
   void descend(Vec2 point, bool again) {
     approach(point, again);
     go(MoveKind::plunge, {point.x, point.y, level_});
@@ -184,12 +186,13 @@ class Layers {
     go(MoveKind::plunge, {start.x, start.y, level_});
   }
 
-  /// Goes down in as many strokes or turns as necessary. Every corner is on a level that the control's Z word can express, and none is so
-  /// deep that the motion to it is steeper than the job's ramp after its words are rounded.
+  /// Goes down in as many strokes or revolutions as necessary. Every corner of the ramp is at a level that the control's Z word can
+  /// express, so that no motion is steeper than the job's ramp angle after rounding.
   void down_ramp(const Ramp& ramp) {
     const Polygon& corners = ramp.corners;
     const double drop = ground_ - level_, slope = std::tan(job_.ramp_deg * rad_per_deg), step = job_.level_step;
-    const int most = 4 * ramp.times + 4;  // if rounding stops all progress between close corners: the last ones are as steep as needed
+    // bound, in case rounding prevents progress between close corners; the last motions are then as steep as necessary
+    const int most = 4 * ramp.times + 4;
     double gone = 0, z = ground_;
     for (int i = 0; i < ramp.times || (z > level_ && i < most) || (!ramp.round && i % 2 == 1); ++i)
       for (std::size_t k = 1; k < corners.size(); ++k) {
@@ -203,13 +206,13 @@ class Layers {
       }
   }
 
-  /// Returns the level itself, or the next higher one that a Z word can express.
+  /// Returns the level `z`, rounded up to a level that a Z word can express.
   double sayable(double z) const { return job_.level_step * std::ceil(z / job_.level_step - tol::tangential); }
 
-  /// Returns true if no material is left under the tool at that point.
+  /// Returns true if no material is left on this level under a tool at `point`.
   bool cleared(Vec2 point) const {
     for (const Edge& e : cut_)
-      if (distance(e, point) < tol::same_point) return true;  // the tool has been there
+      if (distance(e, point) < tol::same_point) return true;  // the tool has already cut at this point
     Polygons near;
     const Bounds tool{point - Vec2{job_.radius, job_.radius}, point + Vec2{job_.radius, job_.radius}};
     for (const Edge& e : cut_)
@@ -222,7 +225,7 @@ class Layers {
     return area_of(left) < tol::area_cusp * job_.radius;
   }
 
-  /// Returns the nearest point where the tool has been on this level and from which it can move straight to `start`.
+  /// Returns the nearest point that the tool has already cut on this level and from which it can move straight to `start`.
   std::optional<Vec2> cut_beside(Vec2 start) const {
     std::vector<Vec2> points;
     for (const Edge& e : cut_) points.push_back(at(e, nearest_part(e, start)));
@@ -234,7 +237,7 @@ class Layers {
     return std::nullopt;
   }
 
-  /// Returns a point next to the material from which the tool can move straight to `start`.
+  /// Returns a point outside the material from which the tool can move straight to `start`.
   std::optional<Vec2> air_near(Vec2 start) const {
     if (field_->roomy.empty()) return std::nullopt;
     std::vector<Vec2> points;
@@ -254,7 +257,7 @@ class Layers {
   const Field* field_ = nullptr;
   Vec3 at_{0, 0, 1e9};
   double ground_ = 0, level_ = 0;
-  Edges cut_;  // edges cut on this level
+  Edges cut_;  // edges of the tool's path that are cut on this level
   std::optional<Vec2> out_;
   bool hole_used_ = false;
 };

@@ -10,11 +10,11 @@
 namespace kadr::area {
 namespace {
 
-/// A position on a ring.
+/// A position on a ring (a closed path).
 struct Place {
   std::size_t edge = 0;
   double part = 0;
-  double far = 1e300;  // distance from the point that was searched for
+  double far = 1e300;  // distance between this position and the point that was searched for
 };
 
 Place nearest(const Edges& ring, Vec2 p) {
@@ -37,7 +37,7 @@ Place ahead(const Edges& ring, Place place, double by) {
   return place;
 }
 
-/// Returns the shorter way round a loop from one position to another.
+/// Returns the shorter of the two paths along a loop from one position to another.
 Edges around(const Edges& loop, const Place& from, const Place& to) {
   const Edges ring = begun_at(loop, from.edge, from.part);
   const Place end = nearest(ring, at(loop[to.edge], to.part));
@@ -52,7 +52,7 @@ void drop_points(Edges& path) {
   std::erase_if(path, [](const Edge& e) { return length(e.to - e.from) < tol::same_point; });
 }
 
-constexpr double shares[] = {1, 0.5, 0.25};  // of the largest radius: the arcs to try
+constexpr double shares[] = {1, 0.5, 0.25};  // radii of the arcs to try, as shares of the largest radius
 
 Edge quarter(Vec2 from, Vec2 way, double radius, double side) {
   const Vec2 normal{-side * way.y, side * way.x};
@@ -101,7 +101,7 @@ Edges begun_at_longest(const Edges& ring) {
 }
 
 std::optional<Begun> begun_from(const Field& field, const Job& job, const Pass& pass, Vec2 from, std::optional<Vec2> out) {
-  const double detour = 6 * job.radius;  // shorter than what a lift takes
+  const double detour = 6 * job.radius;  // a detour of this length takes less time than a lift
   if (!pass.closed) {
     const bool turn = !pass.lifted && length(pass.path.back().to - from) < length(pass.path.front().from - from);
     Begun begun{{}, turn ? reversed(pass.path) : pass.path};

@@ -13,19 +13,19 @@
 namespace kadr::area {
 namespace {
 
-/// An end of an edge: 2·index for its start point, 2·index + 1 for its end point.
+/// Identifies an end of the edge `index`: 2·index is its start point, 2·index + 1 its end point.
 using End = std::size_t;
 constexpr End none = static_cast<End>(-1);
 
 Vec2 point_of(const Edges& edges, End end) { return end % 2 == 0 ? edges[end / 2].from : edges[end / 2].to; }
 
-/// An index of edge ends by position, in squares of the size of the gap.
+/// Finds edge ends by their position, with a grid of squares as large as the permitted gap.
 class EndIndex {
  public:
   EndIndex(const Edges& edges, double gap) : edges_(edges), gap_(gap) {}
   void add(End end) { squares_[square(point_of(edges_, end))].push_back(end); }
 
-  /// Returns the other ends at most the gap away.
+  /// Returns the ends of edges that are at most the permitted gap away from this end.
   std::vector<End> near(End end) const {
     std::vector<End> found;
     const Vec2 p = point_of(edges_, end);
@@ -47,7 +47,7 @@ class EndIndex {
   std::map<std::pair<long, long>, std::vector<End>> squares_;
 };
 
-/// Pairs the ends that have no partner yet. Returns a fault if an end has several candidates.
+/// Pairs the ends that have no partner yet. Returns a fault if there are several possible partners for an end.
 std::optional<ContourFault> pair_ends(const Edges& edges, double gap, std::vector<End>& partner) {
   EndIndex index(edges, gap);
   for (End end = 0; end < partner.size(); ++end)
@@ -67,7 +67,7 @@ std::optional<ContourFault> pair_ends(const Edges& edges, double gap, std::vecto
   return std::nullopt;
 }
 
-/// Returns the chain from `start` on, up to an end without a partner or back to the start.
+/// Returns the chain of edges from `start` to an end without a partner, or back to `start`.
 Edges follow(const Edges& edges, End start, const std::vector<End>& partner, std::vector<bool>& used) {
   Edges chain;
   for (End at = start; at != none && !used[at / 2]; at = partner[at ^ 1]) {
@@ -80,7 +80,7 @@ Edges follow(const Edges& edges, End start, const std::vector<End>& partner, std
 
 double turning_area(const Edges& loop) { return area_of({flattened(loop, tol::contour_gap)}); }
 
-/// Returns a crossing of two edges; nullopt if they share at most the end at which one continues as the other.
+/// Returns a point where two edges cross or touch; nullopt if their only common point is the end at which one edge follows the other.
 std::optional<Vec2> crossing(const Edge& a, const Edge& b, bool b_follows, bool a_follows) {
   for (const Vec2 p : meetings(a, b)) {
     const bool shared = (b_follows && length(p - a.to) < tol::contour_gap) || (a_follows && length(p - b.to) < tol::contour_gap);
@@ -142,7 +142,7 @@ tl::expected<std::vector<Zone>, ContourFault> zones_of(const Chains& chains) {
   if (const auto fault = first_crossing(chains.closed)) return tl::unexpected(*fault);
   std::vector<Polygon> outlines;
   for (const Edges& loop : chains.closed) outlines.push_back(flattened(loop, tol::contour_gap));
-  std::vector<std::vector<std::size_t>> around(outlines.size());  // indices of the loops around each loop
+  std::vector<std::vector<std::size_t>> around(outlines.size());  // for each loop, the indices of the loops that enclose it
   for (std::size_t i = 0; i < outlines.size(); ++i)
     for (std::size_t j = 0; j < outlines.size(); ++j)
       if (i != j && contains({outlines[j]}, outlines[i].front())) around[i].push_back(j);

@@ -1,15 +1,16 @@
 #pragma once
-// Passes: how a scheme covers a field. How the tool moves from one pass to the next: path/area/layers.
+// Passes: computes the passes by which a scheme (zigzag, rings, comb) covers a field. path/area/layers computes how the tool moves from
+// one pass to the next.
 
 #include "path/area/field.h"
 
 namespace kadr::area {
 
-/// An uninterrupted piece of path.
+/// A section of the path that the tool cuts without interruption.
 struct Pass {
   Edges path;
-  bool closed = false;  // a ring, which may start anywhere
-  bool lifted = false;  // the tool is lifted before it, whatever lies between (Ш)
+  bool closed = false;  // true for a ring, which may start at any of its points
+  bool lifted = false;  // the tool is always lifted before this pass, even if a direct path exists (comb schemes, Ш)
 };
 using Passes = std::vector<Pass>;
 
@@ -22,13 +23,14 @@ Result<Passes> passes_of(const Field& field, const Job& job);
 /// Returns equidistant rings (СПИР, АСПИР).
 Result<Passes> ring_passes(const Field& field, const Job& job);
 
-/// Returns rows to and fro, or all in one direction; `inset`: mm at which they end before the boundary (0: they follow it).
+/// Returns parallel rows: back and forth, or all in one direction. `inset`: distance between the ends of the rows and the boundary, mm;
+/// 0: the rows are connected along the boundary.
 Result<Passes> row_passes(const Field& field, const Job& job, double inset);
 
-/// Returns passes over what `done` leaves uncut.
+/// Returns passes that cut the areas which the passes `done` leave uncut.
 Passes rest_passes(const Field& field, const Job& job, const Passes& done);
 
-/// Returns the ring with another start.
+/// Returns the ring with its start moved to the fraction `part` of the edge with the index `edge`.
 Edges begun_at(const Edges& ring, std::size_t edge, double part);
 
 }  // namespace kadr::area

@@ -11,7 +11,7 @@ namespace {
 
 namespace cl = ClipperLib;
 
-constexpr double per_mm = 1e6;  // Clipper calculates in integers: nanometres, far below tol::area_chord
+constexpr double per_mm = 1e6;  // Clipper units per mm: Clipper calculates in integers, here in nanometres, far below tol::area_chord
 
 cl::Paths to_clipper(const Polygons& polygons) {
   cl::Paths paths(polygons.size());

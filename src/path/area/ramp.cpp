@@ -1,5 +1,5 @@
-// Ramps: how a tool goes down at a slope into uncut material, near the start of a pass. Used by path/area/layers; tested by
-// tests/path/area/ramp_test.cpp.
+// Ramps: finds a sloped path along which the tool goes down into uncut material near the start of a pass. Used by path/area/layers;
+// tested by tests/path/area/ramp_test.cpp.
 
 #include "path/area/ramp.h"
 
@@ -13,14 +13,15 @@ namespace kadr::area {
 namespace {
 
 constexpr double fine = tol::area_wall / 4;         // chord tolerance, mm, of a ramp that may run along a wall
-constexpr double coarse = 0.02;                     // chord tolerance, mm, where there is room; gives fewer blocks
+constexpr double coarse = 0.02;                     // chord tolerance, mm, of a ramp away from walls; gives fewer blocks
 constexpr double shortest = 2, longest = 6;         // length of a stroke in tool radii, where there is room
-constexpr double good_extent = 2;                   // tool radii: no wider ramp is searched for
-constexpr double helices[] = {0.8, 0.5, 0.3, 0.2};  // tool radii; up to 1 no core remains
+constexpr double good_extent = 2;                   // extent in tool radii with which the search for a wider ramp ends
+constexpr double helices[] = {0.8, 0.5, 0.3, 0.2};  // helix radii to try, in tool radii; up to 1 no core remains
 constexpr double good_helix = 0.5;
-constexpr double lines[] = {6, 4, 2, 1, 0.4};  // tool radii
+constexpr double lines[] = {6, 4, 2, 1, 0.4};  // lengths of straight ramps to try, in tool radii
 constexpr int directions = 24;                 // directions tried around the start
-constexpr int most_times = 2000;               // more would mean a slope too flat for a useful program
+// greatest number of strokes or revolutions; more mean that the slope is too flat for a useful program
+constexpr int most_times = 2000;
 
 double length_of_corners(const Polygon& corners) {
   double sum = 0;
@@ -76,7 +77,7 @@ class Search {
     good_ = good || extent >= good_extent * job_.radius;
   }
 
-  /// Returns the corners of a path if they stay in the field, else nullopt.
+  /// Returns the corner points of a path if the path stays in the field, else nullopt.
   std::optional<Polygon> held(const Edges& way) const {
     for (const double chord : {coarse, fine}) {
       Polygon corners = flattened(way, chord);
@@ -127,7 +128,7 @@ class Search {
       }
   }
 
-  /// Returns the direction of the pass first, then others on alternating sides of it.
+  /// Returns the direction to try as number `i`: 0 is the direction of the pass, further directions lie on alternating sides of it.
   Vec2 heading(int i) const {
     const int turn = (i + 1) / 2 * (i % 2 == 0 ? 1 : -1);
     return kadr::rotated(direction(path_.front(), 0), 360.0 * turn / directions);

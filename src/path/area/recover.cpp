@@ -1,5 +1,5 @@
-// Recovery of exact paths: the corners of an offset polygon lie on offsets of the edges that it was made from: lines, arcs, and circles
-// around their ends. Used by path/area/field; tested by tests/path/area/recover_test.cpp.
+// Restores the exact lines and arcs of an offset contour from its polygon. The corners of an offset polygon lie on offsets of the
+// original edges: lines, arcs, and circles around their end points. Used by path/area/field; tested by tests/path/area/recover_test.cpp.
 
 #include "path/area/recover.h"
 
@@ -12,8 +12,9 @@
 namespace kadr::area {
 namespace {
 
-constexpr double off = 3 * tol::area_chord;  // mm of a corner from its carrier, at most: chords of the source, the offset, and a third one
-constexpr std::size_t across = 64;           // cells of the index in each direction
+// greatest distance between a corner and its carrier, mm: the sum of three chord errors (source, offset, one in reserve)
+constexpr double off = 3 * tol::area_chord;
+constexpr std::size_t across = 64;  // grid cells of the carrier index in each direction
 
 double away(const ChannelRun& c, Vec2 p) { return c.line ? std::abs(cross(c.way, p - c.point)) : std::abs(length(p - c.point) - c.radius); }
 
@@ -27,7 +28,7 @@ bool carries(const ChannelRun& c, Vec2 a, Vec2 b) {
   if (away(c, a) > off || away(c, b) > off) return false;
   if (c.line) return true;
   const double chord = length(b - a);
-  return chord * chord <= 16 * off * c.radius && c.radius > off;  // height of the chord over its circle
+  return chord * chord <= 16 * off * c.radius && c.radius > off;  // condition: the chord's height over the circle is at most 2 · off
 }
 
 void add_feet(std::vector<Vec2>& points, const ChannelRun& line, const ChannelRun& circle) {
@@ -58,14 +59,14 @@ std::vector<Vec2> meetings(const ChannelRun& a, const ChannelRun& b) {
   return points;
 }
 
-/// Returns the angle from a to b about the centre, degrees, counter-clockwise positive: of the possible values the one nearest to
-/// `about`.
+/// Returns the angle from a to b about the centre, degrees, counter-clockwise positive: of the values that differ by 360°, the one
+/// nearest to `about`.
 double turned(Vec2 centre, Vec2 a, Vec2 b, double about) {
   const double deg = std::atan2(cross(a - centre, b - centre), dot(a - centre, b - centre)) / rad_per_deg;
   return about + std::remainder(deg - about, 360);
 }
 
-/// Appends the arc from a to b of a path on the circle that turns by about `about` degrees.
+/// Appends the arc from a to b on the circle `c`, whose swept angle is about `about` degrees.
 void emit_arc(Edges& path, const ChannelRun& c, Vec2 a, Vec2 b, double about) {
   const double sweep = turned(c.point, a, b, about);
   const int pieces = std::abs(sweep) > 180 ? 2 : 1;
@@ -77,9 +78,9 @@ void emit_arc(Edges& path, const ChannelRun& c, Vec2 a, Vec2 b, double about) {
 
 }  // namespace
 
-/// Consecutive chords on one carrier (a ChannelRun).
+/// A sequence of consecutive chords that lie on one carrier.
 struct Carriers::Run {
-  std::size_t first = 0, count = 0;  // chords
+  std::size_t first = 0, count = 0;  // index of its first chord, number of its chords
   std::optional<std::uint32_t> channel_run;
 };
 
@@ -144,7 +145,8 @@ std::vector<std::uint32_t> Carriers::on(Vec2 a, Vec2 b) const {
 std::vector<Carriers::Run> Carriers::runs(const Polygon& corners, bool closed) const {
   const std::size_t count = corners.size(), chords = closed ? count : count - 1;
   std::size_t start = 0;
-  double sharpest = 2;  // starts at the sharpest corner: no run crosses it
+  // cosine of the change of direction at the sharpest corner; the search starts there because no run continues over it
+  double sharpest = 2;
   for (std::size_t i = 0; closed && i < count; ++i) {
     const Vec2 in = corners[i] - corners[(i + count - 1) % count], out = corners[(i + 1) % count] - corners[i];
     const double cosine = dot(in, out) / std::max(length(in) * length(out), 1e-300);
@@ -173,7 +175,7 @@ Edges Carriers::recovered(const Polygon& corners, bool closed) const {
   if (corners.size() < 2) return path;
   const std::size_t count = corners.size();
   const std::vector<Run> all = runs(corners, closed);
-  const auto reach = [&](const Run& run) {  // greatest displacement of its ends
+  const auto reach = [&](const Run& run) {  // greatest displacement of the run's end points
     return 0.45 * length(corners[(run.first + run.count) % count] - corners[run.first]) + (run.count == count ? 1e300 : 0);
   };
   const auto joint = [&](const Run& before, const Run& after) {
@@ -196,7 +198,7 @@ Edges Carriers::recovered(const Polygon& corners, bool closed) const {
       continue;
     }
     const ChannelRun& c = all_[*run.channel_run];
-    double about = 0;  // over all chords: a single chord that is short compared with the corners' error may go backwards
+    double about = 0;  // angle over all chords of the run; a single chord may go backwards if it is short compared with the corners' error
     for (std::size_t k = 0; k < run.count; ++k)
       about += turned(c.point, corners[(run.first + k) % count], corners[(run.first + k + 1) % count], 0);
     emit_arc(path, c, a, b, about);

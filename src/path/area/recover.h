@@ -1,16 +1,16 @@
 #pragma once
-// Recovery of exact paths: the corners of an offset polygon lie on offsets of the edges that it was made from: lines, arcs, and circles
-// around their ends. For each chord, the carrier (the line or circle it lies on) is found here; the path becomes exact again, with the
-// intersections of the carriers as its corners.
+// Recovery of exact paths: restores the exact lines and arcs of an offset contour from its polygon. The corners of an offset polygon lie
+// on offsets of the original edges: lines, arcs, and circles around the edges' end points. For each chord the carrier is found, that is
+// the line or circle on which the chord lies. The exact path follows the carriers; its corners are their intersections.
 
 #include "path/area/polygon.h"
 
 namespace kadr::area {
 
-/// A carrier: a line or circle on which chords may lie.
+/// A carrier: a line or circle on which chords of a polygon may lie.
 struct ChannelRun {
   bool line = true;
-  Vec2 point;  // a point of a line; the centre of a circle
+  Vec2 point;  // a point of the line, or the centre of the circle
   Vec2 way;    // direction of a line, a unit vector
   double radius = 0;
   Bounds box;
@@ -18,10 +18,11 @@ struct ChannelRun {
 
 class Carriers {
  public:
-  /// Adds the offsets of `source` to both sides by `by` mm, and circles of that radius around its ends; by = 0: the edges themselves.
+  /// Adds the offsets of `source` to both sides by `by` mm, and circles with the radius `by` around the end points; by = 0: adds the
+  /// edges themselves.
   void add(const Edges& source, double by);
 
-  /// Returns the edges that the corners were made from; a chord without a carrier stays a line.
+  /// Returns the exact edges for the polygon `corners`. A chord without a carrier stays a line.
   ///   law  no point of the result, except its corners, is farther from the polygon than 3·tol::area_chord
   Edges recovered(const Polygon& corners, bool closed) const;
 
@@ -33,7 +34,8 @@ class Carriers {
   std::vector<Run> runs(const Polygon& corners, bool closed) const;
 
   std::vector<ChannelRun> all_;
-  mutable std::vector<std::vector<std::uint32_t>> cells_;  // carriers by position, created when first needed
+  // grid of cells, each with the indices of the carriers near it; created when first needed
+  mutable std::vector<std::vector<std::uint32_t>> cells_;
   mutable Bounds box_;
 };
 

@@ -1,5 +1,5 @@
-// Rings: level k is k steps inside the work area. A ring follows the neighbouring rings one step further in (spiral out), or precedes
-// them (spiral in).
+// Rings: computes equidistant closed passes. The rings of level k are k steps inside the work area. In a spiral outwards a ring is cut
+// after the neighbouring rings one step further in; in a spiral inwards before them.
 
 #include <algorithm>
 
@@ -9,7 +9,7 @@
 namespace kadr::area {
 namespace {
 
-constexpr std::size_t samples = 16;  // corners of a ring at which neighbours are searched for
+constexpr std::size_t samples = 16;  // number of corners of a ring at which its neighbours are searched for
 
 struct Ring {
   Edges path;
@@ -32,7 +32,7 @@ bool neighbours(const Ring& outer, const Ring& inner, double step) {
   return false;
 }
 
-/// Returns a depth that no ring exceeds.
+/// Returns an upper bound of the distance between a ring and the boundary.
 double half_width(const Field& field) {
   Bounds box;
   for (const Edges& loop : field.work)
@@ -46,7 +46,7 @@ class RingTree {
 
   bool grow(const Field& field, const Job& job) {
     const double step = job.step, deepest = half_width(field);
-    std::size_t first = 0;  // of the previous level
+    std::size_t first = 0;  // index of the first ring of the previous level
     for (std::size_t level = 0;; ++level) {
       const std::size_t here = rings_.size();
       if (job.watch.stop.asked()) return true;
@@ -68,14 +68,15 @@ class RingTree {
   Passes passes() {
     seen_.assign(rings_.size(), false);
     for (std::size_t root = 0; root < roots_; ++root) visit(root);
-    for (std::size_t i = roots_; i < rings_.size(); ++i) visit(i);  // rings for which no neighbour was found
+    for (std::size_t i = roots_; i < rings_.size(); ++i) visit(i);  // starts with the rings for which no neighbour was found
     return std::move(passes_);
   }
 
  private:
-  /// Visits depth first, without recursion, as there may be thousands of levels.
+  /// Visits the rings connected with `root`, depth first. It does not use recursion, because there may be thousands of levels.
   void visit(std::size_t root) {
-    std::vector<std::pair<std::size_t, std::size_t>> way;  // ring, index of its next inner ring
+    // current path in the tree: a ring, and the index of its inner ring to visit next
+    std::vector<std::pair<std::size_t, std::size_t>> way;
     const auto enter = [&](std::size_t ring) {
       if (seen_[ring]) return;
       seen_[ring] = true;

@@ -1,5 +1,5 @@
-// Room: an area prepared for fast tests whether a line stays inside it; every move is tested. Used by path/area/field; tested by
-// tests/path/area/room_test.cpp.
+// Room: an area prepared for fast tests whether a polyline stays inside the area; every move of a path is tested. Used by
+// path/area/field; tested by tests/path/area/room_test.cpp.
 
 #include "path/area/room.h"
 
@@ -9,10 +9,10 @@
 namespace kadr::area {
 namespace {
 
-constexpr double touch = 1e-5;  // mm: lines nearer than this meet; ten of Clipper's units
+constexpr double touch = 1e-5;  // mm: lines nearer to each other than this count as meeting; ten of Clipper's units
 constexpr std::size_t least_across = 4, most_across = 256;
 
-/// Returns true if the lines a–b and c–d come, or might come, as near as `touch`.
+/// Returns true if the distance between the lines a–b and c–d is, or might be, less than `touch`.
 bool may_meet(Vec2 a, Vec2 b, Vec2 c, Vec2 d) {
   const auto apart = [](Vec2 p, Vec2 q, Vec2 u, Vec2 v) {  // true if u and v are clearly on one side of the line p–q
     const Vec2 way = q - p;
@@ -58,7 +58,7 @@ bool Room::any_cell(Vec2 a, Vec2 b, Take take) const {
   const std::size_t first = column(a.x - touch), last = column(b.x + touch);
   const double width = std::max(box_.most.x - box_.least.x, touch) / static_cast<double>(across_);
   for (std::size_t x = first; x <= last; ++x) {
-    // the part of the line within the column, slightly enlarged
+    // the column of grid cells, slightly enlarged; the line is cut at its borders
     const double left = box_.least.x + width * static_cast<double>(x) - touch, right = left + width + 2 * touch;
     const double run = b.x - a.x;
     const double from = x == first || run <= 0 ? 0 : std::clamp((left - a.x) / run, 0.0, 1.0);

@@ -1,5 +1,5 @@
 #pragma once
-// Room: an area prepared for fast tests whether a line stays inside it; every move is tested.
+// Room: an area prepared for fast tests whether a polyline stays inside the area; every move of a path is tested.
 
 #include "path/area/polygon.h"
 
@@ -13,9 +13,9 @@ class Room {
   const Polygons& area() const { return area_; }
   bool empty() const { return area_.empty(); }
 
-  /// Returns true if the line starts inside and meets no side of the boundary.
+  /// Returns true if the polyline starts inside the area and meets no side of the boundary.
   bool surely_holds(const Polygon& line) const;
-  /// Returns true if no part of the line outside the area has chords longer than `most` mm.
+  /// Returns true if no part of the polyline outside the area is longer than `most` mm.
   bool holds(const Polygon& line, double most) const;
 
  private:
@@ -24,14 +24,14 @@ class Room {
   };
   std::size_t column(double x) const;
   std::size_t row(double y) const;
-  /// Calls `take(cell)` for the cells that the line from a to b passes through, until it returns true.
+  /// Calls `take(cell)` for each grid cell that the line from a to b passes through, until a call returns true. Returns true if a call did.
   template <class Take>
   bool any_cell(Vec2 a, Vec2 b, Take take) const;
   bool meets_boundary(Vec2 a, Vec2 b) const;
 
   Polygons area_;
   Bounds box_;
-  std::size_t across_ = 0;  // cells in each direction
+  std::size_t across_ = 0;  // number of grid cells in each direction
   std::vector<Side> sides_;
   std::vector<std::vector<std::uint32_t>> cells_;
 };

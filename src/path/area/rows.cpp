@@ -1,6 +1,6 @@
-// Rows: parallel passes, clipped by the loops of a field. Each row crosses the loops; between two consecutive crossings on a loop lies a
-// piece of the boundary. Consecutive rows whose ends are joined by such pieces form a cell, which is cut without a lift: along the row,
-// along the boundary, along the next row.
+// Rows: computes parallel passes (zigzag, comb), clipped by the boundary loops of a field. Two consecutive crossings of rows with a loop
+// are joined by a section of the boundary. Neighbouring rows whose ends are joined by such sections form a cell. A cell is cut without
+// lifting the tool: along a row, along the boundary, along the next row.
 
 #include <algorithm>
 #include <cmath>
@@ -11,23 +11,23 @@
 namespace kadr::area {
 namespace {
 
-constexpr double nudge = 2e-5;  // mm: the first and the last row are this much inside, so that they cross the loops
+constexpr double nudge = 2e-5;  // mm: distance of the first and the last row from the edge of the area, so that they cross the loops
 
 /// A point where a row crosses a loop.
 struct Crossing {
   double x = 0;
   std::size_t loop = 0, edge = 0;
   double part = 0;
-  std::size_t next = 0;  // next crossing on the loop
+  std::size_t next = 0;  // index of the next crossing along the loop
 };
 struct Span {
-  std::size_t left = 0, right = 0;  // crossings
+  std::size_t left = 0, right = 0;  // indices of the crossings at the ends of the row
   std::size_t above = none, below = none;
   bool done = false;
   static constexpr std::size_t none = static_cast<std::size_t>(-1);
 };
 
-/// Appends an arc in pieces that are monotonic in y.
+/// Appends an arc, divided into pieces along which y only rises or only falls.
 void add_monotone(Edges& loop, const Edge& e) {
   if (is_line(e)) {
     loop.push_back(e);
@@ -132,7 +132,7 @@ class Rows {
     }
   }
 
-  /// Links consecutive rows. The zone is left of its loops, so they go up at the right end of a row and down at the left end.
+  /// Links neighbouring rows. The zone is on the left of its loops, so a loop goes up at the right end of a row and down at the left end.
   void link_spans() {
     for (std::size_t r = 0; r + 1 < rows_.size(); ++r)
       for (const std::size_t low : rows_[r])
@@ -148,7 +148,7 @@ class Rows {
     return at(loops_[c.loop][c.edge], c.part);
   }
 
-  /// Returns the boundary from a crossing to the next one on its loop.
+  /// Returns the section of the boundary from a crossing to the next crossing along the loop.
   Edges boundary(std::size_t from) const {
     const Crossing &a = crossings_[from], &b = crossings_[a.next];
     const Edges& loop = loops_[a.loop];
@@ -160,7 +160,7 @@ class Rows {
     return path;
   }
 
-  /// Returns the boundary from an end of one row to the same end of the next one, up or down.
+  /// Returns the section of the boundary between the right (or left) ends of two neighbouring rows, traversed up or down.
   Edges side(std::size_t low, std::size_t high, bool right, bool up) const {
     Edges path = boundary(right ? spans_[low].right : spans_[high].left);
     return right == up ? path : reversed(path);
@@ -186,7 +186,7 @@ class Rows {
     return path.empty() || holds(field_, path);
   }
 
-  /// Returns the cell of a row, from its lowest row on.
+  /// Returns the rows of the cell that contains the row `span`, from the lowest row up.
   std::vector<std::size_t> cell_of(std::size_t span) {
     while (spans_[span].below != Span::none) span = spans_[span].below;
     std::vector<std::size_t> cell;
@@ -197,7 +197,7 @@ class Rows {
     return cell;
   }
 
-  /// Returns the path to and fro through a cell; if walls are followed, they are followed at both ends of each row.
+  /// Returns the back-and-forth path through a cell; if rows follow the boundary, they do so at both ends.
   Edges through(const std::vector<std::size_t>& cell, bool up, bool right) const {
     Edges path;
     for (std::size_t i = 0; i < cell.size() && !job_.watch.stop.asked(); ++i, right = !right) {
@@ -216,7 +216,7 @@ class Rows {
     return path;
   }
 
-  /// Always continues with the unfinished cell, and the start within it, nearest to the tool.
+  /// Returns the zigzag passes. After each cell the next one is the unfinished cell with the start nearest to the tool.
   Passes zigzag_passes() {
     Passes passes;
     Vec2 here{job_.direction == Direction::ccw ? range_.most.x : range_.least.x, range_.least.y};
@@ -239,7 +239,7 @@ class Rows {
     }
   }
 
-  /// Climb milling: the uncut side is on the right, so rows go left while they progress upwards.
+  /// Returns the comb passes. In climb milling the uncut material is on the right, so rows run to the left and progress upwards.
   Passes comb_passes() {
     const bool right = job_.direction == Direction::cw;
     Passes passes;
@@ -248,7 +248,7 @@ class Rows {
       const std::vector<std::size_t> cell = cell_of(s);
       for (std::size_t i = 0; i < cell.size() && !job_.watch.stop.asked(); ++i) {
         job_.watch.tell(Stage::passes, double(passes.size()) / double(spans_.size()));
-        Edges path;  // down at the start of the previous row, where nothing is left
+        Edges path;  // the tool goes down at the start of the previous row, where no material is left
         if (i > 0 && follow_) path = side(cell[i - 1], cell[i], !right, true);
         else if (i > 0) path = {{begin_of(cell[i - 1], right), begin_of(cell[i], right)}};
         if (!holds_turned(path)) path.clear();

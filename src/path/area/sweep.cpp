@@ -1,4 +1,4 @@
-// Sweep: the area that the tool cuts along its passes, however closely they lie. Used by the other folders of path.
+// Sweep: computes the area that the tool cuts along its passes, also for many overlapping passes. Used by the other folders of path.
 
 #include "path/area/sweep.h"
 
@@ -8,7 +8,7 @@
 namespace kadr::area {
 namespace {
 
-constexpr std::size_t piece_corners = 32;  // longer lines are divided into pieces
+constexpr std::size_t piece_corners = 32;  // lines with more corners are divided into pieces
 
 Polygons in_pieces(const Polygons& lines) {
   Polygons pieces;
@@ -42,7 +42,7 @@ class Sweep {
  private:
   double radius_, chord_;
   const Watch& watch_;
-  std::size_t count_, done_ = 0;  // pieces
+  std::size_t count_, done_ = 0;  // number of pieces in total, and of those done
 };
 
 }  // namespace

@@ -1,14 +1,14 @@
 #pragma once
-// Sweep: the area that the tool cuts along its passes, however closely they lie.
+// Sweep: computes the area that the tool cuts along its passes, also for many overlapping passes.
 
 #include "path/area/mill.h"
 #include "path/area/polygon.h"
 
 namespace kadr::area {
 
-/// Like swept(), for many and long lines: neighbours are joined pairwise, so that Clipper never sees more than the outlines of two of a
-/// hundred overlapping passes (the time for all at once grows with the square of their number). When asked to stop, it returns what it
-/// has; it reports its progress as part of the verification.
+/// Like swept(), for many long lines. The areas of neighbouring lines are united in pairs, so that each Clipper operation has only two
+/// outlines as its input, even if a hundred passes overlap (the time of one operation with all lines grows with the square of their
+/// number). If `watch` requests a stop, returns the area computed so far. Progress is reported as Stage::verification.
 Polygons swept_all(const Polygons& lines, double radius, double chord, const Watch& watch);
 
 }  // namespace kadr::area

@@ -1,4 +1,4 @@
-// Verification: checks a path, whatever its source (also a program read back), against the zones. Used by cli/mill.
+// Verification: checks a tool path from any source (also a program read back) against the zones. Used by cli/mill.
 
 #include "path/area/verify.h"
 
@@ -12,8 +12,9 @@
 namespace kadr::area {
 namespace {
 
-constexpr double verified_chord = 10 * tol::area_chord;  // for areas; cusps are far larger
-constexpr double same_level = tol::area_cusp;            // mm: levels are rounded to the digits of the control's Z word
+constexpr double verified_chord = 10 * tol::area_chord;  // chord tolerance for the computation of areas; cusps are far larger
+// mm: Z levels this near count as equal, because the program rounds them to the digits of the Z word
+constexpr double same_level = tol::area_cusp;
 
 class Check {
  public:
@@ -49,14 +50,14 @@ class Check {
     Polygons left = job_.allowance > 0 ? less(area, swept(walls, job_.allowance, verified_chord)) : area;
     outcome_.out_of_reach += area_of(left) - area_of(area);
     Polygons wanted = reachable(area, open, walls);
-    for (const Field& field : fields_of(zone, job_)) wanted = joined(wanted, field.wanted);  // a slot as wide as the tool
+    for (const Field& field : fields_of(zone, job_)) wanted = joined(wanted, field.wanted);  // needed for a slot as wide as the tool
     outcome_.out_of_reach = std::max(0.0, outcome_.out_of_reach - area_of(common(wanted, left)));
     wanted_ = joined(wanted_, wanted);
   }
 
-  /// Returns the part of the zone that a tool in the zone or beyond its open sides cuts without coming too near to a wall. It does not
-  /// use the fields: the path is computed from them, so that their errors are found here. Places wider than the tool by less than the
-  /// tolerance of the walls do not count.
+  /// Returns the part of the zone that a tool can cut, from inside the zone or from beyond its open sides, without coming too near to a
+  /// wall. The computation does not use the fields (Field), from which the path was computed, so it detects their errors. Passages wider
+  /// than the tool by less than tol::area_wall are ignored.
   Polygons reachable(const Polygons& area, const Polygons& open, const Polygons& walls) const {
     const double off_walls = job_.radius + job_.allowance + tol::area_wall;
     Polygons centres = joined(area, swept(open, job_.radius, verified_chord));
@@ -121,9 +122,9 @@ class Check {
   Outcome outcome_;
   std::vector<std::pair<Edge, Bounds>> walls_;
   Polygons allowed_, wanted_;
-  Room room_;  // allowed_, slightly enlarged
+  Room room_;  // the area allowed_, slightly enlarged
   std::vector<double> levels_;
-  std::vector<Edges> cut_;  // by level
+  std::vector<Edges> cut_;  // paths cut, one entry per level
 };
 
 }  // namespace

@@ -1,4 +1,4 @@
-// RadiusCompensation, output of the window: the first motion leaves it, after the interference check, with its vectors.
+// RadiusCompensation, output: after the interference check, the first motion of the window is moved by its vectors and emitted.
 
 #include <algorithm>
 #include <cmath>
@@ -29,14 +29,15 @@ std::span<const CompensatedBlock> RadiusCompensation::checked_blocks() {
   return {blocks_.data(), now_.count};
 }
 
-/// Checks the first motion of the window against those after it and emits it: the motion, the actions waiting after it, the path round
-/// the corner.
+/// Checks the first motion of the window against the later motions, and emits it with the actions that follow it and the path around the
+/// corner.
 void RadiusCompensation::release_first() {
   const Mended mended = now_.check.interference ? mend_first() : Mended::sound;
   Held& first = held(0);
   if (mended != Mended::sound) {
     const Origin origin = held(mended == Mended::first_fails ? 0 : 1).origin;
-    if (mended == Mended::next_fails && now_.check.further == 0) (void)let_go(first);  // with more look-ahead the alarm precedes it
+    // with a further look-ahead (N1404) the alarm comes before this motion
+    if (mended == Mended::next_fails && now_.check.further == 0) (void)let_go(first);
     const AlarmId id = first.end.count > 0 ? AlarmId::compensation_interference : AlarmId::compensation_no_intersection;
     if (!fault_) fault(alarm(id, {}), origin);
     return;
@@ -57,8 +58,8 @@ void RadiusCompensation::release_first() {
   drop_first();
 }
 
-/// Moves the tool from the first vector at the end of `first` to the last: with feed and kind of the next motion; along an arc like the
-/// first motion.
+/// Moves the tool around a corner, from the first vector at the end of `first` to the last vector. Straight moves have the feed and kind
+/// of the next motion, an arc those of the first motion.
 void RadiusCompensation::go_round(const Held& first) {
   const bool follows = now_.count > 1;
   if (first.end.round) {
@@ -73,8 +74,8 @@ void RadiusCompensation::go_round(const Held& first) {
   now_.vector = first.end.last();
 }
 
-/// Joins the first motion of the window with a later one if that resolves an interference. The blocks between are dropped, but not their
-/// actions. 15.5.7.
+/// Joins the first motion of the window with a later motion if that resolves an interference (15.5.7). The motions between are dropped,
+/// but the actions after them are kept.
 RadiusCompensation::Mended RadiusCompensation::mend_first() {
   Held& first = held(0);
   const auto join = check_interference(checked_blocks(), now_.check.further, now_.check.always_alarm);
@@ -92,7 +93,7 @@ RadiusCompensation::Mended RadiusCompensation::mend_first() {
   return join ? Mended::sound : Mended::next_fails;
 }
 
-/// Emits a motion of the window.
+/// Emits a motion of the window, moved by its vectors.
 ///   returns  false if it raised an alarm
 bool RadiusCompensation::let_go(Held& held) {
   Motion& m = held.motion;
@@ -111,7 +112,8 @@ bool RadiusCompensation::let_go(Held& held) {
   } else if (is_arc(m.kind)) {
     const double turns = compensated_turns(held.element, held.start_vector, end_vector);
     if (turns * held.element.turns > 0) m.turns = std::fabs(turns);
-    else m.kind = MotionKind::feed, m.turns = 0;  // the tool does not fit in: no interference check (15.5.7, IEN=0)
+    // the tool does not fit into the arc, which becomes a line: the interference check is off (15.5.7, IEN=0)
+    else m.kind = MotionKind::feed, m.turns = 0;
   }
   watch_way(held, end_vector);
   shift(m, end_vector);
@@ -121,14 +123,14 @@ bool RadiusCompensation::let_go(Held& held) {
   return true;
 }
 
-/// Handles a change of side without an intersection after an arc: the ends are joined by an arc of the programmed radius (15.5.4).
+/// Handles a change of side without an intersection after an arc: an arc of the programmed radius joins the compensated ends (15.5.4).
 bool RadiusCompensation::rejoin(Motion& m, const Held& held, Vec2 end_vector) const {
   const ContourElement& e = held.element;
   const Vec2 a = e.from + held.start_vector, b = e.to + end_vector, chord = b - a;
   const double way = length(chord), radius = e.start_radius;
   if (way > 2 * radius + tol::same_point || way == 0) return false;
   const double height = std::sqrt(std::max(radius * radius - way * way / 4, 0.0));
-  const double minor = std::fabs(e.turns) <= 0.5 ? 1 : -1;  // INFERRED: like the programmed sweep
+  const double minor = std::fabs(e.turns) <= 0.5 ? 1 : -1;  // INFERRED: at most half a circle if the programmed arc is, else more
   const Vec2 center = 0.5 * (a + b) + minor * e.sense() * height / way * left_of(chord);
   const double half = std::asin(std::min(way / (2 * radius), 1.0)) / rad_per_deg / 180;
   m.turns = minor > 0 ? half : 1 - half;
@@ -136,9 +138,9 @@ bool RadiusCompensation::rejoin(Motion& m, const Held& held, Vec2 end_vector) co
   return true;
 }
 
-/// Moves from the current vector to another one along an arc about the programmed point (15.5.6).
+/// Moves the tool from the current vector to the vector `to` along an arc about the programmed point (15.5.6).
 void RadiusCompensation::round(Vec2 to, const Origin& origin, const Motion& like) {
-  const double swept = angle_deg({dot(now_.vector, to), cross(now_.vector, to)});  // counter-clockwise
+  const double swept = angle_deg({dot(now_.vector, to), cross(now_.vector, to)});  // swept angle, degrees, counter-clockwise positive
   const bool cw = like.side > 0;
   const double turns = (cw ? -swept : swept) / 360;
   const Vec2 point = in_plane(now_.stand.work);
@@ -151,7 +153,7 @@ void RadiusCompensation::round(Vec2 to, const Origin& origin, const Motion& like
   m.turns = turns < 0 ? turns + 1 : turns;
 }
 
-/// Adds a straight motion in the plane to the programmed point plus a vector.
+/// Emits a straight motion in the plane to the position programmed point + `vector`.
 void RadiusCompensation::step(Vec2 vector, const Motion& like, const Origin& origin) {
   if (length(vector - now_.vector) <= tol::same_point) return;
   Action& action = out_.add();
@@ -168,7 +170,7 @@ void RadiusCompensation::step(Vec2 vector, const Motion& like, const Origin& ori
   now_.vector = vector;
 }
 
-/// Emits an action unchanged; motions shifted by compensation are emitted elsewhere.
+/// Emits an action as it is. Motions must already be shifted by the compensation.
 void RadiusCompensation::hand_out(Action action) {
   now_.stand.take(action);
   out_.add() = std::move(action);
@@ -176,14 +178,15 @@ void RadiusCompensation::hand_out(Action action) {
 
 void RadiusCompensation::shift(Motion& m, Vec2 vector) const { shift_in_plane(m, now_.first, now_.second, vector, now_.at.turn.get()); }
 
-/// Shifts the coordinates of a new frame: the tool's are the programmed ones plus the vector.
+/// Shifts the coordinates of a new frame: the tool's coordinates are the programmed coordinates plus the vector.
 void RadiusCompensation::shift(FrameChange& frame) const {
   frame.work[now_.first] += now_.vector.x;
   frame.work[now_.second] += now_.vector.y;
 }
 
-/// Decides whether the last motion is watched: motions at feed along the contour are; not the entry and the exit, not the neighbours of a
-/// change of side, not a motion that keeps its vector (G38), as that is meant to leave the contour.
+/// Decides whether ContourWatch checks the last motion for cuts into the contour. It checks motions at feed along the contour; not the
+/// start and end of compensation, not the neighbours of a change of side, and not a motion that keeps its vector (G38), which leaves the
+/// contour on purpose.
 void RadiusCompensation::watch_last() {
   Held& now = last_held();
   const Motion& m = now.motion;
@@ -200,7 +203,7 @@ void RadiusCompensation::watch_last() {
 void RadiusCompensation::watch_way(const Held& held, Vec2 end_vector) {
   if (!held.watched) return;
   const Motion& m = held.motion;
-  const double radius = std::min(m.tool_radius, now_.radius_before);  // with a new D the allowance changes during the motion
+  const double radius = std::min(m.tool_radius, now_.radius_before);  // with a new D word the tool radius changes during the motion
   const Vec2 from = held.element.from + held.start_vector, to = held.element.to + end_vector;
   const double turns = m.kind == MotionKind::arc_ccw ? m.turns : -m.turns;
   ContourSpan known;

@@ -1,4 +1,4 @@
-// Where a programmed contour closes: where its path returns to an earlier point. Used by path/contour/contour_watch.
+// Finds where a programmed contour closes, that is, returns to an earlier point. Used by path/contour/contour_watch.
 
 #include "path/contour/contour_closing.h"
 
@@ -12,10 +12,14 @@
 namespace kadr {
 namespace {
 
-constexpr double touches = 0.01;               // mm: programs are written in steps of 0.001 to 0.01
-constexpr double least_share = 0.25;           // of the whole length: a shorter loop is a knot in an open contour
-constexpr std::size_t most_candidates = 1000;  // with more, the contour runs round several times, and all of it counts
-constexpr double inner_share = 0.5;            // of the longest loop: of two nested loops above it, the inner one is the part
+// mm: points this near count as the same point; coordinates in programs have steps of 0.001 to 0.01
+constexpr double touches = 0.01;
+// least length of a closed loop as a share of the whole length; a shorter loop is a self-crossing of an open contour
+constexpr double least_share = 0.25;
+// with more candidates, the contour goes around several times, and the whole path counts as the contour
+constexpr std::size_t most_candidates = 1000;
+// as a share of the longest loop: if two nested loops are both longer than this, the inner one is the workpiece contour
+constexpr double inner_share = 0.5;
 
 double length_of(const PlanePiece& p) { return p.is_arc ? p.radius * std::fabs(p.turns) * 2 * pi : length(p.to - p.from); }
 
@@ -25,7 +29,7 @@ Vec2 point_at(const PlanePiece& p, double part) {
   return p.is_arc ? p.center + rotated(p.from - p.center, 360 * p.turns * part) : p.from + part * (p.to - p.from);
 }
 
-/// How far along a piece the point lies; on a full circle the start is the end too, so there may be two positions.
+/// The fractions of a piece's length at which a point lies. There are two if the point is both start and end of a full circle.
 struct Places {
   std::array<double, 2> at{};
   std::size_t count = 0;
@@ -43,13 +47,14 @@ Places places_of(Vec2 point, const PlanePiece& p) {
   }
   const Vec2 start = p.from - p.center, arm = point - p.center;
   const double sense = p.turns < 0 ? -1 : 1;
-  const double swept = angle_deg({dot(start, arm), sense * cross(start, arm)}) / 360;  // (-1/2, 1/2]
+  // revolutions from the arc's start to the point, in (-1/2, 1/2]
+  const double swept = angle_deg({dot(start, arm), sense * cross(start, arm)}) / 360;
   places.add(std::clamp((swept < 0 ? swept + 1 : swept) / std::fabs(p.turns), 0.0, 1.0));
   return places;
 }
 
-/// Points where two pieces meet: ends that lie on the other piece, and crossings. Of two pieces that overlap: the ends of the common
-/// part.
+/// The points where two pieces meet: crossings, and ends that lie on the other piece. If two pieces overlap: the ends of the common
+/// section.
 struct Points {
   std::array<Vec2, 8> at{};
   std::size_t count = 0;
@@ -109,12 +114,12 @@ bool near(const PlanePiece& a, const PlanePiece& b) {
 
 struct Candidate {
   ContourLoop loop;
-  double begins = 0, ends = 0;  // mm from the start of the contour
+  double begins = 0, ends = 0;  // start and end of the loop, mm from the start of the contour
   double length() const { return ends - begins; }
   bool within(const Candidate& outer) const { return begins >= outer.begins - touches && ends <= outer.ends + touches; }
 };
 
-/// Returns every place where the contour returns to itself.
+/// Returns all closed loops of the contour: every pair of positions at which the contour meets itself.
 std::vector<Candidate> candidates(std::span<const PlanePiece> pieces, std::size_t gap) {
   std::vector<double> start(pieces.size() + 1, 0);
   for (std::size_t i = 0; i < pieces.size(); ++i) start[i + 1] = start[i] + length_of(pieces[i]);
@@ -137,9 +142,9 @@ std::vector<Candidate> candidates(std::span<const PlanePiece> pieces, std::size_
 
 }  // namespace
 
-/// Run-in and run-out may meet once more before they reach the part: of two nested loops the inner one counts. Of loops that start and
-/// end one after the other (an end that overlaps the start; a run-out that continues through the part), everything that belongs to any of
-/// them.
+/// Run-in and run-out may cross once more away from the workpiece; therefore the inner of two nested loops is the contour. If loops
+/// overlap one another (the end overlaps the start; the run-out continues through the workpiece), the contour is everything that belongs
+/// to any of these loops.
 std::optional<ContourLoop> closing(std::span<const PlanePiece> pieces, std::size_t gap) {
   double whole = 0, longest = 0;
   for (const PlanePiece& piece : pieces) whole += length_of(piece);

@@ -1,4 +1,4 @@
-// ContourCorners: the corners that need the next block: calculated intersections, then the chamfer or rounding there. Used by
+// ContourCorners: resolves the corners that depend on the next block: calculated intersections, chamfers and roundings. Used by
 // session/channel_run; tested by tests/path/contour_corners_test.cpp.
 
 #include "path/contour/contour_corners.h"
@@ -18,7 +18,7 @@ std::optional<CompensationFault> ContourCorners::take(ActionBatch& batch, Follow
   put_back(batch);
   const std::size_t begin = now_.held ? 0 : untouched(batch, follows);
   follow(batch, 0, begin);
-  if (!now_.held && begin == batch.size()) return std::nullopt;  // the usual case
+  if (!now_.held && begin == batch.size()) return std::nullopt;  // the usual case: no corner affects the batch
   out_.clear();
   fault_.reset();
   std::size_t i = begin;
@@ -32,7 +32,7 @@ std::optional<CompensationFault> ContourCorners::take(ActionBatch& batch, Follow
   return fault_;
 }
 
-/// Puts a held motion back at the start of the batch if the next motion shows that its end is the programmed one.
+/// Puts a held motion back at the start of the batch if the next motion shows that it ends at its programmed end.
 void ContourCorners::put_back(ActionBatch& batch) {
   if (!now_.held || contour_of(held()) != nullptr || now_.held->start.cut > 0 || now_.held->start.calculated) return;
   if (!now_.waiting.empty() || !now_.settled.empty()) return;
@@ -46,8 +46,8 @@ void ContourCorners::put_back(ActionBatch& batch) {
   }
 }
 
-/// Returns how many actions are not affected by any corner: up to the first motion with the data of chapter 17, or up to the last motion,
-/// which the next batch may shorten.
+/// Returns how many actions of the batch no corner can affect: those before the first motion with contour data (NCT 17), or before the
+/// last motion, which the next batch may shorten.
 std::size_t ContourCorners::untouched(const ActionBatch& batch, Follows follows) const {
   const Motion* before = nullptr;
   std::size_t place = batch.size(), i = 0;
@@ -60,7 +60,7 @@ std::size_t ContourCorners::untouched(const ActionBatch& batch, Follows follows)
   return follows == Follows::more && before != nullptr && may_end_elsewhere(*before) ? place : batch.size();
 }
 
-/// Updates the tool's position by these actions.
+/// Updates the tool's position by the actions with the indices `from` … `end` − 1.
 void ContourCorners::follow(const ActionBatch& batch, std::size_t from, std::size_t end) {
   const Motion* last = nullptr;
   for (std::size_t i = from; i < end; ++i) {
@@ -109,7 +109,7 @@ void ContourCorners::motion(Action& action, End end) {
   if (!waits) release();
 }
 
-/// Computes the corner between the held motion and the next one. Returns where the next one starts.
+/// Computes the corner between the held motion and the next motion. Returns the start of the next motion.
 std::optional<ContourCorners::Start> ContourCorners::join(const Action& action, End end) {
   const auto& m = std::get<Motion>(action.what);
   const ContourData *const own = contour_of(held()), *const its = contour_of(m);
@@ -143,7 +143,7 @@ std::optional<ContourCorners::Start> ContourCorners::join(const Action& action, 
   return start;
 }
 
-/// Returns the next motion as an element that starts at the corner; if its end is open, as far as it is known.
+/// Returns the next motion as an element that starts at the corner; if its end is open, only its start and direction are valid.
 std::optional<ContourElement> ContourCorners::element_from(Vec2 corner, const Motion& m, End end) const {
   const ContourData* const c = contour_of(m);
   const Vec2 to = in_plane(m.to, m);
@@ -176,7 +176,7 @@ std::optional<CornerElement> ContourCorners::element_at(Vec2 corner, const Conto
   return inserted;
 }
 
-/// Returns the held motion up to an end point; nullopt for a line of no length.
+/// Returns the held motion up to an end point; nullopt for a line of zero length.
 std::optional<ContourElement> ContourCorners::held_element(Vec2 end) const {
   const auto& m = std::get<Motion>(now_.held->action.what);
   const Start& start = now_.held->start;
@@ -188,7 +188,7 @@ std::optional<ContourElement> ContourCorners::held_element(Vec2 end) const {
   return length(end - start.corner) > tol::same_point ? std::optional(ContourElement::line(start.corner, end)) : std::nullopt;
 }
 
-/// Emits the held motion up to the corner, or up to what is inserted there; the waiting actions follow it.
+/// Emits the held motion up to the corner, or up to the inserted chamfer or rounding, then the waiting actions.
 void ContourCorners::let_go(Vec2 corner, const CornerElement& inserted, Certainty certainty) {
   const auto element = held_element(corner);
   const Start& start = now_.held->start;
@@ -223,7 +223,7 @@ void ContourCorners::let_go(Vec2 corner, const CornerElement& inserted, Certaint
   now_.held.reset();
 }
 
-/// Returns the chamfer or rounding as a motion with the feed, side and tool of the block before it.
+/// Returns the chamfer or rounding as a motion with the feed, compensation side and tool of the motion `before`.
 Action ContourCorners::shaped_like(const Action& before, const CornerElement& inserted) const {
   Action action = before;
   auto& m = std::get<Motion>(action.what);
@@ -240,15 +240,15 @@ void ContourCorners::hand_on(Action action, Certainty certainty) {
   else out_.add() = std::move(action);
 }
 
-/// Emits the held motion with its programmed end, as nothing calculates another one.
+/// Emits the held motion with its programmed end, because no later block calculates another end.
 void ContourCorners::release() {
   CornerElement nothing;
   nothing.from = nothing.to = now_.held->end;
   let_go(now_.held->end, nothing, Certainty::certain);
 }
 
-/// Ends the held motion, as no motion follows that could form a corner. Before an alarm the programmed corner is kept; a line without an
-/// end is not started.
+/// Emits the held motion, because no motion follows that could form a corner with it. Before an alarm the corner stays as programmed; a
+/// line whose end is unknown is not emitted.
 void ContourCorners::finish(Follows follows) {
   if (!now_.held) return;
   const ContourData* const c = contour_of(held());
@@ -259,7 +259,7 @@ void ContourCorners::finish(Follows follows) {
   else release();
 }
 
-/// Discards the held motion, which is not executed.
+/// Discards the held motion, because the control does not execute it.
 void ContourCorners::drop() {
   for (Action& action : now_.settled) out_.add() = std::move(action);
   now_.settled.clear();
@@ -277,7 +277,7 @@ std::nullopt_t ContourCorners::failed(AlarmId id, const Origin& origin) {
   return std::nullopt;
 }
 
-/// Returns true if only the axes of the motion's plane move, and axes that follow one of them.
+/// Returns true if no axes move except those of the motion's plane and their slave axes.
 bool ContourCorners::alone_in_plane(const Motion& m) const {
   AxisMask in_it = AxisMask{1} << m.first | AxisMask{1} << m.second;
   if (m.detail && m.detail->rolled != 0) return false;

@@ -1,11 +1,13 @@
 #pragma once
-// ContourCorners: the corners that need the next block: calculated intersections, then the chamfer or rounding there. NCT 17. It holds a
-// motion, and the actions after it, until the next motion determines where it ends; a motion without such a corner passes.
+// ContourCorners: resolves the corners that depend on the next block: calculated intersections, and chamfers and roundings. NCT 17. A
+// motion, and the actions after it, are stored until the next motion determines where the first one ends. A motion without such a corner
+// passes unchanged.
 //
 //   programmed ──▶ held motion k · actions between ──▶ corner k/k+1 ──▶ motion k · chamfer or rounding · actions between · (k+1)
 //
 // The output consists of ordinary motions; cutter radius compensation comes after it. If an over-determined block may still move the end
-// of motion k+1, the cut at the start of k+1 cannot be checked yet: motion k and its corner wait until motion k+1 has an end.
+// of motion k+1, it cannot be checked yet whether k+1 is long enough for the chamfer or rounding at its start: motion k and its corner
+// wait until motion k+1 has an end.
 
 #include "action/tool_position.h"
 #include "path/contour/radius_compensation.h"
@@ -15,43 +17,44 @@ namespace kadr {
 
 class ContourCorners {
  public:
-  /// What follows a batch: more actions, nothing that could form a corner, or an alarm (then the programmed corner is kept).
+  /// What follows a batch: more actions; nothing that could form a corner with the last motion; or an alarm, after which the corner stays
+  /// as programmed.
   enum class Follows : std::uint8_t { more, nothing, alarm };
 
   /// `start`: position of the tool before the first action.
   explicit ContourCorners(const ToolPosition& start) { now_.at = start; }
 
-  /// Takes a batch and leaves in it the actions that are final.
-  ///   alarms  corner_illegal (nct 2085), corner_too_large, contour_no_intersection (2047, INFERRED), at the block before the corner: the
-  ///           batch keeps the actions before it, the rest is dropped
-  ///   law     without chamfers, roundings and over-determined blocks the output is the input
+  /// Processes a batch in place: afterwards it contains only actions that are final.
+  ///   alarms  corner_illegal (nct 2085), corner_too_large, contour_no_intersection (2047, INFERRED), reported at the block before the
+  ///           corner; the batch keeps the actions before that block, the rest is dropped
+  ///   law     without chamfers, roundings and over-determined blocks the output equals the input
   std::optional<CompensationFault> take(ActionBatch& batch, Follows follows);
 
  private:
-  enum class End : std::uint8_t { programmed, open };  // open: an over-determined block may still calculate it
+  enum class End : std::uint8_t { programmed, open };  // open: a following over-determined block may still move the end
   enum class Certainty : std::uint8_t { certain, settled_later };
 
-  /// How a motion starts: at the corner before it, shortened by the cut.
+  /// The start of a motion: the corner with the previous motion, and the length that a chamfer or rounding removes there.
   struct Start {
     Vec2 corner;
-    Vec2 direction;           // direction of the element that was cut
-    double cut = 0;           // travel removed from the start
-    bool calculated = false;  // the corner is not the programmed end of the motion before
+    Vec2 direction;           // direction of the motion's element at the corner, before it was shortened
+    double cut = 0;           // travel removed from the start of the motion (unit: corner_geometry.h)
+    bool calculated = false;  // true if the corner is not the programmed end of the previous motion
   };
   struct Held {
     Action action;
     Start start;
-    Vec2 end;  // programmed
+    Vec2 end;  // programmed end
   };
 
  public:
-  /// The state that it keeps from batch to batch.
+  /// The state that ContourCorners keeps between batches.
   struct Memory {
-    ToolPosition at;  // programmed position after the last action taken
+    ToolPosition at;  // programmed position after the last action received
     std::optional<Held> held{};
-    std::vector<Action> waiting{};  // actions between the held motion and the next one
-    std::vector<Action> settled{};  // actions before the held motion that wait until its length is known
-    Origin settled_origin{};        // the block with the corner among them
+    std::vector<Action> waiting{};  // actions between the held motion and the next motion
+    std::vector<Action> settled{};  // actions before the held motion that wait until the held motion's length is known
+    Origin settled_origin{};        // the block in `settled` that has the corner
   };
   const Memory& memory() const { return now_; }
   void remember(const Memory& memory) { now_ = memory; }
@@ -77,7 +80,8 @@ class ContourCorners {
   const Motion& held() const { return std::get<Motion>(now_.held->action.what); }
   bool alone_in_plane(const Motion& m) const;
 
-  static constexpr std::size_t most_waiting = 64;  // actions between two motions; the NCT's limit is unknown
+  // greatest number of actions between two motions; the limit of the NCT control is unknown
+  static constexpr std::size_t most_waiting = 64;
 
   Memory now_;
   ActionBatch out_;

@@ -1,5 +1,5 @@
-// The contour data of a motion in the plane (ContourData): whether it is an element, and what it lies on. Used by
-// path/contour/contour_corners.
+// Questions about the contour data (ContourData) of a motion in the plane: whether the motion is a contour element, and on which line or
+// circle it lies. Used by path/contour/contour_corners.
 
 #include "path/contour/contour_motion.h"
 
@@ -47,7 +47,8 @@ bool is_circular(const ContourElement& e) {
   return !e.is_arc || (std::fabs(e.start_radius - e.end_radius) <= tol::circular && e.start_radius > tol::same_point);
 }
 
-/// The other details of the motion (entry and exit direction, rolling axes, followers, parked axes) are kept.
+/// Removes only the contour data; the other details of the motion (entry and exit direction, rollover axes, slave axes, parked axes) are
+/// kept.
 void without_contour(Motion& m) {
   if (contour_of(m) == nullptr) return;
   if (m.detail->rolled == 0 && !m.detail->way && m.detail->followers.empty() && m.detail->parked == 0) return m.detail.reset();

@@ -1,5 +1,5 @@
-// The contour in its plane, offset by the tool's radius: elements, the vectors at a junction of two elements, compensated arcs. Used by
-// the other folders of path; tested by tests/path/contour_offset_test.cpp.
+// Geometry of a contour offset by the tool radius, in one plane: elements, the vectors at a junction of two elements, compensated arcs.
+// Used by the other folders of path; tested by tests/path/contour_offset_test.cpp.
 
 #include "path/contour/contour_offset.h"
 
@@ -68,10 +68,10 @@ OffsetElement offset(const ContourElement& element, Vec2 tangent, double arc_rad
   return beside;
 }
 
-/// Times the radius: lines that meet further away than this form a reversal within a degree, not a corner (INFERRED).
+/// In tool radii: if the offset lines meet further away than this, the path reverses to within a degree and has no corner (INFERRED).
 constexpr double farthest_corner = 100;
 
-/// Returns the vector to where the offset tangents meet: at an outside corner of at most 90°.
+/// Returns the vector to the intersection of the offset tangents with the normals n1, n2; used at an outside corner of at most 90°.
 Vec2 of_tangents(Vec2 n1, Vec2 n2, double radius) { return radius / (1 + dot(n1, n2)) * (n1 + n2); }
 
 }  // namespace
@@ -169,7 +169,8 @@ std::optional<JunctionVectors> joined(const ContourElement& first, const Contour
     v.add(radius * n2);
     return v;
   }
-  if ((1 + dot(n1, n2)) * farthest_corner * farthest_corner < 2) return std::nullopt;  // |n1 + n2| / (1 + n1 · n2) is the distance
+  // the distance of the intersection is |n1 + n2| / (1 + n1 · n2), in tool radii
+  if ((1 + dot(n1, n2)) * farthest_corner * farthest_corner < 2) return std::nullopt;
   if (first.is_arc) v.add(radius * n1);
   v.add(of_tangents(n1, n2, radius));
   if (second.is_arc) v.add(radius * n2);
@@ -179,7 +180,7 @@ std::optional<JunctionVectors> joined(const ContourElement& first, const Contour
 std::optional<Vec2> entry_direction(Vec2 way, double radius, double side) {
   const double distance = length(way);
   if (!(distance > radius + tol::same_point)) return std::nullopt;
-  const double across = side * radius / distance;  // sine of the angle between the tool's path and the line
+  const double across = side * radius / distance;  // sine of the angle between the tool's path and the line to the programmed point
   const double along = std::sqrt((1 - across) * (1 + across));
   const Vec2 ahead = 1 / distance * way;
   return along * ahead + across * left_of(ahead);
@@ -244,16 +245,16 @@ bool lies_on_offset(const ContourElement& e, Vec2 start_vector, Vec2 end_vector,
 
 bool gentle(const ContourElement& first, const ContourElement& second) {
   if (dot(first.end, second.start) < 0) return false;
-  constexpr double quarter = 0.25;  // of a full turn: the greatest turn of the corner
+  constexpr double quarter = 0.25;  // in revolutions: the greatest change of direction at the corner
   const double rest = tangential(first.end, second.start) ? 2 * quarter : quarter;
   return std::fabs(first.turns) + std::fabs(second.turns) <= rest;
 }
 
 double compensated_turns(const ContourElement& arc, Vec2 start_vector, Vec2 end_vector) {
-  const auto turned = [&](Vec2 at, Vec2 vector) {  // rotation of the direction from the centre, in (-1/2, 1/2] of a full turn
+  const auto turned = [&](Vec2 at, Vec2 vector) {  // rotation of the direction from the centre, in revolutions, (-1/2, 1/2]
     const Vec2 arm = at - arc.center;
     const double along = dot(arm, arm + vector), across = cross(arm, vector);
-    constexpr double straight = 1e-8;  // radians: below it the angle equals its tangent in all digits
+    constexpr double straight = 1e-8;  // radians: below this value an angle and its tangent are equal in all digits
     if (std::fabs(across) <= straight * along) return across / along / (2 * pi);
     return angle_deg({along, across}) / 360;
   };

@@ -1,4 +1,4 @@
-// ContourWatch: detects where the tool cuts into the part. A control only compares neighbouring blocks (nct 15.5.7). Used by
+// ContourWatch: detects where the tool cuts into the workpiece. A control compares only neighbouring blocks (nct 15.5.7). Used by
 // path/contour/radius_compensation; tested by tests/path/contour_watch_test.cpp.
 
 #include "path/contour/contour_watch.h"
@@ -44,7 +44,8 @@ std::uint64_t ContourWatch::contour(const ContourElement& element, double radius
   return seen.number;
 }
 
-/// Handles the piece that leaves the ring: if it is one of the first, its cut is kept; later only the deepest cut is.
+/// Handles the contour piece that leaves the ring buffer: the cut into one of the first pieces is stored; of the cuts into later pieces
+/// only the deepest is stored.
 void ContourWatch::make_room() {
   ContourCut& cut = cuts_[contour_.place];
   if (contour_.loses_first()) {
@@ -76,13 +77,13 @@ void ContourWatch::compare(const Seen& contour, const Seen& path) {
   any_ = true;
 }
 
-/// For a contour longer than the ring: compares its start with its end, which have not been compared yet.
+/// For a contour longer than the ring: compares the first pieces with the last pieces, which have not been compared with each other yet.
 void ContourWatch::compare_ends() {
   for (const Seen& path : path_.first) compare_path(path, {});
   for (const Seen& contour : contour_.first) path_.near(contour.piece, contour.radius, [&](const Seen& path) { compare(contour, path); });
 }
 
-/// Recomputes the deepest cut into a piece of which only a part bounds the material.
+/// Recomputes the deepest cut into a contour piece of which only the section `piece` bounds the workpiece.
 void ContourWatch::anew(const Seen& contour, const PlanePiece& piece) {
   if (cut_into(contour.number).depth == 0) return;
   cut_into(contour.number).depth = 0;

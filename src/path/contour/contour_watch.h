@@ -1,10 +1,11 @@
 #pragma once
-// ContourWatch: detects where the tool cuts into the part. A control only compares neighbouring blocks (nct 15.5.7); this compares all
-// blocks within a range, and reports what the control would do.
+// ContourWatch: detects where the tool cuts into the workpiece. A control compares only neighbouring blocks (nct 15.5.7). ContourWatch
+// compares all blocks within a range, and so reports damage that the control would cause without an alarm.
 //
-// The part's boundary is the programmed contour without run-in and run-out, which cross each other or lead to a point of it and away
-// (path/contour/contour_closing): where the tool's centre comes nearer to the boundary than the radius, it cuts into the part. Run-in and
-// run-out are only known at the end: until then each piece of the contour keeps the deepest cut into it.
+// The workpiece boundary is the programmed contour without its run-in and run-out, which cross each other or lead to and from a point of
+// the contour (path/contour/contour_closing). If the tool's centre comes nearer to the boundary than the tool radius, the tool cuts into
+// the workpiece. Run-in and run-out are known only at the end of the contour; until then the deepest cut into each piece of the contour
+// is stored.
 
 #include <array>
 #include <optional>
@@ -16,36 +17,37 @@
 
 namespace kadr {
 
-/// The deepest cut of the tool into the part.
+/// The deepest cut of the tool into the workpiece.
 struct ContourCut {
-  double depth = 0;  // mm
-  Origin tool;       // block of the tool's path
-  Origin contour;    // block of the contour
+  double depth = 0;  // depth of the cut into the workpiece, mm
+  Origin tool;       // block whose tool path causes the cut
+  Origin contour;    // block of the contour that is cut into
 };
 
-/// Contour pieces, by number, that a piece of path is not compared with, because it lies on their offset according to the corner rules.
+/// A range of contour pieces, by number, that a piece of the tool's path is not compared with. The corner rules guarantee that the path
+/// lies on the offset of these pieces.
 struct ContourSpan {
-  std::uint64_t first = 1, last = 0;  // empty
+  std::uint64_t first = 1, last = 0;  // an empty range
 };
 
 class ContourWatch {
  public:
-  /// Adds a piece of the programmed contour. `radius`: of the tool, mm.
-  ///   returns  its number
+  /// Adds a piece of the programmed contour. `radius`: tool radius, mm.
+  ///   returns  the number of the piece
   std::uint64_t contour(const ContourElement& element, double radius, const Origin& origin);
-  /// Adds a piece of the tool centre's path, which `way` returns.
+  /// Adds a piece of the tool centre's path. `way`: a function that returns the piece.
   template <class Make>
   void path(const Make& way, double radius, const Origin& origin, ContourSpan known) {
     if (path_.loses_first()) path_.keep_first();
     compare_path(path_.add(way, radius, origin), known);
   }
-  /// Ends the contour. Returns the deepest cut into the part, if one was deeper than tol::same_point. Forgets everything.
-  ///   law  there is no cut if the path is nowhere nearer than the radius to the last `reach` pieces or to the next `reach` pieces of the
-  ///        contour; nor if it is so only at the run-in and the run-out
+  /// Ends the contour. Returns the deepest cut into the workpiece if it is deeper than tol::same_point. Clears all data.
+  ///   law  no cut is reported if each piece of the path keeps the radius as its distance from the last `reach` and the next `reach`
+  ///        contour pieces, or comes nearer only at the run-in and the run-out
   ///   law  the end of the contour is compared with its start, however long it is
   std::optional<ContourCut> end();
 
-  static constexpr std::size_t reach = 40;  // pieces; steps round corners count too
+  static constexpr std::size_t reach = 40;  // number of pieces; short moves around corners count as pieces too
 
  private:
   static constexpr std::size_t group_size = 8, groups = reach / group_size + 1;
@@ -56,23 +58,23 @@ class ContourWatch {
     Origin origin;
     std::uint64_t number = 0;
   };
-  /// The last pieces, in groups with a bounding box each: most groups are far away and are skipped as a whole. Also the first pieces,
-  /// after they have left the ring.
+  /// The last pieces, in groups with a bounding box each: most groups are far away and are skipped as a whole. `first` has the first
+  /// pieces after they have left the ring buffer.
   struct Ring {
     std::array<Seen, group_size * groups> at;
     std::array<Box2, groups> boxes;
     std::vector<Seen> first;
     std::uint64_t count = 0;
     std::size_t place = 0;  // index for the next piece
-    /// True if the next piece replaces one of the first, which must then be kept.
-    bool loses_first() const { return count - at.size() < at.size(); }  // wraps below 0
+    /// True if the next piece overwrites one of the first pieces, which must then be copied to `first`.
+    bool loses_first() const { return count - at.size() < at.size(); }  // the difference is unsigned: false while count is below at.size()
     void keep_first() { first.push_back(at[place]); }
     template <class Make>
     const Seen& add(const Make& piece, double radius, const Origin& origin);
-    /// Calls `found` for the pieces whose boxes are nearer to that of `piece` than `distance`.
+    /// Calls `found` for each stored piece whose bounding box is less than `distance` away from the bounding box of `piece`.
     template <class Found>
     void near(const PlanePiece& piece, double distance, const Found& found) const;
-    /// Calls `found` for the first pieces and the last ones, in order.
+    /// Calls `found` for the first pieces and then for the last pieces, in order.
     template <class Found>
     void each(const Found& found) const;
     void clear() {
@@ -91,7 +93,7 @@ class ContourWatch {
   Ring contour_, path_;
   std::array<ContourCut, group_size * groups> cuts_;  // the deepest cuts into the pieces of the ring
   std::vector<ContourCut> first_cuts_;                // the deepest cuts into the first pieces
-  ContourCut worst_;                                  // the deepest cut into the pieces between
+  ContourCut worst_;                                  // the deepest cut into pieces that have left the ring and are not among the first
   bool any_ = false;
 };
 

@@ -1,6 +1,6 @@
 #pragma once
-// Interference: blocks of the contour whose compensated path goes against the programmed one. The check covers a window of blocks and
-// joins the first block with a later one if that resolves the interference. NCT 15.5.7.
+// Interference check: finds contour blocks whose compensated path runs opposite to the programmed direction. The check covers a window of
+// blocks. If it resolves the interference, the first block is joined with a later block. NCT 15.5.7.
 
 #include <span>
 
@@ -8,29 +8,29 @@
 
 namespace kadr {
 
-/// A block of the contour with the vectors at its ends.
+/// A contour block with the vectors (programmed point to tool centre) at its ends.
 struct CompensatedBlock {
   const ContourElement* element = nullptr;
   double radius = 0;
   double side = 0;
-  bool plain = true;  // false for the entry and the exit of compensation
+  bool plain = true;  // false for the block that starts compensation and the block that ends it
   Vec2 start_vector;
-  const JunctionVectors* end = nullptr;  // nullptr: the next block is unknown; empty: the offsets do not meet
+  const JunctionVectors* end = nullptr;  // vectors at its end; nullptr: the next block is unknown; empty: the offsets do not meet
 };
 
-/// A join: the first block of a window is followed by its block number `next`, the blocks between are dropped.
+/// The result of the check: block `next` of the window follows the first block directly, and the blocks between them are dropped.
 struct ContourJoin {
   std::size_t next = 1;     // 1: no interference, nothing changes
-  JunctionVectors vectors;  // at the end of the first block, from its programmed end
-  Vec2 start_vector;        // of the block `next`, from its programmed start
+  JunctionVectors vectors;  // vectors at the end of the first block, relative to its programmed end
+  Vec2 start_vector;        // vector at the start of block `next`, relative to its programmed start
 };
 
-/// Returns true if the tool goes backwards in this block. Both ends must be known.
+/// Returns true if the tool moves backwards in this block. The vectors at both ends must be known.
 bool goes_back(const CompensatedBlock& block);
 
-/// Checks the junction of the first two blocks against the following ones.
-///   `further`       N1404: number of junctions to check beyond the next one
-///   `always_alarm`  N1403 #1 AAL
+/// Checks the junction of the first two blocks against the junctions of the following blocks.
+///   `further`       N1404: number of junctions to check beyond the next junction
+///   `always_alarm`  parameter N1403 #1 AAL: an interference always raises the alarm
 ///   returns         nullopt for alarm 2049
 ///   law             the path of the first block itself is not checked: goes_back() does that
 std::optional<ContourJoin> check_interference(std::span<const CompensatedBlock> window, std::size_t further, bool always_alarm);

@@ -1,4 +1,4 @@
-// QueuedCompensation, input of the queue of LinuxCNC's cutter radius compensation. Used by path/contour; tested by
+// QueuedCompensation, input: how actions enter the queue of LinuxCNC's cutter radius compensation. Used by path/contour; tested by
 // tests/path/queued_compensation_test.cpp and tests/cases/linuxcnc/compensation.cases.
 
 #include "path/contour/queued_compensation.h"
@@ -12,10 +12,10 @@
 namespace kadr {
 namespace {
 
-constexpr double least_speed_by_time = 0.1;  // units/min: inverse_time_rate_straight
-constexpr double least_way_by_time = 1e-7;   // mm; find_straight_length
+constexpr double least_speed_by_time = 0.1;  // least speed with inverse-time feed, units/min (inverse_time_rate_straight of the source)
+constexpr double least_way_by_time = 1e-7;   // least length with inverse-time feed, mm (find_straight_length of the source)
 
-/// Returns the number of started turns, counter-clockwise positive.
+/// Returns the number of started revolutions of an arc, counter-clockwise positive.
 int turn_of(const Motion& m) {
   const int begun = std::max(1, static_cast<int>(std::ceil(m.turns - tol::same_angle)));
   return m.kind == MotionKind::arc_ccw ? begun : -begun;
@@ -24,7 +24,7 @@ int turn_of(const Motion& m) {
 /// True for a turning tool whose tip is not at the centre of its nose.
 bool has_tip(const Motion& m) { return m.nose != 0 && m.nose != 9; }
 
-/// Returns the vector from a point of the contour to the tool, where the tangent is `way`.
+/// Returns the vector from a contour point with the tangent `way` to the tool's centre.
 Vec2 beside_line(Vec2 way, const Motion& m) {
   const double angle = std::atan2(way.y, way.x) + (m.side > 0 ? pi / 2 : -pi / 2);
   return {m.tool_radius * std::cos(angle), m.tool_radius * std::sin(angle)};
@@ -39,7 +39,7 @@ QueuedCompensation::QueuedCompensation(const ToolPosition& start) {
 
 std::optional<CompensationFault> QueuedCompensation::take(ActionBatch& batch, Follows follows) {
   warnings_.clear();
-  if (!at_work()) {  // the usual case: it only follows the tool's position
+  if (!at_work()) {  // the usual case: only the tool's position is updated
     const bool any = std::any_of(batch.begin(), batch.end(), [](const Action& action) {
       const auto* const m = motion_of(action);
       return m != nullptr && m->side != 0;
@@ -87,7 +87,8 @@ void QueuedCompensation::wait(Action& action) {
   else push(queued);
 }
 
-/// G40, or a stop: the queued motions end perpendicular to their end point (convert_cutter_compensation_off, convert_stop).
+/// Ends the contour at G40 or a stop: the queued motions end where the tool is perpendicular to their programmed end point
+/// (convert_cutter_compensation_off, convert_stop).
 void QueuedCompensation::end_here(const ContourBreak& end) {
   if (!now_.on || !move_ends(now_.tool)) return;
   now_.start.reset();
@@ -134,7 +135,7 @@ void QueuedCompensation::outside_contour(Action& action) {
   hand_out(queued);
 }
 
-/// Queues the first motion: a line leads straight to the tool position next to its end.
+/// Queues the first motion of a contour. A line leads straight to the tool position next to the line's programmed end.
 void QueuedCompensation::enter(Queued& queued, const Motion& m) {
   const Vec2 from = in_plane(now_.at.work), to = in_plane(m.to);
   if (is_arc(m.kind)) {
@@ -148,7 +149,7 @@ void QueuedCompensation::enter(Queued& queued, const Motion& m) {
     if (std::hypot(to.x - from.x, to.y - from.y) <= m.tool_radius) return void(fault(alarm(AlarmId::entry_line_within_tool, {})));
     if (m.kind == MotionKind::thread) return void(fault(alarm(AlarmId::compensated_thread, {})));
     const Vec2 normal = beside_line(to - from, m);
-    queued.direction = normal;  // the normal, as in the source; the line cannot be reversed
+    queued.direction = normal;  // the normal of the line, as in LinuxCNC's source; so a corner cannot make this line go backwards
     queued.end = to + normal;
     now_.start = from;
   }
@@ -157,7 +158,7 @@ void QueuedCompensation::enter(Queued& queued, const Motion& m) {
   push(queued);
 }
 
-/// Queues, before an entry arc, a line that moves the centre to where the tip is, as the arc would otherwise not be one
+/// Queues, before an entry arc, a line that moves the tool's centre to the position of the tip; without it the arc's radii would differ
 /// (convert_arc_comp1).
 void QueuedCompensation::lead_tip_in(const Queued& arc, Vec2 from) {
   Queued way;
@@ -178,7 +179,7 @@ void QueuedCompensation::lead_tip_in(const Queued& arc, Vec2 from) {
 
 void QueuedCompensation::line(Queued& queued, const Motion& m) {
   const Vec2 from = in_plane(now_.at.work), to = in_plane(m.to);
-  if (from == to) {  // along the third axis, or rotary axes: it ends where the motion before it ends
+  if (from == to) {  // a motion of the third axis or rotary axes only: it ends where the previous motion ends
     if (m.kind == MotionKind::thread) return void(fault(alarm(AlarmId::compensated_thread, {})));
     queued.end = now_.tool;
     return push(queued);
@@ -224,7 +225,8 @@ CornerPlace QueuedCompensation::place_before(const Motion& m) const {
   return {in_plane(now_.at.work), now_.tool, m.tool_radius, static_cast<double>(m.side), now_.first_arc, !now_.queue.empty()};
 }
 
-/// Returns the speed in inverse time: the programmed length counts, and corner and compensated path are passed at that speed.
+/// Returns the speed of a motion with inverse-time feed: the programmed length divided by the time. The tool moves at this speed along
+/// the compensated path and around the corner.
 double QueuedCompensation::programmed_speed(const Motion& m) const {
   if (m.unit != FeedUnit::per_min || m.kind == MotionKind::rapid) return 0;
   double way = 0;
@@ -239,8 +241,8 @@ double QueuedCompensation::programmed_speed(const Motion& m) const {
   return std::max(least_speed_by_time * unit(), way * m.feed);
 }
 
-/// Registers an element of the contour, with which everything emitted from now on is compared. Motions at feed along the contour only:
-/// neither entry nor exit.
+/// Adds an element to ContourWatch, which compares all motions emitted later with it. Only motions at feed along the contour are added;
+/// not the start and the end of compensation.
 void QueuedCompensation::watch_element(Queued& queued, const Motion& m) {
   if (m.kind == MotionKind::rapid) return;
   const Vec2 from = in_plane(now_.at.work), to = in_plane(m.to);
@@ -249,7 +251,7 @@ void QueuedCompensation::watch_element(Queued& queued, const Motion& m) {
                                      : ContourElement::line(from, to);
   const std::uint64_t number = now_.watch.contour(element, m.tool_radius, origin_);
   queued.watched = true;
-  queued.known = {number == 0 ? 0 : number - 1, number + 1};  // its neighbours are left to the corner rules
+  queued.known = {number == 0 ? 0 : number - 1, number + 1};  // the corner rules check the path against the neighbouring elements
 }
 
 /// Discards the queue, after an alarm or at the end of a file.
@@ -261,8 +263,8 @@ void QueuedCompensation::lose() {
   (void)now_.watch.end();
 }
 
-/// Follows an action after an alarm. It is not executed, but may still be analysed (kadr check): the tool is assumed next to each end,
-/// uncut.
+/// Updates the positions by an action after an alarm. The action is not executed, but may still be analysed (kadr check): the tool is
+/// assumed to be next to each programmed end.
 void QueuedCompensation::follow(const Action& action) {
   if (const auto* const m = motion_of(action)) {
     now_.on = m->side != 0;

@@ -1,7 +1,7 @@
 #pragma once
-// QueuedCompensation: cutter radius compensation as LinuxCNC does it: takes programmed actions and emits those of the tool's centre. A
+// QueuedCompensation: cutter radius compensation as LinuxCNC computes it. It converts programmed actions to actions of the tool's centre. A
 // motion along the contour waits in a queue, with everything that follows it, until the next element determines where it ends. Then its
-// end is moved there, and so are the ends of the queued motions along the third axis, and all of them are emitted. spec/linuxcnc 7.5; its
+// end, and the ends of the queued motions along the third axis, are moved to that point, and the queue is emitted. spec/linuxcnc 7.5; its
 // source: interp_convert.cc (convert_straight_comp1 and 2, convert_arc_comp1 and 2), interp_queue.cc.
 //
 //   programmed ──▶ queue: motion · actions · motions in Z ──▶ next element: corner ──▶ ends moved, out ──▶ corner, next element queued
@@ -27,52 +27,53 @@ class QueuedCompensation {
   /// `start`: position of the tool before the first action.
   explicit QueuedCompensation(const ToolPosition& start);
 
-  /// Takes a batch and leaves in it the actions that are final. Follows::nothing (an alarm, the end of a file): the queue is dropped, as
-  /// the control does; before a stop or M2 a ContourBreak emits it.
-  ///   alarms  at the block that is being read: those of queued_corner.h, gouge_feed, gouge_rapid, gouge_arc, offset_arc_radii,
-  ///           entry_line_within_tool, compensated_thread, compensation_buffer: the batch keeps the actions before it, the queue is
-  ///           dropped
-  ///   law     without a motion that has a side the output is the input
+  /// Processes a batch in place: afterwards it contains only actions that are final. Follows::nothing (an alarm, the end of a file): the
+  /// queue is dropped, as in LinuxCNC; before a stop or M2 a ContourBreak emits the queue instead.
+  ///   alarms  reported at the block that is being read: the alarms of queued_corner.h, gouge_feed, gouge_rapid, gouge_arc,
+  ///           offset_arc_radii, entry_line_within_tool, compensated_thread, compensation_buffer; the batch keeps the actions before that
+  ///           block, the queue is dropped
+  ///   law     if no motion has a compensation side, the output equals the input
   std::optional<CompensationFault> take(ActionBatch& batch, Follows follows);
 
-  /// Warnings of the last batch: contour_cut, one per contour, at its deepest cut.
+  /// Warnings of the last batch: one contour_cut per contour, at the contour's deepest cut.
   const std::vector<CompensationFault>& warnings() const { return warnings_; }
 
-  /// True if a contour is active after what was emitted.
+  /// True if a compensated contour is active after the last emitted action.
   bool at_work() const { return !now_.queue.empty() || beside(); }
 
-  /// True if the tool is not at the programmed point after what was emitted.
+  /// True if the tool is not at the programmed point after the last emitted action.
   bool beside() const { return now_.dropped || dot(now_.beside, now_.beside) > tol::same_point * tol::same_point; }
 
  private:
-  static constexpr std::size_t most_queued = 4096;  // the control is limited only by its memory
+  static constexpr std::size_t most_queued = 4096;  // a limit of this implementation; LinuxCNC is limited only by its memory
 
   struct Queued {
     Action action;
-    bool moves = false;              // false: an action that only waits
-    Vec2 end;                        // of the tool, in the plane
-    Vec2 direction;                  // of a straight motion as programmed; {}: along the third axis
-    std::optional<QueuedArc> arc{};  // the tool's path along an arc; its end is `end`
-    double swept = 0;                // of that arc as programmed, rad
-    double speed = 0;                // inverse time: the programmed length by the programmed time, mm/min; 0: as the action says
-    bool watched = false;            // its path must not cut into the contour …
-    ContourSpan known{};             // … except for these pieces of the contour
+    bool moves = false;              // false: not a motion; the action only waits in the queue
+    Vec2 end;                        // end position of the tool's centre, in the plane
+    Vec2 direction;                  // programmed direction of a straight motion; {}: along the third axis
+    std::optional<QueuedArc> arc{};  // the tool's path along an arc; the field `end` replaces the end in it
+    double swept = 0;                // swept angle of the programmed arc, rad
+    double speed = 0;                // inverse-time feed: programmed length divided by programmed time, mm/min; 0: the action's own feed
+    bool watched = false;            // true if the tool on this path must not cut into the contour
+    ContourSpan known{};             // contour pieces that the path is not compared with
   };
 
  public:
-  /// The state that it keeps from batch to batch.
+  /// The state that QueuedCompensation keeps between batches.
   struct Memory {
-    ToolPosition at;                       // programmed position after the last action taken
-    std::size_t first = 0, second = 1;     // axes of the plane
-    bool on = false;                       // the first compensated motion has been read
-    bool inch = false;                     // unit of its block, or of the block taken last
-    Vec2 tool;                             // the uncut end of the last element
-    std::optional<Vec2> start;             // start of the queued motions; empty: unknown, so they are not checked
-    std::vector<Queued> queue;             //
-    std::optional<QueuedArc> first_arc{};  // first motion of the queue; if it is empty, of the last queue (the source reads it)
-    Axes stands{};                         // work coordinates of the tool, after what was emitted
-    Vec2 beside;                           // offset of the tool from the programmed point, likewise
-    bool dropped = false;                  // the programmed point was not reached
+    ToolPosition at;                    // programmed position after the last action received
+    std::size_t first = 0, second = 1;  // indices of the two axes of the plane
+    bool on = false;                    // the first compensated motion has been read
+    bool inch = false;                  // true if the unit of the first compensated block, or of the last block, is the inch
+    Vec2 tool;                          // tool position at the end of the last element, before a corner shortens it
+    std::optional<Vec2> start;          // tool position at the start of the queue; empty: unknown, so the queued motions are not checked
+    std::vector<Queued> queue;          // in the order of the program
+    // the arc that is the queue's first motion; for an empty queue, of the previous queue (LinuxCNC's source reads it)
+    std::optional<QueuedArc> first_arc{};
+    Axes stands{};         // work coordinates of the tool after the last emitted action
+    Vec2 beside;           // offset of the tool from the programmed point after the last emitted action
+    bool dropped = false;  // a dropped queue left the programmed point unreached
     ContourWatch watch;
   };
   const Memory& memory() const { return now_; }
@@ -95,7 +96,7 @@ class QueuedCompensation {
   void lose();
   void follow(const Action& action);
 
-  // the queue and its output; false: it raised an alarm
+  // the queue and its output; a function returns false if it raised an alarm
   bool move_ends(Vec2 to);
   bool may_end(const Queued& queued, Vec2 to);
   void push(Queued& queued);
@@ -114,7 +115,7 @@ class QueuedCompensation {
   }
 
   Memory now_;
-  Origin origin_;  // of the action being taken
+  Origin origin_;  // origin of the action being processed
   ActionBatch out_;
   std::optional<CompensationFault> fault_;
   std::vector<CompensationFault> warnings_;

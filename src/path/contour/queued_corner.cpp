@@ -1,5 +1,5 @@
-// Corners of a contour as LinuxCNC computes them: its own formulas, in its order, so that borderline cases fall on the same side. Used by
-// path/contour/queued_compensation; tested by tests/path/queued_compensation_test.cpp.
+// Corners of a contour as LinuxCNC computes them: with LinuxCNC's formulas in their original order, so that borderline cases give the
+// same result. Used by path/contour/queued_compensation; tested by tests/path/queued_compensation_test.cpp.
 
 #include "path/contour/queued_corner.h"
 
@@ -9,15 +9,16 @@ namespace kadr {
 namespace {
 
 constexpr double half_turn = pi, quarter_turn = pi / 2;
-constexpr double small_angle = 0.05;        // rad: TOLERANCE_CONCAVE_CORNER
-constexpr double least_entry_cos = 0.0001;  // TOLERANCE_EQUAL
+constexpr double small_angle = 0.05;        // rad, TOLERANCE_CONCAVE_CORNER of the source
+constexpr double least_entry_cos = 0.0001;  // TOLERANCE_EQUAL of the source
 
 double angle_of(Vec2 v) { return std::atan2(v.y, v.x); }
 Vec2 at_angle(double radius, double angle) { return {radius * std::cos(angle), radius * std::sin(angle)}; }
 bool off_sine(double l) { return l > 1.0 || l < -1.0; }
 double apart_by(Vec2 a, Vec2 b) { return std::hypot(a.x - b.x, a.y - b.y); }
 
-/// True if the tool is on top of an arc that ends against the next line: it must not go round below (the shapes "h", "m" of the source).
+/// True if the tool is on the outer side of an arc that ends at the next line, so that it must not pass around the arc's end (the shapes
+/// "h" and "m" in the source).
 bool comes_over_arc(const CornerPlace& p, double beta) {
   return beta > half_turn - small_angle && p.held && p.arc && (p.side > 0 ? p.arc->turn < 0 : p.arc->turn > 0);
 }
@@ -30,14 +31,14 @@ Result<Vec2> arc_meets_line(const CornerPlace& p, Vec2 to) {
   const double normal = before.turn > 0 ? along + quarter_turn : along - quarter_turn;
   const bool inside = inside_arc(p.side, before.turn);
   const double programmed = inside ? radius + p.radius : radius - p.radius;
-  const double across = programmed * std::cos(normal - angle_of(before.center - p.point));  // distance of the centre from the line
+  const double across = programmed * std::cos(normal - angle_of(before.center - p.point));  // distance of the arc's centre from the line
   const double l = (inside ? across - p.radius : across + p.radius) / radius;
   if (off_sine(l)) return fail(alarm(AlarmId::gouge_arc_to_line, {}));
   const bool back = inside == (before.turn > 0);
   return before.center + at_angle(radius, (back ? -std::acos(l) : std::acos(l)) + normal + half_turn);
 }
 
-/// Returns where the tool's path along the previous line meets its path along the arc. `theta`: direction of that line.
+/// Returns where the tool's path along the previous line meets its path along the arc. `theta`: direction of the previous line, rad.
 Result<Vec2> line_meets_arc(const CornerPlace& p, const QueuedArc& arc, double arc_radius, double theta, double beta) {
   const double across = arc_radius * std::sin(beta - quarter_turn);
   const bool inside = inside_arc(p.side, arc.turn);
@@ -91,7 +92,7 @@ Result<QueuedCorner> corner_to_line(const CornerPlace& p, Vec2 to) {
     if (!meet) return fail(meet.error());
     return QueuedCorner{CornerWay::inner, *meet, to + normal};
   }
-  const double retreat = p.radius / std::tan((beta + half_turn) / 2);  // the angle is never 0: the gouge checks find a reversal
+  const double retreat = p.radius / std::tan((beta + half_turn) / 2);  // the divisor is never 0, because the gouge checks detect a reversal
   return QueuedCorner{CornerWay::inner, p.tool + at_angle(retreat, theta + across), to + normal};
 }
 
@@ -121,7 +122,7 @@ Result<QueuedArc> entry_arc(Vec2 from, const QueuedArc& arc, double radius, doub
   const bool inside = inside_arc(side, arc.turn);
   if (inside && apart_by(arc.center, from) <= radius) return fail(alarm(AlarmId::arc_within_tool, {}));
   const Vec2 end = arc.end + at_angle(radius, angle_of(inside ? arc.center - arc.end : arc.end - arc.center));
-  // The centre lies on the line from that end to the programmed centre, at equal distances from start and end.
+  // The centre of the entry arc lies on the line from `end` to the programmed centre, at equal distances from the arc's start and end.
   const double to_center = angle_of(arc.center - end), at_end = angle_of(from - end) - to_center;
   if (std::fabs(std::cos(at_end)) < least_entry_cos) return fail(alarm(AlarmId::arc_within_tool, {}));
   return QueuedArc{end, end + at_angle(apart_by(from, end) / 2 / std::cos(at_end), to_center), arc.turn};

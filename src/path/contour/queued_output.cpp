@@ -1,4 +1,5 @@
-// QueuedCompensation, the queue of LinuxCNC's cutter radius compensation and its output (interp_queue.cc of the source).
+// QueuedCompensation, output: how the queue of LinuxCNC's cutter radius compensation is corrected and emitted (interp_queue.cc of the
+// source).
 
 #include <cmath>
 #include <utility>
@@ -10,14 +11,14 @@
 namespace kadr {
 namespace {
 
-constexpr double radii_apart = 0.01;       // length units of the block: move_endpoint_and_flush
-constexpr double more_swept_mm = 0.0254;   // rad, if the block is read in mm;
-constexpr double more_swept_inch = 0.001;  // in inches: the source converts the angle like a length
-constexpr double no_arc = 1e-9;            // rad: a smaller arc counts as a full turn
+constexpr double radii_apart = 0.01;       // greatest difference of an arc's radii, in the block's length unit (move_endpoint_and_flush)
+constexpr double more_swept_mm = 0.0254;   // by how much an arc may become longer than programmed, rad, in a block in mm;
+constexpr double more_swept_inch = 0.001;  // in a block in inches: the source converts the angle like a length
+constexpr double no_arc = 1e-9;            // rad: a smaller swept angle counts as a full circle
 
-/// Directions from the centre of the nose to its programmed tip, Z before X (latheorigin_z, latheorigin_x).
+/// Directions from the centre of a turning tool's nose to its programmed tip, as (Z, X) (latheorigin_z, latheorigin_x).
 //       +X
-//    3  8  4       each number is at the position of the tip relative to the centre (0, 9)
+//    3  8  4       each orientation number is drawn at the position of the tip relative to the nose centre (0, 9)
 //    7  9  5 +Z
 //    2  6  1
 constexpr std::size_t orientations = 10;
@@ -28,7 +29,7 @@ double plane_way(Vec2 a, Vec2 b) { return std::hypot(a.x - b.x, a.y - b.y); }
 
 }  // namespace
 
-/// Moves the ends of all queued motions to this point and emits them (move_endpoint_and_flush).
+/// Moves the ends of all queued motions to the point `to` and emits the motions (move_endpoint_and_flush).
 bool QueuedCompensation::move_ends(Vec2 to) {
   if (now_.queue.empty()) return true;
   for (std::size_t i = 0; i < now_.queue.size(); ++i) {
@@ -44,7 +45,7 @@ bool QueuedCompensation::move_ends(Vec2 to) {
   return true;
 }
 
-/// Checks the new end of a queued motion: a line must not go backwards, an arc not further than programmed.
+/// Checks the new end of a queued motion: a line must not go backwards, and an arc must not have a greater swept angle than programmed.
 bool QueuedCompensation::may_end(const Queued& queued, Vec2 to) {
   if (queued.arc) {
     const double before = plane_way(queued.arc->end, queued.arc->center), now = plane_way(to, queued.arc->center);
@@ -65,8 +66,8 @@ void QueuedCompensation::push(Queued& queued) {
   now_.queue.push_back(std::move(queued));
 }
 
-/// Emits the motion round an outer corner, with feed and unit of the motion after it; straight at rapid. That motion's rotary axes move
-/// along, its third axis does not.
+/// Emits the motion around an outer corner to the point `to`: an arc, or a line at rapid. It has the feed and unit of the motion `next`;
+/// the rotary axes of `next` move in it, its third axis does not.
 void QueuedCompensation::go_round(const Queued& next, Vec2 to) {
   Queued round;
   round.action = next.action;
@@ -100,7 +101,8 @@ void QueuedCompensation::hand_out_queue() {
 void QueuedCompensation::hand_out(Queued& queued) {
   if (auto* const m = motion_of(queued.action); m != nullptr && queued.moves) {
     move_tool(queued, *m);
-  } else if (auto* const frame = std::get_if<FrameChange>(&queued.action.what)) {  // the tool's coordinates in the new frame
+    // a new coordinate frame: converts the tool's coordinates
+  } else if (auto* const frame = std::get_if<FrameChange>(&queued.action.what)) {
     frame->work[now_.first] += now_.beside.x;
     frame->work[now_.second] += now_.beside.y;
     now_.stands = frame->work;

@@ -1,4 +1,4 @@
-// RadiusCompensation, input of the window: how motions enter it, and how two of them are joined.
+// RadiusCompensation, input: how motions enter the window, and how the corner between two motions is computed.
 
 #include "path/contour/radius_compensation.h"
 
@@ -21,13 +21,14 @@ const std::optional<Vec2>& direction_of(const Motion& m) {
   return m.detail ? m.detail->way : none;
 }
 
-/// Returns the rule for the corner after `m`: between two rapid motions there are no arcs.
+/// Returns the rule for the corner after `m`: a corner between two rapid motions gets no arc.
 CornerJoin join_of(const Motion& m, const Motion& next) {
   const bool rapid = m.kind == MotionKind::rapid && next.kind == MotionKind::rapid;
   return rapid && m.join_corner == CornerJoin::arc ? CornerJoin::extended : m.join_corner;
 }
 
-/// Returns a single vector, inside and outside alike: where the offsets meet (15.5.1, 15.5.3, 15.5.4).
+/// Returns a single vector, to the point where the offsets meet, for inside and outside corners (15.5.1, 15.5.3, 15.5.4). `otherwise`:
+/// the vector to return if the offsets do not meet.
 JunctionVectors meeting(const OffsetElement& first, const OffsetElement& second, Vec2 point, Vec2 otherwise) {
   return single(intersection(first, second, point).value_or(otherwise));
 }
@@ -45,7 +46,7 @@ void RadiusCompensation::drop() {
 
 std::optional<CompensationFault> RadiusCompensation::take(ActionBatch& batch, bool last) {
   warnings_.clear();
-  if (now_.count == 0 && !now_.zero && !beside()) {  // the usual case: it only follows the tool's position
+  if (now_.count == 0 && !now_.zero && !beside()) {  // the usual case: only the tool's position is updated
     bool any = false;
     for (const Action& action : batch) {
       if (const auto* const m = motion_of(action)) any = any || m->side != 0;
@@ -94,8 +95,8 @@ void RadiusCompensation::next(Action& action) {
       });
 }
 
-/// A change of tool length does not affect the path. If the work offset changes, compensation that the program itself has to cancel
-/// (`entry`) stays.
+/// Handles a new coordinate frame. A change of tool length does not affect the path. If the work offset changes, compensation stays
+/// active on controls where only the program may cancel it (`entry`).
 void RadiusCompensation::frame_change(Action& action, FrameChange& frame) {
   const bool stays = length(in_plane(frame.work) - in_plane(now_.at.work)) <= tol::same_point && frame.placement.turn == now_.at.turn;
   if (!now_.keeps_vector) flush(Vec2{});
@@ -128,7 +129,7 @@ void RadiusCompensation::motion(Action& action) {
     leave();
     now_.at.take(m);
     hand_out(std::move(action));
-  } else if (named && !now_.keeps_vector) {  // zero displacement (15.5.1, 15.5.2): it moves to the next vector on its own
+  } else if (named && !now_.keeps_vector) {  // zero displacement (15.5.1, 15.5.2): the block moves the tool to the next vector
     flush({});
     now_.at.take(m);
     now_.zero = std::move(action);
@@ -143,7 +144,8 @@ void RadiusCompensation::motion(Action& action) {
   }
 }
 
-/// Emits a motion outside the contour: to the programmed point; plane axes that it does not name keep the vector.
+/// Emits a motion without compensation. It goes to the programmed point, but axes of the plane that are not programmed in its block keep
+/// the vector's component.
 void RadiusCompensation::outside_contour(Action& action) {
   auto& m = std::get<Motion>(action.what);
   const bool stays = m.side != 0 && (m.named & (AxisMask{1} << now_.first | AxisMask{1} << now_.second)) == 0;
@@ -159,7 +161,7 @@ void RadiusCompensation::outside_contour(Action& action) {
 
 void RadiusCompensation::contour(Action& action) {
   auto& m = std::get<Motion>(action.what);
-  ContourElement& element = held(now_.count).element;  // in the slot where it will be held
+  ContourElement& element = held(now_.count).element;  // written to the place in the window where the motion will be stored
   made_in(element, [&] { return element_of(m); });
   if (element.start == Vec2{}) {
     const double way = length(in_plane(m.to) - in_plane(now_.at.work));
@@ -194,7 +196,7 @@ void RadiusCompensation::hold(Action& action, const ContourElement& element, Vec
   Held& now = held(now_.count++);
   now.motion = std::move(std::get<Motion>(action.what));
   now.origin = action.origin;
-  if (&now.element != &element) now.element = element;  // blocks between them were dropped
+  if (&now.element != &element) now.element = element;  // the interference check has dropped blocks between
   now.start_vector = start_vector;
   now.end.count = 0;
   now.rejoins = now.regular = false;
@@ -207,7 +209,7 @@ void RadiusCompensation::hold(Action& action, const ContourElement& element, Vec
   while (!fault_ && now_.count >= looked_at()) release_first();
 }
 
-/// G39: with a direction of its own it acts at once; else when the next motion is known.
+/// Handles G39: if its block states a direction, it acts at once; else when the next motion is known.
 void RadiusCompensation::corner(Action& action) {
   if (now_.count == 0) return;
   const auto& way = std::get<ContourCorner>(action.what).way;
@@ -220,7 +222,8 @@ void RadiusCompensation::corner(Action& action) {
   if (!fault_) round(before.tool_radius * side_normal(1 / length(*way) * *way, before.side), action.origin, before);
 }
 
-/// Ends the contour, as no motion in the plane follows: the last held motion gets this vector, by default perpendicular to its end.
+/// Ends the contour, because no motion in the plane follows. The last stored motion ends with `vector`; if it is empty, with the vector
+/// perpendicular to the motion's end.
 void RadiusCompensation::flush(std::optional<Vec2> vector) {
   if (now_.zero) {
     auto& m = std::get<Motion>(now_.zero->what);
@@ -236,8 +239,8 @@ void RadiusCompensation::flush(std::optional<Vec2> vector) {
   while (!fault_ && now_.count > 0) release_first();
 }
 
-/// G40 without a motion in the plane: moves to the vector perpendicular to the end of the last block, then straight to its point
-/// (15.5.3).
+/// Handles G40 without a motion in the plane: the tool moves to the vector perpendicular to the end of the last block, then straight to
+/// the programmed point (15.5.3).
 void RadiusCompensation::leave() {
   if (now_.count == 0) return flush(Vec2{});
   const Motion like = last_held().motion;
@@ -250,7 +253,7 @@ void RadiusCompensation::leave() {
   for (Action& action : behind) hand_out(std::move(action));
 }
 
-/// The program continues from the tool's current position: the vector is added to the programmed point.
+/// Lets the program continue from the tool's current position: adds the vector to the programmed point.
 void RadiusCompensation::stay() {
   flush({});
   if (fault_) return;
@@ -263,8 +266,8 @@ void RadiusCompensation::stay() {
   end_watch();
 }
 
-/// Returns the element that its neighbours see. Its direction is zero if the motion cannot start compensation, as the point lies within
-/// the tool.
+/// Returns the contour element of a motion, from which the corners are computed. Its direction is zero if the motion cannot start
+/// compensation because the end point lies within the tool radius.
 ContourElement RadiusCompensation::element_of(const Motion& m) const {
   const Vec2 from = in_plane(now_.at.work), to = in_plane(m.to);
   if (m.side_step == SideStep::begins && m.entry == ContourEntry::tangent) {
@@ -275,7 +278,7 @@ ContourElement RadiusCompensation::element_of(const Motion& m) const {
   return ContourElement::arc(from, to, m.center, m.kind == MotionKind::arc_ccw ? m.turns : -m.turns);
 }
 
-/// Computes the vectors between the last motion and the next, which is known now.
+/// Computes the vectors at the corner between the last stored motion and the next motion.
 void RadiusCompensation::join(const Motion& next, const ContourElement& second) {
   Held& first = last_held();
   const auto vectors = vectors_to(next, second);
@@ -289,7 +292,7 @@ void RadiusCompensation::join(const Motion& next, const ContourElement& second) 
   }
 }
 
-/// Returns the vectors at the junction with the next motion. The radius is the one of the block that ends there.
+/// Returns the vectors at the junction with the next motion. The tool radius is that of the block that ends at the junction.
 std::optional<JunctionVectors> RadiusCompensation::vectors_to(const Motion& next, const ContourElement& second) {
   Held& before = last_held();
   const Motion& m = before.motion;

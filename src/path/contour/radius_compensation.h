@@ -1,7 +1,7 @@
 #pragma once
-// RadiusCompensation: cutter radius compensation: takes programmed actions and emits those of the tool's centre. It holds a motion, and
-// the actions after it, until the next motion in the plane determines the corner between them; with the interference check it holds as
-// many motions as that needs. NCT 15.5.
+// RadiusCompensation: cutter radius compensation: converts programmed actions to actions of the tool's centre. A motion, and the actions
+// after it, are stored until the next motion in the plane determines the corner between the two motions; the interference check needs
+// more stored motions. NCT 15.5.
 //
 //   programmed ──▶ window: motion k · actions between · motion k+1 … ──▶ junction k/k+1, check ──▶ motion k · actions between · corner
 //
@@ -19,11 +19,11 @@
 
 namespace kadr {
 
-/// An alarm and the block that it belongs to.
+/// An alarm or warning, and the block that it belongs to.
 struct CompensationFault {
   Alarm alarm;
   Origin origin;
-  Origin other{};  // of contour_cut: the contour's block
+  Origin other{};  // for contour_cut: the block of the contour that the tool cuts into
 };
 
 class RadiusCompensation {
@@ -31,61 +31,63 @@ class RadiusCompensation {
   /// `start`: position of the tool before the first action.
   explicit RadiusCompensation(const ToolPosition& start) { now_.at = now_.stand = start; }
 
-  /// Takes a batch and leaves in it the actions that are final. `last`: nothing follows.
+  /// Processes a batch in place: afterwards it contains only actions that are final. `last`: no batch follows.
   ///   alarms  compensation_no_intersection (nct 2047), compensation_interference (2049), compensation_buffer (2090), compensation_turn
-  ///           (2048, INFERRED); of controls with a ContourEntry of their own compensation_entry_short, compensation_corner_sharp,
-  ///           compensation_gouge: the batch keeps the actions before it, what is held is dropped
-  ///   law     the output ends where the programmed path ends, plus a vector no longer than the corner rules state
+  ///           (2048, INFERRED); on controls that state their own ContourEntry also compensation_entry_short, compensation_corner_sharp,
+  ///           compensation_gouge; the batch keeps the actions before the alarm's block, the stored motions are dropped
+  ///   law     the output ends at the end of the programmed path plus a vector no longer than the corner rules allow
   std::optional<CompensationFault> take(ActionBatch& batch, bool last);
 
-  /// Warnings of the last batch: contour_cut, one per contour, at its deepest cut.
+  /// Warnings of the last batch: one contour_cut per contour, at the contour's deepest cut.
   const std::vector<CompensationFault>& warnings() const { return warnings_; }
 
-  /// True if a contour is active after what was emitted.
+  /// True if a compensated contour is active after the last emitted action.
   bool at_work() const { return now_.count > 0 || beside(); }
 
-  /// True if the tool is not at the programmed point after what was emitted.
+  /// True if the tool is not at the programmed point after the last emitted action.
   bool beside() const { return dot(now_.vector, now_.vector) > tol::same_point * tol::same_point; }
 
-  /// Discards what is held, as it is not executed.
+  /// Discards the stored motions and actions, because the control does not execute them.
   void drop();
 
  private:
-  static constexpr std::size_t most_waiting = 64;  // actions between two motions in the plane; the NCT's limit is unknown
-  static constexpr std::size_t most_held = 16;     // 3 + 8 of N1404 (15.5.7), and the motion that arrives; a power of two
+  // greatest number of actions between two motions in the plane; the limit of the NCT control is unknown
+  static constexpr std::size_t most_waiting = 64;
+  // 3, up to 8 by N1404 (15.5.7), and the motion that arrives; rounded up to a power of two
+  static constexpr std::size_t most_held = 16;
 
-  /// A motion of the contour, and the actions between it and the next one.
+  /// A motion of the contour, and the actions between this motion and the next.
   struct Held {
     Motion motion;
     Origin origin;
     ContourElement element;
     Vec2 start_vector;
-    JunctionVectors end;            // empty: unknown, or the offsets do not meet
-    bool rejoins = false;           // its ends are joined by an arc of the programmed radius (15.5.4)
-    bool regular = false;           // `end` follows from the corner rules for this motion and the next, both on one side
-    std::uint64_t number = 0;       // of its contour piece in ContourWatch
-    bool watched = false;           // its path must not cut into the contour
-    std::vector<Action> waiting{};  // actions after it
+    JunctionVectors end;            // vectors at its end; empty: unknown, or the offsets do not meet
+    bool rejoins = false;           // an arc of the programmed radius joins the compensated ends (15.5.4)
+    bool regular = false;           // `end` follows from the corner rules, and the tool is on the same side of this motion and the next
+    std::uint64_t number = 0;       // number of the motion's contour piece in ContourWatch
+    bool watched = false;           // true if the tool on this path must not cut into the contour
+    std::vector<Action> waiting{};  // actions after the motion
   };
 
  public:
-  /// The state that it keeps from batch to batch.
+  /// The state that RadiusCompensation keeps between batches.
   struct Memory {
-    ToolPosition at;     // programmed position after the last action taken
-    ToolPosition stand;  // programmed position after what was emitted
+    ToolPosition at;     // programmed position after the last action received
+    ToolPosition stand;  // programmed position after the last emitted action
     std::size_t first = 0, second = 1;
-    bool keeps_vector = false;  // as on controls with a ContourEntry of their own: only the program's motions lead back to the contour
-    Vec2 vector;                // from the programmed point to the tool's centre, after what was emitted
+    bool keeps_vector = false;  // as on controls that state their own ContourEntry: the vector stays until a programmed motion changes it
+    Vec2 vector;                // from the programmed point to the tool's centre, after the last emitted action
     std::array<Held, most_held> window;
     std::size_t head = 0, count = 0;
-    Motion round_first;  // the motion before an arc about the programmed point
+    Motion round_first;  // the motion that is followed by an arc about the programmed point
     ContourCheck check;
-    std::optional<Action> corner;  // G39 that waits for the next motion
-    std::optional<Action> zero;    // a block without displacement in the plane, which moves to the next vector
+    std::optional<Action> corner;  // G39 waiting for the next motion
+    std::optional<Action> zero;    // a block without displacement in the plane, in which the tool moves to the next vector
     ContourWatch watch;
-    double radius_before = 0;    // of the motion emitted last, mm
+    double radius_before = 0;    // tool radius of the last emitted motion, mm
     bool regular_start = false;  // the first motion of the window starts at a regular junction (Held::regular)
-    bool astray = false;         // after an alarm or an end: the contour is unknown until a new one starts
+    bool astray = false;         // true after an alarm or the end of the program: the contour is unknown until a new contour starts
   };
   const Memory& memory() const { return now_; }
   void remember(const Memory& memory) { now_ = memory; }

@@ -53,7 +53,8 @@ Axes Bezier::at(double part) const {
   return point;
 }
 
-/// Samples the curve so densely that the greatest distance is missed by less than a thousandth of it: the distance is a cubic in between.
+/// Samples the curve so densely that the maximum distance to the chord is found to within 0.1 %. The distance is a cubic polynomial
+/// between two samples.
 double Bezier::off_chord() const {
   constexpr int places = 64;
   const Axes chord = between(from_, to_);
@@ -69,7 +70,8 @@ double Bezier::off_chord() const {
   return std::sqrt(most);
 }
 
-/// The chord of a fraction h of the curve misses it by at most h²/8 · |x″|; |x″| is greatest at an end.
+/// If a chord spans the fraction h of the parameter range, its distance from the curve is at most h²/8 · |x″|, where x″ is the second
+/// derivative with respect to the parameter. |x″| is greatest at an end of the curve.
 int Bezier::pieces(double chord) const {
   Axes start{}, end{};
   for (std::size_t a = 0; a < max_axes; ++a) {

@@ -1,6 +1,6 @@
 #pragma once
 // Bezier: a cubic curve between two points of the axes' space with given directions at its ends. INFERRED (NCT 4.7 leaves its
-// construction open): the inner control points lie a third of the chord length from the ends, along the given directions.
+// construction open): each inner control point is a third of the chord length away from its end, along the given direction.
 
 #include "base/vec.h"
 
@@ -8,11 +8,11 @@ namespace kadr {
 
 class Bezier {
  public:
-  /// `start_way`, `end_way`: directions at the ends, unit vectors.
+  /// `start_way`, `end_way`: directions of the curve at its start and end, unit vectors.
   Bezier(const Axes& from, const Axes& to, const Axes& start_way, const Axes& end_way);
 
   /// Returns the point at the parameter `part`, 0 … 1.
-  ///   law  at(0) and at(1) are exactly the given ends
+  ///   law  at(0) and at(1) are exactly the given end points
   Axes at(double part) const;
 
   /// Returns the greatest distance between the curve and its chord.
@@ -23,11 +23,11 @@ class Bezier {
 
  private:
   Axes from_, to_;
-  Axes start_pull_, end_pull_;  // control points: from + start_pull, to - end_pull
+  Axes start_pull_, end_pull_;  // the inner control points are from + start_pull and to - end_pull
 };
 
-/// Returns the direction at the point between two straight pieces, a unit vector: the shorter piece has more weight (chord-length
-/// weighted, INFERRED, NCT 4.7).
+/// Returns the direction, a unit vector, that a curve through the point between two straight pieces has there. It is the mean of the
+/// pieces' directions, in which the shorter piece has more weight (chord-length weighted, INFERRED, NCT 4.7).
 ///   pre  the path does not reverse there
 Axes way_between(const Axes& before, double before_length, const Axes& behind, double behind_length);
 

@@ -1,4 +1,4 @@
-// The corner between two elements of a contour: its calculated position, and the chamfer or rounding there. Used by
+// Computes the corner between two contour elements: its position, and the chamfer or rounding at it. Used by
 // path/contour/contour_corners and path/contour/contour_motion; tested by tests/path/corner_geometry_test.cpp.
 
 #include "path/curve/corner_geometry.h"
@@ -24,7 +24,8 @@ OffsetElement seen_from(const Support& s, Vec2 point) {
   return e;
 }
 
-/// Returns true if the second point precedes the first one, clockwise on the circle from the start of its element (17.3.4, INFERRED).
+/// Returns true if the second intersection comes before the first, clockwise on the circle from the start of the circle's element
+/// (17.3.4, INFERRED).
 bool second_comes_first(const Support& circle, const Meetings& meet, bool mirrored) {
   const Vec2 start = circle.point - circle.center;
   const double sense = mirrored ? 1 : -1;
@@ -34,7 +35,8 @@ bool second_comes_first(const Support& circle, const Meetings& meet, bool mirror
 
 double radius_at(const ContourElement& e, Vec2 corner) { return length(corner - e.center); }
 
-/// The point of an element at a chord from the corner, and the travel to it; `back` -1: before the corner, at the end of the element.
+/// The point of an element at a given chord length from the corner, and the travel from the corner to that point. `back` = -1: the point
+/// is before the corner, at the end of the element.
 struct Touch {
   Vec2 point;
   double way = 0;
@@ -54,7 +56,7 @@ Vec2 touch_point(const ContourElement& e, Vec2 corner, Vec2 tangent, Vec2 center
   return e.center + radius_at(e, corner) / length(arm) * arm;
 }
 
-/// Returns the travel along an element from one point to the other; a value that is negative by rounding errors only counts as 0.
+/// Returns the travel along an element from one point to the other; 0 if the travel is negative because of rounding errors only.
 double way_between(const ContourElement& e, Vec2 from, Vec2 to, Vec2 tangent) {
   if (!e.is_arc) return dot(to - from, tangent);
   const double turns = swept_turns(from - e.center, to - e.center, e.sense());

@@ -12,7 +12,7 @@
 namespace kadr {
 namespace {
 
-/// Computes the box by sampling each axis, whatever drives it.
+/// Computes the box by sampling the position of each axis along the motion; works for all types of motion.
 Extents sampled(const AxisRoles& roles, const ToolPosition& from, const Motion& motion, const Curve& curve) {
   Extents box{from.machine, from.machine};
   for (std::size_t i = 0; i < roles.count; ++i) {

@@ -1,5 +1,5 @@
-// MachinePath: the path of one motion in machine coordinates, and the bounding boxes of its pieces, for guards of the axes. Used by
-// machine/zone_box and motion/least_time/axis_motion; tested by tests/path/machine_path_test.cpp.
+// MachinePath: the path of one motion in machine coordinates, and the bounding boxes of its pieces, used to check the axes against limits
+// and forbidden areas. Used by machine/zone_box and motion/least_time/axis_motion; tested by tests/path/machine_path_test.cpp.
 
 #include "path/curve/machine_path.h"
 
@@ -14,7 +14,7 @@ namespace {
 
 constexpr int most_chords_of_motion = 20'000;  // of one motion
 
-/// Returns true if a rotary axis turns while the tip is led: then the axes do not move along a line.
+/// Returns true if a rotary axis moves under tool centre point control: then the axes do not move along a straight line.
 bool turns_while_led(const ToolPosition& from, const Motion& motion) {
   if (!leads_tip(from, motion)) return false;
   if (motion.detail && motion.detail->tip_way) return true;
@@ -58,9 +58,9 @@ Extents MachinePath::led_extents(double from, double to) const {
   return box;
 }
 
-/// Returns an upper bound, mm, of the distance between the axes' path along a straight motion and its chord: the second derivative of a
-/// point that travels a length L while it is rotated by ω about axes at most R away is at most ω²R + 2ωL; the chord is off by at most an
-/// eighth of it.
+/// Returns an upper bound, mm, of the distance between the axes' path along a straight motion and its chord: a point travels the length L
+/// while it is rotated by the angle ω (rad) about axes at most R away. Its second derivative over the motion is at most ω²R + 2ωL, and
+/// the distance from the chord is at most an eighth of that.
 double MachinePath::most_off_chord() const {
   double turn = 0;
   for (AxisMask left = from_.space->rotary_axes(); left != 0; left &= left - 1) {
@@ -83,10 +83,10 @@ Extents MachinePath::rough_extents() const {
   return box;
 }
 
-/// Returns the number of samples: so many that about one extreme of an axis lies between two of them, as a quarter revolution of a rotary
-/// axis has one.
+/// Returns the number of samples along the motion under tool centre point control. A quarter revolution of a rotary axis contains about
+/// one extreme of a linear axis, so the samples must be close enough that at most about one extreme lies between two of them.
 int MachinePath::samples_led() const {
-  constexpr double between = 15;  // degrees
+  constexpr double between = 15;  // rotation between two samples, degrees
   double way = 0;
   for (AxisMask left = from_.space->rotary_axes(); left != 0; left &= left - 1) {
     const auto axis = static_cast<std::size_t>(__builtin_ctz(left));
@@ -97,11 +97,12 @@ int MachinePath::samples_led() const {
   return std::clamp(static_cast<int>(way / between) + least, curve_.samples(), std::max(curve_.samples(), most));
 }
 
-/// Where rotary axes bend the path, the deviation from the chord is measured in the middle of a few pieces and extrapolated: it decreases
-/// as h². The aim is half of the permitted deviation, as a reserve.
+/// Where rotary axes curve the path, the deviation from the chord is measured in the middle of a few pieces and extrapolated: it is
+/// proportional to h², with h the length of a piece. The aim is half of the permitted deviation, as a reserve.
 int MachinePath::pieces(double chord) const {
   const int of_curve = curve_.pieces(chord);
-  constexpr double few = 6;  // times the chord: a motion this flat stays one piece, as it meets its neighbours at corners anyway
+  // a motion that deviates by less than this multiple of `chord` stays one piece, because it meets its neighbours at corners anyway
+  constexpr double few = 6;
   if (!bends_ || (plainly_led() && most_off_chord() <= few * chord)) return of_curve;
   constexpr int looked_at = 8;
   double worst = 0;

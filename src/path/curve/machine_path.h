@@ -1,6 +1,7 @@
 #pragma once
-// MachinePath: the path of one motion in machine coordinates, and the bounding boxes of its pieces, for guards of the axes. A piece of an
-// arc, of a spiral, of a polar or cylindrical motion is again such a motion, so its box is as exact as that of the whole.
+// MachinePath: the path of one motion in machine coordinates, and the bounding boxes of its pieces, used to check the axis positions
+// against limits and forbidden areas. A piece of an arc, spiral, polar or cylindrical motion is again a motion of that type, so the
+// bounding box of a piece is as exact as that of the whole motion.
 
 #include <algorithm>
 #include <optional>
@@ -10,48 +11,49 @@
 
 namespace kadr {
 
-/// A view of a motion; the objects passed to it must outlive it.
+/// A view of a motion. The objects passed to the constructor must outlive the MachinePath.
 class MachinePath {
  public:
   ///   curve  the curve of the motion that starts at `from`
   MachinePath(const AxisRoles& roles, const ToolPosition& from, const Motion& motion, const Curve& curve);
-  /// For a step that must be a motion.
+  /// The path of a step, which must be a motion.
   explicit MachinePath(const Step& step) : MachinePath(step.roles, step.from, *step.motion(), step.curve()) {}
 
   /// True if all axes move along one straight line, from start() to end().
   bool straight() const { return straight_; }
-  /// True if the tip is led and the axes' speeds are not proportional to its speed.
+  /// True under tool centre point control ("the tip is led") if the axis speeds are not proportional to the tip's speed.
   bool bends() const { return bends_; }
   const Axes& start() const { return from_.machine; }
 
-  /// The axes' position after the motion. Axes that roll over count on beyond one revolution.
+  /// The axes' position after the motion. The position of an axis with rollover is not reduced to one revolution.
   const Axes& end() const { return end_; }
   bool rolls_over(std::size_t axis) const { return motion_.detail && (motion_.detail->rolled >> axis & 1U) != 0; }
 
   Axes at(double part) const;
   bool leads_tip() const { return kadr::leads_tip(from_, motion_); }
-  /// Returns the position of the tip at `part` of the motion, if the tip is led.
+  /// Returns the position of the tool tip at `part`, 0 … 1, of a motion under tool centre point control.
   Vec3 tip(double part) const { return led_tip(roles_, from_, motion_, curve_.at(part), part); }
 
-  /// Returns the number of equal pieces whose chords stay within `chord` mm of the path, and of the tool tip's path if the tip is led.
+  /// Returns the number of equal pieces whose chords stay within `chord` mm of the path, and, under tool centre point control, of the
+  /// tool tip's path.
   int pieces(double chord) const;
 
-  /// Returns the bounding box of the piece between two parts. Exact for lines; else like machine_extents().
+  /// Returns the bounding box of the piece between two positions, 0 … 1. It is exact for lines; else as accurate as machine_extents().
   Extents extents(double from, double to) const;
 
-  /// Returns the first part from which on the path may not be clear; nullopt if it is clear throughout.
-  ///   clear  returns whether a piece with this bounding box is certainly clear; if it is true for a box, it must be true for every box
-  ///          inside
-  ///   law    at most `closeness` away from there, in every axis, the path is not clear
+  /// Returns the first position, 0 … 1, at which the path may not be clear of what `clear` tests; nullopt if the whole path is clear.
+  ///   clear  returns true if a piece with this bounding box is certainly clear; if true for a box, it must be true for every box inside
+  ///          that box
+  ///   law    within `closeness` of the returned position, in every axis, the path is not clear
   template <class Clear>
   std::optional<double> first_not(const Clear& clear) const {
     return first_not(clear, 0, 1, most_halvings);
   }
 
-  /// Returns a box that certainly contains the whole path, without sampling.
+  /// Returns a box that certainly contains the whole path, but may be larger than necessary; computed without sampling.
   Extents rough_extents() const;
 
-  static constexpr double closeness = 1e-7;  // mm, degrees: a tenth of tol::same_point
+  static constexpr double closeness = 1e-7;  // accuracy of first_not(), mm or degrees: a tenth of tol::same_point
 
  private:
   Extents led_extents(double from, double to) const;

@@ -1,5 +1,5 @@
 #pragma once
-// The distance of two pieces of a path in a plane, lines or arcs.
+// Computes the distance between two pieces of a path, lines or arcs, in a plane.
 
 #include "action/flat_path.h"
 #include "path/contour/contour_offset.h"
@@ -12,8 +12,8 @@ struct PlanePiece {
   Vec2 center;
   Box2 box;
   double turns = 0;   // swept angle / 360, counter-clockwise positive
-  double radius = 0;  // of an arc: the mean of the radii at its ends
-  double slack = 0;   // mm, by which the radius changes along the arc
+  double radius = 0;  // of an arc: the mean of the radii at its start and end
+  double slack = 0;   // how much the radius changes along the arc, mm
   bool is_arc = false;
   static PlanePiece of(const ContourElement& element) {
     return element.is_arc ? arc(element.from, element.to, element.center, element.turns) : line(element.from, element.to);
@@ -22,8 +22,8 @@ struct PlanePiece {
   static PlanePiece arc(Vec2 from, Vec2 to, Vec2 center, double turns);
 };
 
-/// Returns the least distance of two pieces, mm; for an arc whose radius changes, accurate to its slack.
-///   law  independent of the order; not changed by rotation, mirroring, reversal
+/// Returns the least distance between two pieces, mm. For an arc whose radius changes, the error is at most the arc's slack.
+///   law  the result does not depend on the order of the pieces; rotation, mirroring and reversal do not change it
 double distance(const PlanePiece& a, const PlanePiece& b);
 
 }  // namespace kadr

@@ -5,11 +5,11 @@
 
 namespace kadr {
 
-/// Moves the end of a motion in the plane of these two axes; in machine coordinates according to the frame's rotation. Axes that follow
-/// one of them (nct 20.2) move too.
+/// Moves the end of a motion by the vector `by` in the plane of the axes `first` and `second`. In machine coordinates the vector is
+/// rotated as the coordinate frame is. Slave axes of these axes (nct 20.2) move too.
 inline void shift_in_plane(Motion& motion, std::size_t first, std::size_t second, Vec2 by, const FrameTurn* turn) {
   if (by == Vec2{}) return;
-  if (turn == nullptr && !motion.detail) {  // the usual case
+  if (turn == nullptr && !motion.detail) {  // the usual case: no rotated frame, no slave axes
     motion.to[first] += by.x;
     motion.to[second] += by.y;
     motion.machine[first] += by.x;

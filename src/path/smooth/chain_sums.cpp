@@ -1,5 +1,5 @@
-// ChainSums: how the corners of a chain move the path, computed by running sums. Used by path/smooth/smooth_path; tested by
-// tests/path/chain_sums_test.cpp.
+// ChainSums: computes with running sums how far the path moves if all corners of a chain are rounded together. Used by
+// path/smooth/smooth_path; tested by tests/path/chain_sums_test.cpp.
 
 #include "path/smooth/chain_sums.h"
 
@@ -12,13 +12,14 @@
 namespace kadr {
 namespace {
 
-constexpr double stretch = 16;  // mm: the length for which the sums are computed at once
+constexpr double stretch = 16;  // mm: path length for which the sums are computed at once
 
 struct Pulse {
-  std::array<double, 5> node, kink;  // r_n, κ_n
+  std::array<double, 5> node, kink;  // positions r_n of the nodes, changes of slope κ_n
 };
 
-/// k of the gentle corner: the start of an axis as SoftCorner defines it, reversed and mirrored, with the integral 1.
+/// Returns the pulse k of a gentle corner by its nodes. It is the acceleration of an axis start as SoftCorner defines it, reversed and
+/// mirrored, and scaled to the integral 1.
 const Pulse& gentle_pulse_nodes() {
   constexpr double equal = SoftCorner::equal_swings;
   static const Pulse pulse = [] {
@@ -30,7 +31,7 @@ const Pulse& gentle_pulse_nodes() {
 
 }  // namespace
 
-/// Computes the sums over the corners that affect the path from s on.
+/// Computes the sums for the path from s on, over all corners that affect it.
 void ChainSums::reach(const Corners& corners, double s) {
   if (s >= from_ && s <= to_) return;
   constexpr double widest = SoftCorner::widest;
@@ -59,7 +60,7 @@ void ChainSums::reach(const Corners& corners, double s) {
   for (std::size_t& seen : seen_) seen = std::min(seen, at_.size() - 1);
 }
 
-/// Returns the sums over the corners up to y; if y is at a corner, that corner is included.
+/// Returns the sums over the corners up to the length y, including a corner exactly at y.
 const ChainSums::Sums* ChainSums::before(std::size_t node, double y) {
   std::size_t& seen = seen_[node];
   while (at_[seen] <= y) ++seen;

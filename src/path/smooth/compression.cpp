@@ -55,7 +55,8 @@ std::size_t Compression::take(ActionBatch& batch, const Axes& from, bool last) {
   return of_before_;
 }
 
-/// Replaces the held motion by this one; emits it if it has gone far enough or must stop at its end.
+/// Extends the stored motion to the end of this motion; emits the joined motion if its travel is long enough or the axes must stop at its
+/// end.
 void Compression::join(Action& action) {
   auto& motion = std::get<Motion>(action.what);
   if (held_) motion.named |= std::get<Motion>(held_->what).named;

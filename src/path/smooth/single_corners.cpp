@@ -1,5 +1,5 @@
-// SmoothPath, the corners that are rounded singly: sharp ones, and those near a stop. Where several roundings overlap their displacements
-// add up, and all become narrower until no point is moved further than the tolerance.
+// SmoothPath, the corners that are rounded singly: sharp corners, and corners near a stop. Where several roundings overlap, their
+// displacements add up; the roundings are then narrowed until no point of the path moves further than the tolerance.
 
 #include <algorithm>
 #include <array>
@@ -31,12 +31,12 @@ void SmoothPath::add_single_ways(double s, std::size_t around, double* x) const 
   });
 }
 
-/// Returns how far the roundings move the path at most on one side of a vertex, mm. Samples as densely as the vertex' own rounding
-/// requires within that rounding, but not beyond a vertex that requires the same, and at some positions from there to the middle of the
-/// next piece.
+/// Returns the greatest displacement of the path by the roundings on one side of a vertex, mm. Within the vertex' own rounding, or up to
+/// a neighbour that needs samples as dense, the samples are as dense as this rounding requires; from there to the middle of the next
+/// piece there are a few samples.
 double SmoothPath::moved_beside(std::size_t vertex, int side) const {
-  constexpr int places = 6;   // from the vertex to where the path swings out most
-  constexpr int farther = 4;  // beyond that
+  constexpr int places = 6;   // samples between the vertex and the greatest deviation to the outside
+  constexpr int farther = 4;  // samples farther away from the vertex
   const double step = SoftCorner::of(turn_[vertex]).flank() * width_[vertex] / places, felt = (places + 1) * step;
   const std::size_t beside = side < 0 ? vertex - 1 : vertex;
   std::size_t next = side < 0 ? vertex - 1 : vertex + 1, piece = beside;
@@ -62,10 +62,11 @@ bool SmoothPath::overlaps(std::size_t vertex) const {
   return any;
 }
 
-/// Returns the share of the tolerance that a single rounding may use: next to the chain it leaves a part for the chain.
+/// Returns the share of the tolerance that a single rounding may use: next to a chain, a part of the tolerance is left for the chain's
+/// rounding.
 double SmoothPath::share_alone(std::size_t vertex) const {
   constexpr double beside_chain = 0.8;
-  constexpr double faint = 0.02;  // of the tolerance: corners that move the path less, even at the greatest width, do not count
+  constexpr double faint = 0.02;  // share of the tolerance; corners that move the path by less even at the greatest width are ignored
   bool any = false;
   corners_near(at_[vertex], vertex, width_[vertex] + widest, [&](std::size_t k) {
     any = any || (is_chained_[k] != 0 && widest * SoftCorner::of(turn_[k]).highest() * turn_[k] > faint * tolerance_[k]);
@@ -81,18 +82,20 @@ void SmoothPath::look_at_roundings(std::size_t first) {
   }
 }
 
-/// Makes roundings narrower where they move the path further than the tolerance. Returns false if none does.
+/// Narrows the roundings that move the path further than the tolerance. Returns false if there are none.
 bool SmoothPath::shrink(std::size_t first, std::size_t end) {
-  constexpr double rounding = 1e-9;  // relative: for roundings that share the tolerance evenly and meet it exactly
-  constexpr double far_off = 1.3;    // of the tolerance; below it the steps are small, so that the most important roundings stay widest
-  constexpr double between = 0.99;   // share of the tolerance: the rest is for the positions between the samples
-  constexpr double aim = 0.999;      // share of that, so that the iteration ends
+  constexpr double rounding = 1e-9;  // relative tolerance for rounding errors, for roundings that together use the tolerance exactly
+  // as a share of the tolerance; below this displacement the widths are reduced in small steps, so that the most important roundings stay
+  // widest
+  constexpr double far_off = 1.3;
+  constexpr double between = 0.99;  // share of the tolerance that is used; the rest is for the positions between the samples
+  constexpr double aim = 0.999;     // the narrowing aims at this share of the allowed displacement, so that the iteration ends
   bool any = false;
   look_at_roundings(done_);
   factor_.assign(at_.size(), 1);
   for (const std::size_t i : marks_) {
     if (i < first || i >= end || is_chained_[i] != 0 || width_[i] == 0 || !overlaps(i))
-      continue;  // alone it is as wide as the tolerance allows
+      continue;  // a rounding without overlap is already as wide as the tolerance allows
     const double most = std::max({moved(at_[i], i), moved_beside(i, -1), moved_beside(i, 1)}),
                  allowed = between * tolerance_[i] * share_alone(i);
     if (most <= allowed * (1 + rounding)) continue;
@@ -110,17 +113,17 @@ bool SmoothPath::shrink(std::size_t first, std::size_t end) {
 
 /// Returns the width that the tolerance allows if no other rounding overlaps.
 double SmoothPath::width_alone(std::size_t vertex) const {
-  constexpr double used = 0.9;  // of the tolerance, on a curve: the rest is a reserve for its start and end
+  constexpr double used = 0.9;  // share of the tolerance that is used on a curve; the rest is a reserve for the start and end of the curve
   const SoftCorner& shape = SoftCorner::of(turn_[vertex]);
   const double tolerance = tolerance_[vertex];
   if (!on_curve(vertex)) return tolerance / (shape.highest() * turn_[vertex]);
   const double length =
-      (length_[vertex - 1] + length_[vertex]) / 2;  // a chain of chords of a circle is moved by curvature · w² · second_moment
+      (length_[vertex - 1] + length_[vertex]) / 2;  // the chords of a circle are moved by curvature · w² · second_moment, with w the width
   return std::sqrt(used * tolerance * length / (shape.second_moment() * turn_[vertex]));
 }
 
 void SmoothPath::round_single_ones(std::size_t first, const StopToken& stop) {
-  constexpr int most_rounds = 200;  // some overlapping ones need ten to thirty
+  constexpr int most_rounds = 200;  // bound of the iterations; overlapping roundings need ten to thirty
   for (const std::size_t i : marks_)
     if (i >= first && is_chained_[i] == 0) {
       width_[i] = turns_back(i) ? 0 : std::min({widest, room_[i], width_alone(i)});

@@ -11,12 +11,13 @@
 namespace kadr {
 namespace {
 
-constexpr double part_length = 0.1;  // mm
-constexpr double slope = 0.15;       // mm per mm, greatest change of the width
-constexpr double levelled = 0.5;     // of the width, to each side: window of the minimum, then of the mean
+constexpr double part_length = 0.1;  // mm, length of an interval ("part") of the path
+constexpr double slope = 0.15;       // greatest change of the width per path length, mm/mm
+constexpr double levelled = 0.5;     // window of the minimum and of the mean, to each side, as a share of the width
 constexpr double widest = SoftCorner::widest;
-constexpr int rounds = static_cast<int>(levelled * widest / part_length + 0.5);  // each round extends the window by one part
-constexpr std::size_t reach = 2 * rounds + 4;                                    // parts, of both filters together
+// each pass of the filter extends the window by one interval
+constexpr int rounds = static_cast<int>(levelled * widest / part_length + 0.5);
+constexpr std::size_t reach = 2 * rounds + 4;  // extent of both filters together, in intervals
 
 }  // namespace
 
@@ -44,8 +45,8 @@ void SlowWidth::limit(double at, double width) {
   raw = std::min(raw, width);
 }
 
-/// Replaces each part by the minimum or the mean of the parts within a share of the width around it, step by step: a part takes part in a
-/// number of rounds proportional to its width.
+/// Replaces the value of each interval by the minimum (or the mean) of the intervals within a share of the width around it. Each pass of
+/// the filter combines direct neighbours; an interval is changed in a number of passes proportional to its width.
 void SlowWidth::level(std::vector<double>& parts, bool mean) {
   const std::size_t n = parts.size();
   next_ = parts;
@@ -83,7 +84,7 @@ void SlowWidth::forget(double before) {
 }
 
 WidthAt SlowWidth::at(double s) const {
-  const double place = std::max(0.0, s / part_length) + 0.5;  // the knots are in the middle of the parts
+  const double place = std::max(0.0, s / part_length) + 0.5;  // the knots of the spline are in the middle of the intervals
   const auto knot = static_cast<std::size_t>(place);
   const double f = place - static_cast<double>(knot), g = 1 - f;
   const double* const w = width_.data() + std::min(knot - first_, width_.size() - 4);

@@ -1,10 +1,11 @@
 #pragma once
-// SlowWidth: the width of the roundings of a chain along the path. It is nowhere wider than the corners nearby allow, and it changes so
-// slowly and evenly that the rounded path stays smooth (jumps of the width would increase the third derivative, and so reduce the speed).
+// SlowWidth: the width of the roundings of a chain of corners, as a function of the path length. The width nowhere exceeds what the
+// nearby corners allow, and changes so slowly and evenly that the rounded path stays smooth (a jump of the width would increase the
+// path's third derivative, and so reduce the speed).
 //
-// Stored in parts of 0.1 mm: first the minimum over the corners in each part, then limited in slope, then the minimum and the mean within
-// half a width; between the parts a cubic B-spline, so that the second derivative of the rounded path has no jumps. What is settled does
-// not change any more while the path is extended.
+// The path is divided into intervals of 0.1 mm. Each interval gets the minimum of its corners' limits; then the slope along the path is
+// limited; then the minimum and the mean within half a width are taken. A cubic B-spline interpolates between the intervals, so that the
+// second derivative of the rounded path has no jumps. Settled values do not change any more when the path is extended.
 
 #include <cstddef>
 #include <vector>
@@ -17,28 +18,29 @@ class SlowWidth {
  public:
   /// Resets the width to its maximum everywhere.
   void begin();
-  /// Recomputes the width from the settled part up to this length.
+  /// Starts a new computation of the width, from the end of the settled range to the length `end`.
   void open(double end);
-  /// Limits the width at a length; ignored in the settled part.
+  /// Limits the width at the length `at`; ignored in the settled range.
   void limit(double at, double width);
   void close();
-  /// Settles the width before this length: it will not change any more.
+  /// Settles the width before the length `before`: it will not change any more.
   void settle(double before);
-  /// Drops the data before this length.
+  /// Drops the data before the length `before`.
   void forget(double before);
 
   WidthAt at(double s) const;
 
-  /// Returns how far ahead of a position the width there may be limited from.
+  /// Returns the greatest distance at which a limit still affects the width, mm.
   static double felt();
 
  private:
   std::size_t part_of(double at) const;
   void level(std::vector<double>& parts, bool mean);
 
-  std::size_t first_ = 0, settled_ = 0;  // in parts from length 0: index of the first stored part; end of the settled parts
-  std::vector<double> raw_, width_;      // of each part: limited in slope; final
-  std::vector<double> now_, next_;       // work space
+  // interval indices, counted from length 0: the first stored interval; the end of the settled intervals
+  std::size_t first_ = 0, settled_ = 0;
+  std::vector<double> raw_, width_;  // one per interval: raw_ after the slope limit; width_ the final width
+  std::vector<double> now_, next_;   // temporary values of the filters
 };
 
 }  // namespace kadr

@@ -15,8 +15,8 @@ namespace kadr {
 namespace {
 
 constexpr double shortest = 1e-9;        // mm: a shorter piece has no meaningful direction
-constexpr double same_feed = 1e-6;       // relative: rounding errors of a length divided by its time
-constexpr double straight_bend = 1e-12;  // |Δu| of pieces that are collinear except for rounding errors
+constexpr double same_feed = 1e-6;       // relative difference of equal feeds, because a feed is calculated as length / time
+constexpr double straight_bend = 1e-12;  // |Δu| below which two pieces count as collinear; covers rounding errors
 
 }  // namespace
 
@@ -83,7 +83,8 @@ bool SmoothPath::is_one_line() const {
   return !length_.empty();
 }
 
-/// Returns the length along the path with long pieces shortened to squeezed_to: their middle is left out.
+/// Converts the path length s to the length that slow_ uses, in which pieces longer than squeezed_to are shortened by leaving out their
+/// middle.
 double SmoothPath::squeezed(double s, std::size_t piece) const {
   const double along = s - at_[piece], length = length_[piece];
   if (length <= squeezed_to) return squeezed_[piece] + along;
@@ -139,7 +140,8 @@ double SmoothPath::beyond(double s, std::size_t piece, const double* x, double p
   if (least == 0) return 0;
   const double tolerance = part * tolerance_at(s, piece);
   if (tolerance == 0 || least <= tolerance * tolerance) return 0;
-  const double around = 4 * std::sqrt(least);  // of s: finds the nearest piece, unless the path later returns to the same place
+  // search range to both sides of s; finds the nearest piece unless the path returns to the same position later
+  const double around = 4 * std::sqrt(least);
   for (std::size_t i = piece; i-- > 0 && s - at_[i + 1] < around;) least = std::min(least, squared_way_to(i, x));
   for (std::size_t i = piece + 1; i < pieces() && at_[i] - s < around; ++i) least = std::min(least, squared_way_to(i, x));
   return std::max(0.0, std::sqrt(least) / tolerance - 1);

@@ -1,11 +1,12 @@
 #pragma once
 // SmoothPath: a path of straight pieces in the axes' space, its corners rounded within a tolerance, so that a chain of short pieces
-// becomes one smooth curve. It is a window of a longer path: pieces are added at the end and dropped at the start.
+// becomes one smooth curve. SmoothPath stores a window of a longer path: pieces are added at the end and dropped at the start.
 //
-//   gentle corners           rounded together, each position with its own width (path/smooth/chain_sums, slow_width): the work per
+//   gentle corners           rounded together, with a width that varies along the path (path/smooth/chain_sums, slow_width): the work per
 //                            piece does not depend on how many roundings overlap
-//   sharp corners, and       each as wide as its own tolerance and its neighbours allow (path/smooth/soft_corner); where several overlap,
-//   corners near an end      their displacements add up. An end is where the axes stop for an instant; no rounding extends beyond it
+//   sharp corners, and       rounded singly, each as wide as its own tolerance and its neighbours allow (path/smooth/soft_corner); where
+//   several overlap, corners near an end      their displacements add up. An end is a position where the axes stop for an instant; no
+//   rounding extends beyond an end
 
 #include <cstddef>
 #include <cstdint>
@@ -23,21 +24,21 @@ class SmoothPath {
   explicit SmoothPath(std::size_t axes) : axes_(axes), sums_(axes) {}
   std::size_t axes() const { return axes_; }
 
-  /// Clears the path; it starts here, at length 0.
+  /// Clears the path. The path starts at the position `at`, with length 0.
   void begin(const double* at);
 
-  /// Adds a straight piece, if it has a length. `feed`: the greatest speed, mm/s. `tolerance`: how far the corner at its start may be
-  /// rounded, mm, more than 0, as a corner that may not be rounded is an end of the path. `on_curve`: that corner lies between two chords
-  /// of a curve. `tag`: defined by the caller. `paced`: the feed changes smoothly from the previous piece to this one, along the rounding
-  /// between them.
+  /// Adds a straight piece; a piece of zero length is ignored. `feed`: the greatest speed, mm/s. `tolerance`: how far the corner at its
+  /// start may be rounded, mm; it is above 0, because a corner that must not be rounded is an end of the path. `on_curve`: that corner
+  /// lies between two chords of a curve. `tag`: any number, its meaning is the caller's. `paced`: the feed changes smoothly from that of
+  /// the previous piece to that of this piece, along the rounding between them.
   void line_to(const double* to, double feed, double tolerance, bool on_curve, std::uint64_t tag, bool paced = false);
 
-  /// Determines the widths of the roundings. Those near the end wait, unless the path is complete (`last`).
-  ///   law  at no length is the path further from the straight pieces than the tolerance of the corners nearby; but if `stop` ended the
-  ///        work, the result is of no use
+  /// Computes the widths of the roundings. Roundings near the end are left open unless the path is complete (`last`).
+  ///   law  at no length is the path further from the straight pieces than the tolerance of the corners nearby; if `stop` ended the work,
+  ///        the result is not valid
   void settle(bool last, StopToken stop = {});
 
-  /// Drops the pieces that end before a length, except those whose roundings extend beyond it.
+  /// Drops the pieces that end before the length `before`, except pieces whose roundings extend beyond it.
   void forget(double before);
   /// Number of pieces dropped since begin().
   std::size_t forgotten() const { return forgotten_; }
@@ -46,26 +47,26 @@ class SmoothPath {
   bool empty() const { return length_.empty(); }
   double begins() const { return at_.front(); }
   double ends() const { return at_.back(); }
-  /// The path is final up to this length.
+  /// The length up to which the path is final, mm.
   double settled() const { return settled_; }
 
   double at(std::size_t vertex) const { return at_[vertex]; }
   double width(std::size_t vertex) const { return width_[vertex]; }
-  /// |Δu|: 0 straight on, 2 reversal.
+  /// |Δu|, the magnitude of the change of direction at a vertex: 0 straight on, 2 reversal.
   double turn(std::size_t vertex) const { return turn_[vertex]; }
-  /// True if the path reverses at the vertex: it has no rounding, and no other rounding extends beyond it.
+  /// True if the path reverses at the vertex. Such a vertex has no rounding, and no other rounding extends beyond it.
   bool turns_back(std::size_t vertex) const { return turn_[vertex] > turning_back; }
-  /// Distance from a vertex where the axes stop for an instant (an end of the path, or a reversal) to the next such vertex, whichever is
-  /// nearer: mm, exact below `widest`. Valid for settled vertices.
+  /// Distance from the vertex to the nearest other vertex at which the axes stop for an instant (an end of the path, or a reversal), mm.
+  /// Exact below `widest`; valid for settled vertices.
   double room(std::size_t vertex) const { return room_[vertex]; }
   bool on_curve(std::size_t vertex) const { return on_curve_[vertex] != 0; }
   /// True if the vertex is rounded together with its neighbours, with the width width_at().
   bool is_chained(std::size_t vertex) const { return is_chained_[vertex] != 0; }
-  /// The width of the chain's roundings at a length.
+  /// The width of the chain's roundings at the length s.
   WidthAt width_at(double s, std::size_t piece) const { return slow_.at(squeezed(s, piece)); }
-  /// How far the rounding of the vertex extends at a length, to either side.
+  /// How far the rounding of the vertex extends to either side, evaluated at the length s, mm.
   double felt(std::size_t vertex, double s, std::size_t piece) const { return is_chained(vertex) ? width_at(s, piece).w : width_[vertex]; }
-  /// Vertices, in order, that are rounded singly, where the path reverses, and where the feed changes.
+  /// The vertices that are rounded singly, at which the path reverses, or at which the feed changes, in order.
   const std::vector<std::size_t>& marks() const { return marks_; }
   double feed(std::size_t piece) const { return feed_[piece]; }
   double tolerance(std::size_t vertex) const { return tolerance_[vertex]; }
@@ -73,28 +74,29 @@ class SmoothPath {
   /// The direction of a piece, a unit vector.
   const double* direction(std::size_t piece) const { return direction_.data() + piece * axes_; }
   std::uint64_t tag(std::size_t piece) const { return tag_[piece]; }
-  /// Returns the piece that contains a length, searching from `from` on.
+  /// Returns the index of the piece that contains the length s; the search starts at the piece `from`.
   std::size_t piece_at(double s, std::size_t from) const;
   /// True if the path is one straight line at one feed.
   bool is_one_line() const;
 
-  /// Computes the position and its first two derivatives with respect to the length, of each axis. `piece`: piece_at(s).
+  /// Computes, for each axis, the position at s and its first two derivatives with respect to the length. `piece`: piece_at(s).
   void evaluate(double s, std::size_t piece, double* x, double* x1, double* x2);
 
-  /// True if the feed changes into that of the next piece along the rounding of the corner between them.
+  /// True if, along the rounding of the vertex, the feed changes smoothly from that of the piece before it to that of the piece after it.
   bool is_paced(std::size_t vertex) const { return paced_[vertex] != 0 && width_[vertex] > 0; }
-  /// Returns the feed at s, mm/s, including such corners: its inverse, the time per mm, is rounded as the axes' positions are.
+  /// Returns the feed at s, mm/s. At a corner with is_paced(), the inverse of the feed (the time per mm) is smoothed in the same manner
+  /// as the axis positions.
   double feed_at(double s, std::size_t piece) const;
 
-  /// Returns how far x, the position at s, exceeds `part` of the tolerance of the corners that cover s, as a share of that: measured from
-  /// the straight pieces nearby. 0 if it does not.
+  /// Returns by how much the distance of x, the position at s, from the nearby straight pieces exceeds `part` times the tolerance of the
+  /// corners that cover s, as a share of that product; 0 if the distance does not exceed it.
   double beyond(double s, std::size_t piece, const double* x, double part = 1) const;
 
   static constexpr double widest = SoftCorner::widest;
 
  private:
-  static constexpr double turning_back = 2 - 1e-9;  // |Δu|
-  static constexpr double squeezed_to = 40;         // mm: longer pieces count with this length in slow_
+  static constexpr double turning_back = 2 - 1e-9;  // |Δu| above which the path reverses at a vertex
+  static constexpr double squeezed_to = 40;         // mm; in slow_, longer pieces count with this length
   double squeezed(double s, std::size_t piece) const;
   ChainSums::Corners chained() const { return {at_, bend_, is_chained_}; }
   void find_ends(std::size_t first, bool last);
@@ -114,8 +116,8 @@ class SmoothPath {
   double square_beside(std::size_t vertex, double width, double most);
   double widest_in_chain(std::size_t vertex, double width);
   void open_widths();
-  struct Looks {        // how to sample a piece
-    double felt, step;  // how far from its ends, and how densely, mm
+  struct Looks {        // the sampling of a piece
+    double felt, step;  // felt: sampled distance from the piece's ends; step: distance between samples; mm
   };
   Looks looks(std::size_t piece, double tolerance) const;
   template <class Look>
@@ -129,38 +131,39 @@ class SmoothPath {
   void corners_near(double s, std::size_t around, double reach, const Take& take) const;
 
   std::size_t axes_;
-  std::vector<double> point_;      // of each vertex
-  std::vector<double> bend_;       // Δu of each vertex; 0 at the ends
-  std::vector<double> turn_;       // |Δu|
-  std::vector<double> at_;         // length at each vertex
-  std::vector<double> squeezed_;   // the same, with no piece longer than squeezed_to
-  std::vector<double> width_;      // of each vertex' rounding
+  std::vector<double> point_;      // coordinates of each vertex
+  std::vector<double> bend_;       // Δu, change of direction at each vertex, per axis; 0 at the ends
+  std::vector<double> turn_;       // |Δu| of each vertex
+  std::vector<double> at_;         // path length at each vertex, mm
+  std::vector<double> squeezed_;   // path length at each vertex, where no piece counts more than squeezed_to
+  std::vector<double> width_;      // width of the rounding at each vertex
   std::vector<double> in_chain_;   // the vertex' own limit of the chain's width; 0: not computed yet
-  std::vector<double> tolerance_;  // of each vertex
-  std::vector<double> room_;       // of each vertex; unused where the axes do not stop
-  std::vector<double> direction_;  // of each piece
+  std::vector<double> tolerance_;  // corner tolerance of each vertex
+  std::vector<double> room_;       // room() of each vertex
+  std::vector<double> direction_;  // unit vector of each piece
   std::vector<double> length_, feed_;
   std::vector<std::uint64_t> tag_;
-  std::vector<char> on_curve_, paced_, is_chained_;  // of each vertex
-  struct Rounding {                                  // of a vertex
-    double inverse = 0;                              // 1 / width
+  std::vector<char> on_curve_, paced_, is_chained_;  // flags of each vertex
+  struct Rounding {                                  // the rounding of one vertex
+    double inverse = 0;                              // 1 / width of the rounding
     const SoftCorner* shape = nullptr;
   };
-  std::vector<Rounding> roundings_;  // during settle(), of all vertices
-  std::vector<double> factor_;       // likewise
+  std::vector<Rounding> roundings_;  // used during settle(): one per vertex
+  std::vector<double> factor_;       // used during settle()
   std::vector<std::size_t> marks_;
-  std::vector<std::size_t> narrowed_;  // during settle(): pieces that were moved too far in the last round
+  // used during settle(): indices of the pieces that the roundings moved further than the tolerance in the last pass
+  std::vector<std::size_t> narrowed_;
   ChainSums sums_;
   SlowWidth slow_;
-  double last_width_ = widest;     // the last one computed in the chain
-  bool has_one_tolerance_ = true;  // all corners have the same tolerance
-  double reach_ = 0;               // the widest single rounding
-  std::size_t done_ = 0;           // the vertices before it are settled
+  double last_width_ = widest;     // the width computed last in the chain
+  bool has_one_tolerance_ = true;  // true if all corners have the same tolerance
+  double reach_ = 0;               // the greatest width of a single rounding
+  std::size_t done_ = 0;           // the vertices before this index are settled
   double settled_ = 0;
   std::size_t forgotten_ = 0;
 };
 
-/// Calls `take` for the inner vertices within `reach` of s; `around`: the piece that contains s.
+/// Calls `take(i)` for each inner vertex i closer than `reach` to the length s; `around`: the piece that contains s.
 template <class Take>
 void SmoothPath::corners_near(double s, std::size_t around, double reach, const Take& take) const {
   for (std::size_t i = around + 1; i-- > 1 && s - at_[i] < reach;) take(i);

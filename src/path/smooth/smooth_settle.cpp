@@ -1,4 +1,5 @@
-// SmoothPath, the widths of its roundings: the kind of each corner, and the chain of gentle corners.
+// SmoothPath, the widths of its roundings: determines which corners are rounded together, and computes the widths in the chain of gentle
+// corners.
 
 #include <algorithm>
 #include <array>
@@ -11,19 +12,22 @@
 namespace kadr {
 namespace {
 
-constexpr double straight_on = 1e-12;                    // |Δu| of pieces that are collinear except for rounding errors
-constexpr double sharp = 0.3;                            // |Δu| from which a corner is rounded singly
-constexpr double alike = 0.1;                            // of |Δu|: a neighbour that bends at least this much makes a chain
-constexpr double feed_alike = 1e-6;                      // relative: rounding errors of a length divided by its time
-constexpr double used_by_chain = 0.95;                   // of the tolerance; the rest is for the positions between the samples
-constexpr double felt_ahead = 2.5 * SoftCorner::widest;  // mm: a corner's width in the chain can be found once the path is known this far
+constexpr double straight_on = 1e-12;  // |Δu| below which two pieces count as collinear; covers rounding errors
+constexpr double sharp = 0.3;          // |Δu| from which a corner is rounded singly
+// as a share of |Δu|: a corner whose neighbour has at least this share of its |Δu| forms a chain with the neighbour
+constexpr double alike = 0.1;
+constexpr double feed_alike = 1e-6;  // relative difference of equal feeds, because a feed is calculated as length / time
+// share of the tolerance that the chain uses; the rest is for the positions between the samples
+constexpr double used_by_chain = 0.95;
+// mm: a corner's width in the chain can be computed once the path is known this far beyond it
+constexpr double felt_ahead = 2.5 * SoftCorner::widest;
 
 }  // namespace
 
-/// Computes room_: the distance of each vertex from where the axes stop for an instant.
+/// Computes room_: for each vertex, the distance to the nearest other vertex at which the axes stop for an instant.
 void SmoothPath::find_ends(std::size_t first, bool last) {
   const std::size_t vertices = at_.size();
-  double edge = 0;  // the last length that no rounding reaches over
+  double edge = 0;  // path length of the last stop, beyond which no rounding extends
   for (std::size_t i = first; i-- > 0 && edge == 0 && at_[first] - at_[i] < widest;)
     if (turns_back(i)) edge = at_[i];
   for (std::size_t i = first; i + 1 < vertices; ++i) {
@@ -39,7 +43,7 @@ void SmoothPath::find_ends(std::size_t first, bool last) {
   if (first == 1) room_[0] = edge - at_[0];
 }
 
-/// Returns true for a gentle corner, not near a stop, whose rounding covers a similar corner.
+/// Returns true for a gentle corner that is not near a stop and whose rounding extends over another corner of similar |Δu|.
 bool SmoothPath::makes_chain(std::size_t i) const {
   if (turn_[i] > sharp || room_[i] < widest) return false;
   const double reach = std::min(widest, width_alone(i));
@@ -74,7 +78,7 @@ void SmoothPath::settle(bool last, StopToken stop) {
   while (done_ < at_.size() && (last || at_[done_] < settled_ + widest)) ++done_;
 }
 
-/// Returns how far the path is moved at s with this width of the chain, squared, mm².
+/// Returns the squared displacement of the path at s, mm², if the chain's roundings have this width.
 double SmoothPath::square_moved(double s, std::size_t around, double width) {
   std::array<double, max_axes> sum{};
   sums_.move(chained(), s, width, sum.data());
@@ -84,10 +88,10 @@ double SmoothPath::square_moved(double s, std::size_t around, double width) {
   return squares;
 }
 
-/// Likewise, the greatest value at a vertex and at positions near it, chosen for a width of this size; stops as soon as one exceeds
-/// `most`.
+/// Returns the greatest squared displacement at a vertex and at positions near it, which are chosen for this width; ends as soon as one
+/// exceeds `most`.
 double SmoothPath::square_beside(std::size_t vertex, double width, double most) {
-  constexpr double flank = 0.65;  // of the width: where a single corner swings out most
+  constexpr double flank = 0.65;  // distance of a single corner's greatest outward deviation, as a share of the width
   const double s = at_[vertex], behind = length_[vertex], before = length_[vertex - 1];
   double square = square_moved(s, vertex, width);
   if (square <= most && behind > 0.25 * width) square = std::max(square, square_moved(s + behind / 2, vertex, width));
@@ -100,10 +104,10 @@ double SmoothPath::square_beside(std::size_t vertex, double width, double most) 
   return square;
 }
 
-/// Returns the widest rounding of the chain that keeps the tolerance at a vertex; the search starts at `width`.
+/// Returns the greatest width of the chain's roundings for which the path keeps the tolerance at a vertex. The search starts at `width`.
 double SmoothPath::widest_in_chain(std::size_t vertex, double width) {
-  constexpr double narrowest = 1e-4;  // mm
-  constexpr double enough = 0.98;     // of the squared tolerance
+  constexpr double narrowest = 1e-4;  // least width of a rounding, mm
+  constexpr double enough = 0.98;     // the search ends at this share of the squared tolerance
   constexpr double most_growth = 1.19, least_growth = 1.002;
   const double allowed = used_by_chain * tolerance_[vertex], most = allowed * allowed;
   const auto towards = [&](double square) {
@@ -122,7 +126,7 @@ double SmoothPath::widest_in_chain(std::size_t vertex, double width) {
     square = square_beside(vertex, wider, most);
     if (square > most) break;
     width = wider;
-    if (length_[vertex - 1] < 0.25 * width) break;  // the neighbour is similar: its search continues from here
+    if (length_[vertex - 1] < 0.25 * width) break;  // the neighbouring vertex is so near that its own search starts from this result
   }
   return width;
 }
@@ -137,7 +141,8 @@ void SmoothPath::open_widths() {
   slow_.close();
 }
 
-/// Rounds the chain's corners: each as wide as its tolerance allows, then evenly along the path, and narrower where that is not enough.
+/// Rounds the corners of chains: first each corner as wide as its tolerance allows; then the width is smoothed along the path; finally it
+/// is narrowed where the path still exceeds the tolerance.
 void SmoothPath::round_chain(bool last, const StopToken& stop) {
   constexpr int most_rounds = 30;
   const double known = last ? at_.back() : at_.back() - felt_ahead;
@@ -152,11 +157,11 @@ void SmoothPath::round_chain(bool last, const StopToken& stop) {
     if (is_chained_[i] != 0) width_[i] = slow_.at(squeezed_[i]).w;
 }
 
-/// Returns how densely a piece is sampled, mm: as the narrowest rounding there requires, and so densely that the corner that bends most
-/// moves the path by only a small part of the tolerance between two samples.
+/// Returns how densely a piece is sampled, mm: as densely as the narrowest rounding there requires, and so densely that between two
+/// samples the sharpest corner changes the displacement by only a small part of the tolerance.
 SmoothPath::Looks SmoothPath::looks(std::size_t piece, double tolerance) const {
-  constexpr double in_chain = 4, alone = 24;  // samples per width
-  constexpr double unseen = 0.02;             // of the tolerance
+  constexpr double in_chain = 4, alone = 24;  // samples per rounding width
+  constexpr double unseen = 0.02;             // greatest change of displacement between two samples, as a share of the tolerance
   constexpr double most_places = 96, beyond_it = 1.25;
   const double from = at_[piece], to = at_[piece + 1];
   const double width_before = width_at(from, piece).w, width_behind = width_at(to, piece).w,
@@ -177,12 +182,11 @@ SmoothPath::Looks SmoothPath::looks(std::size_t piece, double tolerance) const {
   return looks;
 }
 
-/// Calls `look` at the positions of a piece just outside the rounding of a corner: there the tolerance of that corner does not count any
-/// more.
+/// Calls `look` at the positions of a piece just outside the rounding of a corner: there the tolerance of that corner no longer applies.
 template <class Look>
 void SmoothPath::beside_edges(std::size_t piece, const Look& look) const {
-  constexpr double just = 1e-6;  // mm
-  constexpr int rounds = 4;      // the chain's width is no steeper than 0.15
+  constexpr double just = 1e-6;  // distance of the positions from the end of the rounding, mm
+  constexpr int rounds = 4;      // iterations suffice, because the chain's width changes by at most 0.15 mm/mm
   const double from = at_[piece], length = length_[piece];
   corners_near(from, piece, widest + length, [&](std::size_t i) {
     for (const double side : {-1.0, 1.0}) {
@@ -197,7 +201,7 @@ void SmoothPath::beside_edges(std::size_t piece, const Look& look) const {
   });
 }
 
-/// Returns how far a piece is moved at most, as a share of the tolerance.
+/// Returns the greatest displacement of a piece by the roundings, as a share of the tolerance.
 double SmoothPath::farthest(std::size_t piece) {
   const double tolerance = std::max(tolerance_[piece], tolerance_[piece + 1]), length = length_[piece];
   if (tolerance == 0) return 0;
@@ -210,19 +214,19 @@ double SmoothPath::farthest(std::size_t piece) {
   if (length < 2 * looks.felt) {
     const auto parts = std::max(2.0, std::ceil(length / looks.step));
     for (double k = 0; k < parts; ++k) look(length * k / parts);
-  } else {  // only the ends of a long piece
+  } else {  // a long piece is sampled near its ends only
     for (double along = 0; along <= looks.felt; along += looks.step) look(along), look(length - along);
   }
   if (!has_one_tolerance_) beside_edges(piece, look);
   return std::sqrt(most);
 }
 
-/// Narrows the unsettled roundings where a piece is moved too far. After the first round it checks only the pieces near enough to what
-/// the last round narrowed to be affected.
+/// Narrows the unsettled roundings where a piece is moved too far. Later calls (`first_round` false) check only the pieces that the
+/// roundings narrowed in the previous call can affect.
 ///   returns  false if nothing was narrowed
 bool SmoothPath::narrow(double known, bool first_round) {
-  constexpr double rounding = 1e-9;   // relative: for a single corner that meets its tolerance exactly
-  constexpr double in_chain = 0.997;  // of the tolerance: the rest is for the positions between the samples
+  constexpr double rounding = 1e-9;   // relative tolerance for rounding errors, for a single corner that uses its tolerance exactly
+  constexpr double in_chain = 0.997;  // share of the tolerance that a chain may use; the rest is for the positions between the samples
   const double felt = SlowWidth::felt() + 2 * widest;
   std::vector<std::size_t> last;
   last.swap(narrowed_);
@@ -239,7 +243,7 @@ bool SmoothPath::narrow(double known, bool first_round) {
 }
 
 void SmoothPath::narrow_at(std::size_t piece, double over) {
-  constexpr double narrowest = 1e-3;  // mm
+  constexpr double narrowest = 1e-3;  // least width of a rounding, mm
   const double less = std::max(0.7, 0.99 / std::sqrt(over));
   const double s = at_[piece] + length_[piece] / 2;
   for (std::size_t i = std::max<std::size_t>(piece, 2) - 1; i < std::min(piece + 3, at_.size() - 1); ++i)

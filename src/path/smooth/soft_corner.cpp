@@ -1,5 +1,5 @@
-// SoftCorner: how a corner of a path is rounded so that the third derivative of the path stays bounded. Used by motion/least_time/planner
-// and path/smooth/smooth_path.
+// SoftCorner: the shape by which a corner of a path is rounded so that the third derivative of the path stays bounded. Used by
+// motion/least_time/planner and path/smooth/smooth_path.
 
 #include "path/smooth/soft_corner.h"
 
@@ -9,20 +9,21 @@
 namespace kadr {
 namespace {
 
-constexpr double sharp_from = 0.5;  // |Δu|: about 29°; measured with the programs of the comparison, values from 0.3 to 1 differ by 1 %
+// |Δu| from which a corner counts as sharp, about 29°; in the comparison programs the times for values from 0.3 to 1 differ by 1 %
+constexpr double sharp_from = 0.5;
 
-/// The start of an axis from rest that swings back first: third derivative −1 up to t = 1, and +1 from there on.
+/// The position of an axis that starts from rest and first moves backwards: the third derivative is −1 up to t = 1, and +1 after that.
 double start(double t) { return t <= 1 ? -t * t * t / 6 : -t * t * t / 6 + (t - 1) * (t - 1) * (t - 1) / 3; }
 double start_speed(double t) { return t <= 1 ? -t * t / 2 : -t * t / 2 + (t - 1) * (t - 1); }
 double start_acceleration(double t) { return t <= 1 ? -t : t - 2; }
 
 constexpr double equal = SoftCorner::equal_swings;
 
-/// The pulse of a gentle corner at r, except for a constant factor.
+/// The pulse of a gentle corner at the distance r, apart from a constant factor.
 double gentle_pulse(double r) { return start_acceleration((1 - r) * equal); }
 
-/// The pulse of a sharp corner: one axis stops like start() reversed while the other starts; s is the distance that both have
-/// moved.
+/// The pulse of a sharp corner: one axis stops as in start() reversed while the other axis starts; s is the path length that both
+/// together have moved.
 double sharp_pulse(double r) {
   const auto gone = [](double t) { return start(equal + t) - start(equal - t); };
   double before = 0, behind = equal;
@@ -40,7 +41,7 @@ double sharp_pulse(double r) {
 SoftCorner::SoftCorner(bool sharp) {
   constexpr double h = 1.0 / pieces;
   for (int i = 0; i < pieces; ++i) k_[static_cast<std::size_t>(i)] = sharp ? sharp_pulse(i * h) : gentle_pulse(i * h);
-  double half = 0;  // half the integral of the pulse, which is to be 1
+  double half = 0;  // half the integral of the pulse; the pulse is then scaled to the integral 1
   for (std::size_t i = 0; i < pieces; ++i) half += h * (k_[i] + k_[i + 1]) / 2;
   for (double& k : k_) k *= 0.5 / half;
   for (std::size_t i = pieces; i-- > 0;) {

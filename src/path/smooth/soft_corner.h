@@ -1,15 +1,17 @@
 #pragma once
-// SoftCorner: how a corner of a path is rounded so that the third derivative of the path stays bounded.
+// SoftCorner: the shape by which a corner of a path is rounded so that the third derivative of the path stays bounded.
 //
-// At a corner the direction of a path of straight pieces jumps by Δu: its second derivative is a pulse. The pulse is spread over [−w, w]
-// as Δu k(s), which moves the path by Δu g(s), g″ = k. A pulse with negative parts lets the path swing out before and after the corner as
-// far as it cuts the corner: for the same deviation the corner needs a third to a sixth of the jerk.
+// At a corner the direction of a path of straight pieces jumps by Δu: its second derivative is a pulse. The rounding spreads the pulse
+// over [−w, w] (w: width of the rounding, s: distance from the corner) as Δu k(s), which moves the path by Δu g(s), with g″ = k. A pulse
+// with negative parts lets the path deviate to the outside before and after the corner as far as it cuts the corner inside: for the same
+// deviation the corner needs a third to a sixth of the jerk.
 //
-//   gentle corner   the speed is constant while the corner is passed: g‴ = ±c
+//   gentle corner   the speed is constant in the rounding: g‴ = ±c, with c constant
 //   sharp corner    the speed falls towards the corner and rises after it, as on a machine whose axes stop and start one after
-//                   the other with constant jerk: the same over time, mapped to the path; derived for 90°
+//                   the other with constant jerk: the shape is defined over time and mapped to the path; derived for a corner of 90°
 //
-// Both have the same deviation at the corner and where they swing out most. Found as perfect splines (Karlin 1975); our own work.
+// In both shapes the deviation at the corner equals the greatest deviation to the outside. The shapes were found as perfect splines
+// (Karlin 1975); this is our own work.
 
 #include <array>
 #include <cstddef>
@@ -18,19 +20,21 @@ namespace kadr {
 
 class SoftCorner {
  public:
-  static constexpr double widest = 2;  // mm, of a rounding to either side; wider ones cost work and gain little below 12 m/min
-  /// Where the start of an axis that swings back first is as far on one side as it was on the other: start(equal) = −start(2 + √2).
+  // greatest width of a rounding to either side, mm; wider roundings cost computing time and gain little below 12 m/min
+  static constexpr double widest = 2;
+  /// For the sharp corner: the time at which the starting axis, which first moves backwards, is as far on one side as it was on the
+  /// other: start(equal_swings) = −start(2 + √2).
   static constexpr double equal_swings = 5.3558125;
 
-  /// Returns the shape for a corner with this |Δu| (0 … 2).
+  /// Returns the shape for a corner where the change of direction has the magnitude |Δu| = `bend` (0 … 2).
   static const SoftCorner& of(double bend);
 
-  /// g, g′, g″ at a distance r ≥ 0 from the corner, for w = 1; g is even, g′ is given for −r (at +r it has the opposite sign).
+  /// g, g′, g″ at the distance r ≥ 0 from the corner, for w = 1. g is an even function; `slope` is g′(−r), and g′(r) has the opposite sign.
   struct Shape {
     double g, slope, pulse;
   };
   Shape at(double r) const;
-  /// Returns g alone.
+  /// Returns the displacement g at the distance r from the corner, for w = 1.
   ///   pre  r < 1
   double height(double r) const {
     const double place = r * pieces;
@@ -41,9 +45,9 @@ class SoftCorner {
   }
 
   double highest() const { return highest_; }              // the greatest |g|, for w = 1
-  double second_moment() const { return second_moment_; }  // |∫ g|: how far a curve with curvature 1 is moved, for w = 1
-  double flank() const { return flank_; }                  // where it swings out most
-  static constexpr int cells = 16;                         // this many equal cells on each side reproduce its shape
+  double second_moment() const { return second_moment_; }  // |∫ g|: the displacement of a curve with curvature 1, for w = 1
+  double flank() const { return flank_; }                  // the distance r of the greatest deviation to the outside
+  static constexpr int cells = 16;                         // number of equal cells on each side that reproduce the shape exactly
 
  private:
   explicit SoftCorner(bool sharp);
