@@ -34,7 +34,7 @@ struct RotaryPair {
 struct RotarySolutions {
   int count = 0;  // number of valid elements of `pairs`; 0: the direction cannot be reached
   std::array<RotaryPair, 2> pairs;
-  bool first_free = false;   // singular direction: any position of the first axis gives it; `pairs` then holds 0 for this axis
+  bool first_free = false;   // singular direction: any position of the first axis gives it; `pairs` then contains 0 for this axis
   bool second_free = false;  // likewise for the second axis
 };
 

@@ -23,7 +23,7 @@ struct MachineJoint {
 
 class MachineTree {
  public:
-  /// `axes` holds the channel's axis names in order.
+  /// `axes` lists the channel's axis names in order.
   MachineTree(const MachineProfile& profile, const std::vector<std::string>& axes);
 
   bool empty() const { return tool_.empty() && part_.empty(); }

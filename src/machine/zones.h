@@ -25,7 +25,7 @@ namespace kadr {
 
 class Zones {
  public:
-  /// `ends` holds the end positions of the axes, which limit zone 1.
+  /// `ends` gives the end positions of the axes, which limit zone 1.
   Zones(const std::vector<std::string>& names, const AxisRoles& roles, const Extents& ends, const Setup& setup);
 
   /// Applies G22 or G23. A change marked `of_parameters` changes the parameters of zone 2; if it names no axes, it switches the check

@@ -10,7 +10,7 @@
 namespace kadr::lanes {
 
 struct BallWay {
-  float from[3], to[3];  // of the centre
+  float from[3], to[3];  // start and end of the path of the ball's centre
   float radius;
 };
 

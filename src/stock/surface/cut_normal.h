@@ -20,7 +20,7 @@ namespace kadr {
 struct BodyFaces {
   struct Side {
     RoundSolid::Form form;
-    double radius, height;            // of a point of the face; for a ball or torus, of the centre of its generating circle
+    double radius, height;            // a point of the face; for a ball or torus the centre of its generating circle
     double normal_radial, normal_up;  // normal of a cylinder or cone
     double circle;                    // radius of the generating circle of a ball or torus
   };

@@ -16,7 +16,7 @@ constexpr std::uint32_t most_around = 40;  // greatest number of triangles aroun
 constexpr std::size_t most_tried = 3;      // number of neighbours that are tried for each point, the best first
 constexpr double worth_trying = 3;  // times the permitted distance: a neighbour farther from the planes around the point is not tried
 constexpr int most_passes = 60;
-constexpr double least_height = 1e-3;  // of a triangle, relative to its longest side: thinner triangles have no reliable normal
+constexpr double least_height = 1e-3;  // triangle height over longest side: thinner triangles have no reliable normal
 constexpr double turned_little = 0.2;  // least cosine of the angle between a triangle's normals before and after a merge
 
 Vec3 normal_of(const Vec3& a, const Vec3& b, const Vec3& c) { return cross(b - a, c - a); }
