@@ -13,7 +13,7 @@ struct PartJoint {
   int axis = -1;  // index in the channel, never -1
   bool turns = true;
   Vec3 direction;   // unit vector; a positive motion rotates the part right-handed about it, or moves the part along it
-  Vec3 through;     // a point on the axis of rotation; both vectors for all axes at 0, in machine coordinates
+  Vec3 through;     // a point on the axis of rotation; `direction` and `through` are for all axes at 0, in machine coordinates
   double from = 0;  // axis position at which the drawing shows the part
 };
 

@@ -12,7 +12,7 @@ namespace kadr {
 ///   middle + sum of axes[d] * place[d] - half of (shift + sum of shift_grows[d] * place[d])
 /// and at the end the same with + half.
 struct LeanSweep {
-  /// corner  position of the brick's corner, in the coordinates of `way`
+  ///   corner  position of the brick's corner, in the coordinates of `way`
   ///   edge    edge length of the brick, mm
   LeanSweep(const LeanWay& way, Vec3 corner, double edge);
 
