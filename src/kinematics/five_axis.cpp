@@ -1,5 +1,5 @@
-// Two rotary and three linear axes: the tool's pose in the part, and the inverse. Used by kinematics/part_space and
-// control/fanuc/five_axis; tested by tests/kinematics/five_axis_test.cpp.
+// Computes the tool's pose in the part for a machine with two rotary and three linear axes, and the inverse. Used by
+// kinematics/part_space and control/fanuc/five_axis; tested by tests/kinematics/five_axis_test.cpp.
 
 #include "kinematics/five_axis.h"
 
@@ -10,21 +10,21 @@ namespace kadr {
 namespace {
 
 constexpr double turn = 360;
-constexpr double singular = 1e-6;  // for unit vectors: this near to a rotary axis, the angle of that axis is free (25a 5.1)
-constexpr double tie = 1e-4;       // degrees: angles nearer than this are equal (25g 3)
+constexpr double singular = 1e-6;  // difference of unit vectors: this close to a rotary axis a direction counts as parallel to it (25a 5.1)
+constexpr double tie = 1e-4;       // degrees: angles that differ by less count as equal (25g 3)
 
 double degrees(double radians) { return radians / rad_per_deg; }
 
-/// The equivalent angle in [-180, 180].
+/// Returns the equivalent angle in [-180, 180].
 double within_turn(double angle) { return std::remainder(angle, turn); }
 
-/// The equivalent angle in (-180, 180]; a value that rounding leaves just above -180 becomes 180.
+/// Returns the equivalent angle in (-180, 180]; a value that is just above -180 through rounding becomes 180.
 double plain(double angle) {
   const double a = within_turn(angle);
   return a <= -turn / 2 + 1e-9 ? a + turn : a;
 }
 
-/// The angles x, y that solve Ma(x)·Mb(y)·v = w, in degrees (25a 5.1).
+/// The angles x, y in degrees for which Ma(x)·Mb(y)·v = w: Ma, Mb rotate about the unit vectors a, b (25a 5.1).
 struct Angles {
   int count = 0;
   std::array<double, 2> x{}, y{};
@@ -34,7 +34,7 @@ struct Angles {
 Angles angles(Vec3 a, Vec3 b, Vec3 v, Vec3 w) {
   Angles found;
   const double c = dot(a, b), d = c * c - 1;
-  if (std::fabs(d) < singular) return found;  // both axes turn about the same line
+  if (std::fabs(d) < singular) return found;  // both rotary axes are parallel
   const double bv = dot(b, v), aw = dot(a, w);
   const double in_a = (c * bv - aw) / d, in_b = (c * aw - bv) / d;
   const Vec3 across = cross(a, b);
@@ -55,7 +55,7 @@ Angles angles(Vec3 a, Vec3 b, Vec3 v, Vec3 w) {
   return found;
 }
 
-/// Returns the equivalent position within the limits that is nearest to the present position; nullopt if the limits exclude all.
+/// Returns the equivalent of `angle` within the joint's limits that is nearest to the present position; nullopt if none is within them.
 std::optional<double> nearest(const RotaryJoint& joint, double angle, double present) {
   const double least = joint.least - tie, most = joint.most + tie;
   double best = present + within_turn(angle - present);
@@ -111,7 +111,7 @@ Vec3 FiveAxis::place_on_machine(RotaryPair at, Vec3 point, RotaryPair zero) cons
 Vec3 FiveAxis::place_in_part(RotaryPair at, Vec3 point, RotaryPair zero) const { return place_on_machine(zero, point, at); }
 
 RotarySolutions FiveAxis::solutions(Vec3 wanted, RotaryPair zero) const {
-  const Vec3 t = table_turn({}, zero) * wanted;  // in the part as it lies with the tables at 0
+  const Vec3 t = table_turn({}, zero) * wanted;  // direction in the part's orientation with the tables at 0
   RotarySolutions all;
   const auto take = [&](const Angles& found, bool x_is_first, double x_sign) {
     all.count = found.count;
@@ -136,8 +136,8 @@ std::optional<RotaryPair> FiveAxis::chosen(Vec3 wanted, RotaryPair present, Rota
   const RotarySolutions all = solutions(wanted, zero);
   struct Candidate {
     RotaryPair at;
-    std::array<double, 4> rank;  // results of the rules in their order; less is better
-    double primary;              // position of the primary axis as computed, before the limits
+    std::array<double, 4> rank;  // results of the selection rules in their order; the candidate with the smaller result wins
+    double primary;              // position of the primary axis before it is moved into its limits
   };
   std::optional<Candidate> best;
   const bool table_first = group == MachineGroup::head_table;
@@ -167,7 +167,8 @@ std::optional<RotaryPair> FiveAxis::chosen(Vec3 wanted, RotaryPair present, Rota
   return best->at;
 }
 
-/// As the other axis turns, the direction moves on a circle p + cos(t) c + sin(t) s; it is nearest to w at tan(t) = s·w / c·w.
+/// While the other axis turns by t, the direction moves on a circle p + cos(t) c + sin(t) s. It is nearest to the wanted direction w
+/// where tan(t) = s·w / c·w.
 std::optional<FiveAxis::Kept> FiveAxis::kept(Vec3 wanted, RotaryPair present, RotaryPair zero) const {
   const bool first_stays = group == MachineGroup::head_head;
   const auto pair = [&](double other) { return first_stays ? RotaryPair{present.first, other} : RotaryPair{other, present.second}; };

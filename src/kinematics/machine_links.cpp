@@ -1,4 +1,5 @@
-// The poses of a machine's links and bounds of their motion. Used by stock/bodies; tested by tests/kinematics/machine_links_test.cpp.
+// Computes the poses of a machine's links and bounds of their motion. Used by stock/bodies; tested by
+// tests/kinematics/machine_links_test.cpp.
 
 #include "kinematics/machine_links.h"
 
@@ -13,8 +14,8 @@ MachineLinks::MachineLinks(const MachineTree& tree) : links_(1) {
   part_ = tree.part().empty() ? bed : links_.size() - 1;
 }
 
-/// A linear axis on the part side moves the part opposite to the tool's motion as seen from the part. A rotary axis has the part's
-/// own sense.
+/// The direction of a linear axis that carries the part is defined as the motion of the tool seen from the part, so the part moves
+/// the opposite way. The direction of a rotary axis is that of the part itself.
 void MachineLinks::add(const std::vector<MachineJoint>& chain, bool of_part) {
   std::size_t carrier = bed;
   for (const MachineJoint& joint : chain) {
@@ -47,8 +48,8 @@ void MachineLinks::poses(const Axes& axes, std::vector<LinkPose>& poses) const {
   }
 }
 
-/// Works from the body towards the bed. A linear axis moves all points alike. A rotary axis moves a point by at most arm times angle,
-/// and the arm is at most its present length plus the distance by which the inner axes have moved the point.
+/// Works from the body towards the bed. A linear axis moves all points alike. A rotary axis moves a point by at most its lever arm times
+/// the angle; the lever arm is at most its length at the start plus the distance by which the axes nearer to the body move the point.
 Travel MachineLinks::travel(std::size_t link, std::size_t from, const BodyBall& body, const std::vector<LinkPose>& poses,
                             const Axes& by) const {
   Travel travel;
@@ -71,7 +72,7 @@ Travel MachineLinks::travel(std::size_t link, std::size_t from, const BodyBall& 
 }
 
 std::size_t MachineLinks::carrier(std::size_t a, std::size_t b) const {
-  while (a != b) (a > b ? a : b) = links_[a > b ? a : b].carried_by;  // a link has a greater number than its carrier
+  while (a != b) (a > b ? a : b) = links_[a > b ? a : b].carried_by;  // a link has a greater number than the link that carries it
   return a;
 }
 

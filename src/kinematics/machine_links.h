@@ -1,6 +1,6 @@
 #pragma once
-// MachineLinks: the moving parts of a machine, and bounds of their motion. A link is the bed, or what one axis moves, together with
-// the next links that it carries; MachineTree gives the order. mm, degrees.
+// MachineLinks: the moving links of a machine, and upper bounds of their motion. A link is the machine bed, or the component that one
+// axis moves; it carries the next links of its chain. MachineTree defines their order. mm, degrees.
 //
 //   bed ── X ── Z        tool chain: links 1, 2
 //    └──── Y ── A ── C   part chain: links 3, 4, 5
@@ -13,7 +13,7 @@
 
 namespace kadr {
 
-/// The pose of a link: a point with the coordinates `place` when all axes are at 0 is now at turn · place + at.
+/// The pose of a link: a point of the link that is at `place` when all axes are at 0 is now at turn · place + at.
 struct LinkPose {
   Mat3 turn;
   Vec3 at;
@@ -24,14 +24,14 @@ struct LinkPose {
   LinkPose inverse() const { return {transposed(turn), turned_back(turn, -1 * at)}; }
 };
 
-/// A ball that encloses a whole body, in the coordinates of the bed.
+/// A sphere that encloses a whole solid body, in the coordinates of the bed.
 struct BodyBall {
   Vec3 centre;
   double radius = 0;
 };
 
-/// A bound of how the points of a body move, seen from another link: all of them by `together`, and each one by at most `besides`
-/// more.
+/// An upper bound for the displacement of the points of a body, seen from another link: every point moves by the vector `together`,
+/// plus an individual displacement of at most `besides` mm.
 struct Travel {
   Vec3 together;
   double besides = 0;
@@ -43,39 +43,40 @@ class MachineLinks {
 
   static constexpr std::size_t bed = 0;
   std::size_t count() const { return links_.size(); }
-  /// The links that carry the tool and the part.
+  /// Returns the link that carries the tool; part() returns the link that carries the part.
   std::size_t tool() const { return tool_; }
   std::size_t part() const { return part_; }
-  /// Returns the link that an axis moves; the bed if the name is empty or the axis is in neither chain.
+  /// Returns the link that an axis moves; the bed if the name is empty, or if the axis belongs neither to the tool chain nor to the part
+  /// chain.
   std::size_t moved_by(const std::string& axis) const;
-  /// True for the links between bed and tool, without the bed.
+  /// True for the links from the bed to the tool, excluding the bed.
   bool carries_tool(std::size_t link) const { return link != bed && link <= tool_; }
 
-  /// Computes the pose of each link.
+  /// Computes the pose of every link for these axis positions.
   void poses(const Axes& axes, std::vector<LinkPose>& poses) const;
 
-  /// Bounds the motion of a body of `link`, seen from the link `from` that carries it, while each axis moves evenly by `by`.
-  ///   poses    of the links at the start
-  ///   law      no point of the body is then farther from its start than |together| + besides; after a share s of the motion, no
-  ///            farther than s times that
+  /// Bounds the motion of a body on `link`, seen from the link `from` that carries `link`, while each axis moves evenly by `by`.
+  ///   poses    poses of all links at the start of the motion
+  ///   law      at the end no point of the body is farther from its start than |together| + besides; after a share s of the motion, no
+  ///            farther than s times this sum
   Travel travel(std::size_t link, std::size_t from, const BodyBall& body, const std::vector<LinkPose>& poses, const Axes& by) const;
-  /// Returns the innermost link that carries both.
+  /// Returns the last link, counted from the bed, that carries both links; a link also carries itself.
   std::size_t carrier(std::size_t a, std::size_t b) const;
-  /// True if each axis of the chains has the same position in both.
+  /// True if each axis of the two chains has the same position in `a` and in `b`.
   bool same_place(const Axes& a, const Axes& b) const;
 
  private:
   struct Link {
     MachineJoint joint;  // the joint that moves the link; unset for the bed
     std::size_t carried_by = bed;
-    double sense = 1;  // 1 or -1, factor of the joint's positions
+    double sense = 1;  // 1 or -1: factor for the axis position
   };
   double position(const Link& link, const Axes& axes) const {
     return link.joint.axis < 0 ? 0 : link.sense * axes[static_cast<std::size_t>(link.joint.axis)];
   }
   void add(const std::vector<MachineJoint>& chain, bool of_part);
 
-  std::vector<Link> links_;  // each link comes after its carrier
+  std::vector<Link> links_;  // sorted: each link comes after the link that carries it
   std::size_t tool_ = bed, part_ = bed;
 };
 

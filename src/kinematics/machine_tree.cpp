@@ -1,4 +1,4 @@
-// Forward and inverse kinematics of a machine file. Used by session and cli/machines; tested by
+// Forward and inverse kinematics of a machine that is described by a machine file. Used by session and cli/machines; tested by
 // tests/kinematics/machine_tree_test.cpp.
 
 #include "kinematics/machine_tree.h"
@@ -11,12 +11,12 @@
 namespace kadr {
 namespace {
 
-constexpr double same_way = 1e-11;  // for the difference of unit vectors
+constexpr double same_way = 1e-11;  // greatest difference of unit vectors that count as equal
 
-/// The joint's angle or distance with its sign.
+/// Returns the angle or distance of the joint; negative if the axis counts in reverse.
 double signed_way(const MachineJoint& joint, double position) { return joint.moves.reversed ? -position : position; }
 
-/// Solves m·v = b by Cramer's rule. Returns nullopt if m is singular: its determinant is at most `least`.
+/// Solves m·v = b for v by Cramer's rule. Returns nullopt if m is singular: its determinant is at most `least`.
 std::optional<Vec3> solved(const Mat3& m, Vec3 b, double least) {
   const Vec3 x = m.column(0), y = m.column(1), z = m.column(2);
   const double whole = dot(x, cross(y, z));
@@ -24,7 +24,7 @@ std::optional<Vec3> solved(const Mat3& m, Vec3 b, double least) {
   return 1 / whole * Vec3{dot(b, cross(y, z)), dot(x, cross(b, z)), dot(x, cross(y, b))};
 }
 
-/// The sum of v·vᵀ.
+/// Returns the sum of the matrices v·vᵀ.
 Mat3 sum_of_squares(const std::vector<Vec3>& all) {
   Mat3 sum{{Vec3{}, Vec3{}, Vec3{}}};
   for (const Vec3& v : all) {
@@ -71,7 +71,7 @@ Pose MachineTree::forward(const Axes& axes, double tool_length) const {
     if (joint->moves.turns) turn(joint->moves, position(*joint, axes));
     else at.tip = at.tip + position(*joint, axes) * joint->moves.direction;
   }
-  for (const MachineJoint& joint : part_) {  // seen from the part that the joint carries
+  for (const MachineJoint& joint : part_) {  // motion of the tool as seen from the part that the joint carries
     if (joint.moves.turns) turn(joint.moves, -position(joint, axes));
     else at.tip = at.tip + position(joint, axes) * joint.moves.direction;
   }
@@ -86,7 +86,7 @@ std::vector<const MachineJoint*> MachineTree::joints(bool rotary) const {
   return all;
 }
 
-/// The directions of a machine with two rotary axes equal those of a FiveAxis, whatever the positions of the linear axes.
+/// Returns a FiveAxis that gives the same tool directions as this machine with two rotary axes. Linear axes do not influence directions.
 FiveAxis MachineTree::directions(const std::vector<const MachineJoint*>& rotary) const {
   const auto on_tool = std::count_if(tool_.begin(), tool_.end(), [](const MachineJoint& j) { return j.moves.turns; });
   FiveAxis five;
@@ -100,11 +100,12 @@ FiveAxis MachineTree::directions(const std::vector<const MachineJoint*>& rotary)
   return five;
 }
 
-/// Solves for any number of rotary axes by damped Gauss-Newton steps, each with the least change of the positions.
+/// Turns the tool to the direction with any number of rotary axes: damped Gauss-Newton steps, each the smallest change of the axis
+/// positions that gives the wanted change of direction.
 bool MachineTree::turn_by_steps(Vec3 wanted, Axes& axes) const {
   const std::vector<const MachineJoint*> rotary = joints(true);
   constexpr int most_steps = 100;
-  constexpr double probe = 1e-4;  // degrees
+  constexpr double probe = 1e-4;  // degrees: step of the numerical derivative
   for (int step = 0; step < most_steps; ++step) {
     const Vec3 now = direction(axes), missing = wanted - now;
     if (length(missing) < same_way) return true;
@@ -126,7 +127,7 @@ bool MachineTree::turn_by_steps(Vec3 wanted, Axes& axes) const {
     for (const MachineJoint* joint : rotary) {
       if (joint->axis < 0) continue;
       double& at = axes[static_cast<std::size_t>(joint->axis)];
-      constexpr double widest = 30;  // degrees in a step
+      constexpr double widest = 30;  // greatest change of an axis in one step, degrees
       at = std::clamp(at + std::clamp(dot(change[i++], *weight) / rad_per_deg, -widest, widest), joint->least, joint->most);
     }
   }
@@ -145,7 +146,7 @@ bool MachineTree::turn_to(Vec3 wanted, Axes& axes) const {
     return true;
   }
   const Axes start = axes;
-  constexpr double starts[] = {0, 40, -40, 85, -85, 130, -130, 175};  // degrees from the present position, if the first attempt gets stuck
+  constexpr double starts[] = {0, 40, -40, 85, -85, 130, -130, 175};  // degrees from the present position, tried until one converges
   for (const double first : starts)
     for (std::size_t which = 0; which < rotary.size(); ++which) {
       axes = start;
@@ -158,7 +159,7 @@ bool MachineTree::turn_to(Vec3 wanted, Axes& axes) const {
   return false;
 }
 
-/// Moves the linear axes by the least change; the tip depends on them linearly.
+/// Moves the tip by the smallest change of the linear axes; the tip's position is a linear function of theirs.
 bool MachineTree::move_to(Vec3 tip, Axes& axes, double tool_length) const {
   const Vec3 here = forward(axes, tool_length).tip;
   std::vector<const MachineJoint*> linear = joints(false);

@@ -1,10 +1,11 @@
-// Builds the joints that turn the part. Used by view/path_record; tested by tests/kinematics/part_joints_test.cpp.
+// Lists the joints that move the part. Used by view/path_record; tested by tests/kinematics/part_joints_test.cpp.
 
 #include "kinematics/part_joints.h"
 
 namespace kadr {
 
-/// The `direction` of a linear joint is the motion of the tool as seen from the part (AxisJoint), hence the sign.
+/// The `direction` of a linear joint in the machine file is the motion of the tool as seen from the part (AxisJoint), so the part moves
+/// the opposite way.
 std::vector<PartJoint> part_joints(const MachineTree& tree) {
   std::vector<PartJoint> joints;
   for (const MachineJoint& joint : tree.part()) {

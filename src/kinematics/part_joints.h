@@ -1,6 +1,6 @@
 #pragma once
-// The joints that turn the part, in order from the bed to the part. A picture needs them to show the part as it lies on the machine.
-// mm, degrees.
+// Lists the joints (axes) that move the part, in order from the bed to the part. Drawings use them to show the part in its orientation
+// on the machine. mm, degrees.
 
 #include <vector>
 
@@ -12,14 +12,15 @@ namespace kadr {
 struct PartJoint {
   int axis = -1;  // index in the channel, never -1
   bool turns = true;
-  Vec3 direction;   // unit length: for a positive motion of the axis the part turns right-handed about it, or moves along it …
-  Vec3 through;     // … through this point; both with all axes at 0, in machine coordinates
-  double from = 0;  // position of the axis at which the part lies as drawn
+  Vec3 direction;   // unit vector; a positive motion rotates the part right-handed about it, or moves the part along it
+  Vec3 through;     // a point on the axis of rotation; `direction` and `through` are for all axes at 0, in machine coordinates
+  double from = 0;  // axis position at which the drawing shows the part
 };
 
-/// Returns the joints from the first rotary axis on; linear axes nearer to the bed move the part and the tool's origin alike and are
-/// left out. The result is empty if nothing turns the part.
-///   law  seen from the first joint's carrier, a point of the part is at J1(a1) · J2(a2) · … · (J1(from1) · J2(from2) · …)⁻¹ · place
+/// Returns the joints from the rotary axis nearest to the bed onwards. Linear axes between the bed and that axis are left out, since
+/// they move the part and the tool's origin alike. The result is empty if no rotary axis moves the part.
+///   law  seen from the link that carries the first joint, a point of the part is at
+///        J1(a1) · J2(a2) · … · (J1(from1) · J2(from2) · …)⁻¹ · place, where Ji(a) is the motion of joint i to the axis position a
 std::vector<PartJoint> part_joints(const MachineTree& tree);
 std::vector<PartJoint> part_joints(const PartSpaceData& data);
 

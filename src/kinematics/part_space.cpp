@@ -1,4 +1,4 @@
-// Converts between work coordinates, part and machine axes by the rules of NCT chapter 25. Used by control/fanuc/five_axis and
+// Converts between work coordinates, the part and the machine axes by the rules of NCT chapter 25. Used by control/fanuc/five_axis and
 // out/trace; tested by tests/kinematics/part_space_test.cpp.
 
 #include "kinematics/part_space.h"
@@ -28,8 +28,8 @@ RotaryPair PartSpace::rotary(const Axes& machine) const {
   return {of(d_.machine.first.axis), of(d_.machine.second.axis)};
 }
 
-/// The basic rotation tilts the tool along with the part: returns the machine positions for programmed ones, nearest to these (25l,
-/// INFERRED).
+/// If the basic rotation tilts the tool along with the part: returns the machine positions that correspond to the programmed rotary
+/// positions, the nearest of all solutions (25l, INFERRED).
 RotaryPair PartSpace::leaned(RotaryPair machine) const {
   if (!d_.corrects) return machine;
   return d_.machine.continued(d_.basic * d_.machine.direction(machine, d_.measured), machine, d_.measured).value_or(machine);
@@ -40,12 +40,13 @@ RotaryPair PartSpace::leaned_back(RotaryPair machine) const {
   return d_.machine.continued(turned_back(d_.basic, d_.machine.direction(machine, d_.measured)), machine, d_.measured).value_or(machine);
 }
 
-/// The machine position of the origin on a table that carries it (25.4; spec/nct/25d). The origin was measured at `measured`.
+/// Returns the machine position of the work origin when the table, which carries it, is at `at` (25.4; spec/nct/25d). The origin was
+/// measured with the table at `measured`.
 Vec3 PartSpace::zero_at(RotaryPair at) const { return d_.machine.place_on_machine(at, d_.zero, d_.measured); }
 
 Vec3 PartSpace::tool_at(RotaryPair at) const { return d_.follows_head ? d_.machine.length_vector(at, d_.length) : d_.length; }
 
-/// The machine position of a point given relative to the origin, after the basic rotation.
+/// Returns the machine position of a point, which is given as a vector from the work origin after the basic rotation.
 Vec3 PartSpace::on_machine(RotaryPair at, Vec3 from_zero) const {
   if (d_.follows_table) return d_.machine.place_on_machine(at, d_.zero + from_zero, d_.measured);
   return (d_.moves_zero ? zero_at(at) : d_.zero) + from_zero;
@@ -95,7 +96,7 @@ Axes PartSpace::in_system(const Axes& work) const {
   return system;
 }
 
-/// The physical pose: with the length tilted by the head and the part rotated by the table, whichever codes are active.
+/// Returns the physical pose: the head tilts the tool length and the table rotates the part, whichever codes are active.
 Pose PartSpace::pose(const Axes& machine) const {
   const RotaryPair at = rotary(machine);
   const Vec3 tip = main_of(machine) - d_.machine.length_vector(at, d_.length);

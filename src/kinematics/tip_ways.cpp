@@ -1,5 +1,5 @@
-// Paths of the tool with tip control: planes, cones, cutting points, pivots. Used by control/fanuc/five_axis; tested by
-// tests/kinematics/tip_ways_test.cpp.
+// Computes the tool's path with tip control: planes, cones, cutting points, fixed points of the tool. Used by
+// control/fanuc/five_axis; tested by tests/kinematics/tip_ways_test.cpp.
 
 #include "kinematics/tip_ways.h"
 
@@ -9,9 +9,9 @@
 namespace kadr {
 namespace {
 
-constexpr double parallel = 1e-9;  // rad: two directions are the same
-constexpr double at_pole = 1e-6;   // for unit vectors: the direction is singular (25a 5.1)
-constexpr double just_off = 1e-5;  // share of a motion: this close to its end
+constexpr double parallel = 1e-9;  // radians: two directions with a smaller angle count as the same
+constexpr double at_pole = 1e-6;   // difference of unit vectors: a direction this close to the pole is singular (25a 5.1)
+constexpr double just_off = 1e-5;  // share of a motion: a position closer to its end than this counts as the end
 
 double angle_between(Vec3 a, Vec3 b) { return std::atan2(length(cross(a, b)), dot(a, b)); }
 
@@ -50,13 +50,13 @@ DirectionWay::DirectionWay(const PartSpace& space, RotaryPair start, Vec3 from, 
     const bool upright_from = std::sin(lean_from_) < at_pole, upright_to = std::sin(lean_to_) < at_pole;
     angle_from_ = upright_from ? about(to) : about(from);
     const double end = upright_to ? angle_from_ : about(to);
-    const double sweep = cone_->sweep * rad_per_deg;  // of the equivalent rotations the one nearest to the arc's
+    const double sweep = cone_->sweep * rad_per_deg;  // the equivalent rotation that is nearest to the arc's swept angle
     turn_ = upright_from && upright_to ? 0 : sweep + std::remainder(end - angle_from_ - sweep, 2 * pi);
     if (upright_from || upright_to) turn_ = 0;
   } else if (angle_ > parallel) {
     const Vec3 pole = machine_.group == MachineGroup::head_head ? machine_.first.direction
                                                                 : turned_back(machine_.table_turn({}, zero_), machine_.second.direction);
-    for (const Vec3 p : {pole, -1.0 * pole}) {  // is the pole on the great circle between the directions?
+    for (const Vec3 p : {pole, -1.0 * pole}) {  // does the pole (the singular direction) lie on the great circle between the directions?
       const double before = angle_between(from_, p), behind = angle_between(p, to_);
       if (before + behind - angle_ > at_pole * at_pole * 10) continue;
       const double part = before / angle_;
@@ -64,7 +64,7 @@ DirectionWay::DirectionWay(const PartSpace& space, RotaryPair start, Vec3 from, 
     }
   }
   const auto first = machine_.solutions(direction(0), zero_);
-  const double look = first.first_free || first.second_free ? just_off : 0;  // at a pole both branches begin equal
+  const double look = first.first_free || first.second_free ? just_off : 0;  // at a pole both solutions are equal: compare just after it
   const RotarySolutions then = machine_.solutions(direction(look), zero_);
   if (then.count == 2 && off(then.pairs[1], start_) < off(then.pairs[0], start_)) branch_ = 1;
 }
@@ -81,7 +81,7 @@ std::optional<RotaryPair> DirectionWay::on_branch(double part, RotaryPair near, 
   RotaryPair pair = all.pairs[all.count == 2 ? static_cast<std::size_t>((branch_ + swaps) % 2) : 0];
   if (all.first_free) pair.first = start_.first;
   if (all.second_free) pair.second = start_.second;
-  if ((all.first_free || all.second_free) && !at_end && part > just_off)  // a pole at the end: use the positions just before it
+  if ((all.first_free || all.second_free) && !at_end && part > just_off)  // path ends at a pole: use positions just before it
     if (const auto before = on_branch(part - just_off, near, swaps, true); before) {
       if (all.first_free) pair.first = before->first;
       if (all.second_free) pair.second = before->second;

@@ -1,4 +1,4 @@
-// Checks the demanded table speed of the electronic gearbox. Used by session/channel_run; tests/faulty/nct/gear-*.
+// Checks the table speed that the electronic gearbox demands. Used by session/channel_run; tested by tests/faulty/nct/gear-*.
 
 #include "machine/gear_watch.h"
 

@@ -1,6 +1,6 @@
 #pragma once
-// Electronic gearbox: checks that the table can turn as fast as the spindle demands (NCT 20.1 item 4: 360·S·|L|/T °/min, at most the
-// table's rapid rate).
+// Electronic gearbox: checks that the rotary table can turn as fast as the spindle demands (NCT 20.1 item 4: the spindle demands
+// 360·S·|L|/T °/min of the table, which must not exceed the table's rapid rate).
 
 #include <optional>
 #include <string>
@@ -12,24 +12,24 @@ namespace kadr {
 
 struct GearTooFast {
   std::size_t axis = 0;
-  double speed = 0;  // demanded of the axis, °/min
+  double speed = 0;  // speed that the spindle demands of the axis, °/min
 };
 
 class GearWatch {
  public:
-  /// True if the action may change the demanded speed.
+  /// True if the action may change the speed that is demanded of the table.
   bool concerns(const Action& action) const {
     return by_kind(action, same<Couple>(true), same<Uncouple, Spindle, Speed>(on_),
                    same<Motion, Dwell, CoolantSwitch, ToolSelect, ToolChange, MachineFunction, AuxiliaryFunction, Stop, Message,
                         FrameChange, SurfaceSpeed, Sync, ZoneChange, ContourBreak, ContourCorner, ContourCheck>(false));
   }
-  /// Returns the axis each time the spindle gets a speed that is too high for it.
+  /// Returns the table's axis if the action makes the spindle demand a speed that is too high for the axis.
   ///   most  rapid rates of the axes, °/min
   std::optional<GearTooFast> look(const Action& action, const std::vector<std::string>& axes, const Axes& most);
 
  private:
   bool on_ = false, turns_ = false;
-  double ratio_ = 0, rpm_ = 0;  // revolutions of the slave per revolution of the master; speed of the master
+  double ratio_ = 0, rpm_ = 0;  // ratio_: revolutions of the slave per revolution of the master; rpm_: speed of the master
   int master_ = 0;
   std::size_t slave_ = max_axes;
 };

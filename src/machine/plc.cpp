@@ -1,4 +1,4 @@
-// Plc: matches blocks, actions and the program's end with the events of a set-up. Used by session/channel_run and
+// Plc: matches blocks, actions and the end of the program against the events of a set-up. Used by session/channel_run and
 // session/plc_commands; tested by tests/machine/plc_test.cpp.
 
 #include "machine/plc.h"
@@ -55,7 +55,7 @@ double answer_value(const std::string& answer) {
   return 0;
 }
 
-/// Returns false for codes that the control executes by itself without a report to the machine.
+/// Returns false for codes that the control executes itself, without reporting them to the machine's logic.
 bool is_seen(const std::string& code, bool told_of_ends) {
   constexpr std::string_view letters = "MSTABCUVW";
   if (letters.find(code[0]) == std::string_view::npos) return false;

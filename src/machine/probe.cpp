@@ -1,4 +1,4 @@
-// Computes where a touch probe triggers on a straight line. Used by machine/virtual_machine; tested by tests/machine/probe_test.cpp.
+// Computes where a touch probe triggers on a straight path. Used by machine/virtual_machine; tested by tests/machine/probe_test.cpp.
 
 #include "machine/probe.h"
 
@@ -11,21 +11,21 @@ namespace kadr {
 namespace {
 
 constexpr int most_rim_steps = 10'000;
-constexpr double rim_reached = 1e-10;  // mm; the march along the line stops at this distance
+constexpr double rim_reached = 1e-10;  // mm; the search along the path stops when the ball is this close to the rim
 
-/// The path of the tip, with the origin on the hole's axis at the top face.
+/// The path of the centre of the probe's ball. The origin is on the axis of the hole, at the top face.
 struct Way {
   Vec3 from;
-  Vec3 along;     // from + along = to
-  double hole;    // radius
-  double tip;     // radius
-  double bottom;  // level of the hole's bottom, negative
+  Vec3 along;     // vector from start to end
+  double hole;    // radius of the hole
+  double tip;     // radius of the probe's ball
+  double bottom;  // Z of the hole's bottom, negative
 
   Vec3 at(double part) const { return from + part * along; }
   static double off_axis(Vec3 p) { return std::hypot(p.x, p.y); }
 };
 
-/// Distance of a point from the workpiece, negative inside it.
+/// Returns the distance of a point from the workpiece, negative inside it.
 double clearance(const Way& way, Vec3 p) {
   const double rho = Way::off_axis(p);
   if (p.z >= 0 && rho >= way.hole) return p.z;
@@ -34,7 +34,7 @@ double clearance(const Way& way, Vec3 p) {
   return std::min(way.hole - rho, p.z - way.bottom);
 }
 
-/// Share of the path at which the centre descends to `level`.
+/// Returns the share of the path at which the ball's centre descends to `level`.
 std::optional<double> down_to(const Way& way, double level) {
   if (!(way.along.z < 0)) return std::nullopt;
   const double part = (level - way.from.z) / way.along.z;
@@ -51,7 +51,8 @@ std::optional<double> bottom_face(const Way& way) {
   return part && Way::off_axis(way.at(*part)) <= way.hole - way.tip + tol::same_point ? part : std::nullopt;
 }
 
-/// Share at which the line leaves the cylinder of radius R − r: the greater root of |from + part·along|² = (R − r)².
+/// Returns the share at which the path leaves the cylinder of radius R − r (hole and ball), where the ball touches the wall: the
+/// greater root of |from + part·along|² = (R − r)² in the XY plane.
 std::optional<double> wall(const Way& way) {
   const double reach = way.hole - way.tip;
   const Vec2 from{way.from.x, way.from.y}, along{way.along.x, way.along.y};
@@ -62,13 +63,13 @@ std::optional<double> wall(const Way& way) {
   const double root_sq = b * b - a * c;
   if (root_sq < 0) return std::nullopt;
   const double root = std::sqrt(root_sq);
-  const double part = b > 0 ? -c / (b + root) : (root - b) / a;  // without cancellation
+  const double part = b > 0 ? -c / (b + root) : (root - b) / a;  // the form without cancellation of digits
   if (!(part >= -tol::same_point / std::sqrt(a) && part <= 1)) return std::nullopt;
   const double z = way.at(part).z;
   return z <= 0 && z > way.bottom ? std::optional(std::max(part, 0.0)) : std::nullopt;
 }
 
-/// Share at which the tip touches the edge: marches by the free distance, so it cannot step over the circle.
+/// Returns the share at which the ball touches the rim of the hole. Each step advances by the free distance, so it cannot pass the rim.
 std::optional<double> rim(const Way& way) {
   const double whole = length(way.along);
   double gone = 0;

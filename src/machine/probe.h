@@ -1,10 +1,10 @@
 #pragma once
-// Computes where a touch probe triggers on a straight line: at switch positions from the set-up, or at a solid workpiece with one
+// Computes where a touch probe triggers on a straight path: at switch positions from the set-up, or at a solid workpiece with one
 // drilled hole.
 //
-//        top ─────┐   r  ┌─────     The centre of the tip (a sphere of radius r) touches:
-//                 │ ╭──╮ │            the top face at top + r, the wall at distance R − r from the hole's axis,
-//                 │ ╰──╯ │            the bottom at top − depth + r, the rim (a circle) at distance r.
+//        top ─────┐   r  ┌─────     The centre of the probe's ball (radius r) is, when the ball touches:
+//                 │ ╭──╮ │            the top face: at top + r; the wall: at distance R − r from the axis of the hole (radius R);
+//                 │ ╰──╯ │            the bottom: at top − depth + r; the rim (a circle): at distance r from the rim.
 //   top − depth   └──────┘
 
 #include <optional>
@@ -18,16 +18,17 @@
 
 namespace kadr {
 
-/// Returns the share 0..1 of the path at which the tip first touches the workpiece; nullopt if it does not.
-/// A tip that starts inside the material touches at 0; a tip that starts in contact and moves away does not touch.
+/// Returns the share (0 to 1) of the path at which the probe's ball first touches the workpiece; nullopt if it does not touch.
+/// A ball that starts inside the material touches at 0. A ball that starts in contact and moves away does not touch.
 std::optional<double> first_touch(const ProbeHole& hole, Vec3 from, Vec3 to);
 
 class Probe {
  public:
   Probe(const std::vector<std::string>& axes, const AxisRoles& roles, const Setup& setup);
 
-  /// Work coordinates. Returns the end of the path if nothing is touched.
-  ///   input  1 to 8: only the switches of that input count; 98 (by torque): none; 0: all. The workpiece always counts (INFERRED)
+  /// Returns where a straight path in work coordinates touches a switch or the workpiece; the end of the path if nothing is touched.
+  ///   input  1 to 8: only the switches of this probe input count; 98 (probing by torque): none; 0: all. The workpiece always counts
+  ///          (INFERRED)
   ProbeAnswer meet(const Axes& from, const Axes& to, int input = 0) const;
 
  private:

@@ -1,6 +1,6 @@
 #pragma once
-// Rendezvous: finds which channels wait for each other and when they may continue (nct 14.5). INFERRED: channels match if their code
-// and their set of channels are equal. A channel that is not in its own set waits for those in it.
+// Rendezvous: finds which channels wait for each other and when they may continue (nct 14.5). INFERRED: channels belong together if
+// their wait codes and their sets of channels are equal. A channel that is not in its own set waits for the channels in the set.
 
 #include <cstdint>
 #include <optional>
@@ -10,7 +10,7 @@ namespace kadr {
 
 class Rendezvous {
  public:
-  /// Lets `channel` wait from `at` seconds on. Bit n of `channels` is channel n. Calls come in order of time.
+  /// Lets `channel` wait from `at` seconds on. Bit n of `channels` stands for channel n. Calls must come in ascending order of time.
   void arrive(int channel, std::uint32_t code, std::uint32_t channels, double at);
   /// Ends the wait of a channel.
   void leave(int channel);
@@ -18,7 +18,7 @@ class Rendezvous {
   struct Met {
     std::uint32_t code = 0;
     std::vector<std::uint8_t> channels;  // in the order of arrival
-    double at = 0;                       // s, of the last arrival
+    double at = 0;                       // time at which the last channel arrived, s
   };
   /// Returns a set of channels that have all arrived, and ends their wait; nullopt if no set is complete.
   std::optional<Met> next();

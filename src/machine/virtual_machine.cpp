@@ -1,5 +1,5 @@
-// VirtualMachine: follows the actions, checks axis limits and zones, and answers probe motions. Used by session/channel_run; tested
-// by tests/machine/virtual_machine_test.cpp.
+// VirtualMachine: moves the axes as the actions demand, checks axis limits and zones, and computes what probe motions touch. Used by
+// session/channel_run; tested by tests/machine/virtual_machine_test.cpp.
 
 #include "machine/virtual_machine.h"
 
@@ -15,13 +15,14 @@
 namespace kadr {
 namespace {
 
-/// In AxisProfile ±1e300 means no limit.
+/// A value of ±1e300 in AxisProfile means that there is no limit.
 bool is_limit(double least, double most) {
   constexpr double none = 1e299;
   return least > -none || most < none;
 }
 
-/// The distance that the axis keeps from the command: the set-up's entry for the axis, else the one for all axes.
+/// Returns the distance by which the axis stays away from its commanded position: from the set-up's entry for the axis, else from the
+/// entry for all axes.
 double position_error(const Setup& setup, const std::string& axis) {
   for (const std::string& name : {axis, std::string("*")})
     if (const auto found = setup.machine.find(name); found != setup.machine.end()) return found->second.position_error;
@@ -58,8 +59,8 @@ void VirtualMachine::obey_parameters(const Setup& setup) {
   }
 }
 
-/// 20.6. INFERRED: the parameter of the limit has no number in the manual, so the set-up states it. The drives differ by the
-/// difference of their position errors in the set-up, wherever they move.
+/// Checks a gantry axis (20.6). INFERRED: the parameter for the limit has no number in the manual, so the set-up gives the limit. The
+/// positions of the two drives differ, at every position, by the difference of their position errors in the set-up.
 void VirtualMachine::watch_gantry(const Setup& setup, std::size_t axis, std::size_t master) {
   const auto found = setup.machine.find(names_[axis]);
   if (found == setup.machine.end() || !found->second.apart || apart_) return;
@@ -145,7 +146,7 @@ VirtualMachine::Outcome VirtualMachine::take(ActionBatch& batch, Follows follows
   }
   if (!outcome.refused) return outcome;
   if (outcome.done >= of_before) position_ = before;
-  outcome.done = std::min(outcome.done, of_before);  // earlier blocks stay executed
+  outcome.done = std::min(outcome.done, of_before);  // the earlier blocks remain executed
   compression_.drop();
   return outcome;
 }
@@ -169,7 +170,7 @@ Status VirtualMachine::in_position() const {
   return fail(alarm(AlarmId::position_error, {}, std::string_view(names_[static_cast<std::size_t>(__builtin_ctz(missing_))])));
 }
 
-/// Corrects the target of a following axis: the control may not yet have its present position.
+/// Replaces the target of a following axis by its present position, which the control may not yet have.
 void VirtualMachine::leave_hung(Motion& motion) const {
   for (std::size_t i = 0; i < roles_.count; ++i) {
     if ((hung_ >> i & 1U) == 0) continue;

@@ -1,4 +1,4 @@
-// Finds rotary axes that turn far while the tip hardly moves. Used by session/channel_run; tests/cases/nct/25-five-axes.cases.
+// Finds rotary axes that turn far while the tip hardly moves. Used by session/channel_run; tested by tests/cases/nct/25-five-axes.cases.
 
 #include "machine/whirl.h"
 
@@ -7,9 +7,9 @@
 namespace kadr {
 namespace {
 
-constexpr double stands = 1e-6;  // mm; a shorter path is a tip at rest
+constexpr double stands = 1e-6;  // mm; on a shorter path the tip counts as standing still
 
-/// Returns the rotary axis that turns farthest.
+/// Returns the rotary axis that turns farthest in the step, and its rotation.
 Whirl farthest_of(const Step& step, const Motion& motion) {
   Whirl found;
   for (AxisMask left = step.from.space->rotary_axes(); left != 0; left &= left - 1) {

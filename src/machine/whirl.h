@@ -1,6 +1,7 @@
 #pragma once
-// Whirl: finds motions in which a rotary axis turns far while the controlled tip hardly moves. Near a singular direction of the tool,
-// the axis that the tool is parallel to has to turn all at once (NCT 25a 5.1). The part gets marks, and the machine a jolt.
+// Whirl: finds motions in which a rotary axis turns far while the controlled tip hardly moves. Close to a singular direction of the
+// tool, the rotary axis that is parallel to the tool must turn far within a very short path (NCT 25a 5.1): this marks the part and
+// jolts the machine.
 
 #include <optional>
 
@@ -10,18 +11,18 @@ namespace kadr {
 
 struct Whirl {
   std::size_t axis = 0;
-  double degrees = 0;  // turned by the axis
-  double way = 0;      // mm that the tip moves meanwhile
+  double degrees = 0;  // rotation of the axis in the motion
+  double way = 0;      // path of the tip in the same motion, mm
 };
 
 class WhirlWatch {
  public:
-  static constexpr double most = 30;    // degrees per mm of the tip's path
-  static constexpr double least = 20;   // degrees in a motion; less is not reported
-  static constexpr int most_told = 20;  // reports in a run
+  static constexpr double most = 30;    // degrees per mm of the tip's path: a faster rotation is reported
+  static constexpr double least = 20;   // degrees: a motion that rotates the axis by less is not reported
+  static constexpr int most_told = 20;  // greatest number of reports per program run
 
-  /// Returns a feed motion that turns an axis faster than `most`, once for each run of such motions. A tip at rest is intended and
-  /// not reported.
+  /// Returns a whirl if the step is a feed motion that rotates an axis faster than `most`; for consecutive such motions only once. A
+  /// motion in which the tip stands still is intended, and is not reported.
   std::optional<Whirl> look(const Step& step);
 
  private:

@@ -7,7 +7,8 @@
 namespace kadr {
 namespace {
 
-/// A line meets the box where it is between the faces of every axis at once, that is where the shares of all axes overlap.
+/// A straight path is in the box where it is between both faces of every axis. So the result is the intersection, over all axes, of the
+/// shares of the path between the faces.
 std::optional<double> line_meets(const ZoneBox& box, const Axes& from, const Axes& to) {
   double enters = 0, leaves = 1;
   for (std::size_t i = 0; i < max_axes; ++i) {

@@ -1,16 +1,16 @@
 #pragma once
-// Zones: the regions that the axes of an NCT machine must not enter (nct 22), in machine coordinates after all offsets.
+// Zones: the regions of an NCT machine that its axes must not enter (nct 22), in machine coordinates after all offsets.
 //
-//   zone 1   end positions                                   forbidden outside
-//   zone 2   working area, from the parameters or from G22   forbidden outside, or inside
-//   zone 3   from the parameters                             forbidden inside
-//   switches at the ends of an axis (22.1)                   forbidden outside, checked during the motion only
+//   zone 1   limited by the end positions of the axes          forbidden outside
+//   zone 2   working area, from the parameters or from G22     forbidden outside, or inside
+//   zone 3   from the parameters                               forbidden inside
+//   limit switches at the ends of an axis (22.1)               forbidden outside, checked during the motion only
 //
-// With CBM (N1001 #2) the control checks before the motion: first the end point, then the path through a zone forbidden inside.
-// Without CBM, and for a curve that bulges over a limit, the motion runs into the zone, and the alarm names the first one that it
-// meets. Boundaries (INFERRED but for zone 3): a limit itself is permitted; a zone 2 forbidden inside begins just within its faces,
-// so that one without depth forbids nothing (22.2: X = I, P0); zone 3 includes its faces (22.3). An axis with roll-over has limits at
-// the end of the motion only.
+// With CBM (N1001 #2) the control checks a motion before it starts: first the end point, then whether the path crosses a zone that is
+// forbidden inside. Without CBM, and for a curve whose middle exceeds a limit, the motion runs until it meets a zone, and the alarm names
+// the zone that it meets first. Boundaries (INFERRED except for zone 3): the limit value itself is permitted; a zone 2 that is forbidden
+// inside starts just within its faces, so a zone 2 without depth forbids nothing (22.2: X = I, P0); zone 3 includes its faces (22.3).
+// For a roll-over axis limits apply to the end of the motion only.
 
 #include <string>
 #include <vector>
@@ -25,20 +25,20 @@ namespace kadr {
 
 class Zones {
  public:
-  /// `ends` holds the end positions.
+  /// `ends` gives the end positions of the axes, which limit zone 1.
   Zones(const std::vector<std::string>& names, const AxisRoles& roles, const Extents& ends, const Setup& setup);
 
-  /// Applies G22 or G23. A change marked `of_parameters` sets the zone of the parameters; without axes it sets whether the check
-  /// before the motion is on (N1001 #2 CBM).
+  /// Applies G22 or G23. A change marked `of_parameters` changes the parameters of zone 2; if it names no axes, it switches the check
+  /// before the motion on or off (N1001 #2 CBM).
   void change(const ZoneChange& zone);
 
-  /// Exchanges an axis with one of another channel (20.3): each keeps its name, its end positions and switches.
+  /// Exchanges an axis with one of another channel (20.3): each axis keeps its name, its end positions and its limit switches.
   void exchange(std::size_t axis, Zones& with, std::size_t other);
 
-  /// The machine's logic suspends the check of zone 2 or 3 (CP_LIM2DIS, CP_LIM3DIS; 22.2, 22.3).
+  /// Suspends or resumes the check of zone 2 or 3, at a signal of the machine's logic (CP_LIM2DIS, CP_LIM3DIS; 22.2, 22.3).
   void suspend(int zone, bool on) { (zone == 2 ? suspended2_ : suspended3_) = on; }
 
-  /// True if end positions, switches, zone 2 or zone 3 are active, so that a motion may be refused.
+  /// True if end positions, limit switches, zone 2 or zone 3 are active, so that a motion may be refused.
   bool in_force() const { return ends_.axes != 0 || switches_.axes != 0 || zone2_.on || zone3_.axes != 0; }
   bool checks_before() const { return checks_before_; }
 
@@ -53,12 +53,12 @@ class Zones {
   Memory memory() const;
   void remember(const Memory& memory);
 
-  /// Checks a motion.
+  /// Checks a motion against all zones and switches.
   ///   alarms  with CBM zone1_positive, zone1_negative, zone2_positive, zone2_negative (axis), zone2_inside, zone3_inside,
   ///           zone2_entry, zone3_entry; else zone1_reached_positive, zone1_reached_negative, zone2_reached_positive,
   ///           zone2_reached_negative (axis, limit), zone2_reached_inside, zone3_reached_inside; always switch_positive,
   ///           switch_negative (axis, switch)
-  ///   law     without CBM an axis beyond a limit may move inwards; with CBM no end point there is permitted
+  ///   law     without CBM an axis beyond a limit may move back inwards; with CBM an end point beyond a limit is never permitted
   Status check(const ToolPosition& from, const Motion& motion) const;
 
  private:
@@ -68,11 +68,11 @@ class Zones {
     bool nothing_allowed = false;  // 22.2: X = I, Y = J, Z = K and P1
     ZoneBox box;
   };
-  /// The two ids of an alarm, one for each side.
+  /// The two alarm ids for the positive and the negative side of a limit.
   struct Ids {
     AlarmId positive, negative;
   };
-  /// The first limit or zone that a motion runs into.
+  /// The first limit or zone that a motion meets; `part` is the share of the motion, 2 if there is none.
   struct Reached {
     double part = 2;
     Alarm alarm;
@@ -96,7 +96,7 @@ class Zones {
   bool suspended2_ = false, suspended3_ = false;
 };
 
-/// The state that a run may change.
+/// The state of the zones that a program can change.
 struct Zones::Memory {
   Zone2 zone2, of_parameters;
   bool checks_before = false;

@@ -1,6 +1,6 @@
 #pragma once
-// Part of CutResult: what each block removes, and where the tool feeds through air. Lengths in mm, volumes in mm³, times in s.
-// docs/stock.md defines each figure and when it is reported.
+// Part of CutResult: what each block of the program removes, and where the tool feeds through air. Lengths in mm, volumes in mm³, times
+// in s. docs/stock.md defines each value and when it is reported.
 
 #include <cstdint>
 #include <optional>
@@ -13,28 +13,28 @@ namespace kadr {
 /// A block that moves at feed, and what its feed motions removed.
 struct BlockLoad {
   Origin origin;
-  std::string program;  // the file that contains the line, if it is not the main program
+  std::string program;  // the program file that contains the block, if it is not the main program
   std::uint32_t tool = 0;
   double begins = 0;
-  double seconds = 0;  // at feed
-  double length = 0;   // of path
+  double seconds = 0;  // time at feed
+  double length = 0;   // length of the path
   double volume = 0;
-  // Means over at least two cells of path; nullopt if the figure is not reported.
-  std::optional<double> rate;            // mm³/s
+  // Mean values. They are computed over at least two lattice cells of path; nullopt if the value is not reported.
+  std::optional<double> rate;            // removal rate, mm³/s
   std::optional<double> feed_per_tooth;  // mm
-  std::optional<double> depth, width;    // of cut
-  std::optional<double> angle;           // of engagement, degrees
-  Vec3 at;                               // the tip in the middle of the block, in the work system of the blank
+  std::optional<double> depth, width;    // depth and width of cut
+  std::optional<double> angle;           // angle of engagement, degrees
+  Vec3 at;                               // position of the tip half way through the block, in the work system of the blank
 };
 
-/// A line that feeds through air.
+/// A block of the program in which the tool feeds through air.
 struct AirCut {
   Origin origin;
   std::string program;
-  std::uint32_t tool = 0;  // when the line first runs
-  double seconds = 0;      // in which nothing is removed, summed over all executions of the line
+  std::uint32_t tool = 0;  // number of the tool when the block first runs
+  double seconds = 0;      // time in which nothing is removed, summed over all executions of the block
 };
 
-inline constexpr std::size_t most_told = 10;  // lines in each of the two lists: heaviest and emptiest
+inline constexpr std::size_t most_told = 10;  // greatest number of blocks in each of the two lists: heaviest and emptiest
 
 }  // namespace kadr

@@ -17,31 +17,31 @@ namespace kadr {
 struct CutFinding {
   AlarmId id = AlarmId::rapid_in_stock;
   Origin origin;
-  std::string program{};                   // as in BlockLoad
-  std::vector<AlarmReport::Call> calls{};  // the calls that led to the line, outermost first
+  std::string program{};                   // the program file, as in BlockLoad
+  std::vector<AlarmReport::Call> calls{};  // the subprogram calls that led to the block, outermost first
   std::uint32_t tool = 0;
   Vec3 at;             // the middle of the removed material, in the work system of the blank
-  double depth = 0;    // the shortest side of the box around the removed material
-  double volume = 0;   // of the removed material
-  double at_time = 0;  // s since the start
-  /// For AlarmId::machine: the names of the two bodies that met.
+  double depth = 0;    // the shortest side of the box around the removed material, mm
+  double volume = 0;   // removed volume, mm³
+  double at_time = 0;  // s since the start of the program
+  /// Only for AlarmId::machine: the names of the two bodies that met.
   std::array<std::string, 2> bodies{};
 };
 
 struct ToolRemoval {
   std::uint32_t tool = 0;
-  double removed = 0;        // mm³
-  double seconds = 0;        // at feed
-  double greatest_rate = 0;  // mm³/s, over at least two cells of path
+  double removed = 0;        // removed volume, mm³
+  double seconds = 0;        // time at feed, s
+  double greatest_rate = 0;  // greatest removal rate, mm³/s, as a mean over at least two lattice cells of path
 };
 
-/// The difference from the wanted part in one direction: material left on, or gouged.
+/// The difference between the cut part and the wanted part, of one sort: material left on, or material gouged.
 struct PartDifference {
   double volume = 0;       // mm³
-  double deepest = 0;      // mm from the part's surface
-  Vec3 at;                 // the position of the deepest difference, in the work system of the blank
-  std::uint32_t line = 0;  // of the motion that last cut next to it; 0 for the blank's own surface
-  std::string program{};   // as in BlockLoad
+  double deepest = 0;      // greatest distance of the difference from the surface of the wanted part, mm
+  Vec3 at;                 // position of the greatest distance, in the work system of the blank
+  std::uint32_t line = 0;  // block of the motion that last cut next to `at`; 0 where the blank's own surface remains
+  std::string program{};   // the program file, as in BlockLoad
 };
 
 struct PartResult {
@@ -59,44 +59,44 @@ struct WindowResult {
   double cell = 0;                              // mm
 };
 
-/// The written surface, if it was simplified.
+/// The surface that was written to a file, if it was simplified.
 struct SimplifiedResult {
-  std::size_t exact = 0, triangles = 0;  // number of triangles before and after
-  double off = 0;                        // the greatest distance of either surface from the other, mm
+  std::size_t exact = 0, triangles = 0;  // number of triangles before and after simplification
+  double off = 0;                        // greatest distance between exact and simplified surface, in both directions, mm
 };
 
 /// A thread that a turning tool has cut, described by its deepest pass. Radii are measured from the axis of the part.
 struct ThreadCut {
   Origin origin;
-  std::string program{};  // as in BlockLoad
+  std::string program{};  // the program file, as in BlockLoad
   std::uint32_t tool = 0;
-  double lead = 0;  // mm; 0 if the program does not give it
+  double lead = 0;  // thread lead, mm; 0 if the program does not give it
   bool is_outer = true;
   std::size_t passes = 0;
-  double from_radius = 0, to_radius = 0, from_z = 0, to_z = 0;  // of the insert's point
-  /// Of the remaining material at the middle of the thread; nullopt if there is none.
+  double from_radius = 0, to_radius = 0, from_z = 0, to_z = 0;  // path of the insert's point, start and end
+  /// Radius of the crest (the remaining material) at the middle of the thread's length; nullopt if no material remains there.
   std::optional<double> crest_radius{};
 
   double middle_radius() const { return 0.5 * (from_radius + to_radius); }
 };
 
 struct CutResult {
-  double stock = 0;        // mm³ of the blank
-  double left = 0;         // mm³ of the remaining material
-  double error_bound = 0;  // of both volumes
-  double cell = 0;         // mm
-  double seconds = 0;      // of the program
+  double stock = 0;        // volume of the blank, mm³
+  double left = 0;         // volume of the remaining material, mm³
+  double error_bound = 0;  // upper bound of the error of `stock` and `left`, mm³
+  double cell = 0;         // edge length of a lattice cell, mm
+  double seconds = 0;      // duration of the program
   std::uint64_t sweeps = 0;
   std::vector<ToolRemoval> tools;      // in the order of their first use
-  std::vector<CutFinding> collisions;  // alarms
+  std::vector<CutFinding> collisions;  // collisions and forbidden cuts that count as alarms
   std::vector<CutFinding> warnings;
-  std::vector<BlockLoad> heaviest;  // lines by removal rate, the greatest first
-  std::vector<AirCut> emptiest;     // lines by seconds in the air, the most first
-  std::optional<PartResult> part;   // if a wanted part was given; inside the window only, if there is one
+  std::vector<BlockLoad> heaviest;  // blocks with the greatest removal rates, the greatest first
+  std::vector<AirCut> emptiest;     // blocks with the longest time in the air, the longest first
+  std::optional<PartResult> part;   // if a wanted part was given; only the part inside the window, if there is a window
   std::optional<WindowResult> window;
   std::optional<SimplifiedResult> simplified;
-  std::size_t not_told = 0;                    // findings beyond the number that is kept
-  std::vector<std::uint32_t> finer_than_cell;  // numbers of the tools thinner than two cells (cells of the window if there is one)
+  std::size_t not_told = 0;                    // number of findings beyond the limit of the lists
+  std::vector<std::uint32_t> finer_than_cell;  // numbers of the tools thinner than two lattice cells (cells of the window, if there is one)
   std::vector<ThreadCut> threads;              // in the order of the program
 };
 

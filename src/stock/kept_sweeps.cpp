@@ -1,4 +1,4 @@
-// Stores sweeps as runs, with their end points in pages. Used by stock/stock.
+// Stores sweeps as runs of consecutive ones, with their end points in pages of a fixed size. Used by stock/stock.
 
 #include "stock/kept_sweeps.h"
 

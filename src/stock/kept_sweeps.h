@@ -1,5 +1,5 @@
 #pragma once
-// KeptSweeps: all sweeps of a stock in order of time. A sweep that begins where the sweep before it ends takes 12 bytes.
+// KeptSweeps: stores all sweeps of a stock in order of time. A sweep that starts where the previous sweep ends takes 12 bytes.
 
 #include <array>
 #include <cstdint>
@@ -11,19 +11,19 @@
 
 namespace kadr {
 
-/// Coordinates from the lattice's corner, so that single precision resolves some nanometres. For a turning tool x is measured from
-/// the axis.
+/// Coordinates are relative to the lattice's corner, so that single precision resolves some nanometres. For a turning tool, x is
+/// measured from the axis of the part.
 struct KeptSweep {
   float from[3], to[3];
   std::uint16_t tool;
   bool watched;
-  bool leans;  // tilted tool: its directions are in Stock::lean_ends()
+  bool leans;  // the tool is tilted: Stock::lean_ends() returns its directions
 };
 
 class KeptSweeps {
  public:
   std::size_t size() const { return size_; }
-  /// Several threads may call it as long as none adds a sweep.
+  /// Can be called by several threads at once as long as no thread adds a sweep.
   KeptSweep operator[](std::size_t i) const;
   /// Calls visit(number, sweep) for the sweeps `first` to `last` - 1.
   template <class Visit>
@@ -37,7 +37,7 @@ class KeptSweeps {
   struct Place {
     float at[3];
   };
-  /// Consecutive sweeps, each of which begins where the one before it ends, with the same tool and flags.
+  /// Consecutive sweeps with the same tool and flags, each of which starts where the previous one ends.
   struct Run {
     std::uint32_t first;
     Place from;
@@ -46,7 +46,7 @@ class KeptSweeps {
   };
   struct Page {
     static constexpr std::size_t places = 1024;
-    std::uint32_t run;  // the run of the page's first sweep
+    std::uint32_t run;  // number of the Run that contains the page's first sweep
     std::array<Place, places> to;
   };
   const Place& to(std::size_t i) const { return pages_[i / Page::places]->to[i % Page::places]; }
@@ -55,7 +55,7 @@ class KeptSweeps {
 
   std::size_t size_ = 0;
   std::vector<std::unique_ptr<Page>> pages_;
-  std::deque<Run> runs_;  // ascending
+  std::deque<Run> runs_;  // in ascending order of `first`
 };
 
 template <class Visit>

@@ -1,4 +1,4 @@
-// Reads the radii of the material from a lattice line. Used by session/cutting/thread_cuts; tested by tests/stock/turn_test.cpp.
+// Measures the radii of the material along a lattice line. Used by session/cutting/thread_cuts; tested by tests/stock/turn_test.cpp.
 
 #include "stock/material_around.h"
 
@@ -9,10 +9,10 @@
 namespace kadr {
 namespace {
 
-constexpr double one_piece = 1e-4;  // mm: pieces of neighbouring bricks closer than this are one piece
+constexpr double one_piece = 1e-4;  // mm: intervals of neighbouring bricks that are closer than this are one interval
 
-/// Returns the number of the lattice line nearest to a position, counted through all bricks; nullopt if every line is more than a
-/// cell away.
+/// Returns the index, counted through all bricks, of the lattice line nearest to a position along the axis; nullopt if the position is
+/// more than a cell outside the lattice.
 std::optional<int> nearest_line(const Lattice& lattice, double from_corner, int axis) {
   const int lines = lattice.bricks(axis) * brick_edge, nearest = int(std::floor(from_corner / lattice.cell()));
   if (nearest < -1 || nearest > lines) return std::nullopt;

@@ -1,5 +1,5 @@
 #pragma once
-// Measures the material of a spinning part near a given point: how far it reaches towards the axis and away from it.
+// Measures the material of a spinning part near a given point: the radii between which there is material.
 
 #include <optional>
 
@@ -7,13 +7,13 @@
 
 namespace kadr {
 
-/// Radii about X0 Y0, mm; `inner` is 0 where the material reaches the axis.
+/// Radii about the axis X0 Y0, mm; `inner` is 0 where the material reaches the axis.
 struct RadiusRange {
   double inner, outer;
 };
 
-/// Returns the radii of the piece of material at `radius` on the lattice line along X that passes nearest to the axis at the height
-/// `z`, on its X+ side. Returns nullopt if there is no material.
+/// Returns the radii of the connected material that contains `radius` at the height `z`, measured on the X+ side of the part, on the
+/// lattice line along X that passes nearest to the axis. Returns nullopt if there is no material at `radius`.
 std::optional<RadiusRange> material_around(const Stock& stock, double radius, double z);
 
 }  // namespace kadr

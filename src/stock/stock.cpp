@@ -1,4 +1,4 @@
-// Fills bricks from the blank, bins sweeps by brick, and cuts bricks in parallel.
+// Fills bricks with material from the blank, lists the sweeps for each brick, and cuts bricks in parallel.
 
 #include "stock/stock.h"
 
@@ -12,14 +12,15 @@
 namespace kadr {
 namespace {
 
-constexpr double removed_unit = 1.0 / (1 << 20);  // mm of line
+constexpr double removed_unit = 1.0 / (1 << 20);  // mm of lattice line
 
-/// Number of sweeps after which a kept past is trimmed to its memory limit.
+/// Number of sweeps after which the recorded history is reduced to its memory limit.
 constexpr std::size_t between_room = 4096;
 
 double part_of_cell(double cell) { return cell / 50; }
 
-/// Clips a range to the brick and measures it from the brick's corner. A segment that fills the brick ends exactly on its edges.
+/// Clips an interval of a lattice line to the brick, relative to the brick's corner. An interval that spans the brick ends exactly on its
+/// faces.
 FurtherInterval within_brick(const LineRange& range, double corner, float edge, std::int32_t line) {
   const double from = std::max(range.from - corner, 0.0), to = std::min(range.to - corner, double(edge));
   return {line, float(from), float(to), of_blank, of_blank};
@@ -57,7 +58,7 @@ void raise_to(std::atomic<float>& most, float value) {
   }
 }
 
-/// The reach of all bodies of a tool around its tip.
+/// Returns how far all bodies of a tool together extend around its tip.
 AroundTip around_tip(const ToolShape& tool) {
   AroundTip all{0, 0, 0};
   for (const ConvexBody& body : tool.bodies) {
@@ -84,7 +85,7 @@ Stock::Stock(std::shared_ptr<const Blank> blank, double cell, int threads)
   });
 }
 
-/// Fills a brick that the blank's surface does not cross.
+/// Fills a brick that the blank's surface does not cross: all of it is material, or nothing.
 void Stock::fill_evenly(std::size_t i) {
   const Vec3 middle = lattice_.corner(i) + 0.5 * lattice_.edge() * Vec3{1, 1, 1};
   std::vector<LineRange> ranges;
@@ -150,7 +151,7 @@ void Stock::add(const Sweep& sweep) {
   keep(kept, part);
 }
 
-/// Puts the sweeps `first` to `last` - 1 into the bins of the bricks that they may reach.
+/// Adds the sweeps `first` to `last` - 1 to the lists of the bricks that they may reach.
 void Stock::bin(std::size_t first, std::size_t last) {
   for (std::size_t i = first; i < last; ++i) {
     const KeptSweep s = sweeps_[i];
@@ -186,7 +187,7 @@ void Stock::Worker::count(std::int32_t sweep, double length, float longest, floa
   raise_to(of_sweep.depth, depth);
 }
 
-/// Cuts one sweep in one brick. `worker` records what the sweep removed; nullptr if nothing is to be recorded.
+/// Executes one sweep in one brick. `worker` records what the sweep removed; nullptr if nothing is to be recorded.
 ///   returns  true if the brick changed
 bool Stock::carry_out(std::int32_t number, std::size_t b, BrickNow now, Worker* worker) const {
   const Vec3 corner = lattice_.corner(b) - lattice_.origin();
@@ -222,7 +223,7 @@ bool Stock::carry_out(std::int32_t number, std::size_t b, BrickNow now, Worker* 
   return changed;
 }
 
-/// Recomputes the brick's bounds, and drops a brick that has no material left.
+/// Recomputes the brick's height bounds, and deletes a brick that has no material left.
 void Stock::settle(BrickNow now) const {
   if (!now.brick || now.brick->cuts_since == 0) return;
   take_tops(*now.brick, scale_.cell);
@@ -252,7 +253,7 @@ std::vector<Touch> Stock::cut(const StopToken& stop) {
     side_by_side(threads_, [&](int thread) {
       for (std::size_t i; !stop.asked() && (i = next++) < touched_.size();) cut_in(touched_[i], workers[std::size_t(thread)]);
     });
-    for (const std::size_t b : touched_) bins_[b] = std::vector<std::int32_t>();  // frees their memory too
+    for (const std::size_t b : touched_) bins_[b] = std::vector<std::int32_t>();  // frees the memory of the lists too
     touched_.clear();
     done_ = last;
     if (past_) past_->make_room();

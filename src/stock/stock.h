@@ -1,15 +1,16 @@
 #pragma once
-// Stock: the part that is being cut, and the interface of this room for everyone who cuts. The input is the blank and the sweeps of
-// tools in order of time, the output the remaining material.
+// Stock: the part that is being cut, and the interface of this room for all code that cuts. The input is the blank, and the sweeps
+// (straight tool paths) in order of time; the output is the remaining material.
 //
 //   Stock stock(blank, cell, threads);
 //   const std::uint16_t tool = stock.add_tool(shape);
-// and so on
-// executes the added sweeps
+//   stock.add({.from = from, .to = to, .tool = tool});     // and further sweeps
+//   const std::vector<Touch> touches = stock.cut();        // executes the added sweeps
 //   const Surface surface = surface_of(stock);             // stock/surface/surface.h
 //
-// Sweeps are binned by the bricks that they can reach. One thread cuts a whole brick, in order of time, so the result is the same,
-// bit for bit, for any number of threads. Lengths are in mm, in the work system of the blank.
+// The stock is a lattice of bricks (stock/brick/brick.h). For each brick, Stock lists the sweeps that can reach it. One thread cuts a
+// whole brick, in order of time, so the result is the same, bit for bit, for any number of threads. Lengths are in mm, in the work
+// system of the blank.
 
 #include <atomic>
 #include <cstdint>
@@ -33,39 +34,39 @@
 
 namespace kadr {
 
-/// A straight path of a tool. A tilted tool turns evenly from one direction to the other, along the shortest arc. The path of a
-/// turning tool lies in the half plane of a part that spins about X0 Y0: x is the signed radius, y is 0.
+/// A straight path of a tool. A tilted tool turns evenly from one direction to the other, along the shortest arc. The path of a turning
+/// tool lies in the half plane of a part that spins about the axis X0 Y0: x is the signed radius, y is 0.
 struct Sweep {
-  Vec3 from, to;                                        // of the tip
+  Vec3 from, to;                                        // positions of the tip
   std::uint16_t tool = 0;                               // number from Stock::add_tool
-  bool watched = false;                                 // everything the cutting part removes is reported: a rapid, a stopped spindle …
-  Vec3 from_direction{0, 0, 1}, to_direction{0, 0, 1};  // from the tip into the tool, unit length
+  bool watched = false;                                 // also reports what the cutting part removes, as for a rapid or a stopped spindle
+  Vec3 from_direction{0, 0, 1}, to_direction{0, 0, 1};  // unit vectors from the tip into the tool
 };
 
-/// Directions of a tilted tool at both ends of a sweep.
+/// Directions of a tilted tool at the start and the end of a sweep.
 struct LeanEnds {
   std::uint32_t sweep;
   float from[3], to[3];
 };
 
-/// Positions are from the lattice's corner.
+/// The result's positions are relative to the lattice's corner.
 LeanWay lean_way_of(const KeptSweep& sweep, const LeanEnds& ends);
 
-/// A sweep of a tilted tool, seen from one brick.
+/// A sweep of a tilted tool, in the coordinates of one brick.
 struct LeanHere {
-  LeanWay way;  // from the brick's corner
+  LeanWay way;  // path, relative to the brick's corner
   AroundTip around;
   LeanSweep sweep;
   LocalSweep tip;
 };
 
-/// A removal of material that has to be reported.
+/// A removal of material that has to be reported: a part of the tool removed material that it must not remove.
 struct Touch {
   std::uint32_t sweep;
   ToolPart part;
-  Box3 around;         // box of the removed material; for rings x holds the radii and y is 0
+  Box3 around;         // box of the removed material; for a turning tool x is the range of radii and y is 0
   double volume;       // mm³
-  bool rings = false;  // removed by a turning tool
+  bool rings = false;  // true if a turning tool removed it
 };
 
 class Stock {
@@ -76,33 +77,33 @@ class Stock {
   Stock(std::shared_ptr<const Blank> blank, double cell, int threads);
 
   std::uint16_t add_tool(const ToolShape& shape);
-  /// Adds a sweep, which the next cut() executes. A sweep in which the tool turns far is stored as several sweeps.
+  /// Adds a sweep, which the next cut() executes. If the tool turns far in the sweep, it is stored as several sweeps.
   void add(const Sweep& sweep);
   /// Number of sweeps added so far; a divided sweep counts as several.
   std::size_t sweeps() const { return sweeps_.size(); }
-  /// Executes the sweeps added since the last call. Removed pieces shorter than least_piece() are not reported.
+  /// Executes the sweeps added since the last call. A removal that is shorter than least_piece() on every lattice line is not reported.
   ///   returns  the touches to report, in the order of the sweeps
   std::vector<Touch> cut(const StopToken& stop = {});
-  /// Divides the paths of tilted tools as a stock with this cell would, so that several stocks hold the same sweeps. Call it before
-  /// the first add().
+  /// Divides the paths of tilted tools as a stock with this cell size would divide them, so that several stocks store the same sweeps.
+  /// Call it before the first add().
   void divide_as(double cell) { bend_cell_ = cell; }
-  /// Keeps each brick's past from now on, so that at() can be called. Call it before the first add().
-  ///   most_bytes  limit for the copies of bricks: the fewer copies, the slower at(). The list of what cut each brick comes on top, 4
-  ///               bytes a cut
+  /// Records the history of each brick from now on, so that at() can be called. Call it before the first add().
+  ///   most_bytes  limit for the stored copies of bricks: with fewer copies at() is slower. The list of the sweeps that cut each brick
+  ///               needs additional memory, 4 bytes per cut
   void keep_past(std::size_t most_bytes);
-  /// Returns the stock as it was after the first `count` sweeps and `share` of the next. With a share of 0 it equals, bit for bit, a
-  /// stock that only these sweeps have cut.
-  ///   share  of the path of that next sweep, 0 to 1
+  /// Returns the stock as it was after the first `count` sweeps and a share of the next sweep. If the share is 0, the result equals, bit
+  /// for bit, a stock that only the first `count` sweeps have cut.
+  ///   share  share of the path of the next sweep, 0 to 1
   ///   pre    keep_past() was called before the first add(); count is at most the number of executed sweeps
   Stock at(std::size_t count, double share = 0) const;
-  /// Memory of the kept past; 0 if none is kept.
+  /// Returns the memory of the recorded history in bytes; 0 if keep_past() was not called.
   std::size_t bytes_of_past() const;
-  /// Volume that a sweep of the last cut() removed, in mm³, measured on the upright lines.
+  /// Returns the volume in mm³ that a sweep of the last cut() removed, measured on the lattice lines along Z.
   double removed_by(std::size_t sweep) const;
-  /// Likewise: the greatest height above the tip, in mm, at which the cutting part removed material from upright lines. For each line
-  /// the tip counts where it was lowest over that line.
+  /// Returns the greatest height above the tip, in mm, at which the cutting part removed material from lattice lines along Z in a sweep
+  /// of the last cut(). On each line the height counts from the lowest position of the tip over the line.
   double depth_of(std::size_t sweep) const;
-  /// Likewise: true if the sweep removed a piece of a line, in any direction, of at least least_piece().
+  /// Returns true if a sweep of the last cut() removed an interval of at least least_piece() from a lattice line in any direction.
   bool cuts_anything(std::size_t sweep) const;
 
   // ---- remaining stock
@@ -119,34 +120,34 @@ class Stock {
   }
   /// Returns the directions of a sweep with a tilted tool.
   const LeanEnds& lean_ends(std::size_t sweep) const;
-  /// mm by which lines of the three directions may disagree about the position of the same surface.
+  /// Returns by how many mm lattice lines of the three directions may disagree about the position of the same surface.
   float families_agree() const;
   const ToolShape& tool(std::size_t i) const { return tools_[i]; }
   std::size_t tools() const { return tools_.size(); }
   int threads() const { return threads_; }
   std::size_t bytes() const;
-  /// Removed pieces of a line shorter than this do not count as touches, mm.
+  /// Returns the length in mm below which a removed interval of a lattice line does not count as a touch.
   double least_piece() const;
 
  private:
-  /// What a sweep removed in all bricks: sums and maxima, which do not depend on the order of the bricks.
+  /// What a sweep removed in all bricks, as sums and maxima, so that the order of the bricks does not matter.
   struct Removed {
-    std::atomic<std::int64_t> length{0};  // of upright lines, in units of `removed_unit`
+    std::atomic<std::int64_t> length{0};  // length removed from the lattice lines along Z, in units of `removed_unit`
     std::atomic<float> depth{0}, longest{0};
   };
   struct Worker {
     std::vector<Touch> touches;
     std::vector<Removed>* removed;
-    std::size_t first;  // the first sweep in `removed`
+    std::size_t first;  // number of the sweep to which removed->front() belongs
 
-    /// Adds what a sweep removed: mm of upright lines, the longest piece of any line, and the greatest height above the tip.
+    /// Adds what a sweep removed: mm of lattice lines along Z, the longest interval of any line, and the greatest height above the tip.
     void count(std::int32_t sweep, double length, float longest, float depth);
   };
   struct BrickNow {
     std::unique_ptr<Brick>& brick;
     State& state;
   };
-  /// The part of a sweep's path that is kept, as shares of the path; the rest reaches no material.
+  /// The section of a sweep's path that is stored, as shares of the path; the remaining sections reach no material.
   struct Shortened {
     std::uint32_t sweep;
     float first, last;
@@ -160,14 +161,14 @@ class Stock {
   void fill_evenly(std::size_t i);
   void bin(std::size_t first, std::size_t last);
   void put_in_bin(std::size_t brick, std::size_t sweep);
-  // Tilted tools: stock_leaning.cpp.
+  // Functions for tilted tools: stock_leaning.cpp.
   double most_bend() const;
   void add_leaning(const Sweep& sweep);
   void bin_leaning(std::size_t sweep);
   LeanHere lean_here(std::size_t sweep, std::size_t brick) const;
   bool may_reach(std::size_t sweep, const LeanHere& here, float top) const;
   void cut_leaning(std::size_t sweep, std::size_t body, const LeanHere& here, Brick& material, CutOutcome& outcome) const;
-  // Turning tools: stock_turned.cpp.
+  // Functions for turning tools: stock_turned.cpp.
   void add_turned(const Sweep& sweep);
   void bin_turned(std::size_t sweep);
   bool turn(std::int32_t sweep, std::size_t brick, Brick& material, Worker* worker) const;
@@ -184,17 +185,17 @@ class Stock {
   std::vector<std::unique_ptr<Brick>> bricks_;
   std::vector<State> states_;
   std::vector<ToolShape> tools_;
-  std::vector<std::vector<SweptBody>> swept_;  // for each body of each tool
+  std::vector<std::vector<SweptBody>> swept_;  // one vector for each tool, with its bodies
   std::vector<std::vector<LeanBody>> leaning_;
   KeptSweeps sweeps_;
-  std::deque<LeanEnds> lean_ends_;   // in the order of the sweeps; a deque grows to a million without moving its elements
-  std::deque<Shortened> shortened_;  // in the order of the sweeps; only where a past is kept
-  std::size_t done_ = 0;             // number of sweeps executed
-  std::size_t first_ = 0;            // first sweep of the last cut()
+  std::deque<LeanEnds> lean_ends_;   // in the order of the sweeps; std::deque, because it grows to a million elements without moving them
+  std::deque<Shortened> shortened_;  // in the order of the sweeps; used only after keep_past()
+  std::size_t done_ = 0;             // number of executed sweeps
+  std::size_t first_ = 0;            // number of the first sweep of the last cut()
   std::vector<std::vector<std::int32_t>> bins_;
   std::vector<std::size_t> touched_;
   std::unique_ptr<Past> past_;
-  std::vector<Removed> removed_;  // of the last cut()
+  std::vector<Removed> removed_;  // for each sweep of the last cut()
 };
 
 }  // namespace kadr

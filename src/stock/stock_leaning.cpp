@@ -1,4 +1,4 @@
-// Sweeps of tilted tools: how they are stored, which bricks they reach, and how one of them is cut in a brick.
+// Sweeps of tilted tools: how they are stored, which bricks they reach, and how one of them is executed in a brick.
 
 #include <algorithm>
 #include <cassert>
@@ -14,19 +14,20 @@ namespace kadr {
 namespace {
 
 constexpr double bend_of_cell = 1.0 / 100;
-constexpr double greatest_bend = 2.5e-3;     // mm
-constexpr float upright_agree = 5e-4f;       // mm: a little over twice the 2e-4 of the law in stock/cut/upright_rows.h and level_rows.h
-constexpr float leaning_agree_cell = 2e-3f;  // of the cell: what a bend and a guessed position may add
+constexpr double greatest_bend = 2.5e-3;  // mm
+constexpr float upright_agree = 5e-4f;    // mm: a little over twice the 2e-4 mm of the law in stock/cut/upright_rows.h and level_rows.h
+constexpr float leaning_agree_cell = 2e-3f;  // share of the cell size: error that the bend and an estimated position may add
 
 struct BodyHeights {
   double low, high, radius;
 
-  /// Distance of a position, in the tool's system, from the body.
+  /// Returns the distance of a position, in the tool's coordinates, from the body.
   double distance(Vec3 at) const {
     const double beside = std::max(length(Vec2{at.x, at.y}) - radius, 0.0), beyond = std::max({low - at.z, at.z - high, 0.0});
     return length(Vec2{beside, beyond});
   }
-  /// A lower bound of the distance along a straight path, where the distance is convex; at most about `enough` too small.
+  /// Returns a lower bound of the distance of a straight path, along which the distance is a convex function. The bound may be too small by
+  /// at most about `enough`.
   double distance(Vec3 first, Vec3 last, double enough) const {
     double begin = 0, end = 1;
     const auto at = [&](double part) { return distance(first + part * (last - first)); };
@@ -53,14 +54,16 @@ AroundTip around_all(const ToolShape& tool, const LeanWay& way) {
 
 }  // namespace
 
-/// The greatest distance, in mm, between the true curve of a material point past the tool and the chord that replaces it.
+/// Returns the greatest permitted distance, in mm, between the true curve of a material point in the tool's coordinates and the chord that
+/// replaces the curve.
 double Stock::most_bend() const { return std::min(bend_cell_ * bend_of_cell, greatest_bend); }
 
 float Stock::families_agree() const {
   return lean_ends_.empty() ? upright_agree : upright_agree + float(2 * most_bend()) + leaning_agree_cell * scale_.cell;
 }
 
-/// The number of parts does not depend on the position of the bricks, so stocks divided for the same cell hold the same sweeps.
+/// Divides the sweep into parts. Their number does not depend on the position of the bricks, so stocks that are divided for the same cell
+/// size store the same sweeps.
 void Stock::add_leaning(const Sweep& sweep) {
   const ToolShape& tool = tools_[sweep.tool];
   const LeanWay way{sweep.from - lattice_.origin(), sweep.to - lattice_.origin(), sweep.from_direction, sweep.to_direction};
@@ -84,7 +87,7 @@ void Stock::add_leaning(const Sweep& sweep) {
 }
 
 const LeanEnds& Stock::lean_ends(std::size_t sweep) const {
-  // In most programs either no tool is tilted or all sweeps are from the first tilted one on.
+  // In most programs either no tool is tilted, or all sweeps after the first one of a tilted tool have tilted tools too.
   const std::size_t guess = sweep - lean_ends_.front().sweep;
   if (guess < lean_ends_.size() && lean_ends_[guess].sweep == sweep) return lean_ends_[guess];
   const auto found =
@@ -125,7 +128,7 @@ void Stock::bin_leaning(std::size_t i) {
   }
 }
 
-/// Shortens a path that is much longer than the part that reaches the brick.
+/// Returns the sweep in the coordinates of the brick. A path that is much longer than its section near the brick is shortened to it.
 LeanHere Stock::lean_here(std::size_t number, std::size_t b) const {
   const KeptSweep s = sweeps_[number];
   const Vec3 corner = lattice_.corner(b) - lattice_.origin();
@@ -148,12 +151,13 @@ bool Stock::may_reach(std::size_t sweep, const LeanHere& here, float top) const 
   return std::any_of(bodies.begin(), bodies.end(), [&](const LeanBody& b) { return kadr::may_reach(here.sweep, b, scale_, top); });
 }
 
-/// Cuts one body of the tool in one brick.
+/// Removes from one brick what one body of the tool sweeps.
 void Stock::cut_leaning(std::size_t number, std::size_t i, const LeanHere& here, Brick& material, CutOutcome& outcome) const {
   const std::uint16_t tool = sweeps_[number].tool;
   const LeanBody& body = leaning_[tool][i];
   if (!kadr::may_reach(here.sweep, body, scale_, material.top)) return;
-  // Lines that turn over in a part are cut by its halves, which permit a gap twice as long (LeanOver::apart).
+  // Lines over which the tool turns in a part of the path are cut with the two halves of the part, for which the permitted gap is twice as
+  // long (LeanOver::apart).
   const std::function<void(const LeanWay&, const LeanSweep&, const LocalSweep&, const LineSet*)> cut =
       [&](const LeanWay& way, const LeanSweep& sweep, const LocalSweep& tip, const LineSet* only) {
         const LineSet later = cut_brick_leaning(material, scale_, {sweep, body, tip, swept_[tool][i], only}, std::int32_t(number), outcome);

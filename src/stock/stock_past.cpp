@@ -1,4 +1,4 @@
-// Restores the stock as it was at an earlier sweep.
+// Restores the stock as it was after an earlier sweep.
 
 #include <algorithm>
 #include <cassert>
@@ -9,7 +9,7 @@
 namespace kadr {
 namespace {
 
-/// Returns the entries of a list, ordered by sweep, that belong to sweeps before `count`.
+/// Returns those entries of a list, sorted by sweep, that belong to sweeps before number `count`.
 template <class OfSweeps>
 OfSweeps before(const OfSweeps& all, std::size_t count) {
   return OfSweeps(all.begin(), std::partition_point(all.begin(), all.end(), [&](const auto& of) { return of.sweep < count; }));
@@ -41,8 +41,8 @@ Stock::Stock(const Stock& later, std::size_t count)
       first_(count),
       bins_(later.bins_.size()) {}
 
-/// Restores one brick. If nothing has cut it since, it is copied as it is; otherwise its last earlier copy, or the blank, is cut
-/// again by the sweeps that changed it.
+/// Restores one brick. If no later sweep has cut it, it is copied. Otherwise the last copy made before that time, or a brick of the
+/// blank, is cut again by the sweeps that changed the brick since.
 void Stock::go_back(const Stock& later, std::size_t b) {
   const BrickPast& past = later.past_->of_brick[b];
   const std::size_t made = past.cuts_before(sweeps_.size());
@@ -71,7 +71,7 @@ WayPart Stock::kept_part(std::size_t sweep) const {
   return {double(found->first), double(found->last)};
 }
 
-/// Executes the next sweep of the later stock, up to a share of its path.
+/// Executes the first `share` of the path of the next sweep, which is stored in the later stock.
 void Stock::begin_sweep(const Stock& later, double share) {
   const std::size_t next = sweeps_.size();
   const WayPart kept = later.kept_part(next);

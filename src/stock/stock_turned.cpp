@@ -1,4 +1,4 @@
-// Turning tools: their paths in the half plane of a spinning part, and the rings that they remove from its bricks.
+// Turning tools: their paths in the half plane of a spinning part, and the rings that they remove from the part's bricks.
 
 #include <algorithm>
 #include <cmath>
@@ -9,11 +9,11 @@
 namespace kadr {
 namespace {
 
-constexpr double room = 1;  // mm around what an insert can reach
+constexpr double room = 1;  // mm, margin around everything that an insert can reach
 
 InsertPoint point_of(const float (&at)[3]) { return {double(at[0]), double(at[2])}; }
 
-/// Greatest distance of the insert from its programmed point, along x or z.
+/// Returns the greatest distance of the insert's points from its programmed point, along x or z.
 double insert_reach(const ToolShape& tool) {
   double most = 0;
   for (const InsertBody& body : tool.insert)
@@ -21,7 +21,7 @@ double insert_reach(const ToolShape& tool) {
   return most;
 }
 
-/// Returns the part of a path on which one coordinate lies between two limits.
+/// Returns the section of a path on which one coordinate is between two limits.
 WayPart part_between(double from, double to, double low, double high) {
   if (from == to) return from < low || from > high ? WayPart{1, 0} : WayPart{};
   const double a = (low - from) / (to - from), b = (high - from) / (to - from);
@@ -30,8 +30,8 @@ WayPart part_between(double from, double to, double low, double high) {
 
 }  // namespace
 
-/// Leaves out the part of the path that can reach nothing, since single precision has only seven digits. A path that reaches nothing
-/// is reduced to its start.
+/// Stores only the section of the path that can reach material, since single precision has only seven digits. A path that reaches no
+/// material is reduced to its start.
 void Stock::add_turned(const Sweep& sweep) {
   const double reach = insert_reach(tools_[sweep.tool]) + room, edge = lattice_.edge();
   const Vec3 least = lattice_.origin(),
@@ -47,7 +47,7 @@ void Stock::add_turned(const Sweep& sweep) {
   keep({{float(from.x), 0, float(from.z - least.z)}, {float(to.x), 0, float(to.z - least.z)}, sweep.tool, sweep.watched, false}, part);
 }
 
-/// Puts the sweep into the bins of the bricks that its rings may reach.
+/// Adds the sweep to the lists of the bricks that its ring may reach.
 void Stock::bin_turned(std::size_t sweep) {
   const KeptSweep s = sweeps_[sweep];
   const double edge = lattice_.edge();
@@ -68,7 +68,7 @@ void Stock::bin_turned(std::size_t sweep) {
   }
 }
 
-/// Cuts one sweep in one brick.
+/// Executes one sweep of a turning tool in one brick.
 ///   returns  true if the brick changed
 bool Stock::turn(std::int32_t number, std::size_t b, Brick& material, Worker* worker) const {
   const KeptSweep s = sweeps_[std::size_t(number)];

@@ -1,4 +1,4 @@
-// Blanks of simple shape. Used by stock/stock.
+// Blanks with the shape of a box or a cylinder. Used by stock/stock.
 
 #include "stock/blank/blank.h"
 

@@ -1,5 +1,5 @@
 #pragma once
-// Blank: the material before the first cut, in the work system, mm.
+// Blank: the material before the first cut. Lengths in mm, in the work system.
 
 #include <memory>
 #include <vector>
@@ -8,7 +8,7 @@
 
 namespace kadr {
 
-/// A segment of a lattice line within the material.
+/// An interval of a lattice line that is inside the material.
 struct LineRange {
   double from, to;
 };
@@ -18,29 +18,30 @@ struct Mesh;
 class Blank {
  public:
   virtual ~Blank() = default;
-  /// The box around the whole blank.
+  /// Returns the box around the whole blank.
   virtual Box3 box() const = 0;
-  /// Appends the segments of a line along the axis `family` that lie within the blank to `ranges`, in ascending order. u, v:
-  /// positions of the line along the axes (family + 1) % 3 and (family + 2) % 3.
+  /// Appends to `ranges`, in ascending order, the intervals in which a line along the axis `family` is inside the blank. u, v: positions
+  /// of the line along the axes (family + 1) % 3 and (family + 2) % 3.
   virtual void cross(int family, double u, double v, std::vector<LineRange>& ranges) const = 0;
-  /// Returns the outward normal at a point of the surface where a line along the axis leaves the blank (`out`) or enters it.
+  /// Returns the outward normal at a point of the blank's surface. There a line along the axis `family` leaves the blank if `out` is
+  /// true, else it enters.
   virtual Vec3 normal(Vec3 at, int family, bool out) const = 0;
   virtual double volume() const = 0;
-  /// Returns the volume in mm³ inside a box. Bodies without a better method sum it over lines, to some hundred-thousandths.
+  /// Returns the volume in mm³ inside a box. Blanks without a better method add up intervals of lines, with a relative error of some 1e-5.
   virtual double volume_within(const Box3& box) const;
-  /// True if bodies of the blank overlap; the blank is then their union.
+  /// True if solid bodies of the blank overlap; the blank is then their union.
   virtual bool overlaps() const { return false; }
-  /// Memory in bytes; 0 if it is small.
+  /// Returns the memory of the blank in bytes; 0 if it is small.
   virtual std::size_t bytes() const { return 0; }
-  /// Returns for each brick whether the surface may cross it; empty if it may cross any. Whether another brick is full is decided by
-  /// one line through it.
+  /// Returns for each brick of the lattice whether the blank's surface may cross it; an empty vector means that it may cross any brick.
+  /// For a brick that the surface does not cross, one line through the brick shows whether the brick is full or empty.
   virtual std::vector<bool> bricks_at_surface(const Lattice&) const { return {}; }
   /// Returns the mesh that defines the blank; nullptr if there is none.
   virtual const Mesh* mesh() const { return nullptr; }
 };
 
 std::shared_ptr<const Blank> box_blank(const Box3& box);
-/// A cylinder with its axis along Z.
+/// Returns a cylinder with its axis parallel to Z.
 std::shared_ptr<const Blank> cylinder_blank(Vec2 centre, double bottom, double top, double diameter);
 
 }  // namespace kadr

@@ -1,4 +1,4 @@
-// Clips a blank's intervals to a box. Used by stock/stock.
+// The part of a blank inside a box: clips the blank's intervals to the box. Used by stock/stock.
 
 #include "stock/blank/blank_window.h"
 
@@ -8,7 +8,7 @@
 namespace kadr {
 namespace {
 
-constexpr double same_place = 1e-3;  // mm: positions come back in single precision
+constexpr double same_place = 1e-3;  // mm: positions were rounded to single precision
 
 class BlankWindow : public Blank {
  public:
@@ -55,7 +55,7 @@ Vec3 BlankWindow::normal(Vec3 at, int family, bool out) const {
   return square;
 }
 
-/// Marks the bricks that the blank's surface or a face of the box crosses, with a small margin, since positions on lines are rounded.
+/// Marks the bricks that the blank's surface or a face of the window crosses. A small margin covers the rounding of positions on lines.
 std::vector<bool> BlankWindow::bricks_at_surface(const Lattice& lattice) const {
   std::vector<bool> at = blank_->bricks_at_surface(lattice);
   if (at.empty()) return at;

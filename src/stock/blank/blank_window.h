@@ -1,20 +1,20 @@
 #pragma once
-// The part of a blank inside a box: the blank of a window, which is cut finer than the whole part.
+// The part of a blank inside a box. A second cut inside this window uses it, with finer lattice cells than the cut of the whole part.
 
 #include "stock/blank/blank.h"
 
 namespace kadr {
 
-/// Where the blank extends beyond the box, the result ends at the box's faces.
+/// Returns the part of the blank inside the window. Where the blank extends beyond the window, the result ends at the window's faces.
 ///   returns  nullptr if the box lies outside the blank
 std::shared_ptr<const Blank> blank_within(std::shared_ptr<const Blank> blank, const Box3& window);
 
-/// The faces of a window that cut through the blank. Where the window reaches the blank's own surface, or beyond it, it has no such
+/// The faces of a window that cut through the blank. A side of the window that is on or outside the blank's own surface gives no such
 /// face.
 class WindowFaces {
  public:
   WindowFaces(const Box3& window, const Box3& blank);
-  /// True if `at` is on such a face: a surface there comes from the window, and is not a surface of the part.
+  /// True if `at` is on such a face: the surface at this point comes from the window, and is not a surface of the part.
   bool hold(const Vec3& at) const;
 
  private:

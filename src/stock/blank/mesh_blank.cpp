@@ -13,7 +13,7 @@
 namespace kadr {
 namespace {
 
-constexpr double same_hit = 1e-3;  // mm: positions come back in single precision
+constexpr double same_hit = 1e-3;  // mm: positions were rounded to single precision
 constexpr int lines_to_overlap = 128;
 
 class MeshBlank : public Blank {
@@ -23,7 +23,7 @@ class MeshBlank : public Blank {
   MeshBlank& operator=(const MeshBlank&) = delete;
 
   Box3 box() const override { return box_; }
-  /// The mesh's own volume would count regions inside two shells twice.
+  /// The volume formula of the mesh would count regions inside two overlapping shells twice.
   double volume() const override { return overlaps() ? Blank::volume_within(box_) : volume_; }
   const Mesh* mesh() const override { return &mesh_; }
   double volume_within(const Box3& box) const override { return overlaps() ? Blank::volume_within(box) : mesh_within(mesh_, box).volume; }
@@ -44,7 +44,7 @@ class MeshBlank : public Blank {
   Mesh mesh_;
   Box3 box_;
   double volume_;
-  // Built at the first request: callers that need only the box and bricks do without.
+  // Built at the first use: callers that need only the box and the bricks do not need these.
   mutable std::once_flag made_[3];
   mutable std::unique_ptr<const MeshIndex> along_[3];
   mutable std::once_flag asked_;
@@ -56,13 +56,13 @@ const MeshIndex& MeshBlank::index(int family) const {
   return *along_[family];
 }
 
-/// Order of hits on a line; where two bodies touch, the second begins before the first ends.
+/// Sorts hits along a line. Where two solid bodies touch, the hit that enters the second comes before the hit that leaves the first.
 bool before(const MeshHit& a, const MeshHit& b) {
   if (a.place != b.place) return a.place < b.place;
   return a.turn != b.turn ? a.turn > b.turn : a.triangle < b.triangle;
 }
 
-/// True if the surface winds twice around some length of the line.
+/// Returns true if some interval of the line is inside two shells.
 bool winds_twice(std::vector<MeshHit>& hits) {
   std::sort(hits.begin(), hits.end(), before);
   int depth = 0;
@@ -74,7 +74,7 @@ bool winds_twice(std::vector<MeshHit>& hits) {
   return false;
 }
 
-/// Finds overlaps as wide as about a hundredth of the width; smaller ones do not matter for the volume.
+/// Finds overlaps that are at least about a hundredth of the blank's width; the volume error of smaller ones does not matter.
 bool MeshBlank::find_overlap() const {
   const double step_x = (box_.most.x - box_.least.x) / lines_to_overlap, step_y = (box_.most.y - box_.least.y) / lines_to_overlap;
   std::vector<MeshHit> hits;
@@ -118,7 +118,7 @@ Vec3 MeshBlank::normal(Vec3 at, int family, bool out) const {
   return best == nullptr ? square : normal_of(best->triangle, square);
 }
 
-/// Marks the bricks around each triangle, with a small margin, since positions on lines are rounded.
+/// Marks the bricks around each triangle. A small margin covers the rounding of positions on lines.
 std::vector<bool> MeshBlank::bricks_at_surface(const Lattice& lattice) const {
   std::vector<bool> at(lattice.size(), false);
   const double hair = 1e-3 * lattice.cell();

@@ -1,4 +1,4 @@
-// Loads the module of bodies on demand. Used by stock/bodies/body_world.
+// Loads the module for solid bodies on demand. Used by stock/bodies/body_world.
 
 #include "stock/bodies/bodies_library.h"
 
@@ -13,15 +13,16 @@ namespace kadr {
 namespace {
 
 constexpr const char* bodies_file = "kadr-bodies.so";
-// The first two are relative to the program's folder, the next two to that of libkadr.so, the last to that of a build's tests.
+// The first two folders are relative to the program's folder, the next two to the folder of libkadr.so, the last to that of a build's
+// tests.
 constexpr const char* bodies_folders[] = {"", "../lib/kadr/modules/", "kadr/modules/", "../kadr/modules/", "../"};
 
-/// Returns the folder of this binary with a final `/`; empty if unknown.
+/// Returns the folder of the program or library that contains this code, with a final `/`; empty if unknown.
 std::string folder_of_this() {
   static const char here = 0;
   Dl_info info{};
   if (dladdr(&here, &info) == 0 || info.dli_fname == nullptr) return "";
-  // dladdr may give the program's name as it was typed; the file is then /proc/self/exe.
+  // dladdr may return the program's name as it was typed; then /proc/self/exe is the file.
   const char* const name = std::string_view(info.dli_fname).find('/') == std::string_view::npos ? "/proc/self/exe" : info.dli_fname;
   const std::unique_ptr<char, void (*)(void*)> whole(realpath(name, nullptr), std::free);
   if (!whole) return "";

@@ -10,7 +10,8 @@ namespace {
 
 constexpr double same_circle = 1e-9;  // mm
 
-/// Adds tangent lines of a quarter circle about (x, y), from the point straight below the centre to the point level with it.
+/// Appends the tangent lines that replace a quarter circle about (x, y) with the radius r, from the point below its centre to the point at
+/// the same height.
 void add_arc(std::vector<Vec2>& profile, double x, double y, double r, double chord) {
   const double half = std::acos(1 / (1 + std::max(chord, 1e-9) / r));  // the tangents lie outside the circle by `chord`
   const int count = std::clamp(int(std::ceil(pi / 4 / half)), 2, 64);
@@ -35,8 +36,8 @@ void add_solid(std::vector<Vec2>& profile, const RoundSolid& s, double chord) {
 
 }  // namespace
 
-/// Returns the outer side of the points' convex hull in ascending order (Andrew's monotone chain), with its ends; an end of radius 0
-/// is a point.
+/// Returns the outer side of the convex hull of the points, in ascending order, including its two ends (Andrew's monotone chain). An end
+/// of radius 0 is a single point.
 std::vector<Vec2> circles_of(const ConvexBody& body, double chord) {
   std::vector<Vec2> profile;
   for (const RoundSolid& s : body.solids) add_solid(profile, s, chord);
@@ -46,7 +47,7 @@ std::vector<Vec2> circles_of(const ConvexBody& body, double chord) {
     while (hull.size() >= 2 && cross(hull.back() - hull[hull.size() - 2], p - hull.back()) <= same_circle * same_circle) hull.pop_back();
     hull.push_back(p);
   }
-  // Of circles at the same height the widest is kept.
+  // Of several circles at the same height, only the widest is kept.
   std::vector<Vec2> circles;
   for (const Vec2& p : hull) {
     if (!circles.empty() && p.y - circles.back().y < same_circle) circles.back().x = std::max(circles.back().x, p.x);

@@ -1,4 +1,5 @@
-// Adds bodies to the module and asks it for distances. Used by stock/bodies/moving_bodies; tested by tests/stock/body_world_test.cpp.
+// Adds solid bodies to the module, and computes distances with it. Used by stock/bodies/moving_bodies; tested by
+// tests/stock/body_world_test.cpp.
 
 #include "stock/bodies/body_world.h"
 
@@ -8,9 +9,9 @@
 namespace kadr {
 namespace {
 
-constexpr double chord_of_round = 0.002;  // mm by which a rounded end may be too large
+constexpr double chord_of_round = 0.002;  // mm by which a rounded end may be too large, because straight lines replace its arcs
 
-/// The rotation and position of a pose as three rows.
+/// Returns the 3 × 4 matrix of a pose, row by row.
 std::array<double, 12> rows_of(const LinkPose& p) {
   const auto& [x, y, z] = p.turn.rows;
   return {x.x, x.y, x.z, p.at.x, y.x, y.y, y.z, p.at.y, z.x, z.y, z.z, p.at.z};
@@ -56,7 +57,7 @@ std::optional<SolidBody> BodyWorld::add(const ConvexBody& body) {
   std::vector<double> numbers;
   for (const Vec2& c : circles) numbers.insert(numbers.end(), {c.x, c.y});
   auto added = body_at(door_->add_round(bodies_.get(), numbers.data(), int(circles.size())), {}, box);
-  if (added) added->ball.radius *= 1.001;  // the module's polygon encloses the circle
+  if (added) added->ball.radius *= 1.001;  // the polygon that the module uses encloses the circle
   return added;
 }
 

@@ -1,5 +1,5 @@
 #pragma once
-// BodyWorld: solid bodies, and the distance between any two of them in any pose. FCL does the geometry (stock/bodies/bodies_library).
+// BodyWorld: a set of solid bodies, and the distance between any two of them in any pose. FCL computes it (stock/bodies/bodies_library).
 
 #include <memory>
 #include <optional>
@@ -13,35 +13,35 @@
 
 namespace kadr {
 
-/// A body of a BodyWorld: its number there, and its pose in the coordinates in which it was described.
+/// A body of a BodyWorld: its number there, and its pose in the coordinates of its description (machine file, mesh or tool).
 struct SolidBody {
   int number = 0;
   LinkPose lies;
-  BodyBall ball;       // encloses the body, in those coordinates
+  BodyBall ball;       // sphere that encloses the body, in the coordinates of the description
   bool convex = true;  // false for a mesh, which may have any shape
 };
 
 struct BodyGap {
   double distance = 0;       // mm; negative if they overlap
-  Vec3 on_first, on_second;  // the closest points, unless they overlap
+  Vec3 on_first, on_second;  // the closest points of the two bodies; unset if they overlap
 };
 
 class BodyWorld {
  public:
-  /// Uses the given module.
-  ///   pre  it is loaded
+  /// Uses the given module, kadr-bodies.so.
+  ///   pre  the module is loaded
   explicit BodyWorld(const KadrBodiesDoor& door);
 
-  /// Returns nullopt if memory runs out. A shape given by a file is a mesh: use the overload below; this one returns nullopt for it.
+  /// Returns nullopt if memory runs out. A shape that is given by a file is a mesh: this overload returns nullopt for it; use the next.
   std::optional<SolidBody> add(const BodyShape& shape);
   std::optional<SolidBody> add(const Mesh& mesh);
-  /// Adds a body of the tool, from its tip upwards along Z.
+  /// Adds a body of the tool, in coordinates with the origin at the tip and Z along the tool's axis.
   std::optional<SolidBody> add(const ConvexBody& body);
 
-  /// `pose` places the coordinates in which the body was described.
+  /// `pose_a`, `pose_b` are the poses of the coordinates in which each body was described.
   ///   returns  distance 0 if FCL finds no result
   BodyGap gap(const SolidBody& a, const LinkPose& pose_a, const SolidBody& b, const LinkPose& pose_b) const;
-  /// Returns by how much the two overlap, mm; 0 if unknown.
+  /// Returns by how much the two bodies overlap, mm; 0 if unknown.
   double depth(const SolidBody& a, const LinkPose& pose_a, const SolidBody& b, const LinkPose& pose_b) const;
 
  private:
@@ -49,8 +49,8 @@ class BodyWorld {
   std::unique_ptr<KadrBodies, void (*)(KadrBodies*)> bodies_;
 };
 
-/// Returns circles of a body of revolution in ascending order, as radius and height. Their hull is the body; lines that lie outside
-/// by at most `chord` mm replace its arcs.
+/// Returns circles of a body of revolution in ascending order, as radius and height; the convex hull of the circles replaces the body.
+/// Straight lines that are at most `chord` mm outside replace the body's arcs.
 std::vector<Vec2> circles_of(const ConvexBody& body, double chord);
 
 }  // namespace kadr

@@ -1,4 +1,4 @@
-// Bodies on a machine's links, and where they meet. Used by session/cutting/machine_watch; tested by
+// Solid bodies on the links of a machine, and where they collide. Used by session/cutting/machine_watch; tested by
 // tests/stock/moving_bodies_test.cpp.
 
 #include "stock/bodies/moving_bodies.h"
@@ -9,7 +9,7 @@
 namespace kadr {
 namespace {
 
-constexpr int depth_samples = 8;  // along the rest of a motion in which two bodies met
+constexpr int depth_samples = 8;  // number of positions in the rest of the motion at which the overlap is measured
 
 Axes scaled(const Axes& axes, double by) {
   Axes scaled{};
@@ -36,13 +36,13 @@ std::size_t MovingBodies::add(const SolidBody& body, std::size_t link, BodyKind 
   return number;
 }
 
-/// True if the pair has to be checked. What the tool does to blank and fixtures is found by the cut.
+/// Returns true if the pair has to be checked. Contacts of the tool with blank and fixtures are found by the cutting simulation instead.
 bool MovingBodies::belongs_together(const Pair& pair) const {
   const Body &a = bodies_[pair.first], &b = bodies_[pair.second];
   return a.link != b.link && (a.kind == BodyKind::machine || b.kind == BodyKind::machine);
 }
 
-/// Chooses the pairs whose bodies are both present and that do not meet by construction.
+/// Chooses the pairs in which both bodies are shown and which are not excluded by take_as_built().
 void MovingBodies::choose() {
   chosen_.clear();
   for (std::size_t i = 0; i < pairs_.size(); ++i)
@@ -75,7 +75,7 @@ std::vector<std::pair<std::size_t, std::size_t>> MovingBodies::take_as_built() {
     pair.is_checked = true;
     const Body &a = bodies_[pair.first], &b = bodies_[pair.second];
     const bool of_machine = a.kind == BodyKind::machine && b.kind == BodyKind::machine;
-    // The tool is in the spindle, so bodies that enclose it there are built so; the position of the table at 0 is no evidence.
+    // The tool is in the spindle, so bodies that enclose it there are built so. For bodies of the table, a contact at 0 proves nothing.
     const Body& other = a.kind == BodyKind::tool ? b : a;
     const bool about_spindle = (a.kind == BodyKind::tool || b.kind == BodyKind::tool) && links_.carries_tool(other.link);
     if (!of_machine && !about_spindle) continue;
@@ -96,8 +96,8 @@ BodyGap MovingBodies::gap(const Pair& pair, const std::vector<LinkPose>& links) 
   return world_.gap(bodies_[pair.first].solid, pose(pair.first, links), bodies_[pair.second].solid, pose(pair.second, links));
 }
 
-/// Upper bound of the approach of two bodies. For convex bodies a separating plane exists, and motion along that plane does not
-/// count.
+/// Returns an upper bound for the approach of two bodies. Between convex bodies there is a separating plane, and only motion across this
+/// plane counts.
 double MovingBodies::nearing(const Pair& pair, const BodyGap& gap, const std::vector<LinkPose>& links, const Axes& by) const {
   const Travel a = travel(pair.first, pair.carrier, links, by), b = travel(pair.second, pair.carrier, links, by);
   const Vec3 together = a.together - b.together;
@@ -132,7 +132,7 @@ void MovingBodies::move(const Axes& from, const Axes& to, std::vector<BodyMeetin
   for (const BodyMeeting& meeting : met) tell(meeting, first_new, found);
 }
 
-/// Advances along the motion in steps too short for the two to meet.
+/// Advances along the motion in steps that are too short for the two bodies to meet.
 void MovingBodies::follow(Pair& pair, const Axes& from, const Axes& by, std::vector<BodyMeeting>& found) {
   double part = 0;
   while (true) {
@@ -155,7 +155,7 @@ void MovingBodies::follow(Pair& pair, const Axes& from, const Axes& by, std::vec
   }
 }
 
-/// Bodies that have met are not reported again until they have separated.
+/// Two bodies that have met are not reported again until they have separated.
 void MovingBodies::part_from(Pair& pair, const Axes& to) {
   links_.poses(to, now_);
   const double distance = gap(pair, now_).distance;
@@ -181,7 +181,7 @@ bool MovingBodies::same_groups(std::size_t a, std::size_t b, std::size_t c, std:
   return bodies_[a].group == bodies_[c].group && bodies_[b].group == bodies_[d].group;
 }
 
-/// Reports the first meeting of two groups in a motion; nothing if other bodies of these groups have already met.
+/// Reports the first collision of two groups in a motion; reports nothing if other bodies of these groups are already in contact.
 void MovingBodies::tell(const BodyMeeting& meeting, std::size_t first_new, std::vector<BodyMeeting>& found) const {
   for (const Pair& pair : pairs_)
     if (pair.touched && same_groups(pair.first, pair.second, meeting.first, meeting.second)) return;

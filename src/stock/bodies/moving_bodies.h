@@ -1,10 +1,10 @@
 #pragma once
-// MovingBodies: solid bodies on the links of a machine. Finds which of them meet while the axes move.
+// MovingBodies: solid bodies on the links of a machine. Finds which bodies collide (meet) while the axes move.
 //
-// For each pair a lower bound of the distance is kept. A motion reduces it by the most that the two can approach
-// (MachineLinks::travel). FCL is called only where nothing of the bound would remain, and then repeatedly along the path, each time
-// at the farthest point that the two cannot have met before (conservative advancement). So no meeting is missed, however short, and
-// each is found before the gap is below 0.01 mm.
+// For each pair of bodies a lower bound of their distance is stored. A motion reduces the bound by the most that the two bodies can
+// approach each other (MachineLinks::travel). Only if the bound would become 0, FCL computes the distance, repeatedly along the path:
+// each time at the farthest position up to which the two bodies cannot have met (conservative advancement). So no collision is missed,
+// however short, and each is found before the gap is below 0.01 mm.
 
 #include <cstdint>
 #include <string>
@@ -14,22 +14,22 @@
 
 namespace kadr {
 
-/// mm: two bodies nearer than this meet
+/// mm: two bodies with a smaller gap count as having met
 inline constexpr double bodies_meet = 0.01;
 
-/// The role of a body; pairs of some roles are not checked.
+/// The role of a body; pairs of some roles are not checked against each other.
 enum class BodyKind : std::uint8_t {
   machine,  // from the machine's file
-  tool,     // part of the tool, with shank and holder
-  work,     // the blank or a fixture: what the tool does to it is found by the cut itself
+  tool,     // a part of the tool, including its shank and holder
+  work,     // the blank or a fixture; whether the tool cuts into it is found by the cutting simulation
 };
 
-/// Two bodies met.
+/// A collision of two bodies.
 struct BodyMeeting {
   std::size_t first, second;  // numbers from add()
-  double part;                // share of the motion
+  double part;                // share of the motion (0 to 1) at which they met
   Vec3 at;                    // in the coordinates of the bed
-  double depth;               // mm that they overlap afterwards; 0: unknown
+  double depth;               // mm by which the two overlap after the motion; 0: unknown
 };
 
 class MovingBodies {
@@ -38,28 +38,28 @@ class MovingBodies {
   BodyWorld& world() { return world_; }
   const MachineLinks& links() const { return links_; }
 
-  /// Adds a body. Bodies with the same `group`, such as the parts of a tool, count as one body, and a meeting with them is reported
+  /// Adds a body. Bodies with the same `group`, such as the parts of one tool, count as one: a collision with several of them is reported
   /// once.
   ///   returns  the body's number
   std::size_t add(const SolidBody& body, std::size_t link, BodyKind kind, std::size_t group);
-  /// Moves a body to another pose on its link.
+  /// Moves a body to another pose on the link that carries it.
   void put(std::size_t body, const LinkPose& on_link);
-  /// Removes a body from the checks, or brings it back.
+  /// Excludes a body from the checks, or includes it again.
   void show(std::size_t body, bool is_there);
-  /// Call it when the axes have moved by an unknown path.
+  /// Must be called after the axes have moved along an unknown path.
   void jump();
 
-  /// Excludes the pairs that meet when all axes are at 0, since they are built so: pairs of bodies of the machine, and pairs of such
-  /// a body with the tool.
-  ///   returns  the newly excluded pairs between bodies of the machine
+  /// Excludes the pairs that are in contact when all axes are at 0, because the machine is built so: pairs of bodies of the machine, and
+  /// pairs of a body of the machine and the tool.
+  ///   returns  the newly excluded pairs of which both bodies belong to the machine
   std::vector<std::pair<std::size_t, std::size_t>> take_as_built();
 
-  /// Moves each axis evenly from one position to the other.
-  ///   found  receives the meetings, after what it already holds
+  /// Moves each axis evenly from one position to the other, and finds collisions.
+  ///   found  the collisions are appended
   void move(const Axes& from, const Axes& to, std::vector<BodyMeeting>& found);
-  /// Returns by how much two bodies overlap at these axis positions, mm; 0 if they do not, or if unknown.
+  /// Returns by how much two bodies overlap at these axis positions, mm; 0 if they do not overlap, or if the overlap is unknown.
   double depth(std::size_t first, std::size_t second, const Axes& axes);
-  /// Number of distance calls to FCL.
+  /// Returns the number of distance computations by FCL so far.
   std::uint64_t asked() const { return asked_; }
 
  private:
@@ -72,9 +72,9 @@ class MovingBodies {
   };
   struct Pair {
     std::size_t first, second;
-    std::size_t carrier;   // innermost link that carries both
-    double at_least = 0;   // lower bound of their distance at the present positions
-    bool touches = false;  // they have met and not separated since
+    std::size_t carrier;   // the last link from the bed that carries both bodies
+    double at_least = 0;   // lower bound of the distance between the two bodies at the present axis positions
+    bool touches = false;  // they have met and have not separated since
     bool touched = false;  // value of `touches` before this motion
     bool as_built = false, is_checked = false;
   };
@@ -96,9 +96,9 @@ class MovingBodies {
   BodyWorld world_;
   std::vector<Body> bodies_;
   std::vector<Pair> pairs_;
-  std::vector<std::size_t> chosen_;    // numbers of the pairs in pairs_ to check
-  std::vector<LinkPose> start_, now_;  // of the links
-  std::vector<Travel> travels_;        // of the bodies during a motion, in the coordinates of the bed
+  std::vector<std::size_t> chosen_;    // indices in pairs_ of the pairs to check
+  std::vector<LinkPose> start_, now_;  // poses of the links
+  std::vector<Travel> travels_;        // displacement bounds of the bodies in a motion, in the coordinates of the bed
   std::uint64_t asked_ = 0;
 };
 

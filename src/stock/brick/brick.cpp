@@ -1,4 +1,4 @@
-// Computes the bounds of a brick. Used by stock/cut/brick_cut.
+// Computes the height bounds of a brick. Used by stock/cut/brick_cut.
 
 #include "stock/brick/brick.h"
 
@@ -9,12 +9,12 @@ namespace {
 
 constexpr int square_edge = 4, squares_along = brick_edge / square_edge;
 
-/// Returns the square of columns that contains a position along X and Y.
+/// Returns the bound of the square of 4 × 4 lines along Z that contains the lattice indices x, y.
 float& square_of(Brick& brick, int x, int y) { return brick.top_of_square[std::size_t(y / square_edge * squares_along + x / square_edge)]; }
 
 void raise(float& top, float to) { top = std::max(top, to); }
 
-/// Accounts for a level line of family 0 or 1 that holds material between two positions, at the height of its lattice points.
+/// Raises the bounds by the material between two positions of a line along X or Y (family 0 or 1), at the height of its lattice points.
 void raise_by_level_line(Brick& brick, int family, int line, float from, float to, float cell) {
   if (from >= to) return;
   const int lane = line % brick_edge, row = line / brick_edge;

@@ -1,9 +1,9 @@
 #pragma once
-// Brick: the remaining material in a cube of 16 by 16 by 16 lattice points, as intervals on its lattice lines.
+// Brick: the remaining material in a cube of 16 × 16 × 16 lattice points, stored as intervals on the lattice lines through the points.
 //
-// Lines run through the points in three directions, the families 0, 1, 2 (along X, Y, Z). The number of a line of family f comes from
-// its position along the axes u = (f + 1) % 3 (the lane) and v = (f + 2) % 3 (the row). Each line holds intervals of material, and
-// each end of an interval holds the number of the sweep that made it. Lengths are in mm, from the brick's corner.
+// The lines run in three directions, the families 0, 1, 2 (along X, Y, Z). A line of family f has a lane, its index along the axis
+// u = (f + 1) % 3, and a row, its index along v = (f + 2) % 3; its number is 16 · row + lane. Each line has intervals of material, and
+// for each end of an interval the number of the sweep that cut there. Lengths are in mm, from the brick's corner.
 
 #include <array>
 #include <cstdint>
@@ -12,18 +12,18 @@
 namespace kadr {
 
 inline constexpr int brick_edge = 16;
-inline constexpr int brick_lines = brick_edge * brick_edge;  // of a family
+inline constexpr int brick_lines = brick_edge * brick_edge;  // number of lines in a family
 
-inline constexpr std::int32_t of_blank = -1;  // marks an end that no sweep has made
+inline constexpr std::int32_t of_blank = -1;  // marks an end of an interval that belongs to the blank's surface
 
-/// An interval of a line beyond the line's first.
+/// A second or later interval of a line.
 struct FurtherInterval {
   std::int32_t line;
   float from, to;
   std::int32_t from_by, to_by;
 };
 
-/// The lines of one family. An interval whose end is not greater than its beginning is empty.
+/// The first interval of each line of one family, and the further ones. An interval whose `to` is not greater than its `from` is empty.
 struct BrickLines {
   alignas(32) float from[brick_lines];
   alignas(32) float to[brick_lines];
@@ -34,14 +34,14 @@ struct BrickLines {
 
 struct Brick {
   std::array<BrickLines, 3> family;
-  // Upper bounds of the material's height, which exclude sweeps above it quickly: for squares of four by four columns, and for the
-  // brick.
+  // Upper bounds of the height of the material, with which sweeps above it are excluded quickly: one for each square of four by four
+  // lines along Z, and one for the whole brick.
   alignas(32) std::array<float, 16> top_of_square;
   float top = 0;
-  int cuts_since = 0;  // number of cuts since the bounds were computed
+  int cuts_since = 0;  // number of cuts since the bounds were last computed
 };
 
-/// Recomputes the bounds.
+/// Recomputes the height bounds `top_of_square` and `top`.
 void take_tops(Brick& brick, float cell);
 
 }  // namespace kadr

@@ -1,5 +1,5 @@
 #pragma once
-// BrickPast: the history of a brick, so that it can be restored as it was at any sweep.
+// BrickPast: the history of a brick, from which the brick can be restored as it was before any sweep.
 
 #include <atomic>
 #include <cstddef>
@@ -11,38 +11,39 @@
 
 namespace kadr {
 
-/// The brick as it was after this number of its cuts.
+/// The brick as it was after its first `cuts` cuts.
 struct BrickCopy {
   std::size_t cuts;
   std::unique_ptr<Brick> brick;
 };
 
 struct BrickPast {
-  std::vector<std::int32_t> cuts;  // numbers of the sweeps that changed it, ascending
-  std::vector<BrickCopy> copies;   // ascending
-  bool was_full = false;           // before the first cut
+  std::vector<std::int32_t> cuts;  // numbers of the sweeps that changed the brick, ascending
+  std::vector<BrickCopy> copies;   // in ascending order of `cuts`
+  bool was_full = false;           // true if the brick was full of material before the first cut
 
-  /// Returns how many of its cuts belong to the first `sweeps` sweeps.
+  /// Returns how many of the brick's cuts belong to the first `sweeps` sweeps of the stock.
   std::size_t cuts_before(std::size_t sweeps) const;
-  /// Returns the last copy made after at most `cuts_made` cuts; nullptr if there is none.
+  /// Returns the latest copy that was made after at most `cuts_made` cuts of the brick; nullptr if there is none.
   const BrickCopy* copy_before(std::size_t cuts_made) const;
 };
 
-/// The history of all bricks.
+/// The history of all bricks of a stock.
 struct Past {
   Past(std::size_t bricks, std::size_t most_bytes) : of_brick(bricks), most_copied(most_bytes) {}
 
-  /// When the copies approach the memory limit, doubles the number of cuts between copies and deletes those in between.
+  /// Call it regularly: when the copies approach the memory limit, it doubles the number of cuts between two copies of a brick, and
+  /// deletes the copies in between.
   void make_room();
-  /// Records a cut. Safe with several threads, as each brick is cut by one thread only.
-  ///   after  the brick; nullptr if no material is left
+  /// Records that a sweep cut a brick. Several threads may call it at once, since each brick is cut by one thread only.
+  ///   after  the brick after the cut; nullptr if no material remains
   void add(std::size_t brick, std::int32_t sweep, const Brick* after);
   std::size_t bytes() const;
 
   std::vector<BrickPast> of_brick;
-  std::size_t most_copied;             // limit of the copies in bytes
-  std::atomic<std::size_t> copied{0};  // bytes of the copies
-  std::size_t apart = 32;              // cuts from one copy to the next
+  std::size_t most_copied;             // memory limit for the copies, bytes
+  std::atomic<std::size_t> copied{0};  // memory of the copies, bytes
+  std::size_t apart = 32;              // number of cuts from one copy of a brick to the next
 };
 
 std::size_t bytes_of(const Brick& brick);

@@ -1,5 +1,5 @@
 #pragma once
-// Lattice: the positions of the lattice points, and of the bricks that they form.
+// Lattice: the positions of the lattice points of a stock, and of the bricks (cubes of 16 × 16 × 16 points) into which they are grouped.
 
 #include <algorithm>
 #include <array>
@@ -29,7 +29,8 @@ struct BrickPlace {
   int x = 0, y = 0, z = 0;
 };
 
-/// Points in the middle of the cells into which the box is divided, with one empty cell around the box, filled up to whole bricks.
+/// The box around the blank is divided into cubic cells, and a lattice point is in the middle of each cell. One empty layer of cells is
+/// added around the box, and more layers to complete the last bricks.
 class Lattice {
  public:
   Lattice(const Box3& box, double cell) : cell_(cell) {
@@ -40,7 +41,7 @@ class Lattice {
   }
 
   double cell() const { return cell_; }
-  double edge() const { return cell_ * brick_edge; }  // of a brick
+  double edge() const { return cell_ * brick_edge; }  // edge length of a brick, mm
   const Vec3& origin() const { return origin_; }
   std::size_t size() const { return std::size_t(bricks_[0]) * std::size_t(bricks_[1]) * std::size_t(bricks_[2]); }
   int bricks(int axis) const { return bricks_[std::size_t(axis)]; }
@@ -55,7 +56,7 @@ class Lattice {
   Vec3 corner(BrickPlace p) const { return origin_ + edge() * Vec3{double(p.x), double(p.y), double(p.z)}; }
   Vec3 corner(std::size_t i) const { return corner(place(i)); }
 
-  /// Returns how many bricks a length of the box takes along an axis.
+  /// Returns how many bricks are needed along an axis in which the box has this length.
   static int bricks_for(double length, double cell) { return int(std::ceil((length / cell + 4) / brick_edge)); }
 
  private:

@@ -1,4 +1,4 @@
-// Chooses the processor's vectors. Used by stock/stock.
+// Selects the vector width of the processor and runs the Cutter. Used by stock/stock.
 
 #include "stock/cut/brick_cut.h"
 

@@ -1,5 +1,5 @@
 #pragma once
-// Cuts one sweep of an upright tool in one brick.
+// Removes from one brick the material that an upright tool (its axis parallel to Z) sweeps.
 
 #include <cstdint>
 
@@ -9,37 +9,37 @@
 
 namespace kadr {
 
-/// The box around what a sweep removed, from the brick's corner, mm.
+/// The box around the material that a sweep removed, mm from the brick's corner.
 struct RemovedBox {
   float least[3] = {1e30f, 1e30f, 1e30f};
   float most[3] = {-1e30f, -1e30f, -1e30f};
   bool any() const { return most[0] >= least[0]; }
 };
 
-/// What one cut removed.
+/// What a sweep removed from a brick.
 struct CutOutcome {
   bool changed = false;
-  double length = 0;              // of removed material on the upright lines, mm
-  float depth = 0;                // greatest height of that above the tip, where the tip is lowest over the line, mm
-  float longest = 0;              // longest piece removed from a line in any direction, mm
-  RemovedBox* watched = nullptr;  // the removed box, if requested: pieces shorter than `least_piece` do not count
+  double length = 0;              // removed length, summed over the lattice lines along Z, mm
+  float depth = 0;                // greatest height of removed material above the tip's lowest position over the line, mm
+  float longest = 0;              // longest interval removed from a lattice line of any direction, mm
+  RemovedBox* watched = nullptr;  // receives the removed box unless nullptr; intervals shorter than `least_piece` are left out
   float least_piece = 0;
 };
 
-/// Positions of the lattice points along an axis from the brick's corner, mm, and the size of the brick.
+/// The coordinates of the lattice points along an axis, mm from the brick's corner, and the size of the brick.
 struct BrickScale {
   explicit BrickScale(double cell);
   float cell, edge;
   alignas(32) float place[brick_edge];
 };
 
-/// Width of the processor's vectors to use. Both give the same bits.
+/// Width of the processor's vectors to use. Both widths give bit for bit the same result.
 enum class LaneWidth : std::uint8_t { pair, wide };
-/// Returns the widest that this processor supports.
+/// Returns the greatest width that this processor supports.
 LaneWidth widest_lanes();
 
-/// Removes what the body sweeps.
-///   by  number of the sweep, stored at the ends that it makes
+/// Removes the material that the body sweeps.
+///   by  number of the sweep, which is stored at the new ends of intervals
 void cut_brick(Brick& brick, const BrickScale& scale, const LocalSweep& sweep, const SweptBody& body, std::int32_t by, CutOutcome& outcome,
                LaneWidth width = widest_lanes());
 

@@ -1,4 +1,4 @@
-// The part of a cut without lanes: whole bricks, lines with several intervals, reports.
+// The part of Cutter that handles lines one by one: whole bricks, lines with several intervals, reports.
 
 #include "stock/cut/cutter.h"
 
@@ -9,7 +9,7 @@ namespace {
 
 constexpr int cuts_between_tops = 8;
 
-/// The least height above the body's bottom at which the body reaches `radius`.
+/// Returns the least height above the body's bottom at which the body's radius is `radius`.
 float height_at(const SweptBody& body, float radius) {
   const float beyond = std::max(radius - body.flat, 0.f);
   if (body.end == BodyEnd::flat) return 0;
@@ -29,7 +29,7 @@ Cutter::Cutter(Brick& brick, const BrickScale& scale, const LocalSweep& sweep, c
       below_(body.turned ? -body.top : body.bottom),
       above_(body.turned ? -body.bottom : body.top) {}
 
-/// The lowest height of the body where its path passes the brick.
+/// Returns the lowest height of the body's bottom while it passes the brick.
 float Cutter::lowest_over_brick() const {
   const LocalSweep& s = sweep_;
   const float half = scale_.edge / 2, along_plane = (half - s.from[0]) * s.flat_way[0] + (half - s.from[1]) * s.flat_way[1];
@@ -79,7 +79,8 @@ void Cutter::end() {
   if (outcome_.changed && ++brick_.cuts_since >= cuts_between_tops) take_tops(brick_, scale_.cell);
 }
 
-/// Height of the tip when the body is lowest over an upright line; for a flat end exact, for others at the nearest position.
+/// Returns the height of the tip when the body is lowest over a lattice line along Z. This is exact for a flat end; for other ends, the
+/// tip's height at the position nearest to the line is used.
 float Cutter::tip_over(int line) const {
   const LocalSweep& s = sweep_;
   const float x = scale_.place[line % brick_edge] - s.from[0], y = scale_.place[line / brick_edge] - s.from[1];
@@ -90,7 +91,7 @@ float Cutter::tip_over(int line) const {
   return s.rise == 0.f ? s.from[2] : std::min(std::max(lowest, 0.f), s.length) * s.way[2] + s.from[2];
 }
 
-/// Records a piece removed from an upright line.
+/// Records an interval removed from a lattice line along Z.
 void Cutter::note_upright(float from, float to, float tip) {
   outcome_.longest = std::max(outcome_.longest, to - from);
   outcome_.depth = std::max(outcome_.depth, to - tip);
@@ -116,7 +117,7 @@ void Cutter::watch_lanes(const BrickLines& lines, int family, int at, const floa
   }
 }
 
-/// Handles lines that a sweep cuts into two pieces: the upper piece becomes a further interval.
+/// Handles lines in which the swept interval divides the first interval in two: the upper one becomes a further interval.
 void Cutter::split(BrickLines& lines, int at, const float* from, const float* to) {
   for (int i = 0; i < lanes::lane_count; ++i) {
     if (!(from[i] > lines.from[at + i] && to[i] < lines.to[at + i] && from[i] < to[i])) continue;
@@ -126,7 +127,7 @@ void Cutter::split(BrickLines& lines, int at, const float* from, const float* to
   }
 }
 
-/// Removes the swept intervals from the further intervals.
+/// Removes the swept intervals from the further intervals (the second and later ones) of the lines.
 void Cutter::take_further(BrickLines& lines, int family, const float* from, const float* to, const float* tips) {
   std::vector<FurtherInterval>& further = lines.further;
   const std::size_t count = further.size();

@@ -1,8 +1,9 @@
 #pragma once
-// Cutter: one sweep of one body in one brick. Used by stock/cut/brick_cut.
+// Cutter: removes what one body of a tool sweeps in one sweep from one brick. Used by stock/cut/brick_cut.
 //
-// It finds the lines that the sweep can meet, what is swept of them (upright_rows, level_rows), and what is removed. Work on eight
-// lines at once is in cutter_lanes.h, the rest in cutter.cpp.
+// It finds the lattice lines that the body can meet, then the interval of each line that the body sweeps (upright_rows, level_rows),
+// and then what this removes from the material. Code that handles eight lines at once, one per lane of a processor vector, is in
+// cutter_lanes.h; the rest is in cutter.cpp.
 
 #include "stock/cut/brick_cut.h"
 #include "stock/cut/lanes.h"
@@ -12,12 +13,13 @@ namespace kadr {
 namespace lanes {
 template <class V>
 struct Swept;
-/// What is removed from the lines of one family, per lane, mm: total material, greatest height above the tip, longest piece.
+/// What a sweep removes from the lines of one family, in mm, for each lane: sum of lengths, greatest height above the tip, longest
+/// interval.
 template <class V>
 struct Taken;
 }  // namespace lanes
 
-/// Lattice points that a sweep can meet: `first` to `last` - 1 along each axis.
+/// The lattice points that a sweep can meet: indices `first` to `last` - 1 along each axis.
 struct PointRange {
   int first[3], last[3];
   bool none = false;
@@ -28,7 +30,7 @@ class Cutter {
   Cutter(Brick& brick, const BrickScale& scale, const LocalSweep& sweep, const SweptBody& body, std::int32_t by, CutOutcome& outcome);
 
   bool stays_above() const { return sweep_.lowest() + below_ >= brick_.top + margin(); }
-  /// True if the whole brick is swept: it lies in the cylinder that the body contains above some height.
+  /// True if the sweep removes the whole brick: the brick lies inside the body's cylinder, above the body's end.
   bool takes_all() const;
   void clear();
   template <class V>
@@ -36,7 +38,7 @@ class Cutter {
   void end();
 
  protected:
-  /// Safety margin for skipping: the result is the same to the bit, however old the bounds of the brick are.
+  /// Safety margin for skipping, mm. The bounds of the brick may be older than its last cuts; skipping never changes the result.
   float margin() const { return scale_.cell * 1e-3f; }
   float lowest_over_brick() const;
   template <class V>
@@ -64,7 +66,7 @@ class Cutter {
   const SweptBody& body_;
   std::int32_t by_;
   CutOutcome& outcome_;
-  float below_, above_;  // the body's bottom and top, from the tip, mm
+  float below_, above_;  // heights of the body's bottom and top above the tip, mm
 };
 
 }  // namespace kadr

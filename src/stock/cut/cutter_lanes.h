@@ -1,5 +1,6 @@
 #pragma once
-// The part of a cut in lanes. Only for stock/cut/brick_cut, which compiles it for each type of processor.
+// The part of Cutter that handles eight lattice lines at once (stock/cut/lanes.h). Only for stock/cut/brick_cut, which compiles it for
+// each type of processor.
 
 #include "stock/cut/cutter.h"
 #include "stock/cut/level_rows.h"
@@ -12,11 +13,11 @@ namespace lanes {
 template <class V>
 struct Taken {
   V gone, depth, longest;
-  V tip;  // height of the tip at the current lines
+  V tip;  // height of the tool's tip where the body is lowest over each of the eight lines
 };
 }  // namespace lanes
 
-/// The least height above the body's bottom at which the body reaches `radius`.
+/// Returns the least height above the body's bottom at which the body's radius is `radius`.
 template <class V>
 KADR_IN_LANES V lowest_height(const SweptBody& b, const V& radius) {
   if (b.turned || b.end == BodyEnd::flat) return spread<V>(0.f);
@@ -25,7 +26,7 @@ KADR_IN_LANES V lowest_height(const SweptBody& b, const V& radius) {
   return spread<V>(b.corner) - root(spread<V>(b.corner * b.corner) - beyond * beyond);
 }
 
-/// Skips squares of columns whose material ends below the sweep, or that the sweep does not reach.
+/// Excludes squares of 4 × 4 lattice lines along Z whose material ends below the sweep, or that the sweep does not reach.
 template <class V>
 KADR_IN_LANES void Cutter::narrow_by_squares(float least_place[3], float most_place[3]) const {
   static constexpr float middle_x[16] = {2, 6, 10, 14, 2, 6, 10, 14, 2, 6, 10, 14, 2, 6, 10, 14};
@@ -109,7 +110,8 @@ KADR_IN_LANES void Cutter::cut_family(const PointRange& range) {
   BrickLines& lines = brick_.family[std::size_t(family)];
   const LocalSweep sweep = body_.turned ? upside_down(sweep_) : sweep_;
   const LevelWay way(sweep, family == 2 ? 0 : family);
-  const bool several = !lines.further.empty();  // before this cut: the pieces that it splits off itself are outside what it sweeps
+  // Tested before this cut: intervals that this cut itself splits off lie outside the swept volume.
+  const bool several = !lines.further.empty();
   alignas(32) float all_from[brick_lines], all_to[brick_lines], all_tips[brick_lines];
   if (several) std::fill(all_from, all_from + brick_lines, missed), std::fill(all_to, all_to + brick_lines, -missed);
   const V none = spread<V>(0.f);
@@ -146,7 +148,7 @@ KADR_IN_LANES void Cutter::add_taken(const Taken<V>& taken) {
   }
 }
 
-/// Removes the swept intervals from the first interval of each line.
+/// Removes the swept intervals from the first interval of each of eight lines.
 template <class V, int family>
 KADR_IN_LANES void Cutter::take(BrickLines& lines, int at, const Swept<V>& swept, Taken<V>& taken) {
   using Marks = MarksOf<V>;

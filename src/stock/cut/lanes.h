@@ -1,13 +1,13 @@
 #pragma once
-// Lanes: eight single-precision numbers that are computed in parallel, as one vector of the processor (Wide) or as two (Pair).
+// Lanes: eight single-precision numbers that are computed in parallel, as one vector of the processor (Wide) or as two vectors (Pair).
 //
-// Code written once for both, `template <class V>`, gives the same bits with both: +, -, *, / and the square root are rounded alike
-// everywhere, and no two operations are fused (-ffp-contract=off).
+// Code that is written once for both, as `template <class V>`, gives bit for bit the same result: +, -, *, / and the square root are
+// rounded alike on all processors, and the compiler never fuses two operations (-ffp-contract=off).
 //
-// A function of lanes is compiled for the processor that has them. Small ones are inlined into their callers (KADR_IN_LANES). Large
-// ones that are called from several places stay functions (KADR_OWN_FUNCTION): inlined everywhere they made 2.7 MB of code. Those of
-// Wide are compiled in lean_cut_wide.cpp only, where the compiler may use AVX2. Code there that is not a template of V is inlined
-// too, so that no function called from other files needs AVX2 (tests/wide_lanes.py).
+// A function that uses lanes is compiled for the processors that have such vectors. Small functions are inlined into their callers
+// (KADR_IN_LANES). Large functions that are called from several places are not (KADR_OWN_FUNCTION): inlining them everywhere would give
+// 2.7 MB of code. The functions for Wide are compiled only in lean_cut_wide.cpp, where the compiler may use AVX2. Functions in that file
+// that are not templates of V are inlined too, so that no other file calls a function that needs AVX2 (tests/wide_lanes.py).
 
 #include <cmath>
 #include <cstdint>
@@ -24,7 +24,7 @@ inline constexpr int lane_count = 8;
 // ---- one vector of 32 bytes
 
 using Wide = float __attribute__((vector_size(32), may_alias));
-using WideMarks = std::int32_t __attribute__((vector_size(32), may_alias));  // result of a comparison: all bits of a lane set, or none
+using WideMarks = std::int32_t __attribute__((vector_size(32), may_alias));  // comparison result: all bits of a lane set, or none
 
 KADR_IN_LANES Wide choose(const WideMarks& m, const Wide& a, const Wide& b) { return m ? a : b; }
 KADR_IN_LANES WideMarks choose(const WideMarks& m, const WideMarks& a, const WideMarks& b) { return m ? a : b; }
@@ -87,7 +87,7 @@ KADR_IN_LANES Quad square_root(const Quad& v) {
 }
 KADR_IN_LANES Pair square_root(const Pair& v) { return {square_root(v.low), square_root(v.high)}; }
 
-// ---- for both
+// ---- for both, Wide and Pair
 
 template <class V>
 using MarksOf = decltype(V{} < V{});
@@ -106,7 +106,7 @@ KADR_IN_LANES void store(float* to, const Pair& v) { *reinterpret_cast<Quad*>(to
 KADR_IN_LANES void store(std::int32_t* to, const PairMarks& v) {
   *reinterpret_cast<QuadMarks*>(to) = v.low, *reinterpret_cast<QuadMarks*>(to + 4) = v.high;
 }
-/// Loads eight numbers from an address that is a multiple of 32.
+/// Loads eight numbers from an address that is divisible by 32.
 template <class T>
 KADR_IN_LANES T lanes_at(const auto* from) {
   T v;
@@ -117,7 +117,7 @@ KADR_IN_LANES Wide spread_of(float v, const Wide&) { return Wide{v, v, v, v, v, 
 KADR_IN_LANES Pair spread_of(float v, const Pair&) { return {Quad{v, v, v, v}, Quad{v, v, v, v}}; }
 KADR_IN_LANES WideMarks spread_of(std::int32_t v, const WideMarks&) { return WideMarks{v, v, v, v, v, v, v, v}; }
 KADR_IN_LANES PairMarks spread_of(std::int32_t v, const PairMarks&) { return {QuadMarks{v, v, v, v}, QuadMarks{v, v, v, v}}; }
-/// The same number in every lane.
+/// Returns lanes that all contain this number.
 template <class V>
 KADR_IN_LANES V spread(auto v) {
   return spread_of(v, V{});

@@ -1,19 +1,20 @@
 #pragma once
-// Where lattice lines are inside what a ball sweeps along a straight path. Single precision, lengths in mm, from the brick's middle.
+// Finds the intervals of lattice lines inside the volume that a ball sweeps along a straight path: the ball end of a tilted tool. Single
+// precision, lengths in mm, relative to the brick's middle.
 //
-// A ball looks the same however the tool is tilted: its centre moves along a path that is straight up to the bend that every part of
-// a path is allowed. The ball sweeps a ball at either end and a tube between them.
+// A ball looks the same however the tool is tilted. Its centre moves on a nearly straight path: the deviation is within the bend that
+// is permitted for every part of a path (lean_way.h). The swept volume is a ball at either end of the path and a tube between them.
 
 #include "stock/cut/lean_rows.h"
 
 namespace kadr::lanes {
 
 struct BallWay {
-  float from[3], to[3];  // of the centre
+  float from[3], to[3];  // start and end of the path of the ball's centre
   float radius;
 };
 
-/// A path as seen by the lines of one family: components along lines, lanes and rows.
+/// A BallWay in the coordinates of the lattice lines of one family: components along the lines, and across them by lane and by row.
 struct BallTube {
   KADR_IN_LANES BallTube(const BallWay& way, int family) {
     const int axes[3] = {family, (family + 1) % 3, (family + 2) % 3};
@@ -31,12 +32,12 @@ struct BallTube {
     radius_square = way.radius * way.radius;
   }
 
-  float line[2], lane[2], row[2];           // of the ball's centre, at the start and the end
-  float along_line, along_lane, along_row;  // unit vector
-  float length;                             // of the path
-  float square, per_square, per_line;       // square: sine² of the angle between path and lines, and its inverse; per_line: 1 / along_line
+  float line[2], lane[2], row[2];           // position of the ball's centre, at the start and the end of the path
+  float along_line, along_lane, along_row;  // unit vector of the path
+  float length;                             // length of the path
+  float square, per_square, per_line;       // square: sine² of the angle between path and lines; per_…: 1 / square, 1 / along_line
   float radius_square;
-  bool is_there;  // otherwise the balls at both ends contain everything
+  bool is_there;  // false if the balls at both ends contain the whole swept volume
 };
 
 template <class V>
@@ -45,7 +46,7 @@ KADR_IN_LANES Swept<V> in_ball_of(const BallTube& b, int end, const V& lanes, co
   return where(room > 0.f, b.line[end] - half, b.line[end] + half);
 }
 
-/// Lines at the positions `lanes` of one row, or each of a row of its own.
+/// Returns the intervals that the ball sweeps, of lines at the positions `lanes`. `row` is one position for all lines, or one for each.
 template <class V>
 KADR_IN_LANES Swept<V> in_ball_tube(const BallTube& b, const V& lanes, const auto& row) {
   const Swept<V> ends = either(in_ball_of(b, 0, lanes, row), in_ball_of(b, 1, lanes, row));
@@ -60,7 +61,7 @@ KADR_IN_LANES Swept<V> in_ball_tube(const BallTube& b, const V& lanes, const aut
   return either(ends, where((room > 0.f) & (tube.from <= tube.to), tube.from + b.line[0], tube.to + b.line[0]));
 }
 
-/// The material that the ball leaves, as far as the shaft may still remove some of it.
+/// Returns the material that remains after the ball has cut, as far as the shaft behind the ball may still remove some of it.
 template <class V>
 KADR_IN_LANES Swept<V> left_by(const Swept<V>& ball, const Swept<V>& material) {
   const MarksOf<V> takes_from = ball.from <= material.from, takes_to = ball.to >= material.to;

@@ -1,5 +1,6 @@
 #pragma once
-// LeanCutter for ball ends: first the ball, then the shaft on the remaining stock. Only for stock/cut/lean_cut.
+// LeanCutter for tools with a ball end: removes what the ball sweeps, then what the shaft sweeps of the rest. Only for
+// stock/cut/lean_cut.
 
 #include "stock/cut/lean_cutter.h"
 
@@ -17,7 +18,7 @@ KADR_IN_LANES bool LeanCutter::sweeps_ball(const LeanFamily<V>& all, int family,
   Swept<V> shaft;
   if (!sweeps<V, LeanBody::Kind::cylinder>(all, family, row, lane, left, shaft)) return meets;
   shaft = where(meet(shaft, left), shaft.from, shaft.to);
-  // For a line that nearly lies in both, the ball may reach it at one end of the path and the shaft at the other.
+  // A line that nearly lies in the surface of ball and shaft may be met by the ball at one end of the path, and by the shaft at the other.
   const V between = most(swept.from, shaft.from) - least(swept.to, shaft.to);
   const MarksOf<V> apart = (swept.from <= swept.to) & (shaft.from <= shaft.to) & (between > (over_.apart > 0 ? over_.apart : missed)),
                    ball_takes = meet(swept, material);

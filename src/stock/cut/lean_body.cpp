@@ -1,4 +1,4 @@
-// Converts a tool's body for rows of a tilted tool. Used by stock/stock.
+// Converts a body of a tool for intersection with lattice lines when the tool is tilted. Used by stock/stock.
 
 #include "stock/cut/lean_body.h"
 
@@ -7,11 +7,11 @@
 namespace kadr {
 namespace {
 
-constexpr double lean_error_by_place = 4e-5;  // mm, error of the result
+constexpr double lean_error_by_place = 4e-5;  // mm, error that a wrong position on the path may cause in the result
 
 Frustum larger_frustum(Frustum f, float by) {
   const float tall = f.high - f.low, widens = tall > 0 ? (f.high_radius - f.low_radius) / tall : 0.f;
-  const float beside = by * std::sqrt(1 + widens * widens);  // horizontally, for the side of a cone
+  const float beside = by * std::sqrt(1 + widens * widens);  // horizontal enlargement at the side of a cone
   return {f.low - by, f.high + by, std::max(f.low_radius - by * widens, 0.f) + beside, std::max(f.high_radius + by * widens, 0.f) + beside};
 }
 

@@ -1,33 +1,34 @@
 #pragma once
-// LeanBody: a convex body of the tool, in single precision, as needed for lines and a tilted tool.
+// LeanBody: a convex body of a tool in single precision, as needed to intersect lattice lines with a tilted tool.
 
 #include "stock/cut/swept_body.h"
 
 namespace kadr {
 
-/// From `low_radius` at the height `low` to `high_radius` at `high`: a cylinder, or a cone without its point.
+/// A cylinder, or a cone without its apex, about the tool's axis: its radius is `low_radius` at the height `low` and `high_radius` at
+/// `high`.
 struct Frustum {
   float low = 0, high = 0;
   float low_radius = 0, high_radius = 0;
 };
 
-/// The body is the union of the parts that its kind names.
+/// The body is the union of the members that its kind names.
 struct LeanBody {
   enum class Kind : std::uint8_t {
-    cylinder,  // `shaft`
-    cone,      // `end`, and `shaft` if that has a height
-    ball,      // a whole ball of radius `corner` about `middle`, and `shaft` above its centre
-    rounded,   // everything within `corner` of a shaft of radius `flat` from `middle` up, below shaft.high
+    cylinder,  // cylinder `shaft`
+    cone,      // cone `end`, and cylinder `shaft` above it if its height is not 0
+    ball,      // a whole ball of radius `corner` with its centre on the axis at the height `middle`, and `shaft` above the centre
+    rounded,   // bull nose: all points within `corner` of a cylinder of radius `flat` that begins at the height `middle`, below shaft.high
   };
   Kind kind = Kind::cylinder;
   Frustum end, shaft;
   float flat = 0, corner = 0, middle = 0;
-  float place_error = 0;  // as in SweptBody
+  float place_error = 0;  // mm, the same as SweptBody::place_error
 
   float low() const { return kind == Kind::cylinder ? shaft.low : kind == Kind::cone ? end.low : middle - corner; }
   float high() const { return kind == Kind::cone && shaft.high <= shaft.low ? end.high : shaft.high; }
   float widest() const { return std::max(shaft.low_radius, std::max(end.low_radius, end.high_radius)); }
-  /// Returns the body enlarged on all sides by at least this amount.
+  /// Returns a body that is larger on all sides by at least `by` mm.
   LeanBody larger(float by) const;
 };
 

@@ -1,4 +1,4 @@
-// A tilted tool in a brick: the part without lanes, and the choice of the processor's vectors. Used by stock/stock.
+// Cuts with a tilted tool: the part that handles no lanes, and the selection of the vector width. Used by stock/stock.
 
 #include "stock/cut/lean_cut.h"
 
@@ -8,10 +8,10 @@
 namespace kadr {
 namespace {
 
-constexpr float square_reach = 2 * 1.41422f;  // cells from a square's middle to its corners
+constexpr float square_reach = 2 * 1.41422f;  // distance from the middle of a square of 4 × 4 lines to its corners, in cells
 
-/// Enlarges the body for columns through the middles of squares: sideways by the size of a square, and vertically by the height
-/// difference that results from this. Rounded edges count as sharp.
+/// Enlarges the body for lines through the middles of squares: sideways by the size of a square, and vertically by the difference in
+/// height that results from this. Rounded edges count as sharp.
 LeanBody around_squares(const LeanBody& body, const LeanSweep& s, const BrickScale& scale) {
   const float aside = square_reach * scale.cell, room = s.guess_error() + scale.cell * 1e-3f;
   LeanBody around = body.larger(aside + room);
@@ -28,8 +28,7 @@ float half_shift(const LeanSweep& s) {
   return length / 2 + s.guess_error() + 1e-4f;
 }
 
-/// Returns a cylinder, in the pose at the middle of the path, that encloses everything the body sweeps; for a ball end, what its
-/// shaft sweeps.
+/// Returns a cylinder, in the pose half way, that encloses everything the body sweeps; for a ball end, everything its shaft sweeps.
 Frustum bounds_of(const LeanBody& body, const LeanSweep& s) {
   const float room = s.guess_error() + 1e-4f, rise = std::fabs(s.shift[2]) / 2 + room,
               beside = std::sqrt(s.shift[0] * s.shift[0] + s.shift[1] * s.shift[1]) / 2 + room;
@@ -56,7 +55,7 @@ LeanSweep::LeanSweep(const LeanWay& way, Vec3 corner, double edge) {
     along(axis, d) = 1;
     const Vec3 a = ToolEnds::in(ends.axes_first, axis), b = ToolEnds::in(ends.axes_last, axis);
     const Vec3 sum = a + b;
-    const double per = 1 / std::sqrt(dot(sum, sum));  // normalises: the mean is shorter by turn² / 8
+    const double per = 1 / std::sqrt(dot(sum, sum));  // normalises the mean direction, which is too short by turn² / 8
     for (int i = 0; i < 3; ++i) {
       axes[d][i] = float(per * (along(a, i) + along(b, i)));
       axes_first[d][i] = float(along(a, i)), axes_last[d][i] = float(along(b, i));
@@ -82,7 +81,7 @@ LeanCutter::LeanCutter(Brick& brick, const BrickScale& scale, const LeanCut& cut
       only_(cut.only),
       later_(later) {}
 
-/// The path of a ball end's centre.
+/// Returns the path of the centre of a ball end.
 BallWay LeanCutter::ball_way(float radius) const {
   BallWay way{{}, {}, radius};
   for (int d = 0; d < 3; ++d) {
@@ -92,7 +91,7 @@ BallWay LeanCutter::ball_way(float radius) const {
   return way;
 }
 
-/// From the beginning of a line's first interval to the end of its last.
+/// Returns for each line the interval from the start of its first interval to the end of its last one.
 void LeanCutter::material_of_all(const BrickLines& lines, float* from, float* to) {
   std::copy(lines.from, lines.from + brick_lines, from), std::copy(lines.to, lines.to + brick_lines, to);
   for (const FurtherInterval& f : lines.further) {
@@ -101,14 +100,14 @@ void LeanCutter::material_of_all(const BrickLines& lines, float* from, float* to
   }
 }
 
-/// True if no point of the brick is above the lower face of the shaft, which is inside the ball.
+/// True if all points of the brick are always below the lower face of the shaft, which is inside the ball: then the ball alone cuts.
 bool LeanCutter::is_below_shaft() const {
   float high = lean_.middle[2] + std::fabs(lean_.shift[2]) / 2 + lean_.guess_error() + margin();
   for (int d = 0; d < 3; ++d) high += std::fabs(lean_.axes[d][2]) * half_;
   return high < body_leaning_.shaft.low;
 }
 
-/// Finds which flat faces can be in the brick, with a margin for enlarged bodies.
+/// Finds out which flat faces of the body can be in the brick, with a margin for enlarged bodies.
 FacesNear LeanCutter::faces_near() const {
   float reach = std::fabs(lean_.shift[2]) * 1.5f + lean_.guess_error() + 4 * scale_.cell;
   for (int d = 0; d < 3; ++d) reach += std::fabs(lean_.axes[d][2]) * half_;
@@ -119,7 +118,7 @@ FacesNear LeanCutter::faces_near() const {
   return near;
 }
 
-/// True if the brick is inside the shaft in the pose at the middle of the path.
+/// True if the brick is inside the shaft in the pose half way.
 bool LeanCutter::takes_all() const {
   const Frustum& f = body_leaning_.shaft;
   const float reach = lean_.reach + lean_.guess_error(), height = lean_.middle[2];
@@ -130,12 +129,12 @@ bool LeanCutter::takes_all() const {
 
 bool may_reach(const LeanSweep& s, const LeanBody& body, const BrickScale& scale, float top) {
   const float half = scale.edge / 2, tall = top / 2, room = half_shift(s) + scale.cell * 1e-3f;
-  float at[3], size[3][3];  // of the box, in the tool's coordinates at the middle of the path
+  float at[3], size[3][3];  // middle and half edges of the material's box, in the tool's coordinates in the pose half way
   for (int i = 0; i < 3; ++i) {
     at[i] = s.middle[i] + s.axes[2][i] * (tall - half);
     size[0][i] = s.axes[0][i] * half, size[1][i] = s.axes[1][i] * half, size[2][i] = s.axes[2][i] * tall;
   }
-  /// The least value over the box along a direction, times the direction's length.
+  /// Returns the least value over the box of the scalar product with the vector x, y, z.
   const auto least = [&](float x, float y, float z) {
     float sum = at[0] * x + at[1] * y + at[2] * z;
     for (const auto& d : size) sum -= std::fabs(d[0] * x + d[1] * y + d[2] * z);

@@ -1,4 +1,4 @@
-// A tilted tool in a brick, with lanes that every processor has. Used by stock/cut/lean_cut.
+// Cuts with a tilted tool, with vectors that every processor has. Used by stock/cut/lean_cut.
 
 #include "stock/cut/lean_ball_cutter.h"
 #include "stock/cut/lean_cutter.h"

@@ -1,6 +1,7 @@
-// A tilted tool in a brick, with AVX2 lanes. Used by stock/cut/lean_cut, which checks the processor first.
+// Cuts with a tilted tool, with the vectors of AVX2. Used by stock/cut/lean_cut, which checks that the processor has AVX2.
 
-// Everything without lanes is included before the pragma, since the linker may use its copy of such a function for the whole program.
+// All code without lanes is included before the pragma, so that it is compiled without AVX2: the linker may use this file's copy of such a
+// function for the whole program.
 #include <algorithm>
 #include <cmath>
 #include <cstdint>

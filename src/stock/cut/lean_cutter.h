@@ -1,12 +1,12 @@
 #pragma once
-// LeanCutter: one sweep of a body of a tilted tool, in one brick. Only for stock/cut/lean_cut, which compiles it for each type of
-// processor.
+// LeanCutter: removes what one body of a tilted tool sweeps in one sweep from one brick. Only for stock/cut/lean_cut, which compiles it
+// for each type of processor.
 //
-// It finds the squares of columns that the sweep reaches; then the lines, by their distance from the tool's axis and by a cylinder in
-// the pose at the middle of the path, enlarged by the shift. For a cylinder, it decides most lines by the poses at the ends of the
-// path (lean_pose.h). For the others it tests an enlarged body with the shift of the brick's middle, and then finds the ends from
-// outside, with the shift at the very position where the tool leaves the line. For a ball end it takes the ball first, and the shaft
-// only for what the ball leaves.
+// It first finds the squares of 4 × 4 lattice lines along Z that the sweep reaches. Then it finds the lines near the sweep: by their
+// distance from the tool's axis, and by a cylinder in the pose half way, enlarged by the tool's shift (its motion without the turn).
+// For a cylinder, the poses at both ends of the path decide most lines (lean_pose.h). For other bodies it tests an enlarged body with
+// the shift of the brick's middle; then it approaches the ends of the swept interval from outside, using the shift at the position on
+// the line where the tool leaves it. For a ball end it cuts with the ball first, and with the shaft only what the ball leaves.
 
 #include "stock/cut/cutter_lanes.h"
 #include "stock/cut/lean_ball.h"
@@ -25,10 +25,11 @@ class LeanCutter : public Cutter {
 
  private:
   static constexpr int squares_along = 4;
-  /// The material that the sweep reaches.
+  /// The material that the sweep reaches, by squares of 4 × 4 lattice lines along Z.
   struct Reached {
-    std::uint32_t squares = 0;  // one bit each
-    // For each column and row of reached squares: the top of the material and the start of the body; empty if the top is lower.
+    std::uint32_t squares = 0;  // one bit per square
+    // For each column and row of reached squares: the height of the material's top, and the height where the body starts. Empty if the top
+    // is below the start.
     float top_x[squares_along], top_y[squares_along], low_x[squares_along], low_y[squares_along];
   };
   template <class V>
@@ -69,7 +70,7 @@ class LeanCutter : public Cutter {
   MarksOf<V> is_where_flat(const LeanFamily<V>& all, const LeanRow<V>& line, int family, const V& place) const;
   static void material_of_all(const BrickLines& lines, float* from, float* to);
   struct RowRange {
-    int first, last;  // last: one past the end
+    int first, last;  // indices of rows; `last` is one past the end
   };
   static RowRange rows_of(const Reached& reached, int family, int square, int lane, const BrickScale& scale);
   FacesNear faces_near() const;
@@ -83,20 +84,20 @@ class LeanCutter : public Cutter {
   Frustum around_;
   FacesNear near_;
   bool shifts_little_;
-  Frustum around_columns_;  // used if shifts_little_: like around_, for squares of columns; the shaft of a ball end
-  float widest_;            // radius of the body, with a margin for guess errors
-  BallWay ball_;            // of a ball end
+  Frustum around_columns_;  // used if shifts_little_: like around_, for squares of lines along Z; for a ball end, it encloses the shaft
+  float widest_;            // greatest radius of the body, with a margin for guess errors
+  BallWay ball_;            // path of the ball, if the body has a ball end
   bool below_shaft_;
   LeanOver over_;
   const LineSet* only_;
   LineSet& later_;
 };
 
-/// Cuts in lanes; the wide version needs AVX2.
+/// Cut with eight lanes, as two vectors or as one; cut_leaning_wide() needs AVX2.
 void cut_leaning_pair(LeanCutter& cutter);
 void cut_leaning_wide(LeanCutter& cutter);
 
-/// mm: error that is accepted. A position that is off by x changes the result by x times the turn.
+/// mm, accepted error. If the shift is taken at a position that is wrong by x, the result is wrong by x times the turn (radians).
 inline constexpr float let_pass = 2.5e-4f;
 inline constexpr int quick_steps = 2, most_refined = 16;
 
@@ -118,7 +119,7 @@ KADR_IN_LANES Vec3Of<V> LeanCutter::line_value(const float (&middle)[3], const f
   return {lanes * u[0] + (row * v[0] + middle[0]), lanes * u[1] + (row * v[1] + middle[1]), lanes * u[2] + (row * v[2] + middle[2])};
 }
 
-/// `past`: the tool's path with the shift of the brick's middle.
+/// Returns the lines of a family in the tool's coordinates. `past` is the tool's path with the shift of the brick's middle.
 template <class V>
 KADR_IN_LANES LeanFamily<V> LeanCutter::lines_of(int family, const WayPast<V>& past) const {
   const float* const e = lean_.axes[family];
@@ -139,7 +140,8 @@ KADR_IN_LANES LeanPlace<V> LeanCutter::evenly_shifted_place(const LeanLines<V>& 
   return {first, first, last};
 }
 
-/// Tests the columns through the middles of squares with a body that is enlarged by the size of a square.
+/// Tests whether the sweep reaches squares of 4 × 4 lines along Z: intersects the lines through their middles with a body that is
+/// enlarged by the size of a square.
 template <class V>
 KADR_OWN_FUNCTION Swept<V> LeanCutter::over_squares(const WayPast<V>& past, const V& x, const V& y) const {
   const auto& a = lean_.axes;
@@ -183,7 +185,7 @@ KADR_IN_LANES LeanCutter::Reached LeanCutter::reached(const WayPast<V>& past) co
   return r;
 }
 
-/// Returns the rows, of the four over a square, in which a line from `lane` on is reached.
+/// Returns the rows, among the four rows of lines over a square, in which a line with at least this lane is reached.
 inline LeanCutter::RowRange LeanCutter::rows_of(const Reached& r, int family, int square, int lane, const BrickScale& scale) {
   constexpr int wide = brick_edge / squares_along;
   const RowRange all{square * wide, square * wide + wide}, none{0, 0};
@@ -218,9 +220,10 @@ KADR_IN_LANES void LeanCutter::cut_kind(const Reached& r, const WayPast<V>& past
   cut_family<V, kind, 0>(r, past);
 }
 
-/// Finds one end of each wanted line: where the tool enters it (`by_from`), else where it leaves it. A position is swept if it is
-/// inside with its own shift. So the test is repeated at the position found last, then between positions inside and outside. A line
-/// that is missed with the shift at one position may be met with the shift nearer to the middle of what is met.
+/// Finds one end of the swept interval of each line in `wanted`: where the tool enters the line (in the lanes of `by_from`), else
+/// where it leaves the line. A position is swept if the tool, with the shift at this very position, contains it. So the test is repeated
+/// at the position found last, then between a position inside and one outside. A line that is missed with the shift at one position may
+/// be met with the shift at a position nearer to the middle of the interval.
 template <class V, LeanBody::Kind kind>
 KADR_OWN_FUNCTION Swept<V> LeanCutter::by_end(const LeanFamily<V>& all, int family, const LeanRow<V>& line, const Swept<V>& guess,
                                               const MarksOf<V>& by_from, const MarksOf<V>& wanted, const Swept<V>& material) const {
@@ -250,14 +253,14 @@ KADR_OWN_FUNCTION Swept<V> LeanCutter::by_end(const LeanFamily<V>& all, int fami
     if (i + 1 == most_refined || !any(open)) break;
     place = next;
   }
-  // An end outside the brick is as good as any other there.
+  // An end outside the brick may be moved anywhere outside the brick.
   const MarksOf<V> misses = end_of.from > end_of.to, inside = (low > -half) & (high < half);
   const V from = choose(inside, within(end_of.from, low, high), end_of.from), to = choose(inside, within(end_of.to, low, high), end_of.to);
   const Swept<V> end{choose(by_from, from, end_of.from) + half_, choose(by_from, end_of.to, to) + half_};
   return where(~misses, end.from, end.to);
 }
 
-/// Returns what the tool sweeps of the lines. Ends outside `material` need not be exact.
+/// Returns the intervals that the tool sweeps of the lines. Ends outside `material` need not be exact.
 template <class V, LeanBody::Kind kind>
 KADR_IN_LANES Swept<V> LeanCutter::ends_in(const LeanFamily<V>& all, int family, const LeanRow<V>& line, const Swept<V>& guess,
                                            const Swept<V>& material) const {
@@ -265,19 +268,19 @@ KADR_IN_LANES Swept<V> LeanCutter::ends_in(const LeanFamily<V>& all, int family,
   const MarksOf<V> reached = meet(guess, material);
   const MarksOf<V> by_from = (guess.from > material.from - room) | (guess.to > material.to + room);
   const Swept<V> one = by_end<V, kind>(all, family, line, guess, by_from, reached, material);
-  // That an end is outside the material is certain only for the tool at an end of its path.
+  // An end is certainly outside the material only if it is an end in a pose at the start or the end of the path.
   const MarksOf<V> open_from = line.at_ends.from + half_ > material.from, open_to = line.at_ends.to + half_ < material.to;
   const MarksOf<V> other_to = by_from & ((one.to < material.to + room) | open_to);
   const MarksOf<V> other_from = ~by_from & ((one.from > material.from - room) | open_from);
-  // Also if the material is missed with the shift at this end, since the shift at the other end may differ.
+  // The other end is computed even if, with the shift at this end, the material is missed: the shift at the other end may differ.
   const MarksOf<V> wanted = reached & (one.from <= one.to) & (other_to | other_from);
   if (!any(wanted)) return one;
   const Swept<V> two = by_end<V, kind>(all, family, line, one, ~by_from, wanted, material);
   return {choose(wanted & other_from, two.from, one.from), choose(wanted & other_to, two.to, one.to)};
 }
 
-/// Computes what the tool, or only its shaft, sweeps of the lines.
-///   returns  false if no material is met
+/// Computes the intervals that the tool, or only its shaft, sweeps of eight lines.
+///   returns  false if none of them meets material
 template <class V, LeanBody::Kind kind>
 KADR_OWN_FUNCTION bool LeanCutter::sweeps(const LeanFamily<V>& all, int family, int row, int lane, const Swept<V>& material,
                                           Swept<V>& swept) const {
@@ -288,7 +291,7 @@ KADR_OWN_FUNCTION bool LeanCutter::sweeps(const LeanFamily<V>& all, int family, 
   if (!any(beside)) return false;
   LeanRow<V> line;
   line.at = line_value(lean_.middle, lean_.axes, family, places, row_place);
-  // A pre-test at the middle of the path, with a body enlarged by the shift.
+  // A quick test with the pose half way and a body enlarged by the shift.
   const Swept<V> nearly = in_cylinder(line.at, all.even.heading, around_);
   const MarksOf<V> near = beside & meet({nearly.from + half_, nearly.to + half_}, material);
   if (!any(near)) return false;
@@ -313,7 +316,7 @@ KADR_OWN_FUNCTION bool LeanCutter::sweeps(const LeanFamily<V>& all, int family, 
   }
 }
 
-/// Uses the poses at the ends of the path; what the tool sweeps in between is computed only where it may reach more material.
+/// Uses the poses at both ends of the path; what the tool sweeps between them is computed only where it may reach more material.
 template <class V>
 KADR_IN_LANES bool LeanCutter::sweeps_cylinder(const LeanFamily<V>& all, int family, LeanRow<V>& line, const MarksOf<V>& near,
                                                const Swept<V>& material, Swept<V>& swept) const {
@@ -327,7 +330,7 @@ KADR_IN_LANES bool LeanCutter::sweeps_cylinder(const LeanFamily<V>& all, int fam
   if (any(open_from)) open_from = open_from & ~is_farthest_back(first, last, past);
   if (any(open_to)) open_to = open_to & ~is_farthest_on(first, last, past);
   if (!any(open_from | open_to)) return any(meet(swept, material));
-  // Most lines that the cylinder misses at both ends are missed all the way.
+  // Most lines that the cylinder misses in both end poses are missed during the whole path.
   const MarksOf<V> misses = swept.from > swept.to;
   MarksOf<V> reached = open_from | open_to;
   Swept<V> guess = swept;
@@ -358,7 +361,7 @@ KADR_OWN_FUNCTION void LeanCutter::cut_family(const Reached& reached, const WayP
     material_of_all(lines, first, last);
   }
   const V none = spread<V>(0.f);
-  Taken<V> taken{none, none, none, spread<V>(missed)};  // no depth is reported for a tilted tool
+  Taken<V> taken{none, none, none, spread<V>(missed)};  // the depth is not computed for a tilted tool
   const LeanFamily<V> all = lines_of<V>(family, past);
   [[maybe_unused]] const auto tube = [&] {
     if constexpr (kind == LeanBody::Kind::ball) return BallTube(ball_, family);

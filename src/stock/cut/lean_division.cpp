@@ -1,4 +1,4 @@
-// Divides a path with a turn for one brick. Used by stock/stock_leaning.
+// Divides the path of a tilted tool for one brick. Used by stock/stock_leaning.
 
 #include "stock/cut/lean_division.h"
 
@@ -8,7 +8,7 @@
 namespace kadr {
 namespace {
 
-/// Heights of the brick's points above the tip, at the middle of the path and with the shift from there.
+/// The heights of the brick's points above the tip, during the whole path.
 struct HeightRange {
   float low, high;
   bool holds(float height) const { return height >= low && height <= high; }
@@ -33,14 +33,14 @@ bool has_face(const LeanBody& body, const HeightRange& heights) {
   return true;
 }
 
-/// A ball bends as its centre does; the shaft of a ball end matters only above it.
+/// Returns the bend for one body. All of a ball bends as its centre does; the shaft of a ball end counts only in bricks above the centre.
 double bend_of(const LeanSweep& s, const LeanBody& body, const HeightRange& heights) {
   if (body.kind != LeanBody::Kind::ball) return double(s.bend);
   const double of_ball = double(body.middle * s.half_turn * s.half_turn) / 2;
   return heights.high < body.shaft.low ? of_ball : std::max(of_ball, double(s.bend));
 }
 
-/// Inserts a share into the ascending list; `count` is the number of segments between shares.
+/// Inserts a share into the ascending list `share`; `count` is the number of segments between the shares.
 void put_between(std::array<double, 5>& share, int& count, double at) {
   std::size_t i = std::size_t(++count);
   for (; share[i - 1] > at; --i) share[i] = share[i - 1];

@@ -1,9 +1,9 @@
 #pragma once
-// LeanDivision: the parts into which one brick divides the path of a tilted tool.
+// LeanDivision: the parts into which the path of a tilted tool is divided for one brick.
 //
-// The path of a part must bend little in the brick, since the bend is its error. And no line of the brick may turn from one side of a
-// flat face to the other within a part: the face would then reach it from both of its ends, and what lies between would be removed
-// too.
+// In each part, the points of the brick must move past the tool on nearly straight paths, since the bend of these paths is the error of
+// the cut. And no lattice line of the brick may turn from one side of a flat face of the tool to the other: the face would reach the
+// line from both of its ends, and the material between them would be removed too.
 
 #include <array>
 
@@ -12,20 +12,20 @@
 
 namespace kadr {
 
-/// mm: greatest assumed distance of a material point from its path past the tool.
+/// mm, greatest permitted bend: distance of the path of a material point, in the tool's coordinates, from its chord
 inline constexpr double bend_in_brick = 9e-4;
 
-/// Shares of a path in ascending order; each part goes from one to the next.
+/// Shares of a path in ascending order; each part goes from one share to the next.
 struct LeanDivision {
   static constexpr int most_parts = 8;
   std::array<double, most_parts + 1> share{0, 1};
   int parts = 1;
 };
 
-/// True if the body has a flat face near the brick.
+/// Returns true if the body has a flat face near the brick.
 bool has_flat_face(const LeanSweep& sweep, const LeanBody& body);
 
-/// `sweep` is the whole path, seen from the brick.
+/// Returns the division for one brick. `sweep` is the whole path, as seen from this brick.
 LeanDivision division_of(const LeanSweep& sweep, const LeanBody& body);
 
 }  // namespace kadr

@@ -1,6 +1,6 @@
 #pragma once
-// Where lines are inside a cylinder or a cone without its point of a tilted tool, and inside what such a body sweeps. Used by
-// stock/cut/lean_rows.
+// Finds the intervals of lattice lines inside a frustum (a cylinder, or a cone without its apex) of a tilted tool, and inside the volume
+// that the frustum sweeps. Used by stock/cut/lean_rows.
 
 #include "stock/cut/lean_body.h"
 #include "stock/cut/sweep_search.h"
@@ -25,10 +25,10 @@ KADR_IN_LANES Vec3Of<V> plus(const Vec3Of<V>& a, const V& by, const Vec3Of<V>& b
   return {a.x + by * b.x, a.y + by * b.y, a.z + by * b.z};
 }
 
-inline constexpr float nearly_along = 1e-11f;  // limit of a sine²: a line along an axis
-inline constexpr float shortest_way = 1e-6f;   // mm
+inline constexpr float nearly_along = 1e-11f;  // a line counts as parallel to an axis if the sine² of their angle is less
+inline constexpr float shortest_way = 1e-6f;   // mm; a shorter path counts as no motion
 
-/// Moves a value away from 0, so that it can be a divisor.
+/// Returns the value moved away from 0, so that it can be a divisor.
 template <class V>
 KADR_IN_LANES V guarded(const V& v, float by = nearly_none) {
   return choose(v < 0.f, least(v, spread<V>(-by)), most(v, spread<V>(by)));
@@ -39,7 +39,7 @@ KADR_IN_LANES V inverse(const V& slope) {
   return 1.f / guarded(slope);
 }
 
-/// The common direction of all lines, a unit vector in the tool's coordinates.
+/// The common direction of all lines of a family, a unit vector in the tool's coordinates.
 struct Heading {
   KADR_IN_LANES explicit Heading(const float (&e)[3])
       : x(e[0]),
@@ -52,25 +52,25 @@ struct Heading {
 
   float x, y, z;
   float per_z;
-  float square, per_square;  // squared component across the axis, and its inverse
+  float square, per_square;  // x² + y², the squared component across the tool's axis, and its inverse
 };
 template <class V>
 KADR_IN_LANES Vec3Of<V> vector_of(const Heading& h) {
   return {spread<V>(h.x), spread<V>(h.y), spread<V>(h.z)};
 }
 
-/// The path of the tool past lines, to the end of its shift.
+/// The motion of the tool past lines during the path, without the tool's turn.
 template <class V>
 struct WayPast {
-  Vec3Of<V> way, forth;  // forth: unit vector
+  Vec3Of<V> way, forth;  // way: motion vector; forth: its unit vector
   V length, per_flat;
   MarksOf<V> moves, moves_flat;
 };
 
-/// Lines with one direction, and the path of the tool past each of them.
+/// Lines with one direction, and the motion of the tool past each line.
 template <class V>
 struct LeanLines {
-  Heading heading, first, last;  // at the middle of the path, and at its ends
+  Heading heading, first, last;  // direction of the lines in the tool's coordinates: half way, at the start and at the end of the path
   WayPast<V> past;
 };
 template <class V>
@@ -85,8 +85,8 @@ KADR_IN_LANES WayPast<V> way_past(const Vec3Of<V>& way) {
   return l;
 }
 
-/// The middle of a line in the tool's coordinates at both ends of the path; `at`: the start of the shift, as if the tool did not
-/// turn.
+/// The middle of a line in the tool's coordinates at the start (`first`) and the end (`last`) of the path; `at` is its position at the
+/// start if the tool only shifted, without a turn.
 template <class V>
 struct LeanPlace {
   Vec3Of<V> at, first, last;
@@ -100,31 +100,31 @@ template <class V>
 KADR_IN_LANES Swept<V> both(const Swept<V>& a, const Swept<V>& b) {
   return {most(a.from, b.from), least(a.to, b.to)};
 }
-/// The interval around two pieces of one whole.
+/// Returns the interval from the lesser start to the greater end of two intervals, which belong to one convex whole.
 template <class V>
 KADR_IN_LANES Swept<V> either(const Swept<V>& a, const Swept<V>& b) {
   const MarksOf<V> meets = b.from <= b.to;
   return {choose(meets, least(a.from, b.from), a.from), choose(meets, most(a.to, b.to), a.to)};
 }
 
-/// Limits to where start + place * slope is not negative.
+/// Limits the intervals to where start + place * slope is not negative.
 template <class V>
 KADR_IN_LANES void clip(Swept<V>& s, const V& start, const V& slope) {
   const V at = -start / guarded(slope);
   const MarksOf<V> rises = slope >= 0.f;
   s = {choose(rises, most(s.from, at), s.from), choose(rises, s.to, least(s.to, at))};
 }
-/// Limits to where the value is between 0 and `most_value`; `per` is 1 / slope.
+/// Limits the intervals to where start + place * slope is between 0 and `most_value`; `per` is 1 / slope.
 template <class V>
 KADR_IN_LANES void clip_between(Swept<V>& s, const V& start, const V& most_value, const auto& per) {
   const V a = -start * per, b = (most_value - start) * per;
   s = {most(s.from, least(a, b)), least(s.to, most(a, b))};
 }
 
-inline constexpr float nearly_still = 1e-24f;  // limit of a squared length of path, mm²
+inline constexpr float nearly_still = 1e-24f;  // mm²; a path with a smaller squared length counts as no motion
 
-/// The interval of t in which a point `x, y` + t `way` of a plane is inside a circle about the axis. `square` is the squared length
-/// of `way`; below `none` the point counts as fixed.
+/// Returns the interval of t in which the point (x, y) + t · (way_x, way_y) is inside a circle about the tool's axis. `square` is the
+/// squared length of `way`; if it is less than `none`, the point counts as fixed.
 template <class V>
 KADR_IN_LANES Swept<V> in_circle(const V& x, const V& y, const V& way_x, const V& way_y, const V& square, const V& radius, float none) {
   const V cross = x * way_y - y * way_x, room = radius * radius * square - cross * cross, per = 1.f / most(square, spread<V>(none));
@@ -134,7 +134,7 @@ KADR_IN_LANES Swept<V> in_circle(const V& x, const V& y, const V& way_x, const V
           choose(along, choose(inside, spread<V>(missed), spread<V>(-missed)), choose(room > 0.f, middle + half, spread<V>(-missed)))};
 }
 
-/// The interval inside a circle about the axis, or inside an endless cylinder.
+/// Returns the interval of a line inside a circle about the tool's axis: inside a cylinder without ends.
 template <class V>
 KADR_IN_LANES Swept<V> in_circle(const V& x, const V& y, const Heading& h, float radius) {
   if (h.along_axis()) {
@@ -153,12 +153,12 @@ KADR_IN_LANES Swept<V> in_cylinder(const Vec3Of<V>& at, const Heading& h, const 
   return s;
 }
 
-/// The interval in which the line is not farther from the axis than a cone's side, which widens by `widens` per mm of height.
+/// Returns the interval in which the line is inside the side of a cone, whose radius grows by `widens` per mm of height.
 template <class V>
 KADR_IN_LANES Swept<V> in_cone(const Vec3Of<V>& at, const Vec3Of<V>& e, float radius, float bottom, float widens) {
   const V here = spread<V>(radius) + (at.z - bottom) * widens, grows = e.z * widens;
   const V a = e.x * e.x + e.y * e.y - grows * grows, b = at.x * e.x + at.y * e.y - here * grows;
-  // b² - a c from three products, with their common terms cancelled.
+  // b² - a c is computed from three products in which the common terms of the two products are cancelled already.
   const V cross = at.x * e.y - at.y * e.x, u = at.x * grows - here * e.x, v = at.y * grows - here * e.y;
   const V room = u * u + v * v - cross * cross, r = root(room);
   const V c = at.x * at.x + at.y * at.y - here * here, q = -(b + choose(b < 0.f, -r, r));
@@ -169,15 +169,15 @@ KADR_IN_LANES Swept<V> in_cone(const Vec3Of<V>& at, const Vec3Of<V>& e, float ra
   return where(meets, from, to);
 }
 
-/// The side of a frustum.
+/// The side of a frustum: `straight` is a cylinder, `any` may be a cone.
 enum class Side { straight, any };
 
 KADR_IN_LANES float widens(const Frustum& f) {
   return f.low_radius == f.high_radius ? 0.f : (f.high_radius - f.low_radius) / (f.high - f.low);
 }
 
-/// mm: a line that lies in a face up to rounding counts as wholly inside, since the tool may turn it out of the face at that very
-/// moment.
+/// mm. A line that is in a flat face to within this rounding error counts as inside: the tool may turn the line out of the face just
+/// there.
 inline constexpr float in_face = 2e-5f;
 
 template <class V>
@@ -193,11 +193,11 @@ KADR_IN_LANES Swept<V> in_frustum(const Vec3Of<V>& at, const Heading& h, const F
   return s;
 }
 
-/// What a shifted flat face sweeps: one circle at every height.
+/// Returns the interval that a flat face sweeps by a shift without a turn: the face is a disc, the same at every height.
 template <class V>
 KADR_IN_LANES Swept<V> in_shifted_disc(const LeanLines<V>& l, const Vec3Of<V>& at, float height, float radius) {
-  // With the face at the line, s on the line and t on the path satisfy s h.z - t way.z = height - at.z: the foot point, and from
-  // there.
+  // The point at s on the line is in the plane of the face, which is at t on the path, if s h.z - t way.z = height - at.z. The solution
+  // nearest to the origin (foot point) is computed first; the solutions are a line through it.
   const Heading& h = l.heading;
   const Vec3Of<V>& way = l.past.way;
   const V square = way.z * way.z + h.z * h.z, per = 1.f / most(square, spread<V>(shortest_way * shortest_way)), up = (height - at.z) * per;
@@ -207,17 +207,18 @@ KADR_IN_LANES Swept<V> in_shifted_disc(const LeanLines<V>& l, const Vec3Of<V>& a
   Swept<V> in = in_circle(x, y, way_x, way_y, way_x * way_x + way_y * way_y, spread<V>(radius), nearly_still);
   clip_between(in, t, spread<V>(1.f), h.per_z);
   const V a = s + in.from * way.z, b = s + in.to * way.z;
-  // If neither face nor line has a vertical component, the line is in the face at an end of the path, or nowhere.
+  // If neither the face's motion nor the line has a Z component, the line is in the face at an end of the path, or never.
   return where((in.from <= in.to) & (square > shortest_way * shortest_way) & l.past.moves, least(a, b), most(a, b));
 }
 
-/// What the side's outline, seen along the path, sweeps: two straight lines of the side.
+/// Returns the interval that the outline of the side sweeps. The outline is the two straight lines of the side that are seen at its edge
+/// along the path.
 template <class V>
 KADR_IN_LANES Swept<V> in_shifted_outline(const LeanLines<V>& l, const Vec3Of<V>& at, const Frustum& f) {
   const Heading& e = l.heading;
   const WayPast<V>& p = l.past;
   const V ux = p.way.x * p.per_flat, uy = p.way.y * p.per_flat;
-  // Their plane is at the share t of the path at which the point is exactly to the side of the axis.
+  // A point is level with the outline at the share t of the path at which it is exactly to the side of the axis.
   const V part = (at.x * ux + at.y * uy) * p.per_flat, part_slope = (e.x * ux + e.y * uy) * p.per_flat;
   const V side = at.y * ux - at.x * uy, side_slope = e.y * ux - e.x * uy;
   const V height = at.z - part * p.way.z, height_slope = e.z - part_slope * p.way.z;
@@ -228,7 +229,7 @@ KADR_IN_LANES Swept<V> in_shifted_outline(const LeanLines<V>& l, const Vec3Of<V>
   return where((s.from <= s.to) & p.moves_flat, s.from, s.to);
 }
 
-/// The same for a cone.
+/// Like in_shifted_outline(), for a cone.
 template <class V>
 KADR_IN_LANES Swept<V> in_shifted_cone_outline(const LeanLines<V>& l, const Vec3Of<V>& at, const Frustum& f, float widens) {
   const Heading& e = l.heading;
@@ -236,7 +237,7 @@ KADR_IN_LANES Swept<V> in_shifted_cone_outline(const LeanLines<V>& l, const Vec3
   const V ux = p.way.x * p.per_flat, uy = p.way.y * p.per_flat, one = spread<V>(1.f);
   const V facing = p.way.z * p.per_flat * widens, beside_square = one - facing * facing, beside = root(beside_square);
   const V per = p.per_flat / most(beside_square, spread<V>(shortest_way));
-  // Their plane is at the share t of the path where along - facing * radius(height) = 0.
+  // The outline is at the share t of the path where along - facing * radius(height) = 0.
   const V radius = spread<V>(f.low_radius) + (at.z - f.low) * widens;
   const V part = (at.x * ux + at.y * uy - facing * radius) * per, part_slope = (e.x * ux + e.y * uy - facing * (e.z * widens)) * per;
   const V side = at.y * ux - at.x * uy, side_slope = e.y * ux - e.x * uy;
@@ -250,7 +251,7 @@ KADR_IN_LANES Swept<V> in_shifted_cone_outline(const LeanLines<V>& l, const Vec3
   return where((s.from <= s.to) & p.moves_flat & (beside_square > shortest_way), s.from, s.to);
 }
 
-/// Marks lines that do not stay farther than `radius` from the axis, on one side, for the whole path.
+/// Marks lines, except those that stay on one side of the axis and farther from it than `radius` during the whole path.
 template <class V>
 KADR_IN_LANES MarksOf<V> come_near(const LeanLines<V>& l, const Vec3Of<V>& at, float radius) {
   const Heading& h = l.heading;
@@ -259,7 +260,7 @@ KADR_IN_LANES MarksOf<V> come_near(const LeanLines<V>& l, const Vec3Of<V>& at, f
   return (least(first, last) <= reach) & (most(first, last) >= -reach);
 }
 
-/// Which flat faces can be in the brick.
+/// Whether the lower and the upper flat face of the frustum can be in the brick.
 struct FacesNear {
   bool low = true, high = true;
 };
@@ -270,7 +271,7 @@ KADR_IN_LANES Swept<V> in_frustum_at_ends(const LeanLines<V>& l, const LeanPlace
   return either(where(first.from <= first.to, first.from, first.to), in_frustum<V, side>(place.last, l.last, f));
 }
 
-/// What else the frustum sweeps between the ends of its path.
+/// Returns what the frustum sweeps between the poses at the two ends of its path.
 template <class V, Side side>
 KADR_IN_LANES Swept<V> in_frustum_between(const LeanLines<V>& l, const Vec3Of<V>& at, const Frustum& f, FacesNear near) {
   Swept<V> s;

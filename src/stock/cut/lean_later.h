@@ -1,14 +1,15 @@
 #pragma once
-// LeanCutter: finds the lines that it leaves for the halves of the path. Only for stock/cut/lean_cut.
+// Part of LeanCutter: finds the lines that it does not cut, so that the caller cuts them with the two halves of the path. Only for
+// stock/cut/lean_cut.
 
 #include "stock/cut/lean_cutter.h"
 
 namespace kadr {
 
-/// Marks ends that are those of the cylinder at rest at an end of its path, if the line meets it there far more steeply than the tool
-/// turns.
-///   half   of the brick: positions of poses are from its middle
-///   steep  sine of the least angle
+/// Marks lines where the end of the swept interval is an end in this pose (at the start or end of the path), and where the line crosses the
+/// cylinder's surface at an angle much greater than the tool's turn.
+///   half   half the edge of the brick: positions of poses are relative to its middle
+///   steep  sine of the least such angle
 template <class V>
 KADR_IN_LANES MarksOf<V> stands_steeply(const Pose<V>& pose, const V& end, bool is_from, float half, float radius, float steep) {
   const Heading& e = pose.heading;
@@ -19,7 +20,7 @@ KADR_IN_LANES MarksOf<V> stands_steeply(const Pose<V>& pose, const V& end, bool 
   return (pose.in.from <= pose.in.to) & (found <= end) & (found >= end) & (sine >= steep * radius);
 }
 
-/// Marks positions of a bull-nose tool where its surface may be nearly flat along the line: close to its lower face, or at its side.
+/// Marks positions at which the surface of a bull-nose tool may be nearly parallel to the line: close to its lower face, or at its side.
 template <class V>
 KADR_IN_LANES MarksOf<V> LeanCutter::is_where_flat(const LeanFamily<V>& all, const LeanRow<V>& line, int family, const V& place) const {
   const LeanBody& b = body_leaning_;
@@ -31,9 +32,9 @@ KADR_IN_LANES MarksOf<V> LeanCutter::is_where_flat(const LeanFamily<V>& all, con
                                             : missed));
 }
 
-/// Marks lines of which more than the interval found may be swept. An end was found with the shift at that end; at a position farther
-/// on by x, this shift is wrong by x · turn / 2. A slightly larger body shows how flat the surface is to the line: if it is steeper
-/// than that, nothing farther on can be reached.
+/// Marks lines of which more than the computed interval may be swept. An end was computed with the shift at that very end; at a position
+/// farther out by x, this shift is wrong by x · turn / 2. The intersection with a slightly larger body shows the angle between surface
+/// and line: if the surface is steeper than this error, nothing farther out can be reached.
 template <class V, LeanBody::Kind kind>
 KADR_IN_LANES MarksOf<V> LeanCutter::may_reach_farther(const LeanFamily<V>& all, int family, const LeanRow<V>& line, const Swept<V>& swept,
                                                        const Swept<V>& material) const {
@@ -76,7 +77,7 @@ KADR_IN_LANES MarksOf<V> LeanCutter::may_reach_farther(const LeanFamily<V>& all,
     farther = misses & meet(Swept<V>{even.from + half_, even.to + half_}, material) &
               (least(even.to, spread<V>(half_)) - most(even.from, spread<V>(-half_)) > most_off);
   }
-  // If not even the larger body contains the end, the end was not really found.
+  // If even the larger body does not contain the end, the search for this end has failed.
   const auto look_at = [&](const MarksOf<V>& open, const V& end, bool is_from) {
     if (!any(open)) return;
     const Swept<V> larger = with_shift_at(end);
@@ -88,7 +89,7 @@ KADR_IN_LANES MarksOf<V> LeanCutter::may_reach_farther(const LeanFamily<V>& all,
   return farther;
 }
 
-/// Records lines that are to be cut by the halves of the path.
+/// Records lines that the caller must cut with the two halves of the path.
 template <class V>
 KADR_IN_LANES void LeanCutter::leave_for_later(const MarksOf<V>& later, int family, int row, int lane) {
   alignas(32) std::int32_t each[lane_count];
@@ -101,7 +102,7 @@ KADR_IN_LANES void LeanCutter::leave_for_later(const MarksOf<V>& later, int fami
   later_.any = later_.any || later_.bits[family][at] != 0;
 }
 
-/// Returns, and records, those of eight lines that are to be cut by the halves of the path.
+/// Returns and records which of eight lines the caller must cut with the two halves of the path.
 template <class V, LeanBody::Kind kind>
 KADR_OWN_FUNCTION MarksOf<V> LeanCutter::for_later(const LeanFamily<V>& all, int family, int row, int lane, const Swept<V>& swept,
                                                    const Swept<V>& material) {

@@ -1,17 +1,18 @@
 #pragma once
-// LeanOver: finds lines that a turning surface may turn over.
+// LeanOver: finds lattice lines over which the surface of a tilted tool may turn during a sweep.
 //
-// If a line nearly lies in the side of a tool (in a cone, or in a rounded edge close to a flat face) and the tool turns, what it
-// sweeps of the line need not be an interval: the surface may reach the line from both of its ends, and never what lies between. Let
-// the distance of the surface from the line, at a position s of the line and a time t, be
+// If a line nearly lies in the surface of a tool (in a cone, or in a rounded edge close to a flat face) and the tool turns, the tool may
+// sweep two separate intervals of the line: its surface reaches the line from both ends, and never what lies between. Near such a line
+// let d (mm) be the distance of the surface from the point at s (mm) on the line, at the share t (0 to 1) of the path:
 //
-//   d = a + b t + (c + w t) s + k s² / 2      w: the turn; k: the curvature of the surface along the line
+//   d = a + b t + (c + w t) s + k s² / 2      w: turn of the tool, radians; k: curvature of the surface along the line, 1/mm;
+//                                             a, b, c: coefficients
 //
-// Then this happens only if the line is met at both ends of the path and the two intervals are apart. What lies between them is off
-// by at most turn · (length between) / 4 and at most turn² / 8k. Such lines are left for the halves of the path, until no gap
-// matters.
+// Then two intervals occur only if the line is met in both end poses of the path and these two intervals are apart. If what lies
+// between is removed too, the error is at most turn · (length between) / 4, and at most turn² / 8k. Lines with a greater error are cut
+// with the two halves of the path instead, repeatedly, until no gap matters.
 //
-// Flat faces are not treated here: a brick divides the path where one of them turns over its lines (lean_division.h).
+// Flat faces are not treated here: LeanDivision divides the path where a flat face turns over lines of the brick (lean_division.h).
 
 #include <cstdint>
 
@@ -21,21 +22,21 @@
 
 namespace kadr {
 
-/// mm: accepted error of what lies between.
+/// mm, accepted error of removing what lies between two intervals
 inline constexpr float over_allowed = 2e-4f;
 
-/// The lines of each family that need this check: in most cases the curvature is so great that no error can result.
+/// The families of lines that need this check. Usually the curvature k is so great that no error can result.
 struct LeanOver {
   LeanOver() = default;
   LeanOver(const LeanSweep& sweep, const LeanBody& body, float edge);
 
   struct Family {
-    bool by_end = false, by_shaft = false, by_edge = false, by_face = false;  // parts of the body in which lines may nearly lie
+    bool by_end = false, by_shaft = false, by_edge = false, by_face = false;  // where on the body lines may nearly lie
     bool any() const { return by_end || by_shaft || by_edge || by_face; }
   };
   Family family[3];
-  float apart = 0;       // mm of line that may lie between the intervals
-  float edge_below = 0;  // height above the tip below which a rounded edge is this flat
+  float apart = 0;       // mm: the two intervals of a line may be this far apart
+  float edge_below = 0;  // mm: the rounded edge is this flat only below this height above the tip
 };
 
 }  // namespace kadr

@@ -1,12 +1,12 @@
 #pragma once
-// Marks which of eight lines a tilted tool turns over. Used by stock/cut/lean_cutter.
+// Marks which of eight lattice lines the surface of a tilted tool turns over (lean_over.h). Used by stock/cut/lean_cutter.
 
 #include "stock/cut/lean_over.h"
 #include "stock/cut/lean_pose.h"
 
 namespace kadr::lanes {
 
-/// Converts one bit per lane into marks.
+/// Converts a number with one bit per lane into lane marks.
 template <class V>
 KADR_IN_LANES MarksOf<V> marks_of(unsigned bits) {
   alignas(32) std::int32_t each[lane_count];
@@ -14,15 +14,15 @@ KADR_IN_LANES MarksOf<V> marks_of(unsigned bits) {
   return lanes_at<MarksOf<V>>(each);
 }
 
-/// A line in the tool's coordinates at one end of the path.
+/// A lattice line in the tool's coordinates, in the pose at one end of the path.
 template <class V>
 struct LineAtEnd {
   Vec3Of<V> at;
   Heading heading;
 };
 
-/// Marks lines where both intervals exist and more than `apart` lies between them. If the requested interval reaches only a little
-/// into that gap, its error is at most turn · (depth in the gap).
+/// Marks lines with an interval in both end poses (`first`, `last`) and a gap of more than `apart` between the two. If the interval
+/// `asked` extends only a little into this gap, its error is at most turn · (length in the gap).
 template <class V>
 KADR_IN_LANES MarksOf<V> are_apart(const Swept<V>& first, const Swept<V>& last, const Swept<V>& asked, float apart) {
   const V from = least(first.to, last.to), to = most(first.from, last.from);
@@ -30,8 +30,8 @@ KADR_IN_LANES MarksOf<V> are_apart(const Swept<V>& first, const Swept<V>& last, 
          (least(asked.to - from, to - asked.from) > 0.25f * apart);
 }
 
-/// Marks lines where more than `apart` of the requested interval is outside what the tool removes at the ends of its path, or
-/// are_apart(). A cone's curvature grows towards its point, so a gap may appear and vanish between the ends of the path.
+/// Marks lines of which more than `apart` mm of the interval `asked` are outside the intervals in the end poses, and lines that
+/// are_apart() marks. The curvature of a cone grows towards its apex, so a gap may appear and vanish between the end poses.
 template <class V>
 KADR_IN_LANES MarksOf<V> are_far_from(const Swept<V>& first, const Swept<V>& last, const Swept<V>& asked, float apart) {
   const V from = least(first.from, last.from), to = most(first.to, last.to);
@@ -45,7 +45,7 @@ KADR_IN_LANES Swept<V> in_cone_and_shaft(const LineAtEnd<V>& line, const LeanBod
   return body.shaft.high > body.shaft.low ? either(cone, in_frustum<V, Side::straight>(line.at, line.heading, body.shaft)) : cone;
 }
 
-/// The rounded body at rest, without any shift.
+/// Returns the intervals inside the rounded (bull-nose) body in one pose.
 template <class V>
 KADR_IN_LANES Swept<V> in_rounded(const LineAtEnd<V>& line, const LeanBody& body) {
   const V none = spread<V>(0.f);
@@ -60,7 +60,7 @@ KADR_IN_LANES MarksOf<V> are_turned_over(const LeanOver& over, int family, const
   MarksOf<V> turned = asked.from < asked.to;
   if (!any(turned)) return turned;
   turned = turned & ~turned;
-  // Sides count as endless: beyond a face they are reached at some time on the path.
+  // Sides count as unlimited: beyond a face of the body, they are reached at some time on the path.
   if (by.by_shaft) {
     const float radius = body.shaft.low_radius;
     const auto in = [&](const LineAtEnd<V>& l) { return in_circle(l.at.x, l.at.y, l.heading, radius); };

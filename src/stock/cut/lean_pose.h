@@ -1,37 +1,38 @@
 #pragma once
-// A cylinder of a tilted tool at both ends of its path, and whether it reaches farther on a line in between.
+// Intersects lattice lines with a cylinder of a tilted tool in the poses at both ends of its path, and finds whether the cylinder
+// reaches farther along a line between these poses.
 //
-// For a convex body that shifts, the pairs (position on the line, position on the path) at which it contains the line's point form a
-// convex set: the position where the line enters the body is a convex function of the path. So if, at an end of the path, that
-// position moves out of the face or side on which it lies, the body reaches farthest right there. If the line nearly lies in that
-// face, a turn may upset this: then nothing is decided here.
+// For a convex body that shifts without turning, the pairs (position on the line, position on the path) for which the body contains the
+// point of the line form a convex set. So the position at which the line enters the body is a convex function of the path. If this
+// position, in an end pose, moves out of the face or side that it is on, the body reaches farthest in this end pose. A turn of the body
+// may disturb this if the line nearly lies in that face or side: such lines are left undecided here.
 
 #include "stock/cut/lean_rows.h"
 
 namespace kadr::lanes {
 
-/// The lines of a family, in the tool's coordinates at the middle of the path.
+/// The lines of a family, in the tool's coordinates in the pose half way.
 template <class V>
 struct LeanFamily {
-  LeanLines<V> even;    // with the shift of the brick's middle
-  Heading first, last;  // at the ends of the path
-  /// Signed distance of a line from the tool's axis times the sine of the angle between them: for the brick's middle, per mm of lane,
-  /// and per mm of row; `reach` bounds it for lines that come near.
+  LeanLines<V> even;    // the lines, with the shift of the brick's middle for all
+  Heading first, last;  // direction of the lines in the end poses
+  /// Signed distance of a line from the tool's axis times the sine of the angle between them: `aside` for the line through the brick's
+  /// middle, and its change per mm of lane and per mm of row. `reach` bounds the absolute value for lines that come near.
   float aside, aside_lane, aside_row, reach;
 };
 /// Eight lines of a family.
 template <class V>
 struct LeanRow {
-  Vec3Of<V> at, shift;    // of the lines' middles; `at` is corrected to halfway between the chord and the true curve
-  Vec3Of<V> first, last;  // their positions at the ends of the path
-  Swept<V> at_ends;       // intervals inside the tool in the poses there
+  Vec3Of<V> at, shift;    // middle points of the lines, and their shift; `at` is corrected to half way between the chord and the true curve
+  Vec3Of<V> first, last;  // middle points of the lines in the end poses
+  Swept<V> at_ends;       // intervals inside the tool in the end poses
 };
 
 template <class V>
 struct Pose {
-  Vec3Of<V> at;  // middle of a line
+  Vec3Of<V> at;  // middle point of each line
   Heading heading;
-  Swept<V> side, in;  // interval inside the endless side alone; inside the cylinder
+  Swept<V> side, in;  // side: interval inside the cylinder without ends; in: interval inside the cylinder
 };
 
 template <class V>
@@ -42,17 +43,17 @@ KADR_IN_LANES Pose<V> in_pose(const Vec3Of<V>& at, const Heading& h, const Frust
   return {at, h, side, in};
 }
 
-/// The motion of a line's points past the tool.
+/// The motion of the points of a line past the tool.
 template <class V>
 struct PastTool {
-  Vec3Of<V> shift, grows;  // of the line's middle; change per mm of line
-  float radius;            // of the cylinder
-  float steep;             // sine of the angle to a face or side above which a turn does not matter
-  float bend;              // mm by which the points' paths may deviate from straight
+  Vec3Of<V> shift, grows;  // shift of the line's middle point, and its change per mm along the line
+  float radius;            // radius of the cylinder
+  float steep;             // sine of the angle between line and face (or side) above which the tool's turn has no influence
+  float bend;              // mm by which the paths of the points may deviate from straight lines
 };
 
-/// Marks lines whose entry or exit point moves out of the cylinder. `by_face`: the point is on a flat face, the upper one if
-/// `face_is_upper`.
+/// Marks lines whose entry or exit point at `place` is moving out of the cylinder. In the lanes of `by_face` the point is on a flat face
+/// (the upper one if `face_is_upper`), else on the side.
 template <class V>
 KADR_IN_LANES MarksOf<V> moves_out(const Pose<V>& pose, const V& place, const PastTool<V>& past, float forth, const MarksOf<V>& by_face,
                                    bool face_is_upper) {
@@ -65,7 +66,7 @@ KADR_IN_LANES MarksOf<V> moves_out(const Pose<V>& pose, const V& place, const Pa
   return choose(by_face, face, side);
 }
 
-/// Marks lines on which the cylinder reaches farthest, backwards or forwards, at one end of its path.
+/// Marks lines on which the cylinder reaches farthest backwards in one of the end poses; is_farthest_on() does so for forwards.
 template <class V>
 KADR_IN_LANES MarksOf<V> is_farthest_back(const Pose<V>& first, const Pose<V>& last, const PastTool<V>& past) {
   const auto at = [&](const Pose<V>& p, float forth) {

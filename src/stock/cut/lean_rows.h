@@ -1,13 +1,14 @@
 #pragma once
-// Where lines are inside what a body of a tilted tool sweeps. Single precision, lengths in mm, in the tool's coordinates, with its
-// axis along Z. Positions on a line are mm from its middle.
+// Finds the intervals of lattice lines inside the volume that a body of a tilted tool sweeps. Single precision, lengths in mm, in the
+// tool's coordinates with the tool's axis along Z. Positions on a line are mm from the line's middle.
 //
-// What a convex body sweeps along a straight path is convex. A line leaves it on the body at one of both ends of the path, on what
-// the rim of a flat face sweeps, or on what the body's outline against the path sweeps. Each of these belongs to a convex piece of
-// the whole, which a line meets in closed form; the whole interval reaches from the least of their ends to the greatest. Only rounded
-// edges need a search: the distance from them is convex along the line, so Newton's method converges from outside.
+// What a convex body sweeps along a straight path is convex. Where a line leaves this volume, it is on the body in an end pose, on the
+// volume swept by the rim of a flat face, or on the volume swept by the body's outline as seen along the path. Each of these is part of a
+// convex volume, whose intersection with a line has a closed form; the result is the interval from the least of their ends to the
+// greatest. Only rounded edges need an iteration: the distance from a rounded edge is a convex function along the line, so Newton's
+// method converges from outside.
 //
-//   law  a point in an interval is inside the body at some share of the path, to 2e-4 mm   (tests/stock/lean_sweep_test)
+//   law  a point in an interval is inside the body at some share of the path, to within 2e-4 mm   (tests/stock/lean_sweep_test)
 
 #include "stock/cut/lean_frustum.h"
 
@@ -40,7 +41,7 @@ KADR_IN_LANES Swept<V> in_shifted_ball(const LeanLines<V>& l, LeanPlace<V> place
 
 // ---- rounded edges
 
-/// The part of the path on which the body's top is not below the line's point; this bound moves with the point.
+/// The section of the path on which the top of the body is not below a point of the line; its ends depend on the point.
 template <class V>
 struct UnderTop {
   V first, last;
@@ -49,11 +50,11 @@ struct UnderTop {
 inline constexpr int most_newton = 24;
 inline constexpr float on_surface = 5e-5f;  // mm
 
-/// Components of the distance from the shaft that begins at the rounding's centre, for a point of the line after `t` mm of the path.
+/// Vector from the shaft, cut off at the height of the rounding's centre, to a point of the line, after `t` mm of the path.
 template <class V>
 struct FromShaft {
-  V beside, below;  // `beside` is at least 0, `below` at most 0
-  V out_x, out_y;   // unit vector of `beside`
+  V beside, below;  // horizontal and vertical component: `beside` is at least 0, `below` is at most 0
+  V out_x, out_y;   // unit vector in the direction of `beside`
 };
 template <class V>
 KADR_IN_LANES FromShaft<V> from_shaft(const LeanLines<V>& l, const LeanBody& b, const Vec3Of<V>& place, const V& t) {
@@ -62,8 +63,8 @@ KADR_IN_LANES FromShaft<V> from_shaft(const LeanLines<V>& l, const LeanBody& b, 
   return {most(radius - b.flat, spread<V>(0.f)), least(at.z - b.middle, spread<V>(0.f)), at.x * per, at.y * per};
 }
 
-/// Finds, from outside, one end of the interval in which the line is within `corner` of the shaft. `sign`: outward direction on the
-/// line.
+/// Finds one end of the interval in which the line is within `corner` of the shaft, by an iteration that starts outside. `sign` is the
+/// outward direction along the line, 1 or -1.
 template <class V>
 KADR_OWN_FUNCTION V end_of_rounded(const LeanLines<V>& l, const LeanBody& b, const Vec3Of<V>& at, const MarksOf<V>& sought, const V& start,
                                    float sign) {
@@ -90,7 +91,7 @@ KADR_OWN_FUNCTION V end_of_rounded(const LeanLines<V>& l, const LeanBody& b, con
     const FromShaft<V> from = from_shaft(l, b, here, t);
     const V far = square_root(from.beside * from.beside + from.below * from.below), distance = far - b.corner;
     V grows = from.beside * (from.out_x * e.x + from.out_y * e.y) + from.below * e.z;
-    // Where the body's top limits the travel, the limit moves with the position.
+    // Where the top of the body limits the path, this limit depends on the position on the line.
     const V towards = from.beside * (from.out_x * forth.x + from.out_y * forth.y) + from.below * up;
     const MarksOf<V> held = ~level & choose(rises, begins & (bound > 0.f), ends & (bound < length));
     grows = grows - choose(held, towards * e.z * per_up, none);
@@ -127,12 +128,13 @@ KADR_OWN_FUNCTION Swept<V> lean_swept(const LeanLines<V>& l, const LeanBody& b, 
   return s;
 }
 
-/// lean_swept() in two parts: with the poses at the ends of the path, which do not depend on the shift, and between them.
+/// lean_swept() consists of two parts: lean_at_ends() uses the end poses, which do not depend on the shift; lean_between() computes
+/// what is swept between them.
 template <class V, LeanBody::Kind kind>
 KADR_OWN_FUNCTION Swept<V> lean_at_ends(const LeanLines<V>& l, const LeanBody& b, const LeanPlace<V>& at) {
   if constexpr (kind == LeanBody::Kind::cylinder) return in_frustum_at_ends<V, Side::straight>(l, at, b.shaft);
   if constexpr (kind == LeanBody::Kind::rounded) {
-    // Cylinders inside the body: without the turn, a line that nearly lies in its side or flat face may leave that in the other
+    // Cylinders inside the body. Without the turn, a line that nearly lies in their side or flat face could leave it in the wrong
     // direction.
     const Frustum core{b.middle - b.corner, b.shaft.high, b.flat, b.flat};
     Swept<V> s{spread<V>(missed), spread<V>(-missed)};
@@ -150,8 +152,8 @@ KADR_IN_LANES Swept<V> lean_between(const LeanLines<V>& l, const LeanBody& b, co
   return b.shaft.high > b.shaft.low ? either(end, in_frustum_between<V, Side::straight>(l, at.at, b.shaft, {false, near.high})) : end;
 }
 
-/// The tool at the ends of its path as if it only shifted. This differs from the true poses by the bend of the path, and what is
-/// swept between them begins here.
+/// Returns the intervals in the end poses as if the tool only shifted. They differ from those in the true poses by the bend of the
+/// path; the computation of what is swept between the poses starts from them.
 template <class V, LeanBody::Kind kind>
 KADR_IN_LANES Swept<V> shifted_at_ends(const LeanLines<V>& l, const LeanBody& b, const Vec3Of<V>& at) {
   return lean_at_ends<V, kind>({l.heading, l.heading, l.heading, l.past}, b, {at, at, plus(at, spread<V>(-1.f), l.past.way)});

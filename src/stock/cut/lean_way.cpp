@@ -1,4 +1,4 @@
-// Paths of tilted tools. Used by stock/stock and stock/surface.
+// Computes paths of tilted tools. Used by stock/stock and stock/surface.
 
 #include "stock/cut/lean_way.h"
 
@@ -9,11 +9,11 @@ namespace kadr {
 namespace {
 
 constexpr int most_parts = 1 << 16;
-constexpr double same_direction = 1e-12;  // length of the difference of two directions
-constexpr double opposite = 1e-9;         // half the length of the sum of two directions
-constexpr double small_chord = 0.02;      // even motion along such a chord turns evenly, to 1e-6 of it
+constexpr double same_direction = 1e-12;  // two unit vectors whose difference is shorter are the same
+constexpr double opposite = 1e-9;         // two unit vectors are opposite if half the length of their sum is less
+constexpr double small_chord = 0.02;      // on a chord this short, even motion on the chord gives an even turn, to within 1e-6 of the chord
 
-/// Uses only a square root, which every library rounds alike.
+/// Returns the length of a vector. It uses only the square root, which every library rounds alike.
 double size_of(Vec3 v) { return std::sqrt(dot(v, v)); }
 Vec3 unit_by_root(Vec3 v) { return (1 / size_of(v)) * v; }
 
@@ -23,7 +23,7 @@ Vec3 beside(Vec3 direction) {
   return unit_by_root(cross(away, direction));
 }
 
-/// The shortest rotation from one direction to another, for vectors perpendicular to the first.
+/// The shortest rotation from one direction to another, applied to vectors perpendicular to the first direction.
 class Carry {
  public:
   Carry(Vec3 from, Vec3 to) : middle_(from + to), per_(2 / dot(middle_, middle_)) {}
@@ -36,19 +36,19 @@ class Carry {
 
 }  // namespace
 
-/// Uses the series of 2 asin(chord / 2) for a short chord, else an upper bound.
+/// Returns the angle: for a short chord by the series of 2 asin(chord / 2), else an upper bound.
 double LeanWay::turn() const {
   const double chord = size_of(to_direction - from_direction), square = chord * chord;
   return chord < 0.5 ? chord * (1 + square * (1 / 24.0 + square * (3 / 640.0 + square * 5 / 7168.0))) : chord * pi / 2;
 }
 
-/// Halves turns with square roots only, which every processor rounds alike.
+/// Halves the arc repeatedly. It uses only the square root, which every processor rounds alike.
 Vec3 LeanWay::direction(double part) const {
   if (part <= 0 || from_direction == to_direction) return from_direction;
   if (part >= 1) return to_direction;
   Vec3 a = from_direction, b = to_direction;
   double first = 0, last = 1;
-  // Opposite directions have no unique shortest turn: any will do.
+  // Between opposite directions there is no unique shortest arc: any of them is used.
   const auto middle = [](Vec3 c, Vec3 d) { return size_of(c + d) < 2 * opposite ? beside(c) : unit_by_root(c + d); };
   while (size_of(b - a) > small_chord) {
     const double half = (first + last) / 2;
@@ -80,7 +80,7 @@ ToolEnds::ToolEnds(const LeanWay& way) : from(way.from), to(way.to) {
 
 Box3 box_around(const LeanWay& way, double low, double high, double radius) {
   Box3 box{{1e300, 1e300, 1e300}, {-1e300, -1e300, -1e300}};
-  const double bent = high * way.turn() * way.turn() / 8;  // deviation of the path of a point at that height from its chord
+  const double bent = high * way.turn() * way.turn() / 8;  // deviation of the path of a point at the height `high` from its chord
   for (const bool end : {false, true}) {
     const Vec3 tip = end ? way.to : way.from, direction = end ? way.to_direction : way.from_direction;
     for (const double height : {low, high})

@@ -1,11 +1,12 @@
 #pragma once
-// LeanWay: the path of a tilted tool. The tip moves evenly along a straight path, and the direction evenly along the shortest turn.
+// LeanWay: the path of a tilted tool. The tip moves evenly on a straight line, and the direction turns evenly along the shortest arc.
 //
-// A point of the material, in the tool's coordinates, moves along a curve that is nearly straight. If the curve is replaced by its
-// chord, the tool sweeps the point as if it only shifted. The shift is taken at each point separately, so that both ends of a part of
-// the path are exact up to rounding. The remaining error is the distance of the curve from its chord:
+// In the tool's coordinates, a point of the material moves on a nearly straight curve. If its chord replaces the curve, the tool sweeps
+// the point by a shift alone, without a turn. Each point has its own shift, so the poses at both ends of a part of the path are exact up
+// to rounding. The remaining error is the greatest distance of the curve from its chord:
 //
-//   bend = way · turn / 4 + reach · turn² / 8      turn: of the part, radians; reach: of the tool from its tip, mm
+//   bend = way · turn / 4 + reach · turn² / 8      way: length of the part, mm; turn: angle of the tool's turn in the part, radians;
+//                                                  reach: greatest distance of the tool's points from its tip, mm
 
 #include <array>
 
@@ -17,20 +18,20 @@
 namespace kadr {
 
 struct LeanWay {
-  Vec3 from, to;                      // of the tip
-  Vec3 from_direction, to_direction;  // from the tip into the tool, unit length
+  Vec3 from, to;                      // positions of the tip
+  Vec3 from_direction, to_direction;  // unit vectors from the tip into the tool
 
   Vec3 tip(double part) const { return from + part * (to - from); }
   Vec3 direction(double part) const;
-  double turn() const;  // radians
+  double turn() const;  // angle between the directions at start and end, radians
   LeanWay between(double first, double last) const { return {tip(first), tip(last), direction(first), direction(last)}; }
 };
 
-/// Greatest turn of a part, radians: the final position on a line is found from a guessed one.
+/// Greatest turn of a part of a path, radians. It is limited because the final position on a line is computed from an estimated one.
 inline constexpr double most_turn = 0.02;
 
-/// Returns the number of parts of a path, such that none bends by more than `bend`, mm.
-///   reach  from the tip to the farthest point of the tool, mm
+/// Returns the number of equal parts of a path for which no part bends by more than `bend` mm.
+///   reach  distance from the tip to the farthest point of the tool, mm
 int parts_of(const LeanWay& way, double reach, double bend);
 
 double reach_of(const ToolShape& tool);
@@ -38,10 +39,11 @@ double reach_of(const ToolShape& tool);
 /// True if the direction is vertical up to rounding.
 inline bool is_upright(Vec3 direction) { return std::fabs(direction.x) < 1e-9 && std::fabs(direction.y) < 1e-9 && direction.z > 0; }
 
-/// The tool's own axes in one pose: rows x and y across it, z along it.
+/// The tool's own axes in one pose: the rows x and y are across the tool's axis, z is along it.
 using ToolAxes = std::array<Vec3, 3>;
 
-/// Converts a point into the tool's coordinates at the start, half way and at the end of a path; x, y from its axis, z above its tip.
+/// Converts a point into the tool's coordinates at the start, half way and at the end of a path: x, y from the tool's axis, z above the
+/// tip.
 struct ToolEnds {
   explicit ToolEnds(const LeanWay& way);
   Vec3 first(Vec3 place) const { return in(axes_first, place - from); }
@@ -53,11 +55,11 @@ struct ToolEnds {
   ToolAxes axes_first, axes_halfway, axes_last;
 };
 
-/// Returns a box around a body of a tool on a path with a small turn.
-///   low, high  heights of the body above the tip
+/// Returns a box around the volume that a body of a tool sweeps on a path with a small turn.
+///   low, high  heights of the body's ends above the tip, mm
 Box3 box_around(const LeanWay& way, double low, double high, double radius);
 
-/// Upper bound of the room that a body needs around its tip on the path, whatever directions it takes in between.
+/// Returns upper bounds for the extent of a body around its tip on the path, for all directions of the tool on the path.
 AroundTip around_leaning_tip(const LeanWay& way, double low, double high, double radius);
 
 }  // namespace kadr

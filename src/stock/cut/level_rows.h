@@ -1,14 +1,14 @@
 #pragma once
-// Where lines along X or Y are inside what a body sweeps along a straight path. Single precision, lengths in mm from the brick's
-// corner.
+// Finds the intervals of lattice lines along X or Y inside the volume that a body of an upright tool sweeps along a straight path. Single
+// precision, lengths in mm from the brick's corner.
 //
-//   law  a point in an interval is inside the body at some share of the path, to 2e-4 mm   (tests/stock/sweep_test)
+//   law  a point in an interval is inside the body at some share of the path, to within 2e-4 mm   (tests/stock/sweep_test)
 
 #include "stock/cut/upright_rows.h"
 
 namespace kadr::lanes {
 
-/// The path as seen by lines along one axis.
+/// The path of the tool, with components along and across the lattice lines of one axis.
 struct LevelWay {
   LevelWay(const LocalSweep& s, int axis)
       : start(s.from[axis]), across_start(s.from[1 - axis]), forth(s.way[axis]), across(s.way[1 - axis]), up(s.way[2]) {
@@ -16,19 +16,19 @@ struct LevelWay {
     per_across = 1 / guarded;
     side = s.flat_way[axis] * s.per_flat * (guarded > 0.f ? 1.f : -1.f);
   }
-  float start, across_start;  // of the tip, along the lines and across them
+  float start, across_start;  // position of the tip at the start, along the lines and across them
   float forth, across, up;    // unit vector of the path
   float per_across;
-  float side;  // distance across the lines of the point where a disc leaves a line, per mm of its radius
+  float side;  // where a disc of the tool leaves a line: distance of this point across the lines, per mm of the disc's radius
 };
 
-/// Lines by their distance across and above the tip at the start of the path.
+/// Positions of the lines across and above the tip at the start of the path.
 template <class V>
 struct LevelLines {
   V across, up;
 };
 
-/// The part of the path on which a range of the tool's heights is at the line.
+/// The section of the path on which a range of heights of the tool passes the height of the line.
 template <class V>
 struct Stretch {
   V first, last;
@@ -41,7 +41,7 @@ KADR_IN_LANES Stretch<V> at_height(const LocalSweep& s, const V& up, float low, 
   return {first, last, (up >= std::min(s.rise, 0.f) + low) & (up <= std::max(s.rise, 0.f) + high) & (first <= last)};
 }
 
-/// A position on the path, and the squared half length of the line inside the tool there.
+/// A position on the path, and the square of half the length of the line inside the tool at this position.
 template <class V>
 struct LeftAt {
   V place, square;
@@ -52,7 +52,7 @@ KADR_IN_LANES Swept<V> between(const LevelWay& w, const LeftAt<V>& from, const L
   return where(meets, from.place * w.forth + w.start - root(from.square), to.place * w.forth + w.start + root(to.square));
 }
 
-/// What a cylinder sweeps on that part of the path.
+/// Returns the intervals that a cylinder sweeps on this section of the path.
 template <class V>
 KADR_IN_LANES Swept<V> level_cylinder(const LevelWay& w, const LevelLines<V>& lines, const Stretch<V>& on, float radius) {
   const float edge = radius * w.side;
@@ -62,7 +62,7 @@ KADR_IN_LANES Swept<V> level_cylinder(const LevelWay& w, const LevelLines<V>& li
   return between(w, LeftAt<V>{from, square - from_side * from_side}, LeftAt<V>{to, square - to_side * to_side}, on.any);
 }
 
-/// What the lower half of a ball sweeps.
+/// Returns the intervals that the lower half of a ball sweeps.
 template <class V>
 KADR_IN_LANES Swept<V> level_ball(const LevelWay& w, const SweptBody& b, const LevelLines<V>& lines, const Stretch<V>& on) {
   float across = w.across, up = w.up,
@@ -79,24 +79,24 @@ KADR_IN_LANES Swept<V> level_ball(const LevelWay& w, const SweptBody& b, const L
   return between(w, LeftAt<V>{from, room - from_far * from_far * square}, LeftAt<V>{to, room - to_far * to_far * square}, on.any);
 }
 
-/// A cone or a rounded edge at one position on the path.
+/// A cone or a rounded edge (the end of a tool) and a line, at one position on the path.
 template <class V>
 struct EndAt {
-  V square;  // squared half length of the line inside it
-  V forth;   // the slope of the line's exit position is proportional to sign · forth + turn
-  V turn;    // see forth
+  V square;  // square of half the length of the line inside the end
+  V forth;   // the slope of the exit position along the path is proportional to sign · forth + turn
+  V turn;    // see `forth`
 };
 template <class V, BodyEnd end>
 KADR_IN_LANES EndAt<V> end_at(const LevelWay& w, const SweptBody& b, const LevelLines<V>& lines, const V& place) {
   const V none = spread<V>(0.f), height = within(lines.up - place * w.up - b.bottom, none, spread<V>(b.tall()));
   const V side = place * w.across - lines.across;
-  V radius, grows, scale;  // grows / scale: change of the radius per mm of height
+  V radius, grows, scale;  // grows / scale is the change of the radius per mm of height
   if constexpr (end == BodyEnd::cone) {
     radius = height * b.widens + b.flat, grows = spread<V>(b.widens), scale = spread<V>(1.f);
   } else {
     scale = root(height * (2 * b.corner - height)), radius = scale + b.flat, grows = spread<V>(b.corner) - height;
   }
-  // Where the line is missed, the slope leads towards meeting it.
+  // Where the line is missed, the slope must point towards the positions at which the line is met.
   const V square = (radius - side) * (radius + side), towards = choose(side > 0.f, spread<V>(w.across), spread<V>(-w.across));
   const V rises = grows * w.up;
   const MarksOf<V> meets = square > 0.f;
@@ -104,7 +104,7 @@ KADR_IN_LANES EndAt<V> end_at(const LevelWay& w, const SweptBody& b, const Level
           choose(meets, -(rises * radius + side * scale * w.across), -(rises + scale * towards))};
 }
 
-/// Finds where the line leaves the end, in the direction `sign`.
+/// Finds the position on the path at which the end reaches farthest along the line, in the direction `sign` (1 or -1).
 template <class V, BodyEnd end>
 KADR_IN_LANES LeftAt<V> farthest(const LevelWay& w, const SweptBody& b, const LevelLines<V>& lines, const Stretch<V>& on, float sign,
                                  const EndAt<V>& first, const EndAt<V>& last) {
@@ -129,7 +129,8 @@ KADR_IN_LANES Swept<V> level_end(const LevelWay& w, const SweptBody& b, const Le
   }
 }
 
-/// Lines at the positions `across`, `z`. The body is convex, so its end and its cylinder together sweep one interval of a line.
+/// Returns the intervals of lines at the positions `across`, `z`. The body is convex, so its end and its cylinder together sweep one
+/// interval of a line.
 template <class V, BodyEnd end>
 KADR_IN_LANES Swept<V> level_lines(const LocalSweep& s, const LevelWay& w, const SweptBody& b, const V& across, const V& z) {
   const LevelLines<V> lines{across - w.across_start, z - s.from[2]};

@@ -9,38 +9,39 @@
 
 namespace kadr {
 
-/// The room that a tool needs around its tip, mm.
+/// How far a body of the tool extends around the tip, mm.
 struct AroundTip {
-  double beside, below, above;  // `below` is negative if the body begins above the tip
+  double beside, below, above;  // `below` is negative if the whole body is above the tip
 };
 
-/// Lengths in mm, from the brick's corner. Positions on the path are mm from `from`.
+/// A straight path of the tip; lengths in mm, from the brick's corner.
 struct LocalSweep {
-  float from[3];  // the tip
-  float way[3];   // unit vector; {1, 0, 0} if the tool does not move
+  float from[3];  // start of the path
+  float way[3];   // unit vector of the path; {1, 0, 0} if the tool does not move
   float length;
-  float rise;            // along Z, over the whole path
+  float rise;            // Z component of the whole path
   float per_upward;      // 1 / way[2], large for a level path
-  float flat_way[2];     // way[0], way[1]; 0 for a vertical path
-  float flat, per_flat;  // length of flat_way, and its inverse, which is finite even for 0
+  float flat_way[2];     // way[0], way[1]; both 0 for a vertical path
+  float flat, per_flat;  // length of flat_way, and its inverse, which is finite even for a length of 0
   bool upright;
 
   float lowest() const { return from[2] + std::min(rise, 0.f); }
   float highest() const { return from[2] + std::max(rise, 0.f); }
 };
 
-/// A path this many times longer than the part that reaches the brick is shortened, since single precision has seven digits.
+/// A path that is more than this many times longer than its section near the brick is shortened to that section, because single
+/// precision has only seven digits.
 inline constexpr double clipped_above = 4;
-/// Share of the path in the plane below which the path counts as vertical: within a brick's reach this is less than 1e-4 mm.
+/// A path is vertical if the XY component of its unit vector is less than this: within a brick the error is less than 1e-4 mm.
 inline constexpr float upright_below = 3e-6f;
 inline constexpr float nearly_none = 1e-12f;
 
-/// A part of a path, as shares.
+/// A section of a path, as shares from 0 to 1.
 struct WayPart {
   double first = 0, last = 1;
 };
 
-/// Returns the part on which the tool can reach a box from {0, 0, 0} to `most`, with some margin; {0, 0} if it never can.
+/// Returns the section of the path on which the tool can reach a box from {0, 0, 0} to `most`, with some margin; {0, 0} if it never can.
 inline WayPart part_that_reaches(Vec3 from, Vec3 way, const AroundTip& tool, Vec3 most) {
   WayPart part;
   for (int d = 0; d < 3; ++d) {
@@ -54,7 +55,7 @@ inline WayPart part_that_reaches(Vec3 from, Vec3 way, const AroundTip& tool, Vec
   return part;
 }
 
-/// Takes positions from the brick's corner; `edge` of the brick.
+/// Converts a path, whose positions are given from the brick's corner, to a LocalSweep. `edge` is the edge length of the brick, mm.
 inline LocalSweep local_sweep(Vec3 from, Vec3 to, const AroundTip& tool, double edge) {
   Vec3 way = to - from;
   const double of_way = length(way);
@@ -76,7 +77,7 @@ inline LocalSweep local_sweep(Vec3 from, Vec3 to, const AroundTip& tool, double 
   return s;
 }
 
-/// Mirrors the path about the plane z = 0 through the brick's corner, so that a body that narrows upwards widens upwards.
+/// Mirrors the path about the plane z = 0 through the brick's corner, so that a body that becomes narrower upwards becomes wider upwards.
 inline LocalSweep upside_down(LocalSweep s) {
   s.from[2] = -s.from[2], s.way[2] = -s.way[2], s.rise = -s.rise;
   s.per_upward = 1 / (std::fabs(s.way[2]) < nearly_none ? nearly_none : s.way[2]);

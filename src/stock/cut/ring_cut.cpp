@@ -1,4 +1,4 @@
-// Cuts a ring from the lines of a brick. Used by stock/stock.
+// Removes a ring from the lattice lines of a brick. Used by stock/stock.
 
 #include "stock/cut/ring_cut.h"
 
@@ -12,7 +12,7 @@ namespace {
 constexpr int rings_between_tops = 8;
 constexpr float no_place = 1e30f;
 
-/// An interval on each line of a family; `from` is greater than `to` if the line misses the ring.
+/// The interval of each line of a family that the ring removes; `from` is greater than `to` if the line misses the ring.
 struct LineTakings {
   std::array<float, brick_lines> from, to;
   bool any = false;
@@ -59,7 +59,7 @@ class RingCutter {
   double edge_;
 };
 
-/// True if the brick's rectangle of radii and heights is inside the outline on one side of the axis; the outline is convex.
+/// True if the brick's rectangle of radii and heights lies wholly inside the swept outline, on one side of the axis. The outline is convex.
 bool RingCutter::holds_all(const BrickRing& own) const {
   for (const double side : {1.0, -1.0}) {
     bool all = true;
@@ -86,7 +86,7 @@ void RingCutter::clear() {
   outcome_.longest = scale_.edge;
 }
 
-/// Cuts both sides of the axis, which may overlap.
+/// Cuts lines along Z with the outline on both sides of the axis; the two intervals of a line may overlap.
 void RingCutter::cut_upright_lines(const RingRange& reached) {
   const BrickLines& lines = brick_.family[2];
   LineTakings right, left;
@@ -102,7 +102,8 @@ void RingCutter::cut_upright_lines(const RingRange& reached) {
   take(2, left);
 }
 
-/// A level line that passes through the hole of the ring meets it in two pieces, one on each side, else in one.
+/// Cuts lines along X and Y. A line that passes through the hole of the ring meets the ring in two intervals, one on each side, else in
+/// one.
 void RingCutter::cut_level_lines() {
   std::array<RingRange, brick_edge> at_height;
   for (int i = 0; i < brick_edge; ++i) at_height[std::size_t(i)] = folded(sweep_.at_z(corner_.z + place(i)));
@@ -126,7 +127,7 @@ void RingCutter::cut_level_lines() {
   }
 }
 
-/// Removes the intervals from all intervals of the lines.
+/// Removes one interval from each line, from all its intervals of material.
 void RingCutter::take(int family, const LineTakings& takings) {
   if (!takings.any) return;
   BrickLines& lines = brick_.family[std::size_t(family)];
@@ -165,7 +166,7 @@ void RingCutter::take_further(int family, const LineTakings& takings) {
   std::erase_if(further, [](const FurtherInterval& f) { return f.to <= f.from; });
 }
 
-/// Records a removed piece.
+/// Records a removed interval.
 void RingCutter::note(int family, int line, float from, float to) {
   outcome_.changed = true;
   const double length = double(to) - double(from), lane = place(line % brick_edge), row = place(line / brick_edge);

@@ -1,5 +1,5 @@
 #pragma once
-// Cuts one ring in one brick of a spinning part.
+// Removes from one brick of a spinning part the ring that a turning tool sweeps.
 
 #include <cstdint>
 
@@ -9,28 +9,30 @@
 
 namespace kadr {
 
-/// What one ring removed.
+/// What a ring removed from a brick.
 struct RingOutcome {
   bool changed = false;
-  double length = 0;     // of removed material on the upright lines, mm
-  float longest = 0;     // longest piece removed from a line in any direction, mm
-  bool watched = false;  // records the range: pieces thinner than `least_piece` along the radius (of level lines) or Z do not count
+  double length = 0;  // removed length, summed over the lattice lines along Z, mm
+  float longest = 0;  // longest interval removed from a lattice line of any direction, mm
+  // True: also records `radii` and `heights`, without intervals thinner than `least_piece` (along the radius on lines along X and Y,
+  // else along Z).
+  bool watched = false;
   double least_piece = 0;
-  RingRange radii, heights;  // of the removed material, if watched
+  RingRange radii, heights;  // ranges of radius and height of the removed material, if `watched`
 
   bool any() const { return radii.from <= radii.to; }
 };
 
-/// The least and greatest radius in a brick.
+/// The least and the greatest distance of a brick's points from the axis of the part.
 struct BrickRing {
   double nearest, farthest;
 };
-/// `corner` of the brick, relative to the axis.
+/// `corner_x`, `corner_y`: the brick's corner, relative to the axis of the part.
 BrickRing brick_ring(double corner_x, double corner_y, double edge);
 
-/// Removes what the insert sweeps. The result does not depend on the processor.
-///   corner  of the brick: x, y from the axis, z as in the sweep
-///   by      number of the sweep, stored at the ends that it makes
+/// Removes the material that the insert sweeps. The result does not depend on the processor.
+///   corner  of the brick: x, y from the axis of the part, z in the coordinates of the sweep
+///   by      number of the sweep, which is stored at the new ends of intervals
 void cut_ring(Brick& brick, const BrickScale& scale, const Vec3& corner, const RingSweep& sweep, std::int32_t by, RingOutcome& outcome);
 
 }  // namespace kadr

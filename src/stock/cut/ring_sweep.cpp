@@ -1,4 +1,4 @@
-// Builds the outline of a swept insert and its slices. Used by stock/cut/ring_cut.
+// Builds the outline of the area that an insert sweeps, and intersects it with lines. Used by stock/cut/ring_cut.
 
 #include "stock/cut/ring_sweep.h"
 
@@ -12,7 +12,7 @@ InsertPoint moved(const InsertPoint& p, const InsertPoint& by, double k = 1) { r
 
 double inner(const InsertPoint& a, const InsertPoint& b) { return a.x * b.x + a.z * b.z; }
 
-/// Interpolates the other coordinate of an edge where its first coordinate is `at`.
+/// Returns the second coordinate of the point of an edge whose first coordinate is `at`.
 double along_edge(double from, double per, double at, double other_from, double other_to) {
   const double share = std::clamp((at - from) * per, 0.0, 1.0);
   return other_from + share * (other_to - other_from);
@@ -61,7 +61,7 @@ void RingSweep::add_edge(const InsertCorner& a, const InsertCorner& b, const Ins
   edges_.push_back({from, to, outward, x != 0 ? 1 / x : 0, z != 0 ? 1 / z : 0});
 }
 
-/// The discs of the corners are inside the hull, so whole discs can be used.
+/// The whole circles of the corners are inside the swept area, so whole circles can be used instead of arcs.
 RingRange RingSweep::at_x(double x) const {
   RingRange range;
   for (const Edge& e : edges_) {

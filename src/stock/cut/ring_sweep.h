@@ -1,11 +1,13 @@
 #pragma once
-// RingSweep: what a body of an insert sweeps along a straight path, in the half plane of a spinning part: a ring about the axis.
+// RingSweep: the ring about the axis of a spinning part that a convex outline of a turning tool sweeps on a straight path. It is
+// described in the half plane through the axis.
 //
-// Body and path are convex, and so is the swept hull: its outline is the body's, with the path as two more edges where the outline
-// changes from front to back. A line along Z has one radius, a level line one height: both cut the outline in one interval, in closed
-// form. x is the signed radius: if the insert reaches across the axis, both sides are cut.
+// Outline and path are convex, and so is the swept area: its outline is that of the tool, with the path inserted as two more straight
+// edges where the tool's outline changes from its front to its back. Lattice lines along Z have a constant radius, level lines a
+// constant height: each intersects the swept area in one interval, in closed form. x is the signed radius: if the insert reaches across
+// the axis, it cuts on both sides.
 //
-//   law  a point is in a slice if the insert is there at some share of the path, to 1e-9 mm   (tests/stock/turn_test)
+//   law  a point is in an interval if the insert is there at some share of the path, to within 1e-9 mm   (tests/stock/turn_test)
 
 #include <vector>
 
@@ -13,7 +15,7 @@
 
 namespace kadr {
 
-/// A range; empty if `to` is not greater than `from`.
+/// A range of radii or heights, mm; empty if `to` is not greater than `from`.
 struct RingRange {
   double from = 1e300, to = -1e300;
 
@@ -21,7 +23,7 @@ struct RingRange {
   void include(double a) { from = a < from ? a : from, to = a > to ? a : to; }
 };
 
-/// Converts a range of signed radii into a range of radii, mm.
+/// Converts a range of signed radii into a range of radii (absolute values), mm.
 RingRange folded(const RingRange& x);
 
 class RingSweep {
@@ -30,21 +32,21 @@ class RingSweep {
     InsertPoint from, to, outward;
     double per_x, per_z;  // 1 / length along x, z; 0 if that length is 0
   };
-  /// `first`, `last`: the outward normals at the ends of the arc in the outline.
+  /// An arc of the outline. `first`, `last`: outward unit normals at the ends of the arc.
   struct Arc {
     InsertPoint centre;
     double radius;
     InsertPoint first, last;
   };
 
-  /// The path is that of the programmed point.
+  /// `from`, `to`: start and end of the path of the programmed point.
   RingSweep(const InsertBody& body, const InsertPoint& from, const InsertPoint& to);
 
-  /// Returns the swept heights at a signed radius.
+  /// Returns the heights that are swept at a signed radius.
   RingRange at_x(double x) const;
-  /// Returns the swept signed radii at a height.
+  /// Returns the signed radii that are swept at a height.
   RingRange at_z(double z) const;
-  /// Returns the swept signed radii between two heights.
+  /// Returns the signed radii that are swept between two heights.
   RingRange between(double low, double high) const;
   RingRange heights() const;
 

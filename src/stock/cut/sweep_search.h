@@ -1,34 +1,35 @@
 #pragma once
-// Finds the position on the path at which a tool's rounded or conical end reaches farthest on a line. Used by stock/cut/level_rows
-// and upright_rows.
+// Finds the position on the path at which a tool's rounded or conical end reaches farthest along a lattice line. Used by
+// stock/cut/level_rows and stock/cut/upright_rows.
 //
-// For a straight line and a convex body on a straight path, how far the body reaches on the line is a concave function of the path.
-// So there is one maximum, and the sign of the slope tells on which side of a position it is. Most lines are decided by the slopes at
-// both ends of the path. For the others the chord through the slopes gives the next position; the middle is used if the line misses
-// the body at an end, or if a chord has not halved the bracket.
+// For a convex body on a straight path, the distance that the body reaches along a line is a concave function of the position on the
+// path. So there is one maximum, and the sign of the function's slope at a position shows on which side of it the maximum is. For most
+// lines the slopes at both ends of the path decide. For the others, the zero of the chord through the slopes at both ends of the bracket
+// is the next position; the middle of the bracket is used instead if the line misses the body at one end, or if the last chord has not
+// halved the bracket.
 
 #include "stock/cut/lanes.h"
 
 namespace kadr::lanes {
 
-/// The slope at one position on the path.
+/// The slope of the reach along the line, at one position on the path.
 template <class V>
 struct Slope {
-  V value;            // positive: farther on is better
-  MarksOf<V> smooth;  // the line meets the body: the slope is continuous
+  V value;            // positive: the body reaches farther at later positions on the path
+  MarksOf<V> smooth;  // the line meets the body at this position, so the slope is continuous there
 };
 
 inline constexpr int steady_steps = 2, most_steps = 48;
 
-/// The bracket of the maximum.
+/// The section of the path that contains the maximum.
 template <class V>
 struct Bracket {
   V first, last;
   Slope<V> at_first, at_last;
 };
 
-/// `slope_at(place)` returns the Slope. In the `sought` lanes it is positive at `first` and negative at `last`; other lanes are
-/// ignored.
+/// `slope_at(place)` must return the Slope at a position. In the lanes `sought` it is positive at `first` and negative at `last`; other
+/// lanes are ignored.
 template <class V>
 KADR_IN_LANES Bracket<V> bracketed(const V& way_first, const V& way_last, const Slope<V>& slope_first, const Slope<V>& slope_last,
                                    const MarksOf<V>& sought, float error, const auto& slope_at) {
@@ -40,7 +41,7 @@ KADR_IN_LANES Bracket<V> bracketed(const V& way_first, const V& way_last, const 
     const V width = last - first, middle = half * (first + last);
     if (!any(sought & (width > error))) break;
     const V chord = within(first + width * (at_first.value / (at_first.value - at_last.value)), first, last);
-    // Slightly nearer to the middle, so that the maximum comes to lie between this position and the near end.
+    // The position is moved slightly towards the middle, so that the maximum is between it and the near end of the bracket.
     const V pushed = choose(chord < middle, least(chord + beyond, middle), most(chord - beyond, middle));
     const V place = choose(at_first.smooth & at_last.smooth & ~slow, pushed, middle);
     const Slope<V> here = slope_at(place);
@@ -60,7 +61,8 @@ KADR_IN_LANES V farthest_place(const V& way_first, const V& way_last, const Slop
   return 0.5f * (b.first + b.last);
 }
 
-/// The same for a slope that is smooth everywhere: interpolates in the final bracket, which is much more accurate than `error`.
+/// Like bracketed(), for a slope that is smooth everywhere. It interpolates in the final bracket, which gives a much smaller error than
+/// `error`.
 template <class V>
 KADR_IN_LANES V smooth_farthest_place(const V& way_first, const V& way_last, const Slope<V>& slope_first, const Slope<V>& slope_last,
                                       const MarksOf<V>& sought, float error, const auto& slope_at) {

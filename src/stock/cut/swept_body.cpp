@@ -1,4 +1,4 @@
-// Converts a tool's body for rows of an upright tool. Used by stock/stock.
+// Converts a body of a tool for intersection with lattice lines when the tool is upright. Used by stock/stock.
 
 #include "stock/cut/swept_body.h"
 
@@ -9,7 +9,7 @@
 namespace kadr {
 namespace {
 
-/// mm that an error of the position on the path may add to where the tool leaves a line.
+/// mm: a wrong position on the path may shift the point where the tool leaves a line by this much.
 constexpr double error_by_place = 4e-4;
 
 BodyEnd end_of(RoundSolid::Form form) {
@@ -43,7 +43,7 @@ SweptBody swept_body(const ConvexBody& convex) {
     body.widens = float((end.top_radius - end.bottom_radius) / (end.top - end.bottom));
     body.stands = float((end.top - end.bottom) / (end.top_radius - end.bottom_radius));
   }
-  // A position that is off by e changes the result by e² / (2 corner); at a cone's point by up to e.
+  // A position that is wrong by e shifts the result by e² / (2 corner); at the apex of a cone by up to e.
   body.place_error = float(body.end == BodyEnd::cone ? 3e-4 : std::sqrt(2 * error_by_place * double(body.corner)));
   return body;
 }

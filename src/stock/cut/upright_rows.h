@@ -1,7 +1,8 @@
 #pragma once
-// Where upright lines are inside what a body sweeps along a straight path. Single precision, lengths in mm from the brick's corner.
+// Finds the intervals of lattice lines along Z inside the volume that a body of an upright tool sweeps along a straight path. Single
+// precision, lengths in mm from the brick's corner.
 //
-//   law  a point in an interval is inside the body at some share of the path, to 2e-4 mm   (tests/stock/sweep_test)
+//   law  a point in an interval is inside the body at some share of the path, to within 2e-4 mm   (tests/stock/sweep_test)
 
 #include "stock/cut/sweep_search.h"
 #include "stock/cut/swept_body.h"
@@ -10,7 +11,7 @@ namespace kadr::lanes {
 
 inline constexpr float missed = 1e30f;
 
-/// An interval on each line; `from` is greater than `to` if the line misses the body.
+/// The swept interval of each lattice line; `from` is greater than `to` if the body misses the line.
 template <class V>
 struct Swept {
   V from, to;
@@ -24,7 +25,7 @@ KADR_IN_LANES Swept<V> where(const MarksOf<V>& meets, const V& from, const V& to
 /// The part of the path on which the body is over a line.
 template <class V>
 struct Over {
-  V nearest, apart;  // position where it is nearest, and the squared distance there
+  V nearest, apart;  // position on the path where the tool's axis is nearest to the line; their squared distance there
   V first, last;
   MarksOf<V> meets;
 };
@@ -40,10 +41,11 @@ KADR_IN_LANES Over<V> over_line(const LocalSweep& s, const V& x, float y, float 
   return {nearest, apart, first, last, (room > 0.f) & (first <= last)};
 }
 
-/// A cone's side is moved outwards by this, mm: a distance from the axis that is rounded up must not climb a nearly vertical side.
+/// mm by which a cone's side is moved outwards, so that a distance from the axis that was rounded up does not give too great a height on
+/// a nearly vertical side.
 inline constexpr float rounded_radius = 1e-5f;
 
-/// Height of the end's surface above its bottom.
+/// Returns the height of the end's surface above the end's bottom at this radius.
 template <class V, BodyEnd end>
 KADR_IN_LANES V end_height(const SweptBody& b, const V& radius) {
   const V beyond = most(radius - (end == BodyEnd::cone ? b.flat + rounded_radius : b.flat), spread<V>(0.f));
@@ -53,7 +55,7 @@ KADR_IN_LANES V end_height(const SweptBody& b, const V& radius) {
   return spread<V>(0.f);
 }
 
-/// The position where a rounded edge is lowest over the line.
+/// Returns the position on the path at which a rounded edge is lowest over the line.
 template <class V>
 KADR_IN_LANES V lowest_of_torus(const LocalSweep& s, const SweptBody& b, const Over<V>& over) {
   const float square = s.flat * s.flat, corner_square = b.corner * b.corner;
@@ -69,20 +71,20 @@ KADR_IN_LANES V lowest_of_torus(const LocalSweep& s, const SweptBody& b, const O
   return place;
 }
 
-/// Distance on the path, in the plane, between where a cone is nearest to a line and where it is lowest over it, per mm of the
-/// nearest distance.
+/// A cone is nearest to a line at one position on the path and lowest over the line at another. Returns the distance of these positions,
+/// in the XY plane, per mm of the nearest distance between cone axis and line.
 inline float cone_lag(const LocalSweep& s, const SweptBody& b) {
   const float steep = std::fabs(s.way[2]) * s.per_flat * b.widens;
   return steep < 1.f ? steep / std::sqrt(std::max(1.f - steep * steep, nearly_none)) : missed;
 }
 
-/// The position where the body's end is lowest over the line.
+/// Returns the position on the path at which the end of the body is lowest over the line.
 template <class V, BodyEnd end>
 KADR_IN_LANES V lowest_place(const LocalSweep& s, const SweptBody& b, const Over<V>& over) {
   const V none = spread<V>(0.f);
   if constexpr (end == BodyEnd::flat) return s.way[2] > 0.f ? over.first : over.last;
   if constexpr (end == BodyEnd::torus) return lowest_of_torus(s, b, over);
-  V before;  // distance before the nearest position at which the lowest one is reached, if the path rises
+  V before;  // distance from the lowest position to the nearest position, along the path in the XY plane, if the path rises
   if constexpr (end == BodyEnd::ball) {
     before = root(spread<V>(b.radius * b.radius) - over.apart) * (s.way[2] * s.per_flat);
   } else {
@@ -93,8 +95,8 @@ KADR_IN_LANES V lowest_place(const LocalSweep& s, const SweptBody& b, const Over
   return within(over.nearest - before, over.first, over.last);
 }
 
-/// Lines at the positions `x`, `y`.
-///   tip  receives its height where the body's end is lowest over the line
+/// Returns the intervals of lines at the positions `x`, `y`.
+///   tip  receives, for each line, the height of the tip at the position where the body's end is lowest over the line
 template <class V, BodyEnd end>
 KADR_IN_LANES Swept<V> upright_lines(const LocalSweep& s, const SweptBody& b, const V& x, float y, V& tip) {
   const Over<V> over = over_line(s, x, y, b.radius);

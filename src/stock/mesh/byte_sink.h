@@ -1,5 +1,5 @@
 #pragma once
-// The destination of a file that is written piece by piece: a temporary file, memory, a pipe.
+// ByteSink: the destination of a file that is written piece by piece: a temporary file, memory or a pipe.
 
 #include <functional>
 #include <string_view>
@@ -7,7 +7,7 @@
 namespace kadr {
 
 /// Receives the next bytes.
-///   returns  false if they could not be written; the sink is then not called again
+///   returns  false if the bytes could not be written; the sink is then not called again
 using ByteSink = std::function<bool(std::string_view)>;
 
 }  // namespace kadr

@@ -1,4 +1,4 @@
-// Loads expat on demand. Used by stock/mesh/xml_scan.
+// Loads the library expat on demand. Used by stock/mesh/xml_scan.
 
 #include "stock/mesh/expat_library.h"
 

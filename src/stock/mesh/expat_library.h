@@ -1,5 +1,5 @@
 #pragma once
-// Loads expat when the first 3MF file is read, so that no other command waits for it.
+// Loads the library expat when the first 3MF file is read, so that commands without such a file need not load it.
 
 #include <expat.h>
 
@@ -12,13 +12,13 @@ namespace kadr {
                       X(XML_Parse) X(XML_StopParser) X(XML_ResumeParser) X(XML_GetParsingStatus) X(XML_GetCurrentByteIndex) X(XML_GetErrorCode)
 // clang-format on
 
-/// The functions that we call.
+/// The functions of expat that this program calls.
 struct Expat {
   KADR_EXPAT(KADR_LIBRARY_FUNCTION)
 };
 
-/// Returns the library. The first call loads it, and it stays loaded.
-///   returns  nullptr if the machine does not have it
+/// Returns the functions of the library. The first call loads the library, which then stays loaded.
+///   returns  nullptr if the library is not installed
 const Expat* expat_library();
 
 }  // namespace kadr

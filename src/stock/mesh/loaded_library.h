@@ -1,5 +1,5 @@
 #pragma once
-// A C library that is loaded on demand: a struct of pointers to the functions that we call, looked up by name.
+// Loads a C library on demand. The result is a struct of pointers to the functions that this program calls, found by their names.
 //
 //   #define KADR_THING(X) X(thing_open) X(thing_close)
 //   struct Thing { KADR_THING(KADR_LIBRARY_FUNCTION) };
@@ -15,8 +15,8 @@ namespace kadr {
 #define KADR_LIBRARY_FUNCTION(name) decltype(&::name) name = nullptr;
 #define KADR_LIBRARY_FIND(name) find(library.name, #name);
 
-/// `fill(library, find)` calls `find(function, name)` for each function.
-///   returns  nullopt if the machine does not have the library, or the library lacks a function
+/// Loads the library `file`. `fill(library, find)` must call `find(function, name)` for each member of the struct.
+///   returns  nullopt if the library is not installed, or lacks one of the functions
 template <class Library, class Fill>
 std::optional<Library> opened_library(const char* file, const Fill& fill) {
   void* const handle = dlopen(file, RTLD_LAZY | RTLD_LOCAL);

@@ -1,4 +1,4 @@
-// Volume, area and box of a mesh. Used by stock/mesh and stock/surface.
+// Computes volume, area and box of a mesh. Used by stock/mesh and stock/surface.
 
 #include "stock/mesh/mesh.h"
 
@@ -8,7 +8,7 @@
 
 namespace kadr {
 double volume_of(const Mesh& mesh) {
-  const Vec3 middle = mesh.points.empty() ? Vec3{} : mesh.point(0);  // a nearby reference point loses fewer digits
+  const Vec3 middle = mesh.points.empty() ? Vec3{} : mesh.point(0);  // with a reference point near the mesh fewer digits are lost
   double six = 0;
   for (std::size_t t = 0; t < mesh.triangle_count(); ++t) {
     const Vec3 a = mesh.corner(t, 0) - middle, b = mesh.corner(t, 1) - middle, c = mesh.corner(t, 2) - middle;

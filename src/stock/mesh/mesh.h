@@ -1,5 +1,5 @@
 #pragma once
-// Mesh: triangles between numbered points.
+// Mesh: triangles whose corners are numbered points.
 
 #include <cstdint>
 #include <vector>
@@ -8,7 +8,7 @@
 
 namespace kadr {
 
-/// Seen from outside, the corners of a triangle run counter-clockwise. Lengths in mm.
+/// Seen from outside the body, the corners of a triangle run counter-clockwise. Lengths in mm.
 struct Mesh {
   std::vector<float> points;             // x, y, z of each point
   std::vector<std::uint32_t> triangles;  // three point numbers each
@@ -19,7 +19,7 @@ struct Mesh {
   Vec3 corner(std::size_t triangle, std::size_t i) const { return point(triangles[3 * triangle + i]); }
 };
 
-/// Returns the enclosed volume in mm³; negative if the mesh is inside out.
+/// Returns the enclosed volume in mm³; negative if the triangles face inwards.
 double volume_of(const Mesh& mesh);
 
 /// Returns the area of all triangles in mm².

@@ -1,4 +1,4 @@
-// Reads STL or 3MF. Used by session and cli.
+// Reads a mesh from an STL or 3MF file. Used by session and cli.
 
 #include "stock/mesh/mesh_file.h"
 

@@ -1,5 +1,5 @@
 #pragma once
-// Reads a mesh from a file, STL or 3MF.
+// Reads a mesh from a file in STL or 3MF format.
 
 #include <string>
 #include <string_view>
@@ -10,11 +10,11 @@
 
 namespace kadr {
 
-/// Detects the format by the first bytes, not by the file name.
+/// Reads a mesh from the content of a file. The first bytes decide about the format, not the file name.
 tl::expected<SolidMesh, std::string> read_mesh(std::string_view bytes, const MeshRules& rules);
 
 /// Reads a regular file of at most rules.memory / 2 bytes.
-///   returns  a solid, or an error sentence; notes and error name the file
+///   returns  a closed mesh, or an error sentence; notes and errors contain the file name
 tl::expected<SolidMesh, std::string> read_mesh_file(const std::string& path, const MeshRules& rules, const FileDoor* door = nullptr);
 
 }  // namespace kadr

@@ -1,4 +1,4 @@
-// A grid of squares across the lines. Used by stock/blank/mesh_blank and stock/mesh/mesh_repair.
+// Sorts the triangles into a grid of squares in the plane across the lines. Used by stock/blank/mesh_blank and stock/mesh/mesh_repair.
 
 #include "stock/mesh/mesh_index.h"
 
@@ -8,7 +8,7 @@
 namespace kadr {
 namespace {
 
-constexpr double most_entries = 6;  // per triangle, on average: long triangles across many squares make the grid coarser
+constexpr double most_entries = 6;  // mean number of squares per triangle: if long triangles cross many squares, a coarser grid is used
 
 }  // namespace
 

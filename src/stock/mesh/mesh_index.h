@@ -1,10 +1,10 @@
 #pragma once
-// MeshIndex: finds where lines along one axis meet the triangles of a mesh.
+// MeshIndex: finds the hits, where lines along one axis meet the triangles of a mesh.
 //
-// Triangles that share an edge agree about it to the bit (stock/mesh/triangle_across). So a line enters a closed mesh as often as it
-// leaves it, even where it meets an edge or a point of the mesh.
+// Two triangles with a common edge compute the same position for it, bit for bit (stock/mesh/triangle_across). So a line enters a closed
+// mesh as often as it leaves the mesh, even where it meets an edge or a point.
 //
-//   law  the turns of a closed mesh's hits add up to 0 on every line   (tests/stock/mesh_blank_test)
+//   law  on every line, the values `turn` of the hits of a closed mesh add up to 0   (tests/stock/mesh_blank_test)
 
 #include <cstdint>
 #include <vector>
@@ -15,9 +15,9 @@ namespace kadr {
 
 class MeshIndex {
  public:
-  /// Keeps a reference to the mesh. Takes at most 28 bytes per triangle.
+  /// Stores a reference to the mesh, and at most 28 bytes per triangle.
   MeshIndex(const Mesh& mesh, int family);
-  /// Appends the hits of a line in no particular order. u, v: its positions along the axes (family + 1) % 3 and (family + 2) % 3.
+  /// Appends the hits of a line in no particular order. u, v: positions of the line along the axes (family + 1) % 3 and (family + 2) % 3.
   void hits(double u, double v, std::vector<MeshHit>& hits) const;
 
  private:
@@ -37,8 +37,8 @@ class MeshIndex {
   int family_;
   double least_u_ = 0, least_v_ = 0, per_u_ = 0, per_v_ = 0;
   std::uint32_t columns_ = 1, rows_ = 1;
-  std::vector<std::uint32_t> first_;      // index into triangles_ where each square begins; one more at the end
-  std::vector<std::uint32_t> triangles_;  // those whose extent reaches the square
+  std::vector<std::uint32_t> first_;      // index in triangles_ of the first triangle of each square; one more element at the end
+  std::vector<std::uint32_t> triangles_;  // numbers of the triangles whose bounding rectangle overlaps the square
 };
 
 }  // namespace kadr

@@ -1,4 +1,4 @@
-// Closes and orients a mesh, and reports its faults. Used by stock/mesh/mesh_file.
+// Closes a mesh, turns its triangles the right way, and reports its faults. Used by stock/mesh/mesh_file.
 
 #include "stock/mesh/mesh_repair.h"
 
@@ -41,7 +41,7 @@ struct Repair {
   void turn(std::size_t triangle) { std::swap(mesh.triangles[3 * triangle + 1], mesh.triangles[3 * triangle + 2]); }
 };
 
-/// Reports a corner with an invalid coordinate or point number, or one far beyond any machine.
+/// Returns a message about a corner with an invalid coordinate or point number, or far beyond any machine; empty if there is none.
 std::string Repair::told_points() const {
   for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
     const std::string triangle = std::to_string(i / 3 + 1);
@@ -60,12 +60,12 @@ std::string Repair::told_points() const {
   return {};
 }
 
-/// Neighbouring triangles must use their common edge in opposite directions: turns each triangle of a shell to fit the shell's first.
+/// Two neighbouring triangles must use their common edge in opposite directions. Turns each triangle of a shell to fit the first one.
 /// Returns false if this is not possible.
 bool Repair::turn_to_fit() {
   const std::vector<EdgeWay> ways = edge_ways(mesh);
   const std::size_t count = mesh.triangle_count();
-  std::vector<std::uint32_t> beside(3 * count), found(count, 0);  // three neighbours each; odd: same direction, so one must be turned
+  std::vector<std::uint32_t> beside(3 * count), found(count, 0);  // three neighbours each; odd: both use the edge in the same direction
   for (std::size_t i = 0; i < ways.size(); i += 2) {
     if (i + 1 >= ways.size() || ways[i].ends != ways[i + 1].ends || (i + 2 < ways.size() && ways[i + 2].ends == ways[i].ends)) return false;
     const EdgeWay &a = ways[i], &b = ways[i + 1];
@@ -73,7 +73,7 @@ bool Repair::turn_to_fit() {
     beside[3 * std::size_t(a.triangle) + found[a.triangle]++] = 2 * b.triangle + same;
     beside[3 * std::size_t(b.triangle) + found[b.triangle]++] = 2 * a.triangle + same;
   }
-  std::vector<std::uint8_t> turned(count, 2);  // 2: not yet known
+  std::vector<std::uint8_t> turned(count, 2);  // 2: not yet decided
   std::vector<std::uint32_t> open;
   std::size_t turns = 0;
   for (std::size_t first = 0; first < count; ++first) {
@@ -87,7 +87,7 @@ bool Repair::turn_to_fit() {
         const std::uint32_t other = beside[3 * std::size_t(t) + k] / 2;
         const std::uint8_t wanted = turned[t] ^ std::uint8_t(beside[3 * std::size_t(t) + k] & 1);
         if (turned[other] == 2) turned[other] = wanted, open.push_back(other);
-        else if (turned[other] != wanted) return false;  // a one-sided band
+        else if (turned[other] != wanted) return false;  // a one-sided surface, such as a Möbius strip
       }
     }
   }
@@ -98,7 +98,7 @@ bool Repair::turn_to_fit() {
   return true;
 }
 
-/// Merges points within the tolerance, then turns triangles that do not fit, each only if edges are open.
+/// Merges points within the tolerance, then turns triangles the right way; each of these only if edges are still open.
 void Repair::close() {
   edges = edges_of(mesh);
   if (edges.open == 0) return;
@@ -131,7 +131,7 @@ std::string Repair::told_open() const {
               "не замкнуто: открытых рёбер " + std::to_string(edges.open) + ", первое у треугольника " + number + ", " + place);
 }
 
-/// Returns for each triangle the lowest point number of its connected shell.
+/// Returns for each triangle the lowest point number of the shell (connected surface) that contains the triangle.
 std::vector<std::uint32_t> Repair::shells() const {
   std::vector<std::uint32_t> parent(mesh.point_count());
   std::iota(parent.begin(), parent.end(), 0u);
@@ -148,7 +148,7 @@ std::vector<std::uint32_t> Repair::shells() const {
   return shell;
 }
 
-/// Turns shells that are inside out. Such a shell stays as it is if it lies inside another one, as it is then a cavity.
+/// Turns shells that are inside out. A shell that lies inside another one is a cavity and remains inside out.
 void Repair::turn_shells() {
   if (volume_of(mesh) < 0) {
     for (std::size_t t = 0; t < mesh.triangle_count(); ++t) turn(t);

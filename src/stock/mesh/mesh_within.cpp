@@ -1,8 +1,8 @@
-// Clips triangles by the planes of a box. Used by stock/blank and session/cutting.
+// Computes volume and area inside a box: clips triangles by the planes of the box. Used by stock/blank and session/cutting.
 //
-// On a vertical line through the box, move each crossing of the closed mesh that is outside to the box's floor or ceiling; the
-// crossings then add up to the length inside both. So each triangle contributes its height above the floor over the area that remains
-// of it between the box's walls.
+// Take a vertical line through the box. If each crossing of the closed mesh outside the box is moved to the box's floor or ceiling, the
+// signed sum of the crossings is the length inside both mesh and box. So the contribution of each triangle is its height above the floor,
+// integrated over the area of the triangle that is between the box's walls.
 
 #include "stock/mesh/mesh_within.h"
 
@@ -14,7 +14,7 @@
 namespace kadr {
 namespace {
 
-/// A convex polygon; each of the six planes adds at most one corner to a triangle.
+/// A convex polygon. A triangle has at most one more corner after each of the six planes.
 struct Polygon {
   std::array<Vec3, 12> corner;
   std::size_t count = 0;
@@ -22,7 +22,7 @@ struct Polygon {
   void add(const Vec3& p) { corner[count++] = p; }
 };
 
-/// Returns the part of the polygon above a position along the axis (`side` 1), or below it (−1).
+/// Returns the section of the polygon above a position along the axis (`side` 1), or below it (`side` −1).
 Polygon clipped(const Polygon& from, int axis, double place, int side) {
   Polygon to;
   for (std::size_t i = 0; i < from.count; ++i) {
@@ -37,13 +37,13 @@ Polygon clipped(const Polygon& from, int axis, double place, int side) {
   return to;
 }
 
-/// Visits the triangles of a fan from the polygon's first corner.
+/// Visits the triangles of the polygon, divided as a fan from its first corner.
 template <class Visit>
 void each_triangle(const Polygon& p, const Visit& visit) {
   for (std::size_t i = 2; i < p.count; ++i) visit(p.corner[0], p.corner[i - 1], p.corner[i]);
 }
 
-/// Area seen from above, positive if counter-clockwise.
+/// Returns the area seen from above, positive if the corners run counter-clockwise.
 double flat_area(const Vec3& a, const Vec3& b, const Vec3& c) { return ((b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x)) / 2; }
 
 void add_triangle(const Polygon& triangle, const Box3& box, MeshWithin& sum) {
@@ -54,7 +54,7 @@ void add_triangle(const Polygon& triangle, const Box3& box, MeshWithin& sum) {
   }
   const double height = box.most.z - box.least.z;
   each_triangle(clipped(between_walls, 2, box.most.z, 1), [&](const Vec3& a, const Vec3& b, const Vec3& c) {
-    const bool at_ceiling = std::max({a.z, b.z, c.z}) <= box.most.z;  // a triangle at the ceiling counts once only, below
+    const bool at_ceiling = std::max({a.z, b.z, c.z}) <= box.most.z;  // a triangle at the ceiling counts only once, below
     if (!at_ceiling) sum.volume += flat_area(a, b, c) * height;
   });
   each_triangle(clipped(clipped(between_walls, 2, box.least.z, 1), 2, box.most.z, -1), [&](const Vec3& a, const Vec3& b, const Vec3& c) {

@@ -1,16 +1,16 @@
 #pragma once
-// The volume and area of a closed mesh inside a box, exactly. Used by stock/blank and session/cutting.
+// Computes the exact volume and area of the section of a closed mesh inside a box. Used by stock/blank and session/cutting.
 
 #include "stock/mesh/mesh.h"
 
 namespace kadr {
 
 struct MeshWithin {
-  double volume = 0;  // mm³ inside both
-  double area = 0;    // mm² of the mesh's own triangles
+  double volume = 0;  // volume inside both the mesh and the box, mm³
+  double area = 0;    // area of the mesh's triangles inside the box, without the cut faces, mm²
 };
 
-///   law  for boxes that together form a larger one the volumes add up   (tests/stock/window_test)
+///   law  the volumes in boxes that together form a larger box add up to the volume in the larger box   (tests/stock/window_test)
 MeshWithin mesh_within(const Mesh& mesh, const Box3& box);
 
 }  // namespace kadr

@@ -1,4 +1,4 @@
-// Writes binary PLY. Used to show the deviation of the cut part from the wanted one.
+// Writes binary PLY. Used to show the deviation of the cut part from the wanted part.
 
 #include <bit>
 #include <string>

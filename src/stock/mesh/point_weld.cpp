@@ -1,4 +1,4 @@
-// Finds equal or near points with a hash table by position. Used by stock/mesh/mesh_repair.
+// Finds points that are equal or near, with a hash table of positions. Used by stock/mesh/mesh_repair.
 
 #include "stock/mesh/point_weld.h"
 
@@ -23,7 +23,7 @@ std::size_t mixed(const Key& key) {
   return std::size_t(h);
 }
 
-/// Chains of numbers by key; a bucket may hold the numbers of several keys.
+/// A hash table: linked lists of point numbers by key. A list may contain the numbers of several keys.
 class Buckets {
  public:
   explicit Buckets(std::size_t count) : head_(std::bit_ceil(count + 1), nothing), next_(count, nothing) {}
@@ -31,7 +31,7 @@ class Buckets {
     std::uint32_t& head = head_[mixed(key) & (head_.size() - 1)];
     next_[i] = head, head = i;
   }
-  /// Returns the lowest number with this key that fits; `nothing` if none does.
+  /// Returns the lowest number with this key for which `fits` is true; `nothing` if there is none.
   template <class Fits>
   std::uint32_t lowest(const Key& key, const Fits& fits) const {
     std::uint32_t best = nothing;

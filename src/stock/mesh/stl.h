@@ -1,5 +1,5 @@
 #pragma once
-// STL, binary and text. Lengths are assumed to be in mm, as the format has no unit.
+// Reads and writes STL, binary and text. Lengths are assumed to be in mm, since the format has no unit.
 
 #include <string>
 #include <string_view>
@@ -10,9 +10,9 @@
 
 namespace kadr {
 
-/// Reads three points per triangle, as they are. The normals in the file are ignored. The number of triangles follows from the length
-/// of a binary file, not from its header.
-///   returns  the triangles, or an error sentence with line or triangle
+/// Reads three points per triangle, without merging equal points. Normals in the file are ignored. The number of triangles in a binary
+/// file is computed from the file's length, not read from its header.
+///   returns  the triangles, or an error sentence with the number of the line or triangle
 tl::expected<SolidMesh, std::string> read_stl(std::string_view bytes, const MeshRules& rules);
 
 /// Writes binary STL. The same mesh gives the same bytes.

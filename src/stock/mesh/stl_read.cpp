@@ -1,4 +1,4 @@
-// Detects binary or text STL and reads its triangles. Used by stock/mesh/mesh_file.
+// Detects whether an STL file is binary or text, and reads its triangles. Used by stock/mesh/mesh_file.
 
 #include <bit>
 #include <cmath>
@@ -49,7 +49,8 @@ ReadMesh read_binary(std::string_view bytes, const MeshRules& rules, std::vector
   return mesh;
 }
 
-/// solid NAME { facet normal x y z outer loop { vertex x y z } x3 endloop endfacet } endsolid NAME, repeated any number of times.
+/// Reads text STL. Format: solid NAME { facet normal x y z outer loop { vertex x y z } x3 endloop endfacet } endsolid NAME, repeated any
+/// number of times.
 class TextStl {
  public:
   TextStl(std::string_view text, const MeshRules& rules) : words_(text), rules_(rules) {}
@@ -88,7 +89,7 @@ bool TextStl::number(float& value) {
   return false;
 }
 
-/// Reads a facet after the word facet. The normal is skipped: some programs write "nan" for that of a triangle without area.
+/// Reads a facet after the word "facet". Its normal is skipped: some programs write "nan" as the normal of a triangle without area.
 bool TextStl::facet() {
   if (!expect("normal")) return false;
   for (int i = 0; i < 3; ++i) (void)words_.next();
@@ -126,7 +127,7 @@ ReadMesh TextStl::read() {
   return std::move(mesh_);
 }
 
-/// Detects binary files by their length and content, since they too may begin with "solid".
+/// Detects binary files by their length and content, since a binary file too may begin with "solid".
 bool is_binary(std::string_view bytes) {
   if (bytes.size() < header_bytes) return false;
   if (bytes.size() == header_bytes + record_bytes * std::size_t(number_at(bytes, header_bytes - 4))) return true;

@@ -1,5 +1,5 @@
 #pragma once
-// 3MF (3MF Consortium, Core Specification 1.2): an archive with a model in XML.
+// Reads and writes 3MF (3MF Consortium, Core Specification 1.2), an archive that contains a model in XML.
 
 #include <string>
 #include <string_view>
@@ -10,11 +10,11 @@
 
 namespace kadr {
 
-/// Reads the bodies that the file's `build` assembles, in mm, without support structures.
-///   returns  one mesh, or an error sentence; rules.memory limits the unpacked size
+/// Reads the objects that the file's `build` element assembles, in mm, without support structures.
+///   returns  one mesh, or an error sentence; rules.memory limits the size of the unpacked file
 tl::expected<SolidMesh, std::string> read_3mf(std::string_view bytes, const MeshRules& rules);
 
-/// Writes one object, in mm. The same mesh gives the same bytes.
+/// Writes a 3MF file with one object, in mm. The same mesh always gives the same bytes.
 ///   returns  an error sentence; empty on success
 std::string write_3mf(const Mesh& mesh, const ByteSink& sink);
 

@@ -1,4 +1,4 @@
-// Converts the elements of a model's XML into objects. Used by stock/mesh/threemf_read.
+// Converts the XML elements of a model into objects. Used by stock/mesh/threemf_read.
 
 #include "stock/mesh/threemf_model.h"
 
@@ -14,7 +14,7 @@ namespace {
 
 using Failed = tl::unexpected<std::string>;
 
-constexpr std::size_t most_objects = 100'000;  // limit for objects, and likewise for parts and build items together
+constexpr std::size_t most_objects = 100'000;  // limit for objects; also for components and build items together
 
 struct Unit {
   std::string_view name;
@@ -43,7 +43,7 @@ class ModelReader {
 
   XmlScan scan_;
   std::size_t most_triangles_, triangles_ = 0, items_ = 0;
-  std::string prefix_;  // namespace prefix of the core's elements, taken from the root
+  std::string prefix_;  // prefix of the core namespace, taken from the root element
   Model model_;
   ModelObject* object_ = nullptr;
   std::string fault_;
@@ -83,7 +83,7 @@ bool ModelReader::transform(ModelTransform& matrix) {
   return !words.more() || wrong_attribute("transform");
 }
 
-/// Refuses a file that requires extensions; optional extensions are skipped.
+/// Refuses a file that requires extensions of 3MF; optional extensions are ignored.
 bool ModelReader::take_root() {
   const std::string_view root = scan_.name();
   const std::size_t colon = root.find(':');

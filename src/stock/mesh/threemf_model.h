@@ -1,5 +1,5 @@
 #pragma once
-// The model of a 3MF file: its objects and their positions. Used by stock/mesh/threemf_read.
+// Reads the model of a 3MF file: its objects, and how they are placed. Used by stock/mesh/threemf_read.
 
 #include <array>
 #include <cstdint>
@@ -13,7 +13,7 @@
 
 namespace kadr {
 
-/// The row vector (x, y, z, 1) of a point times this matrix of four rows is the point in the parent object.
+/// A matrix of four rows and three columns. The row vector (x, y, z, 1) of a point, times this matrix, is the point in the parent object.
 using ModelTransform = std::array<double, 12>;
 inline constexpr ModelTransform as_it_is{1, 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0};
 
@@ -23,13 +23,13 @@ struct ModelItem {
 };
 
 struct ModelObject {
-  Mesh mesh;                     // in the file's unit
-  std::vector<ModelItem> parts;  // the objects that it contains
+  Mesh mesh;                     // in the unit of the file
+  std::vector<ModelItem> parts;  // the objects (components) that this object contains
   bool is_body = true;           // false for a support structure
 };
 
 struct Model {
-  double unit = 1;  // mm
+  double unit = 1;  // length unit of the file, mm
   std::map<std::uint32_t, ModelObject> objects;
   std::vector<ModelItem> build;
 };

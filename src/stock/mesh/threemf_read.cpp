@@ -1,4 +1,4 @@
-// Finds the model in the archive and assembles it. Used by stock/mesh/mesh_file.
+// Finds the model file in the archive, and assembles one mesh from its objects. Used by stock/mesh/mesh_file.
 
 #include <algorithm>
 #include <utility>
@@ -28,7 +28,7 @@ const ZipEntry* entry_of(const std::vector<ZipEntry>& entries, std::string_view 
   return found == entries.end() ? nullptr : &*found;
 }
 
-/// Returns the model's name from the package; the usual name if the package gives none that can be read.
+/// Returns the file name of the model according to the archive; the usual name if the archive gives no readable name.
 std::string model_name(std::string_view archive, const std::vector<ZipEntry>& entries) {
   const ZipEntry* const entry = entry_of(entries, relationships);
   if (entry == nullptr) return std::string(usual_model);
@@ -42,7 +42,7 @@ std::string model_name(std::string_view archive, const std::vector<ZipEntry>& en
   return std::string(usual_model);
 }
 
-/// The transform that applies `inner` first, then `outer`.
+/// Returns the transform that applies `inner` first, then `outer`.
 ModelTransform after(const ModelTransform& inner, const ModelTransform& outer) {
   ModelTransform all{};
   for (std::size_t row = 0; row < 4; ++row)
@@ -84,7 +84,7 @@ void Builder::put_mesh(const Mesh& from, const ModelTransform& m) {
   }
 }
 
-/// Adds an object and its parts. A short file may name one object many thousand times, so the size is checked before anything is
+/// Adds an object and its components. A short file may use one object many thousand times, so the size is checked before anything is
 /// added.
 std::string Builder::put(const ModelItem& item, const ModelTransform& outer, int depth) {
   const auto found = model_.objects.find(item.object);
@@ -104,7 +104,7 @@ std::string Builder::put(const ModelItem& item, const ModelTransform& outer, int
   return {};
 }
 
-/// Frees the model's text before it returns.
+/// Reads the model and builds its mesh. The memory of the model's text is freed before this returns.
 tl::expected<Mesh, std::string> built(std::string_view bytes, const MeshRules& rules) {
   const auto entries = zip_entries(bytes);
   if (!entries) return Failed(entries.error());

@@ -1,4 +1,4 @@
-// Reads words and their positions. Used by the mesh readers.
+// Reads words of a text and their positions. Used by the mesh readers.
 
 #include "stock/mesh/word_reader.h"
 

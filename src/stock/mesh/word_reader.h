@@ -9,12 +9,12 @@ namespace kadr {
 class MeshWordReader {
  public:
   explicit MeshWordReader(std::string_view text) : text_(text) {}
-  /// Returns an empty word at the end of the text.
+  /// Returns the next word; an empty word at the end of the text.
   std::string_view next();
   bool more();
-  /// Skips the rest of the line after the last word.
+  /// Skips the rest of the text line that contains the last word.
   void rest_of_line();
-  /// Position of the last word, counted from 1.
+  /// Position of the last word: line and column, counted from 1.
   std::size_t line() const { return line_; }
   std::size_t column() const { return word_ - line_start_ + 1; }
 
@@ -25,12 +25,12 @@ class MeshWordReader {
   std::size_t at_ = 0, word_ = 0, line_start_ = 0, line_ = 1;
 };
 
-/// Returns true if the whole word is a finite number.
+/// Returns true if the whole word is a finite number, and stores it in `value`.
 bool number_of(std::string_view word, double& value);
 
 bool equal_ignoring_case(std::string_view a, std::string_view b);
 
-/// Shortens a text for a message: at most 20 characters, with a question mark for each byte that is not printable ASCII.
+/// Prepares a text for a message: shortened to 20 characters, with a question mark for each byte that is not printable ASCII.
 std::string shown(std::string_view text);
 
 }  // namespace kadr

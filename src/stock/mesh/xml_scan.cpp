@@ -1,4 +1,4 @@
-// Reads elements with expat. Used by stock/mesh/threemf_read.
+// Reads XML elements with expat. Used by stock/mesh/threemf_read.
 
 #include "stock/mesh/xml_scan.h"
 
@@ -16,8 +16,8 @@ namespace kadr {
 namespace {
 
 constexpr std::size_t deepest = 64;
-constexpr std::size_t piece = 1 << 16;    // bytes passed to expat at once; it keeps a copy of them
-constexpr std::size_t longest = 1 << 20;  // bytes of a tag or comment: expat scans an unfinished one again with each piece
+constexpr std::size_t piece = 1 << 16;    // bytes passed to expat at once; expat keeps a copy of them
+constexpr std::size_t longest = 1 << 20;  // limit for a tag or comment, bytes: expat scans an unfinished one again with each piece
 
 std::string told_error(XML_Error error) {
   switch (error) {
@@ -34,7 +34,7 @@ std::string told_error(XML_Error error) {
 
 }  // namespace
 
-/// Expat reports by callbacks. The parser is suspended in each of them, and resumed when the next element is requested.
+/// Expat reports elements by callbacks. Each callback suspends the parser, and the next call of next() resumes it.
 struct XmlScan::Parser {
   struct Element {
     Event event = Event::fault;
@@ -97,7 +97,7 @@ struct XmlScan::Parser {
     return status.parsing == XML_FINISHED;
   }
 
-  /// Moves to the next element, in `now`.
+  /// Moves to the next element, and stores it in `now`.
   Event next() {
     while (waiting.empty()) {
       if (parser == nullptr) return failed(0, told("reading it needs the library libexpat", "для чтения нужна библиотека libexpat"));
@@ -121,7 +121,7 @@ struct XmlScan::Parser {
   XML_Parser parser = nullptr;
   std::string_view text;
   std::size_t handed = 0, open = 0, refused_at = 0;
-  std::deque<Element> waiting;  // an empty element's begin and end arrive together
+  std::deque<Element> waiting;  // queue, since the begin and the end of an empty element arrive together
   Element now;
   std::string fault;
 };

@@ -1,4 +1,4 @@
-// Reads an archive's directory and unpacks its files within limits. Used by stock/mesh/threemf_read.
+// Reads the directory of an archive, and unpacks its files up to a size limit. Used by stock/mesh/threemf_read.
 
 #include <algorithm>
 
@@ -16,11 +16,11 @@ constexpr std::size_t end_bytes = 22, entry_bytes = 46, local_bytes = 30, longes
 constexpr std::uint32_t end_mark = 0x06054b50, entry_mark = 0x02014b50, local_mark = 0x04034b50;
 constexpr std::uint32_t end64_mark = 0x06064b50, locator64_mark = 0x07064b50;
 constexpr std::size_t end64_bytes = 56, locator64_bytes = 20;
-constexpr std::uint64_t in_zip64 = 0xffffffff;  // the number is in an eight-byte field of the ZIP64 record
+constexpr std::uint64_t in_zip64 = 0xffffffff;  // this value means that the number is stored with eight bytes in the ZIP64 record
 constexpr std::size_t most_files = 10'000;
 constexpr std::uint16_t stored = 0, deflated = 8, has_password = 1;
 
-/// Little-endian; bytes beyond the end count as 0.
+/// Reads a little-endian number; bytes beyond the end count as 0.
 std::uint64_t le_number(std::string_view bytes, std::size_t at, std::size_t size) {
   std::uint64_t value = 0;
   for (std::size_t i = 0; i < size && at + i < bytes.size(); ++i)
@@ -30,7 +30,7 @@ std::uint64_t le_number(std::string_view bytes, std::size_t at, std::size_t size
 
 Failed cut_off() { return Failed(told("the archive is cut off or damaged", "архив оборван или повреждён")); }
 
-/// Returns the position of the archive's last record; npos if there is none.
+/// Returns the position of the archive's end record; npos if there is none.
 std::size_t end_of_directory(std::string_view archive) {
   if (archive.size() < end_bytes) return std::string_view::npos;
   const std::size_t last = archive.size() - end_bytes, first = last > longest_comment ? last - longest_comment : 0;
@@ -40,10 +40,10 @@ std::size_t end_of_directory(std::string_view archive) {
 }
 
 struct Directory {
-  std::uint64_t count, first;  // number of files; position of the first entry
+  std::uint64_t count, first;  // number of files in the archive; position of its first directory entry
 };
 
-/// Some programs write eight-byte numbers even where four bytes would suffice.
+/// Finds the archive's directory. Some programs write eight-byte numbers even where four bytes would suffice.
 Directory directory_at(std::string_view archive, std::size_t end) {
   const Directory plain{le_number(archive, end + 10, 2), le_number(archive, end + 16, 4)};
   if (plain.first != in_zip64 || end < locator64_bytes || le_number(archive, end - locator64_bytes, 4) != locator64_mark) return plain;
@@ -52,7 +52,7 @@ Directory directory_at(std::string_view archive, std::size_t end) {
   return {le_number(archive, std::size_t(at) + 32, 8), le_number(archive, std::size_t(at) + 48, 8)};
 }
 
-/// Sizes and position of an entry that do not fit into their four bytes are in its extra fields, in this order.
+/// Reads the sizes and the position of an entry that do not fit into four bytes: they are in the entry's extra fields, in this order.
 void take_zip64(std::string_view extra, ZipEntry& entry) {
   for (std::size_t at = 0; at + 4 <= extra.size();) {
     const std::size_t size = std::size_t(le_number(extra, at + 2, 2));
@@ -65,7 +65,7 @@ void take_zip64(std::string_view extra, ZipEntry& entry) {
   }
 }
 
-/// Inflates step by step, until the end or until the result is too long.
+/// Unpacks step by step, until the end of the data or until the result exceeds the limit.
 tl::expected<std::string, std::string> inflated(std::string_view packed, std::size_t most, const Failed& too_long) {
   const Zlib* const zlib = zlib_library();
   if (zlib == nullptr) return Failed(told("zlib is missing (package zlib1g)", "нет библиотеки zlib (пакет zlib1g)"));
@@ -84,7 +84,7 @@ tl::expected<std::string, std::string> inflated(std::string_view packed, std::si
     stream.avail_out = uInt(more);
     state = zlib->inflate(&stream, Z_NO_FLUSH);
     out.resize(out.size() - stream.avail_out);
-    if (out.size() == before && state == Z_OK) state = Z_DATA_ERROR;  // no progress: the data are damaged
+    if (out.size() == before && state == Z_OK) state = Z_DATA_ERROR;  // no progress: the data is damaged
   }
   zlib->inflateEnd(&stream);
   if (out.size() > most) return too_long;

@@ -7,10 +7,10 @@
 namespace kadr {
 namespace {
 
-constexpr std::size_t most_bytes = 0xfffffffe;           // without ZIP64
+constexpr std::size_t most_bytes = 0xfffffffe;           // greatest size of an archive without ZIP64
 constexpr std::uint32_t first_day = (1 << 5 | 1) << 16;  // 1 January 1980, so that the bytes do not depend on the date
 constexpr std::uint32_t version = 20, deflate = 8;
-constexpr int packing_level = 3;  // of nine: twice the packing time would make a mesh only a tenth shorter
+constexpr int packing_level = 3;  // from 1 to 9: a mesh packed in twice the time would be only a tenth shorter
 
 void put_le(std::string& out, std::uint32_t value, int bytes) {
   for (int i = 0; i < bytes; ++i) out.push_back(char(value >> (8 * i) & 0xff));
@@ -18,7 +18,7 @@ void put_le(std::string& out, std::uint32_t value, int bytes) {
 
 std::string too_long() { return told("more than 4 GB do not fit into a 3MF file", "больше 4 ГБ не помещается в файл 3MF"); }
 
-/// Packs its input, and keeps its length and checksum.
+/// Packs its input, and counts the input's length and checksum.
 class Deflater {
  public:
   explicit Deflater(const Zlib& zlib) : zlib_(zlib) {
@@ -70,7 +70,7 @@ std::string ZipWriter::add(const std::string& name, const std::function<bool(con
   const bool whole = content([&](std::string_view bytes) { return deflater.take(bytes, Z_NO_FLUSH); }) && deflater.take({}, Z_FINISH);
   if (written_ + deflater.packed().size() + name.size() > most_bytes || deflater.length() > most_bytes) return too_long();
   if (!whole) return not_written;
-  std::string sizes;  // fields common to both headers
+  std::string sizes;  // fields that both headers of the file contain
   put_le(sizes, 0, 2), put_le(sizes, deflate, 2), put_le(sizes, first_day, 4), put_le(sizes, deflater.crc(), 4);
   put_le(sizes, std::uint32_t(deflater.packed().size()), 4), put_le(sizes, std::uint32_t(deflater.length()), 4);
   put_le(sizes, std::uint32_t(name.size()), 2), put_le(sizes, 0, 2);

@@ -1,4 +1,4 @@
-// Loads zlib on demand. Used by stock/mesh/zip_read and zip_write.
+// Loads the library zlib on demand. Used by stock/mesh/zip_read and zip_write.
 
 #include "stock/mesh/zlib_library.h"
 

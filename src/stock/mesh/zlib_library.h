@@ -1,5 +1,5 @@
 #pragma once
-// Loads zlib when the first 3MF file is read or written, so that no other command waits for it.
+// Loads the library zlib when the first 3MF file is read or written, so that commands without such a file need not load it.
 
 #include <zlib.h>
 
@@ -11,13 +11,13 @@ namespace kadr {
 #define KADR_ZLIB(X) X(inflateInit2_) X(inflate) X(inflateEnd) X(deflateInit2_) X(deflate) X(deflateEnd) X(crc32)
 // clang-format on
 
-/// The functions that we call.
+/// The functions of zlib that this program calls.
 struct Zlib {
   KADR_ZLIB(KADR_LIBRARY_FUNCTION)
 };
 
-/// Returns the library. The first call loads it, and it stays loaded.
-///   returns  nullptr if the machine does not have it
+/// Returns the functions of the library. The first call loads the library, which then stays loaded.
+///   returns  nullptr if the library is not installed
 const Zlib* zlib_library();
 
 }  // namespace kadr

@@ -7,9 +7,9 @@
 namespace kadr {
 namespace {
 
-constexpr double least_stretch = 1e-3;  // mm: both ends are accurate to a micrometre, no better
+constexpr double least_stretch = 1e-3;  // mm: both ends of a segment are accurate to a micrometre only, so shorter segments are ignored
 
-/// Collects the material on a line in ascending order.
+/// Collects the intervals of material on a line, in ascending order.
 void take_material(const BrickLines& lines, std::int32_t line, std::vector<Stretch>& material) {
   material.clear();
   if (lines.from[line] < lines.to[line])
@@ -23,7 +23,7 @@ void put(std::vector<Stretch>& to, const Stretch& stretch) {
   if (stretch.to - stretch.from > least_stretch) to.push_back(stretch);
 }
 
-/// The material outside the part.
+/// Collects the segments of material outside the wanted part.
 void take_left_on(const std::vector<Stretch>& material, const std::vector<LineRange>& part, std::vector<Stretch>& left_on) {
   for (const Stretch& m : material) {
     Stretch rest = m;
@@ -38,7 +38,8 @@ void take_left_on(const std::vector<Stretch>& material, const std::vector<LineRa
   }
 }
 
-/// The part without material. The ends of a gap get the sweeps of the adjacent material's ends.
+/// Collects the segments of the wanted part without material. Each end of such a segment gets the number of the sweep that cut the adjacent
+/// end of material.
 void take_gouged(const std::vector<Stretch>& material, const std::vector<LineRange>& part, std::int32_t line,
                  std::vector<Stretch>& gouged) {
   for (const LineRange& p : part) {

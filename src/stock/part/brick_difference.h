@@ -1,5 +1,6 @@
 #pragma once
-// Segments of a brick's lattice lines that are material but not part, or part but not material. Used by stock/part/part_compare.
+// Compares the material in a brick with the wanted part, line by line: finds the segments of lattice lines that are only in one of them.
+// Used by stock/part/part_compare.
 
 #include <array>
 #include <cstdint>
@@ -10,32 +11,32 @@
 
 namespace kadr {
 
-/// A segment of a line, from the brick's corner, mm.
+/// A segment of a lattice line, mm from the brick's corner.
 struct Stretch {
   std::int32_t line;
   double from, to;
-  std::int32_t from_by, to_by;  // sweeps that made the material's end on that side; of_blank if none did
+  std::int32_t from_by, to_by;  // the sweeps that cut the material at either end of the segment; of_blank if no sweep did
 };
 
 struct LineDifference {
   std::vector<Stretch> left_on, gouged;
 };
 
-/// Buffers of a thread, reused from brick to brick.
+/// Buffers of one thread, reused for each brick.
 struct BrickDifference {
   std::array<LineDifference, 3> family;
   std::vector<LineRange> part;
   std::vector<Stretch> material;
 };
 
-/// The position of a brick in the lattice of the part's lines.
+/// A brick of the lattice on whose lines the wanted part was computed.
 struct BrickAt {
   BrickPlace place;
-  Vec3 corner;  // in the work system
+  Vec3 corner;  // in the work system, mm
   double cell;
 };
 
-/// Computes the differences in a brick. `brick` is a brick of the stock; nullptr if it is full (`is_full`) or empty.
+/// Computes the differences in one brick. `brick` is the brick of the stock; nullptr if it is full (`is_full`) or empty.
 void take_difference(const Brick* brick, bool is_full, const PartLines& part, const BrickAt& at, BrickDifference& difference);
 
 }  // namespace kadr

@@ -1,6 +1,6 @@
 #pragma once
-// The distance of a point from four triangles, computed as in stock/part/triangle_distance, two triangles at a time. Used by
-// stock/part/nearest_triangle.
+// Computes the distances of a point from four triangles, by the method of stock/part/triangle_distance, for two triangles at a time.
+// Used by stock/part/nearest_triangle.
 
 #include <cstddef>
 #include <cstdint>
@@ -9,12 +9,12 @@
 
 namespace kadr {
 
-/// Four triangles, stored so that equal coordinates are adjacent.
+/// A block of four triangles, stored so that the same coordinate of all four is contiguous.
 struct FourTriangles {
-  alignas(16) float corner[3][3][4];  // corner, axis, triangle
+  alignas(16) float corner[3][3][4];  // indices: corner, axis, triangle
 };
 
-/// One triangle of a block of four.
+/// One triangle, `lane` (0 to 3), of a block of four.
 struct OneOfFour {
   const FourTriangles* four;
   std::uint32_t lane;
@@ -24,7 +24,7 @@ namespace lanes {
 
 using Two = double __attribute__((vector_size(16), may_alias));
 
-/// A vector for each of two triangles.
+/// Two vectors, one for each of two triangles.
 struct TwoPlaces {
   Two x, y, z;
 };
@@ -45,7 +45,7 @@ inline Two square_to_stretch(const TwoPlaces& from, const TwoPlaces& way) {
   return dot(nearest, nearest);
 }
 
-/// The corners are relative to the point.
+/// Returns the squared distances of the point from two triangles. The corners are given relative to the point.
 inline Two square_to_triangle(const TwoPlaces (&corner)[3]) {
   const Two none{};
   TwoPlaces side[3];
@@ -65,7 +65,7 @@ inline Two square_to_triangle(const TwoPlaces (&corner)[3]) {
 
 }  // namespace lanes
 
-/// Computes the squared distances in mm² from the point to an even number of triangles: `pair(k, d, i)` gives the coordinate d of
+/// Computes the squared distances in mm² from the point to an even number of triangles. `pair(k, d, i)` must return the coordinate d of
 /// corner k of the triangles i and i + 1.
 template <std::size_t count>
 inline void squares_to_pairs(const auto& pair, const Vec3& point, double (&squares)[count]) {
@@ -77,7 +77,7 @@ inline void squares_to_pairs(const auto& pair, const Vec3& point, double (&squar
   }
 }
 
-/// Likewise for triangles of one or more blocks, in any order.
+/// Like squares_to_pairs(), for triangles that may be in different blocks.
 ///   law  equal to kadr::square_to_triangle() to the bit   (tests/stock/nearest_triangle_test)
 template <std::size_t count>
 inline void squares_to_triangles(const OneOfFour (&one)[count], const Vec3& point, double (&squares)[count]) {
@@ -89,7 +89,7 @@ inline void squares_to_triangles(const OneOfFour (&one)[count], const Vec3& poin
       point, squares);
 }
 
-/// Likewise for all triangles of one block, whose coordinates are adjacent.
+/// Like squares_to_pairs(), for all triangles of one block, whose coordinates are contiguous.
 inline void squares_to_all(const FourTriangles& four, const Vec3& point, double (&squares)[4]) {
   using TwoFloats = float __attribute__((vector_size(8), may_alias));
   const auto pair = [&](std::size_t k, std::size_t d, std::size_t i) {

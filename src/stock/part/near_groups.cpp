@@ -1,4 +1,4 @@
-// Builds the groups by repeated halving. Used by stock/part/nearest_triangle.
+// Sorts triangles into groups by halving the list repeatedly. Used by stock/part/nearest_triangle.
 
 #include "stock/part/near_groups.h"
 
@@ -11,10 +11,10 @@
 namespace kadr {
 namespace {
 
-constexpr std::ptrdiff_t worth_a_thread = 1 << 12;  // triangles
+constexpr std::ptrdiff_t worth_a_thread = 1 << 12;  // triangles; shorter lists are sorted without another thread
 
 struct Middle {
-  float at[3];  // three times the centre
+  float at[3];  // three times the centre of the triangle (the sum of its corners)
   std::uint32_t triangle;
 };
 
@@ -29,7 +29,7 @@ int longest_axis(const Middle* first, const Middle* last) {
   return axis;
 }
 
-/// Arranges the triangles so that the groups of `group` triangles from `first` on, and the groups inside these, are compact.
+/// Sorts the triangles so that each consecutive group of `group` triangles, and each smaller group inside it, is compact.
 void arrange(Middle* first, Middle* last, std::size_t group, GroupSizes sizes, int threads) {
   const auto count = std::size_t(last - first);
   while (group >= count && group > sizes.smallest) group /= sizes.times;

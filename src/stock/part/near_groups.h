@@ -1,5 +1,5 @@
 #pragma once
-// Orders triangles into groups of near ones. Used by stock/part/nearest_triangle.
+// Sorts triangles so that triangles near each other form groups. Used by stock/part/nearest_triangle.
 
 #include <cstdint>
 #include <vector>
@@ -8,13 +8,13 @@
 
 namespace kadr {
 
-/// Sizes of the groups: `smallest` triangles, then `times` as many, and so on.
+/// Sizes of the groups: `smallest` triangles, then `times` as many, then `times` as many again, and so on.
 struct GroupSizes {
   std::size_t smallest, times;
 };
 
-/// Returns the numbers of all triangles in an order in which each consecutive group of each size is compact: the triangles are halved
-/// by their centres along the longest side, at the borders of groups.
+/// Returns the numbers of all triangles, sorted so that consecutive groups of each size are compact. The list is halved recursively by
+/// the centres of the triangles along the longest side of their box; each cut is at the border between two groups.
 std::vector<std::uint32_t> near_groups(const Mesh& mesh, GroupSizes sizes, int threads);
 
 }  // namespace kadr

@@ -1,4 +1,5 @@
-// Blocks of four triangles, nodes of eight boxes around blocks, nodes of boxes around nodes. Used by stock/part/part_compare.
+// Builds and searches the tree: blocks of four triangles, nodes with the boxes of eight blocks, and nodes with the boxes of eight nodes.
+// Used by stock/part/part_compare.
 
 #include "stock/part/nearest_triangle.h"
 
@@ -18,17 +19,17 @@ namespace {
 
 constexpr std::uint32_t of_blocks = std::uint32_t{1} << 31;
 constexpr float nowhere = 1e30f;
-constexpr float rounding_of_places = 0x1p-21f;   // of the greatest coordinate: the point's, the box's and their difference's
-constexpr double more_than_rounding = 1 + 4e-6;  // relative, for a squared distance in single precision
+constexpr float rounding_of_places = 0x1p-21f;   // share of the greatest coordinate: rounding of the point, the box, and their difference
+constexpr double more_than_rounding = 1 + 4e-6;  // factor for a squared distance that was computed in single precision
 constexpr double hair_squared = 1e-18;           // mm²
 constexpr std::size_t nodes_at_once = 1024;
 
-/// Boxes with a greater squared distance contain nothing nearer.
+/// Returns a limit for a box: if its squared distance is greater, the box contains nothing nearer than `square`.
 double limit_of(double square) { return square * more_than_rounding + hair_squared; }
 
 }  // namespace
 
-/// Fills a node above blocks, and the blocks themselves.
+/// Fills a node of the lowest level, and its blocks of triangles.
 void NearestTriangle::put_blocks(const Mesh& mesh, const std::vector<std::uint32_t>& order, std::size_t number) {
   Node& node = nodes_[number];
   node.first_child = of_blocks | std::uint32_t(number * width);
@@ -48,7 +49,7 @@ void NearestTriangle::put_blocks(const Mesh& mesh, const std::vector<std::uint32
   }
 }
 
-/// Fills a node above other nodes.
+/// Fills a node of a higher level.
 void NearestTriangle::put_boxes(std::size_t number, std::size_t first_child, std::size_t last_child) {
   Node& node = nodes_[number];
   node.first_child = std::uint32_t(first_child);
@@ -83,7 +84,7 @@ NearestTriangle::NearestTriangle(const Mesh& mesh, int threads) {
   }
 }
 
-/// One query. Triangles are tested four at a time; up to three wait for others.
+/// One query for a point. Triangles are tested four at a time; up to three are stored until there are four.
 class NearestTriangle::Search {
  public:
   Search(const NearestTriangle& tree, const Vec3& point, std::uint32_t hint) : tree_(tree), point_(point), nearest_(hint) {
@@ -127,7 +128,7 @@ class NearestTriangle::Search {
   Waiting stack_[128];  // 2³¹ triangles divided by eight give a depth of at most 11, with seven waiting nodes at each level
 };
 
-/// Squared distances of the point from four boxes.
+/// Returns the squared distances of the point from four boxes.
 inline lanes::Quad NearestTriangle::Search::squares_to(const Quad (&least)[3], const Quad (&most)[3]) const {
   const Quad none{};
   Quad sum{};
@@ -140,7 +141,7 @@ inline lanes::Quad NearestTriangle::Search::squares_to(const Quad (&least)[3], c
   return sum;
 }
 
-/// Tests two or four triangles, by their numbers in the blocks.
+/// Tests two or four triangles, given by their numbers in blocks_.
 template <std::size_t count>
 inline void NearestTriangle::Search::ask(const std::uint32_t (&triangle)[count]) {
   OneOfFour all[count];
@@ -151,7 +152,7 @@ inline void NearestTriangle::Search::ask(const std::uint32_t (&triangle)[count])
   limit_ = float(limit_of(square_));
 }
 
-/// Tests the triangles of a block whose boxes are near enough.
+/// Tests those triangles of a block whose own boxes are near enough.
 inline void NearestTriangle::Search::look_at(std::uint32_t block) {
   const auto& corner = tree_.blocks_[block].corner;
   Quad least[3], most[3];
@@ -173,7 +174,7 @@ inline void NearestTriangle::Search::look_at(std::uint32_t block) {
   ask<4>({last[0], last[1], last[2], last[3]});
 }
 
-/// Prefetches a child that will be visited soon.
+/// Prefetches a child that will be visited soon into the processor's cache.
 inline void NearestTriangle::Search::fetch(std::uint32_t child) const {
   constexpr std::size_t cache_line = 64;
   const bool is_block = (child & of_blocks) != 0;
@@ -182,8 +183,8 @@ inline void NearestTriangle::Search::fetch(std::uint32_t child) const {
   for (std::size_t line = 0; line < sizeof(FourTriangles); line += cache_line) __builtin_prefetch(at + line);
 }
 
-/// Whether a box is near enough is unpredictable for the processor, so all children are pushed and those that are too far are
-/// overwritten. The counter is a local variable, since the compiler must assume that a member could be what is written.
+/// The processor cannot predict whether a box is near enough. So all children are written to the stack without a branch, and a child that
+/// is too far is overwritten by the next. The counter is a local variable: the compiler must assume that the writes could change a member.
 inline void NearestTriangle::Search::open(const Node& node) {
   const int first = waiting_;
   const float limit = limit_;
@@ -203,7 +204,7 @@ inline void NearestTriangle::Search::open(const Node& node) {
   if (waiting < first + 2) return;
   int nearest = first;
   for (int i = first + 1; i < waiting; ++i) nearest = stack_[i].square < stack_[nearest].square ? i : nearest;
-  std::swap(stack_[nearest], stack_[waiting - 1]);  // nearest on top
+  std::swap(stack_[nearest], stack_[waiting - 1]);  // puts the nearest child on top of the stack
 }
 
 void NearestTriangle::Search::all() {

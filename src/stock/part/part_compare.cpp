@@ -1,4 +1,4 @@
-// Compares points of the surface, then segments of lattice lines, with the part. Used by session and cli.
+// Compares the points of the material's surface, then the segments of lattice lines, with the wanted part. Used by session and cli.
 
 #include "stock/part/part_compare.h"
 
@@ -19,13 +19,13 @@ namespace kadr {
 namespace {
 
 constexpr std::size_t points_at_once = 1024;
-constexpr double same_surface = 2e-3;  // mm: a segment that is nowhere farther from the part's surface is rounding along a wall
-constexpr double step_of_cell = 0.5;   // step between the points of a segment at which the depth is measured
-constexpr double between_lines = 2;    // times the depth on nearby lines, as the limit at a point: a groove may lie between
+constexpr double same_surface = 2e-3;  // mm: a segment whose points are all nearer to the part's surface comes from rounding along a wall
+constexpr double step_of_cell = 0.5;   // distance between the points of a segment at which the depth is measured, in cells
+constexpr double between_lines = 2;    // a surface point may be this many times deeper than nearby lines: a groove may be between lines
 
-constexpr double bytes_of_triangle = 130;  // for the tree, and for the triangle itself twice
+constexpr double bytes_of_triangle = 130;  // memory of the tree, and of the triangle itself twice
 
-/// The deepest position of one type. `order` decides between equal depths, whichever thread came first.
+/// The position of the greatest depth of one sort. If depths are equal, `order` decides, so that the threads' order has no influence.
 struct Deepest {
   double depth = 0;
   Vec3 at;
@@ -43,16 +43,16 @@ struct Offences {
   void take(const Offences& other) { left_on.take(other.left_on), gouged.take(other.gouged); }
 };
 
-/// Result of the lines of one brick: volume in mm³ and depth in mm.
+/// Result of comparing the lines of one brick: volumes in mm³, depths in mm.
 struct BrickFound {
   float left_on = 0, gouged = 0;
   float left_depth = 0, gouge_depth = 0;
 };
 
-/// The stock's lattice, extended by as many bricks as the part needs.
+/// The lattice of the stock, extended by as many bricks as the wanted part needs.
 struct WiderLattice {
   Lattice lattice;
-  BrickPlace stock_at;  // position of the stock's first brick
+  BrickPlace stock_at;  // indices of the stock's first brick in this lattice
 };
 
 WiderLattice wider_lattice(const Lattice& own, const Box3& blank, const Box3& part) {
@@ -109,10 +109,10 @@ class PartHeld {
   PartLines lines_;
   std::vector<bool> part_at_;
   std::vector<BrickFound> found_;
-  std::vector<std::uint8_t> inside_;  // for each point of the surface
+  std::vector<std::uint8_t> inside_;  // for each point of the surface: 1 if it is inside the wanted part
 };
 
-/// The body of a window ends at the window's faces.
+/// In a window, the wanted part ends at the window's faces.
 bool PartHeld::is_inside(std::size_t point, const Vec3& at) const {
   if (inside_[point] == 0 || faces_ == nullptr) return inside_[point] != 0;
   const Box3 box = body_->box();
@@ -121,9 +121,9 @@ bool PartHeld::is_inside(std::size_t point, const Vec3& at) const {
   return true;
 }
 
-/// Limits the depth of a surface point. Points of the surface are estimates from the exact positions on the lattice lines around
-/// them; where edges meet, some are off by a part of the cell. A depth that the lines do not show at all cannot be trusted.
-///   returns  mm, the greatest depth on lines of the bricks that the point's cell touches
+/// Limits the depth of a point of the surface. Such points are estimated from the exact positions on the lattice lines around them, and
+/// where edges meet some are wrong by a fraction of the cell. A depth that no line shows cannot be trusted.
+///   returns  the greatest depth on lines of the bricks that the point's cell touches, mm
 double PartHeld::depth_around(const Vec3& at, bool inside) const {
   const Lattice& lattice = wider_.lattice;
   int low[3], high[3];
@@ -154,7 +154,7 @@ void PartHeld::hold_points(std::size_t chunk, std::vector<float>& deviation, Wor
   }
 }
 
-/// Returns the same brick in the stock's lattice; nullopt if it is outside, where there never was material.
+/// Returns the index of the same brick in the stock's lattice; nullopt if the brick is outside the stock, where there never was material.
 std::optional<std::size_t> PartHeld::of_stock(std::size_t brick) const {
   BrickPlace place = wider_.lattice.place(brick);
   place.x -= wider_.stock_at.x, place.y -= wider_.stock_at.y, place.z -= wider_.stock_at.z;
@@ -174,7 +174,8 @@ void PartHeld::hold_brick(std::size_t brick, Work& work) {
   work.found.take(here);
 }
 
-/// Handles a brick that is all material or none, and all part or none: one of its lines decides which.
+/// Handles a brick that is wholly material or wholly empty, and wholly inside or wholly outside the part: one of its lines shows whether
+/// inside or outside.
 void PartHeld::hold_evenly(std::size_t brick, bool material, Work& work) {
   const double edge = wider_.lattice.edge(), middle = wider_.lattice.corner(brick).z + 0.5 * edge;
   const auto stretches = lines_.of(wider_.lattice.place(brick), 2, brick_lines / 2 + brick_edge / 2);
@@ -188,9 +189,9 @@ void PartHeld::hold_evenly(std::size_t brick, bool material, Work& work) {
   (part ? work.found.gouged : work.found.left_on).take(here);
 }
 
-/// Computes the volume along the direction that meets most of the difference, since lines across a thin layer measure it and lines
-/// along it hardly do. Finds the depth along all three directions, without what is rounding along a wall.
-///   returns  mm³
+/// Computes the volume along the direction whose lines contain most of the difference: lines across a thin layer measure it well, lines
+/// along the layer hardly meet it. Finds the depth along all three directions, ignoring segments that come from rounding along a wall.
+///   returns  the volume, mm³
 float PartHeld::hold_stretches(std::size_t brick, bool gouged, Deepest& deepest, Work& work) {
   const auto of = [&](int family) -> const std::vector<Stretch>& {
     const LineDifference& d = work.difference.family[std::size_t(family)];
@@ -208,8 +209,8 @@ float PartHeld::hold_stretches(std::size_t brick, bool gouged, Deepest& deepest,
   return float(length * wider_.lattice.cell() * wider_.lattice.cell());
 }
 
-/// Measures the depth of a segment, at its middle and, if it can exceed what was found so far, in steps.
-///   returns  true if it is more than rounding along a wall
+/// Measures the depth at the middle of a segment, and in steps along it if it can exceed the greatest depth found so far.
+///   returns  false if the segment comes from rounding along a wall
 bool PartHeld::walk(const Stretch& stretch, int family, std::size_t brick, Deepest& deepest, Work& work) const {
   const double cell = wider_.lattice.cell(), half = (stretch.to - stretch.from) / 2;
   Vec3 at = wider_.lattice.corner(brick);

@@ -1,4 +1,4 @@
-// Finds the hits of all triangles and sorts them by line. Used by stock/part/part_compare.
+// Finds the hits of all triangles with the lattice lines, and sorts the hits by line. Used by stock/part/part_compare.
 
 #include "stock/part/part_lines.h"
 
@@ -16,9 +16,9 @@
 namespace kadr {
 namespace {
 
-constexpr std::size_t shares = 8;  // of the triangles, for the threads
+constexpr std::size_t shares = 8;  // number of portions into which the triangles are divided for the threads
 
-/// Clips to the window, as blank_within() does.
+/// Clips the segments to the window, as blank_within() does.
 void clip(std::vector<LineRange>& ranges, std::size_t first, double least, double most) {
   std::size_t kept = first;
   for (std::size_t i = first; i < ranges.size(); ++i) {
@@ -50,7 +50,7 @@ PartLines::PartLines(const Mesh& solid, const Lattice& lattice, const std::optio
   share(3, [&](std::size_t family) { order(int(family), std::span(found).subspan(family * shares, shares), window); });
 }
 
-/// Returns the first lattice point along the axis that is not before the position.
+/// Returns the index of the first lattice point along the axis at or after the position.
 std::size_t PartLines::first_from(int axis, double place) const {
   const std::vector<double>& all = places_[std::size_t(axis)];
   const double guess = std::clamp((place - all.front()) / cell_, 0.0, double(all.size()));
@@ -85,7 +85,7 @@ void PartLines::order(int family, const std::span<std::vector<Hit>>& found, cons
   std::vector<MeshHit> ordered(next.back());
   for (std::vector<Hit>& hits : found) {
     for (const Hit& h : hits) ordered[next[h.line]++] = {h.place, h.turn, h.triangle};
-    hits = std::vector<Hit>();  // frees their memory too
+    hits = std::vector<Hit>();  // frees the memory of the hits too
   }
   Family& all = families_[std::size_t(family)];
   all.first.assign(next.size(), 0);
@@ -112,14 +112,14 @@ std::span<const LineRange> PartLines::of(BrickPlace brick, int family, int line)
   return {all.ranges.data() + all.first[number], all.ranges.data() + all.first[number + 1]};
 }
 
-/// Lines along an axis meet a triangle about as often as its area, seen along the axis, has cells. For a triangle that extends out of
-/// the lattice, the part of its bounding rectangle inside the lattice is used.
+/// Estimates the hits: lines along an axis meet a triangle about as often as the triangle's area, seen along the axis, contains lattice
+/// cells. For a triangle that extends out of the lattice, the section of its bounding rectangle inside the lattice is used instead.
 double PartLines::bytes(const Mesh& solid, const Lattice& lattice) {
-  constexpr double bytes_of_hit = 2 * (sizeof(Hit) + sizeof(MeshHit));  // vectors may grow to twice their content
+  constexpr double bytes_of_hit = 2 * (sizeof(Hit) + sizeof(MeshHit));  // a vector may reserve twice the memory of its content
   double hits = 0;
   for (std::size_t t = 0; t < solid.triangle_count(); ++t) {
     const Vec3 a = solid.corner(t, 0), b = solid.corner(t, 1), c = solid.corner(t, 2), normal = cross(b - a, c - a);
-    double within[3];  // mm
+    double within[3];  // extent of the triangle inside the lattice along each axis, mm
     bool reaches_out = false;
     for (int d = 0; d < 3; ++d) {
       const double least = std::min({along(a, d), along(b, d), along(c, d)}), most = std::max({along(a, d), along(b, d), along(c, d)});

@@ -1,8 +1,8 @@
 #pragma once
-// PartLines: the segments of a lattice's lines that lie inside a solid. Used by stock/part/part_compare.
+// PartLines: the segments in which the lines of a lattice are inside a solid. Used by stock/part/part_compare.
 //
-// Each triangle in turn finds the lines that cross it. The opposite, where each line looks up its triangles (stock/mesh/mesh_index),
-// takes several times as long when nearly all lines of a lattice are needed.
+// It goes through the triangles, and finds for each the lines that cross it. The other way round, finding for each line the triangles
+// that it crosses (stock/mesh/mesh_index), takes several times as long when nearly all lines of a lattice are needed.
 
 #include <array>
 #include <cstdint>
@@ -17,14 +17,15 @@ namespace kadr {
 
 class PartLines {
  public:
-  /// `window` limits the segments to a box; nullopt: no limit.
-  ///   law  the segments equal those of mesh_blank(solid), or of its blank_within(), to the bit   (tests/stock/part_lines_test)
+  /// `window` limits the segments to a box; nullopt means no limit.
+  ///   law  bit for bit equal to the segments of mesh_blank(solid), or of its blank_within()   (tests/stock/part_lines_test)
   PartLines(const Mesh& solid, const Lattice& lattice, const std::optional<Box3>& window, int threads);
 
-  /// Returns the segments of a line in a brick, numbered as in stock/brick/brick; ascending, over the whole line through the lattice.
+  /// Returns the segments of the whole lattice line that contains line `line` of a brick, in ascending order. The lines of a brick are
+  /// numbered as in stock/brick/brick.
   std::span<const LineRange> of(BrickPlace brick, int family, int line) const;
 
-  /// Upper bound of the memory during construction.
+  /// Returns an upper bound of the memory during construction, in bytes.
   static double bytes(const Mesh& solid, const Lattice& lattice);
 
  private:
@@ -34,7 +35,7 @@ class PartLines {
     int turn;
   };
   struct Family {
-    std::vector<std::size_t> first;  // index into ranges where each line begins; one more at the end
+    std::vector<std::size_t> first;  // index in `ranges` of the first segment of each line; one more element at the end
     std::vector<LineRange> ranges;
   };
   void find(const Mesh& solid, int family, std::size_t first, std::size_t last, std::vector<Hit>& hits) const;
@@ -42,7 +43,7 @@ class PartLines {
   std::size_t first_from(int axis, double place) const;
 
   double cell_;
-  std::array<std::vector<double>, 3> places_;  // of lattice points along each axis
+  std::array<std::vector<double>, 3> places_;  // coordinates of the lattice points along each axis
   std::array<Family, 3> families_;
 };
 

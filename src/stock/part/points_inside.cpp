@@ -1,4 +1,4 @@
-// Sorts the points into squares of the plane; each triangle in turn then tests the points above or below it. Used by
+// Sorts the points into squares of the XY plane; then each triangle is tested against the points above or below it. Used by
 // stock/part/part_compare.
 
 #include "stock/part/points_inside.h"
@@ -17,18 +17,19 @@ namespace {
 constexpr double points_of_square = 2;
 constexpr std::size_t triangles_at_once_inside = 4096;
 
-/// Sums of the turns of the triangles that the point's vertical line meets below the point, and at it; their order does not matter.
+/// A point, and sums of the `turn` values of the triangles that its vertical line meets below the point, and at the point. The order of
+/// the triangles does not matter.
 struct HeldPoint {
   float x, y, z;
   std::uint32_t number;
   std::int32_t below = 0, at = 0;
 };
 
-/// Squares of points, in rows along X.
+/// The squares of the XY plane, in rows along X, with the points in each.
 struct PointSquares {
   double least_x = 0, least_y = 0, most_x = 0, most_y = 0, per_mm = 0;
   std::size_t columns = 1, rows = 1;
-  std::vector<std::uint32_t> first;  // index into points where each square begins; one more at the end
+  std::vector<std::uint32_t> first;  // index in `points` of the first point of each square; one more element at the end
   std::vector<HeldPoint> points;
 
   explicit PointSquares(const std::vector<float>& places);
@@ -48,7 +49,7 @@ PointSquares::PointSquares(const std::vector<float>& places) {
     for (std::size_t d = 0; d < 2; ++d) low[d] = std::min(low[d], places[3 * i + d]), high[d] = std::max(high[d], places[3 * i + d]);
   least_x = double(low[0]), least_y = double(low[1]), most_x = double(high[0]), most_y = double(high[1]);
   const double wide = most_x - least_x, deep = most_y - least_y, squares = double(count) / points_of_square;
-  // For a narrow strip, limits the squares along it to the number of points.
+  // In a narrow strip, the number of squares along the strip is limited to the number of points.
   const double edge = std::max({std::sqrt(wide * deep / squares), wide / squares, deep / squares, 1e-6});
   per_mm = 1 / edge;
   columns = std::size_t(wide * per_mm) + 1, rows = std::size_t(deep * per_mm) + 1;
@@ -59,7 +60,7 @@ PointSquares::PointSquares(const std::vector<float>& places) {
   points.resize(count);
   for (std::size_t i = count; i-- > 0;)
     points[--first[square(i) + 1]] = {places[3 * i], places[3 * i + 1], places[3 * i + 2], std::uint32_t(i)};
-  first.erase(first.begin());  // each entry has moved back to where its square begins
+  first.erase(first.begin());  // each entry has been decremented to the index of its square's first point
   first.push_back(std::uint32_t(count));
 }
 
@@ -82,7 +83,7 @@ void PointSquares::hold(const Mesh& solid, std::size_t number) {
   const std::size_t low = row(triangle.least_v()), high = row(triangle.most_v());
   for (std::size_t r = low; r <= high; ++r) {
     double left = triangle.least_u(), right = triangle.most_u();
-    if (low < high && right - left > 1 / per_mm) {  // long and slanted: its extent over this row, with a small margin
+    if (low < high && right - left > 1 / per_mm) {  // a long slanted triangle: uses its extent over this row only, with a small margin
       const double hair = 1e-3 / per_mm, begin = least_y + double(r) / per_mm, end = begin + 1 / per_mm;
       const auto extent = triangle.between(r == low ? triangle.least_v() : begin - hair, r == high ? triangle.most_v() : end + hair);
       left = extent[0] - hair, right = extent[1] + hair;

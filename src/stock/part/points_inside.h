@@ -1,5 +1,5 @@
 #pragma once
-// Finds which of many points are inside a solid. Used by stock/part/part_compare.
+// Finds out which of many points are inside a solid. Used by stock/part/part_compare.
 
 #include <cstdint>
 #include <vector>
@@ -8,11 +8,11 @@
 
 namespace kadr {
 
-/// A point is inside if the vertical line through it is inside the solid both just below and just above it.
-///   points   x, y, z of each, mm
-///   returns  1 for each point inside, else 0
-///   law      equal to mesh_blank(solid)->cross() to the bit   (tests/stock/part_lines_test)
-///   memory   29 bytes per point, one of which is returned
+/// A point counts as inside if the vertical line through the point is inside the solid both just below and just above the point.
+///   points   x, y, z of each point, mm
+///   returns  for each point 1 if it is inside, else 0
+///   law      bit for bit equal to mesh_blank(solid)->cross()   (tests/stock/part_lines_test)
+///   memory   29 bytes per point, of which the result takes one
 std::vector<std::uint8_t> points_inside(const Mesh& solid, const std::vector<float>& points, int threads);
 
 }  // namespace kadr

@@ -1,5 +1,5 @@
 #pragma once
-// The distance of the origin from a triangle.
+// Computes the distance of the origin from a triangle.
 
 #include <algorithm>
 
@@ -9,14 +9,15 @@ namespace kadr {
 
 inline double square_of(const Vec3& v) { return v.x * v.x + v.y * v.y + v.z * v.z; }
 
-/// Squared distance of the origin from the segment `from` … `from + way`.
+/// Returns the squared distance of the origin from the segment between `from` and `from + way`.
 inline double square_to_stretch(const Vec3& from, const Vec3& way) {
   const double length_squared = square_of(way);
   const double share = length_squared > 0 ? std::clamp(-dot(from, way) / length_squared, 0.0, 1.0) : 0;
   return square_of(from + share * way);
 }
 
-/// Squared distance of the origin, mm². If the origin is over the triangle's inside, its plane is nearest, else one of its sides.
+/// Returns the squared distance of the origin from a triangle, mm². It is the distance from the triangle's plane if the origin projects
+/// into the triangle, else the distance from the nearest side.
 inline double square_to_triangle(const Vec3 (&corner)[3]) {
   Vec3 side[3];
   for (int k = 0; k < 3; ++k) side[k] = corner[(k + 1) % 3] - corner[k];

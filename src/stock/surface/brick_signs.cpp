@@ -1,4 +1,4 @@
-// Computes the signs of lattice points from the upright lines. Used by stock/surface.
+// Finds which lattice points are material, from the intervals of the lattice lines along Z. Used by stock/surface.
 
 #include "stock/surface/brick_signs.h"
 
@@ -11,7 +11,7 @@ constexpr std::uint32_t whole_column = (1u << brick_edge) - 1;
 
 float place_of(int i, float cell) { return (float(i) + 0.5f) * cell; }
 
-/// The first lattice point beyond a position.
+/// Returns the index of the first lattice point beyond a position.
 int first_beyond(float place, float cell) {
   int i = std::clamp(int(place / cell + 0.5f), 0, brick_edge);
   while (i > 0 && place_of(i - 1, cell) > place) --i;
@@ -19,7 +19,7 @@ int first_beyond(float place, float cell) {
   return i;
 }
 
-/// The first lattice point at or beyond a position.
+/// Returns the index of the first lattice point at or beyond a position.
 int first_not_before(float place, float cell) {
   int i = std::clamp(int(place / cell + 0.5f), 0, brick_edge);
   while (i > 0 && place_of(i - 1, cell) >= place) --i;

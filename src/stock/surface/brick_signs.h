@@ -1,5 +1,6 @@
 #pragma once
-// Determines which lattice points of a brick, and of the next layer beyond it, are material. Used by stock/surface.
+// Determines for each lattice point of a brick, and of the next layer of points beyond the brick, whether it is material. Used by
+// stock/surface.
 
 #include <array>
 #include <cstdint>
@@ -10,23 +11,24 @@ namespace kadr {
 
 inline constexpr int signs_edge = brick_edge + 1;
 
-/// A brick and its seven neighbours in the positive directions: bit 1 along X, 2 along Y, 4 along Z. Outside the lattice all is
-/// empty.
+/// A brick and its seven neighbours in the positive directions. In the index of a neighbour bit 1 means along X, 2 along Y, 4 along Z.
+/// Outside the lattice everything is empty.
 struct BricksAround {
   BricksAround(const Stock& stock, BrickPlace place);
   std::array<Stock::State, 8> state;
   std::array<const Brick*, 8> brick;
-  bool same;  // all are empty, or all are full: no surface
+  bool same;  // all eight are empty, or all are full: there is no surface between them
 };
 
-/// One bit per lattice point of a column, the lowest first. Only the upright lines decide: so the sign of a point is unique, even if
-/// the other families disagree about a position right at the surface, and the surface is closed.
+/// One bit per lattice point, grouped in columns along Z, the lowest point in bit 0: 1 means material. Only the lattice lines along Z
+/// decide. So each point has one state, even where lines of the other directions disagree about a position close to the surface, and the
+/// surface computed from the points is closed.
 class BrickSigns {
  public:
   void take(const BricksAround& around, float cell);
   std::uint32_t column(int x, int y) const { return columns_[std::size_t(y * signs_edge + x)]; }
   bool at(int x, int y, int z) const { return (column(x, y) >> z & 1) != 0; }
-  /// Returns one bit per corner of the cell with this lowest corner (stock/surface/sheets.h).
+  /// Returns one bit for each corner of the cell whose lowest corner is x, y, z. stock/surface/sheets.h numbers the corners.
   unsigned corners(int x, int y, int z) const {
     const auto two = [&](int i, int j) { return column(i, j) >> z & 3; };
     const unsigned a = two(x, y), b = two(x + 1, y), c = two(x, y + 1), d = two(x + 1, y + 1);
@@ -37,7 +39,7 @@ class BrickSigns {
   std::array<std::uint32_t, std::size_t(signs_edge) * signs_edge> columns_;
 };
 
-/// True if a lattice point, counted from the lattice's corner, is material.
+/// Returns true if a lattice point, given by its indices from the lattice's corner, is material.
 bool is_material(const Stock& stock, const std::array<int, 3>& point);
 
 }  // namespace kadr

@@ -1,4 +1,4 @@
-// Fits the vertex to tangent planes by least squares. Used by stock/surface.
+// Fits a vertex to the tangent planes of its crossings by least squares. Used by stock/surface.
 
 #include "stock/surface/cell_vertex.h"
 
@@ -7,16 +7,16 @@
 namespace kadr {
 namespace {
 
-/// Weight of the middle of the crossings compared with a plane. A direction in which the normals turn by less than its square root,
-/// about 3°, counts as flat.
+/// Weight of the mean of the crossings, compared with one tangent plane. Normals that differ by less than the square root of this weight,
+/// about 3°, count as those of a flat surface.
 constexpr double weight_of_middle = 0.003;
 
-/// Length of the mean normal: normals that differ by less than about 40° belong to one smooth face.
+/// Least length of the mean of the unit normals: normals that differ by less than about 40° belong to one smooth face.
 constexpr double smooth_mean = 0.94;
 
-/// Position in a concave region, as a share of the step from the middle of the crossings to where the tangents meet. The surface is
-/// half way. Two thirds of what the chord between two points cuts off are added, so that the faces between the points enclose as much
-/// as the surface.
+/// In a concave region, the vertex is on the way from the mean of the crossings (on a chord) to the point where the tangent planes meet, at
+/// this share. The true surface is at one half. To this, two thirds of what the chord between two vertices cuts off are added, so that the
+/// flat faces between the vertices enclose as much volume as the curved surface.
 constexpr double share_of_tangents = 5.0 / 6;
 
 /// A symmetric matrix, stored as its upper triangle by rows.
@@ -55,7 +55,7 @@ std::array<double, 3> CellVertex::place(const std::array<double, 3>& low, double
   std::array<double, 3> at = centre;
   const double turns = normals_[0] * normals_[0] + normals_[1] * normals_[1] + normals_[2] * normals_[2];
   const bool smooth = turns > smooth_mean * smooth_mean * count_ * count_;
-  for (int round = 0; round < (smooth ? 2 : 4); ++round) {  // each round corrects what the weight of the middle held back in the last
+  for (int round = 0; round < (smooth ? 2 : 4); ++round) {  // each iteration reduces the influence of the mean
     const std::array<double, 3> there = planes.times(at);
     const std::array<double, 3> step = inverse.times({right_[0] - there[0], right_[1] - there[1], right_[2] - there[2]});
     for (std::size_t d = 0; d < 3; ++d) at[d] += step[d];

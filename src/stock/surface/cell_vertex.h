@@ -1,5 +1,6 @@
 #pragma once
-// The vertex of a sheet in a lattice cell, where the tangent planes of its crossings meet. Used by stock/surface.
+// Computes the vertex of a sheet (a connected piece of surface) in a lattice cell: the point where the tangent planes of the sheet's
+// crossings with the cell's edges meet. Used by stock/surface.
 
 #include "stock/surface/crossings.h"
 
@@ -8,19 +9,19 @@ namespace kadr {
 class CellVertex {
  public:
   void add(const Crossing& crossing);
-  /// The last sweep among the crossings.
+  /// Returns the number of the last sweep among the crossings.
   std::int32_t made_by() const { return made_by_; }
-  /// Returns the point nearest to all planes, kept within the cell at `low`; where the planes leave it undetermined, it is near the
-  /// middle of the crossings.
-  ///   In a concave region with little change of the normals the surface is the rounding of a tool, between the middle of the
-  ///   crossings, which is on a chord, and the point where the tangents meet. Ridges are sharp, as they are where two sweeps meet.
+  /// Returns the point nearest to all tangent planes, limited to the cell with the lowest corner `low`. Where the planes leave the point
+  /// undetermined, it is near the mean of the crossings.
+  ///   In a concave region in which the normals change little, the surface is the rounding left by a tool; it passes between the mean of
+  ///   the crossings, which is on a chord, and the point where the tangent planes meet. Ridges, where two sweeps meet, stay sharp.
   std::array<double, 3> place(const std::array<double, 3>& low, double cell) const;
 
  private:
-  double square_[6] = {};   // sum of n nᵀ over the normals, upper triangle by rows
-  double right_[3] = {};    // sum of n (n · at)
-  double sum_[3] = {};      // of the positions
-  double normals_[3] = {};  // sum of the normals
+  double square_[6] = {};   // sum of n nᵀ over the unit normals n, upper triangle by rows
+  double right_[3] = {};    // sum of n (n · at): normals and positions of the crossings
+  double sum_[3] = {};      // sum of the positions of the crossings
+  double normals_[3] = {};  // sum of the normals of the crossings
   int count_ = 0;
   std::int32_t made_by_ = of_blank;
 };

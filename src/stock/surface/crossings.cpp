@@ -1,4 +1,4 @@
-// Finds the ends of intervals on lattice edges, and their normals. Used by stock/surface.
+// Finds for each crossed cell edge the end of the material interval on its lattice line, and the normal there. Used by stock/surface.
 
 #include "stock/surface/crossings.h"
 
@@ -14,10 +14,10 @@ struct LineEnd {
   float at;
   std::int32_t by;
   bool found = false;
-  bool seam = false;  // between a full and an empty brick, not the blank's surface: neither brick holds the sweep
+  bool seam = false;  // the end is between a full and an empty brick, inside the blank: neither brick stores which sweep cut there
 };
 
-/// Extent of all bodies of a tool, from the tip.
+/// Extent of all bodies of a tool, measured from its tip.
 struct ToolExtent {
   double widest, bottom, top;
 };
@@ -32,7 +32,7 @@ ToolExtent extent_of(const ToolFaces& tool) {
 }  // namespace
 
 struct Crossings::Finder {
-  /// Further intervals sorted by line, built at the first request.
+  /// The further intervals of a family, sorted by line; built at the first use.
   class FurtherByLine {
    public:
     void forget() { made_ = false; }
@@ -61,14 +61,14 @@ struct Crossings::Finder {
   const Stock& stock;
   const std::vector<ToolFaces>& tools;
   const BricksAround& around;
-  Vec3 corner, from_lattice;  // corner of the brick in the work system, and from the lattice's corner
+  Vec3 corner, from_lattice;  // the brick's corner in the work system, and relative to the lattice's corner
   float cell, edge, families_agree;
   std::array<std::array<FurtherByLine, 3>, 8> further{};
 
-  std::vector<std::uint32_t> sweeps_near{};  // that may have cut at the brick's seams, found at the first request
+  std::vector<std::uint32_t> sweeps_near{};  // sweeps that may have cut where this brick meets others; found at the first use
   bool near_known = false;
 
-  /// Returns the directions of a sweep with a tilted tool, else nullptr.
+  /// Returns the directions of the sweep if its tool is tilted, else nullptr.
   const LeanEnds* ends_of(std::int32_t by) const {
     return stock.sweep(std::size_t(by)).leans ? &stock.lean_ends(std::size_t(by)) : nullptr;
   }
@@ -79,7 +79,7 @@ struct Crossings::Finder {
   Crossing crossing_at(const LatticeEdge& e, bool leaves, const LineEnd& end) const;
 };
 
-/// Returns the end of material nearest to the edge's material point.
+/// Returns the end of a material interval that is nearest to the end point of the cell edge that is material.
 LineEnd Crossings::Finder::end_on(const LatticeEdge& e, bool leaves) {
   const int f = e.family, u = (f + 1) % 3, v = (f + 2) % 3;
   const auto p = [&](int axis) { return e.point[std::size_t(axis)]; };
@@ -123,7 +123,7 @@ Vec3 Crossings::Finder::place_of(const LatticeEdge& e, const LineEnd& end) const
   return at;
 }
 
-/// Finds them by the boxes around their paths.
+/// Finds the sweeps that may have cut in or next to the brick, by the boxes around their paths.
 void Crossings::Finder::find_sweeps_near() {
   near_known = true;
   std::vector<ToolExtent> extents;
@@ -131,7 +131,7 @@ void Crossings::Finder::find_sweeps_near() {
   const double room = double(cell), reach = double(edge) + room;
   stock.each_sweep([&](std::size_t i, const KeptSweep& s) {
     const ToolExtent& tool = extents[s.tool];
-    bool near = !stock.tool(s.tool).turns();  // rings are not searched: their seams keep of_blank
+    bool near = !stock.tool(s.tool).turns();  // sweeps of turning tools are not searched: ends between bricks keep of_blank
     const double anywhere = std::max({tool.widest, std::fabs(tool.bottom), std::fabs(tool.top)}) + tool.widest;  // for any tilt
     for (int d = 0; d < 3 && near; ++d) {
       const double least = double(std::min(s.from[d], s.to[d])) + (s.leans ? -anywhere : d == 2 ? tool.bottom : -tool.widest);
@@ -142,8 +142,8 @@ void Crossings::Finder::find_sweeps_near() {
   });
 }
 
-/// An end where bricks meet belongs to the blank only if the blank ends there. Otherwise a sweep made it that the emptied brick no
-/// longer holds: takes the first sweep that cut there.
+/// An end of material between two bricks belongs to the blank only if the blank ends there. Otherwise a sweep cut there, and the brick that
+/// it emptied no longer stores its number: the first sweep that cut there is used.
 void Crossings::Finder::find_cut(const LatticeEdge& e, bool leaves, LineEnd& end) {
   const Vec3 at = place_of(e, end), in_space = at + corner;
   std::vector<LineRange> ranges;
@@ -200,8 +200,8 @@ void Crossings::take(const Stock& stock, const std::vector<ToolFaces>& tools, st
   for (const LatticeEdge& e : lost_) mend(e, signs);
 }
 
-/// A line that lies in a surface may be cut away although the upright lines, very near to it, are not. An adjacent edge with the same
-/// signs then supplies the crossing.
+/// A line that lies in a surface may be cut away although the lines along Z, very near to it, are not. Then the crossing of an adjacent
+/// cell edge, with material on the same side, is used.
 void Crossings::mend(const LatticeEdge& e, const BrickSigns& signs) {
   const std::size_t f = std::size_t(e.family);
   const auto sign = [&](const std::array<int, 3>& p) { return signs.at(p[0], p[1], p[2]); };

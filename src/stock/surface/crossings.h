@@ -1,5 +1,5 @@
 #pragma once
-// Finds where the surface crosses the edges of a brick's lattice cells. Used by stock/surface.
+// Finds the crossings: the points where the surface of the material crosses the edges of a brick's lattice cells. Used by stock/surface.
 
 #include <array>
 #include <bit>
@@ -15,16 +15,16 @@ namespace kadr {
 struct Crossing {
   std::array<float, 3> at;
   std::array<float, 3> normal;  // outward
-  std::int32_t by;              // the sweep that cut there, or of_blank
+  std::int32_t by;              // number of the sweep that cut there, or of_blank
 };
 
-/// The lattice edge from a point to the next along an axis.
+/// The edge of a lattice cell from the point with the indices `point` to the next point along the axis `family`.
 struct LatticeEdge {
   int family;
   std::array<int, 3> point;
 };
 
-/// Crossings on the edges whose points are in the brick or in the layer beyond it.
+/// The crossings of all cell edges whose end points are in the brick or in the next layer of points beyond the brick.
 class Crossings {
  public:
   Crossings();
@@ -42,11 +42,11 @@ class Crossings {
 
   std::vector<Crossing> all_;
   std::vector<std::uint16_t> slots_;
-  std::vector<LatticeEdge> lost_;  // edges on which no line of the family ends
+  std::vector<LatticeEdge> lost_;  // edges between material and air on which no interval of a lattice line of the family ends
 };
 
-/// Calls visit(edge, whether its start is material) for each lattice edge whose ends differ, with points up to `last` across the
-/// edge.
+/// Calls visit(edge, starts_in_material) for each cell edge with material at exactly one of its end points. The indices of the point
+/// across the edge go from 0 to `last`.
 template <class Visit>
 void each_unlike_edge(const BrickSigns& signs, int last, const Visit& visit) {
   for (int family = 0; family < 3; ++family) {

@@ -1,4 +1,4 @@
-// Finds where on its path a tool touched a point, and its normal there. Used by stock/surface/crossings.
+// Finds the position on its path at which a tool touched a point, and the tool's normal there. Used by stock/surface/crossings.
 
 #include "stock/surface/cut_normal.h"
 
@@ -13,23 +13,23 @@ namespace {
 
 using Form = RoundSolid::Form;
 
-/// mm: faces nearer to a point than this cannot be distinguished: compare the law of stock/cut/upright_rows.h and level_rows.h
-/// (2e-4).
+/// mm: if the distances of two faces from a point differ by less, it is unknown which face cut there. Compare the 2e-4 mm in the law of
+/// stock/cut/upright_rows.h and level_rows.h.
 constexpr double same_spot = 3e-4;
-constexpr double along_the_line = 0.01;  // least component of a normal along the line
+constexpr double along_the_line = 0.01;  // least component of a normal along the lattice line; with less, the line lies in the face
 constexpr int most_steps = 60;
-constexpr double same_part = 1e-6;  // of a path, mm
-constexpr double level = 1e-9;      // slope of the distance, relative to the length of the path
-constexpr double on_axis = 1e-12;   // mm
+constexpr double same_part = 1e-6;  // mm of path
+constexpr double level = 1e-9;      // slope of the distance that counts as 0, relative to the length of the path
+constexpr double on_axis = 1e-12;   // mm: a point nearer to the tool's axis than this is on the axis
 
-/// A face near the point: its distance, and its outward normal in the half plane of radius and height.
+/// A face of the tool near the point: its distance, and its outward normal in the half plane of radius and height.
 struct Near {
   double distance, radial, up;
 };
 
-/// The point as seen from the tool at a share of its path.
+/// The position of the point relative to the tool, at a share of the path.
 struct Seen {
-  double x, y, radius, height;  // from the tip
+  double x, y, radius, height;  // from the tip, mm
 };
 
 struct Way {
@@ -69,13 +69,13 @@ Near farthest(const BodyFaces& body, const Seen& seen) {
   return best;
 }
 
-/// The face's normal in the tool's coordinates.
+/// Returns the normal of the face in the tool's coordinates.
 Vec3 in_space(const Near& face, const Seen& seen) {
   const double per = seen.radius > on_axis ? face.radial / seen.radius : 0;
   return seen.radius > on_axis ? Vec3{seen.x * per, seen.y * per, face.up} : Vec3{face.radial, 0, face.up};
 }
 
-/// A point, and the direction out of the material on its line, in the tool's coordinates.
+/// The point, and the direction in which its lattice line leaves the material, in the tool's coordinates.
 struct PlaceSeen {
   Vec3 at, outward;
 };
@@ -85,8 +85,8 @@ struct Touching {
   Vec3 normal;  // outward from the tool
 };
 
-/// A line does not cross a plane in which it lies. If the farthest face lies along the line, then among the faces that cannot be
-/// distinguished from it the one that the line crosses most nearly at a right angle is used.
+/// A line does not cross a plane in which it lies. So if several faces of the tool are at about the same distance, the one that the line
+/// crosses most nearly at a right angle is used.
 Touching at_part(const BodyFaces& body, const Way& way, const PlaceSeen& place, double part) {
   const Seen seen = way.seen(place.at, part);
   const auto square_to = [&](const Vec3& normal) { return -dot(normal, place.outward); };
@@ -104,8 +104,8 @@ Touching at_part(const BodyFaces& body, const Way& way, const PlaceSeen& place, 
 
 double nearest_part(double over, double length_squared) { return length_squared > 0 ? std::clamp(over / length_squared, 0.0, 1.0) : 0; }
 
-/// Closed-form solution. On a level path heights stay constant, so the nearest share is the nearest in the plane; for a ball the
-/// distance from its centre decides. Returns nullopt otherwise.
+/// Solves in closed form for the share of the path at which the tool touched the point. On a level path heights are constant, so it is
+/// the share that is nearest in the XY plane; for a ball, the share at which the centre is nearest. Returns nullopt in other cases.
 std::optional<double> part_at_once(const BodyFaces& body, const Way& way, const Vec3& at) {
   const Vec3 d = way.along, q = at - way.start;
   const double flat = d.x * d.x + d.y * d.y, over = q.x * d.x + q.y * d.y;
@@ -120,18 +120,19 @@ std::optional<double> part_at_once(const BodyFaces& body, const Way& way, const 
   return std::nullopt;
 }
 
-/// Slope of the distance along the path.
+/// Returns the slope of the distance along the path.
 double growth(const Vec3& normal, const Vec3& way) { return -(normal.x * way.x + normal.y * way.y + normal.z * way.z); }
 
-/// The tool's distance from the point at a share of its path.
+/// The distance of the tool from the point, at a share of the path.
 struct Probe {
   double part;
   Touching touching;
   double grows;
 };
 
-/// Returns a share between one where the tool approaches and one where it recedes. In turn: where the tangents meet, which finds
-/// corners; where a straight line between both slopes is zero, which finds smooth minima; and the middle. At least `apart` from both.
+/// Returns a share between `before`, where the tool approaches the point, and `after`, where it recedes, at least `apart` from both. The
+/// steps use in turn the intersection of the tangents, which finds corners of the distance function; the zero of the straight line through
+/// both slopes, which finds smooth minima; and the middle.
 double part_between(const Probe& before, const Probe& after, int step, double apart) {
   const double wide = after.part - before.part, bends = after.grows - before.grows;
   double part = before.part + 0.5 * wide;
@@ -167,7 +168,7 @@ Vec3 as_unit(const Vec3& v, const Vec3& otherwise) {
   return size > on_axis ? (1 / size) * v : otherwise;
 }
 
-/// Outward, in the tool's coordinates.
+/// Returns the outward normal of the material, in the tool's coordinates.
 Vec3 normal_seen(const Way& way, const ToolFaces& tool, const PlaceSeen& place) {
   double nearest = 1e30;
   Vec3 best = place.outward;
@@ -202,8 +203,7 @@ ToolFaces faces_of(const ToolShape& tool) { return {tool.bodies.begin(), tool.bo
 
 namespace {
 
-/// A point and the path past it, in the tool's coordinates; for a tilted tool also the axes of space as seen in the middle of the
-/// path.
+/// The point and its path, in the tool's coordinates; for a tilted tool also the axes of the work system, as seen from the tool half way.
 struct AsSeen {
   Way way;
   PlaceSeen place;

@@ -1,11 +1,13 @@
 #pragma once
-// The normal of a surface cut by a sweep: the normal of the tool where it touched the point. Used by stock/surface/crossings.
+// Computes the normal of a surface that a sweep has cut: the normal of the tool where the tool touched the point. Used by
+// stock/surface/crossings.
 //
-// A body of a tool is convex, and so is its distance from a point as a function of the path. The tool touched where this is least,
-// and its normal there is the surface's. If the minimum is at a corner of the function, at a rim of the tool, the rim swept the
-// surface: the normal is between both normals, perpendicular to the path.
+// Each solid body of a tool is convex, so the distance of a point from the moving body is a convex function of the position on the path.
+// The tool touched the point where this distance is least, and the tool's normal in that position is the normal of the surface. If the
+// minimum is at a corner of the function (at a rim between two faces of the tool), the rim has swept the surface: the normal then lies
+// between the normals of the two faces, perpendicular to the path.
 //
-//   law  perpendicular to the directions in which the distance from the swept tool (stock/tool/round_solid.h) is constant
+//   law  perpendicular to every direction in which the distance from the swept tool (stock/tool/round_solid.h) is constant
 //        (tests/stock/surface_test)
 
 #include <vector>
@@ -14,18 +16,18 @@
 
 namespace kadr {
 
-/// The outline of a convex body of a tool as faces of revolution; its distance from a point is the greatest distance from these.
+/// The faces of revolution of a convex body of a tool. The distance of a point from the body is the greatest of its distances from them.
 struct BodyFaces {
   struct Side {
     RoundSolid::Form form;
-    double radius, height;            // a point of the face; for a ball or torus the centre of its circle
-    double normal_radial, normal_up;  // for a cylinder or cone
-    double circle;                    // radius of the circle of a ball or torus
+    double radius, height;            // a point of the face; for a ball or torus the centre of its generating circle
+    double normal_radial, normal_up;  // normal of a cylinder or cone
+    double circle;                    // radius of the generating circle of a ball or torus
   };
   explicit BodyFaces(const ConvexBody& body);
 
   double bottom, top, widest;
-  bool ball;  // a ball end, with or without a cylinder above
+  bool ball;  // true for a ball end, with or without a cylinder above it
   std::vector<Side> sides;
 };
 
@@ -33,18 +35,18 @@ struct BodyFaces {
 using ToolFaces = std::vector<BodyFaces>;
 ToolFaces faces_of(const ToolShape& tool);
 
-/// A point where a lattice line of the family crosses the surface.
+/// A crossing: a point where a lattice line of the direction `family` crosses the surface.
 struct CutPlace {
   Vec3 at;  // mm from the lattice's corner
   int family;
-  bool leaves;  // the material is before the point on the line
+  bool leaves;  // true if the line leaves the material there, false if it enters
 };
 
-/// True if the sweep has cut a surface there that the line crosses.
-///   ends  directions, for a sweep with a tilted tool
+/// Returns true if the sweep has cut a surface at this point, and the line crosses that surface.
+///   ends  directions of the tool, if it is tilted
 bool cut_at(const KeptSweep& sweep, const ToolFaces& tool, const CutPlace& place, const LeanEnds* ends = nullptr);
 
-/// Returns the outward normal of the remaining material.
+/// Returns the outward normal of the remaining material at this point.
 Vec3 cut_normal(const KeptSweep& sweep, const ToolFaces& tool, const CutPlace& place, const LeanEnds* ends = nullptr);
 
 }  // namespace kadr

@@ -1,4 +1,4 @@
-// Merges points into their neighbours. Used by stock/surface/simplified_surface.
+// Removes points by merging each into a neighbour. Used by stock/surface/simplified_surface.
 
 #include "stock/surface/decimation.h"
 
@@ -12,12 +12,12 @@ namespace kadr {
 namespace {
 
 constexpr std::uint32_t no_index = ~std::uint32_t{0};
-constexpr std::uint32_t most_around = 40;  // triangles at a point
-constexpr std::size_t most_tried = 3;      // neighbours to try for each point, the best first
-constexpr double worth_trying = 3;         // times the permitted distance: limit of a neighbour's distance from the planes around the point
+constexpr std::uint32_t most_around = 40;  // greatest number of triangles around a point
+constexpr std::size_t most_tried = 3;      // number of neighbours that are tried for each point, the best first
+constexpr double worth_trying = 3;  // times the permitted distance: a neighbour farther from the planes around the point is not tried
 constexpr int most_passes = 60;
-constexpr double least_height = 1e-3;  // of a triangle, relative to its longest side: thinner ones have no reliable normal
-constexpr double turned_little = 0.2;  // least cosine between a triangle's normals before and after
+constexpr double least_height = 1e-3;  // triangle height over longest side: thinner triangles have no reliable normal
+constexpr double turned_little = 0.2;  // least cosine of the angle between a triangle's normals before and after a merge
 
 Vec3 normal_of(const Vec3& a, const Vec3& b, const Vec3& c) { return cross(b - a, c - a); }
 
@@ -45,8 +45,8 @@ bool Decimation::has(std::uint32_t triangle, std::uint32_t p) const {
   return c[0] == p || c[1] == p || c[2] == p;
 }
 
-/// Collects the triangles around the point, and its neighbours.
-///   returns  false if the triangles do not form a single fan
+/// Collects the triangles around the point, and the neighbours of the point.
+///   returns  false if the triangles do not form a single closed fan
 bool Decimation::look_around(std::uint32_t u) {
   star_.clear(), ring_.clear();
   ++question_;
@@ -62,8 +62,8 @@ bool Decimation::look_around(std::uint32_t u) {
   return star_.size() >= 3 && ring_.size() == star_.size();
 }
 
-/// True if the surface stays a manifold without doubled edges: u and v have only the two neighbours in common that belong to their
-/// triangles.
+/// Returns true if the surface remains a manifold without doubled edges after the merge: the only common neighbours of u and v must be the
+/// two points that form triangles with both.
 bool Decimation::may_go(std::uint32_t u, std::uint32_t v) {
   if (count_[u] + count_[v] - 4 > most_around) return false;
   ++question_;
@@ -83,7 +83,7 @@ bool Decimation::may_go(std::uint32_t u, std::uint32_t v) {
   return common == 2 && of_both == 2;
 }
 
-/// Builds the new triangles. Returns false if one of them would flip or be too thin.
+/// Builds the new triangles of a merge. Returns false if one of them would be turned over or be too thin.
 bool Decimation::take_fresh(std::uint32_t u, std::uint32_t v) {
   fresh_.clear();
   for (const Around& a : star_) {
@@ -103,8 +103,8 @@ bool Decimation::take_fresh(std::uint32_t u, std::uint32_t v) {
   return !fresh_.empty();
 }
 
-/// Checks that u and all points assigned to its triangles are near enough to the new triangles, and finds the nearest triangle of
-/// each.
+/// Checks that u and all points assigned to its triangles are near enough to the new triangles, and finds for each of these points the
+/// nearest new triangle.
 bool Decimation::hold_all(std::uint32_t u, double most_off) {
   held_.clear();
   const double most = most_off * most_off;
@@ -179,7 +179,7 @@ bool Decimation::try_point(std::uint32_t u, double most_off) {
   return false;
 }
 
-/// Points next to a removed one wait for the next pass, so that triangles grow evenly and do not form fans.
+/// Points next to a removed point must wait for the next pass. So triangles grow evenly and do not form fans.
 void Decimation::go(double most_off, const StopToken& stop) {
   std::fill(waits_.begin(), waits_.end(), std::uint8_t{1});
   for (int pass = 0, any = 1; pass < most_passes && any != 0 && !stop.asked(); ++pass) {

@@ -1,13 +1,13 @@
 #pragma once
-// Decimation: removes points of a closed surface one by one, as long as no removed point is farther than allowed from the simplified
-// surface. Used by stock/surface/simplified_surface.
+// Decimation: simplifies a closed surface by removing its points one by one, as long as no removed point is farther than permitted from
+// the simplified surface. Used by stock/surface/simplified_surface.
 //
-//          ring                    Point u is merged into its neighbour v: in the triangles around u, v replaces u, and
-//        ·──────·                  the two triangles with both of them vanish. Removed points are assigned to the
-//       ╱ ╲    ╱ ╲                 triangle nearest to them. Before u goes, u and all points assigned to its triangles
-//      ·── u ─▶ v ──·              are checked against the new triangles. So the distance of every point of the exact
-//       ╲ ╱    ╲ ╱                 surface from the simplified one is known at all times (Kobbelt, Campagna and Seidel,
-//        ·──────·                  A General Framework for Mesh Decimation, 1998).
+//          ring                    To remove point u, it is merged into its neighbour v: in the triangles around u, v replaces
+//        ·──────·                  u, and the two triangles that contain both vanish. Each removed point is assigned to the
+//       ╱ ╲    ╱ ╲                 triangle nearest to it. Before u is removed, u and all points assigned to its triangles are
+//      ·── u ─▶ v ──·              checked against the new triangles. So the distance of every point of the exact surface from
+//       ╲ ╱    ╲ ╱                 the simplified surface is always known (Kobbelt, Campagna and Seidel, A General Framework
+//        ·──────·                  for Mesh Decimation, 1998).
 
 #include <cstdint>
 #include <vector>
@@ -19,22 +19,22 @@ namespace kadr {
 
 class Decimation {
  public:
-  /// Takes a closed mesh without doubled edges, and keeps a reference to it.
+  /// Simplifies a closed mesh whose edges are each used by two triangles. Stores a reference to the mesh.
   explicit Decimation(const Mesh& exact);
 
-  /// Removes points until every further removal would put a point farther than `most_off` mm from the surface, or until a stop is
-  /// requested.
+  /// Removes points until each further removal would put some point farther than `most_off` mm from the simplified surface, or until a
+  /// stop is requested.
   void go(double most_off, const StopToken& stop);
   Mesh mesh() const;
 
  private:
   struct Around {
     std::uint32_t triangle;
-    Vec3 normal;  // unit length, or {}
+    Vec3 normal;  // unit vector; {} if the triangle has no area
   };
   struct Held {
     std::uint32_t point;
-    std::size_t by;  // number in fresh_
+    std::size_t by;  // index in fresh_ of the new triangle that is near enough to the point
   };
   struct Fresh {
     std::uint32_t triangle;
@@ -56,13 +56,13 @@ class Decimation {
 
   const Mesh& exact_;
   std::vector<std::uint32_t> corners_;         // three per triangle
-  std::vector<std::uint32_t> first_, count_;   // range of each point in around_
-  std::vector<std::uint32_t> around_;          // triangles
-  std::vector<std::uint32_t> holds_, next_;    // the first point assigned to each triangle, and the next one after each point
-  std::vector<std::uint8_t> waits_, touched_;  // for each point: to be tried again; its triangles have changed in this pass
-  std::vector<std::uint32_t> mark_;            // for each point: the last question that met it
+  std::vector<std::uint32_t> first_, count_;   // for each point: first index and number of its entries in around_
+  std::vector<std::uint32_t> around_;          // numbers of the triangles around each point
+  std::vector<std::uint32_t> holds_, next_;    // linked lists: first point assigned to each triangle, next point after each point
+  std::vector<std::uint8_t> waits_, touched_;  // for each point: it is still to be tried; its triangles have changed in this pass
+  std::vector<std::uint32_t> mark_;            // for each point: the number of the last query that visited it
   std::uint32_t question_ = 0;
-  // For the point that is being tried:
+  // Data of the point that is being tried:
   std::vector<Around> star_;
   std::vector<std::uint32_t> ring_;
   std::vector<Candidate> candidates_;

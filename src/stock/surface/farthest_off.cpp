@@ -15,7 +15,7 @@ namespace {
 
 constexpr std::size_t triangles_a_share = 256;
 
-/// Visits points of the triangle, including its corners, in rows along its longest side.
+/// Visits points of a triangle, including its corners, in rows along its longest side. They are at most `step` mm apart.
 template <class Visit>
 void each_place(const Mesh& mesh, std::size_t triangle, double step, const Visit& visit) {
   Vec3 p[3];

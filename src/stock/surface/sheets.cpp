@@ -1,4 +1,4 @@
-// Computes the sheets of a lattice cell from its corners. Used by stock/surface/surface.
+// Computes the sheets of a lattice cell from the states of its corners. Used by stock/surface/surface.
 
 #include "stock/surface/sheets.h"
 
@@ -8,14 +8,14 @@
 namespace kadr {
 namespace {
 
-/// The edge that joins two corners.
+/// Returns the number of the edge between two corners.
 int edge_between(int p, int q) {
   const int family = (p ^ q) == 1 ? 0 : (p ^ q) == 2 ? 1 : 2;
   const int u = (family + 1) % 3, v = (family + 2) % 3;
   return 4 * family + (p >> u & 1) + 2 * (p >> v & 1);
 }
 
-/// The corners of a face in cyclic order.
+/// Returns the corners of a face in cyclic order.
 std::array<int, 4> corners_of(int face) {
   const int axis = face / 2, u = (axis + 1) % 3, v = (axis + 2) % 3, side = (face & 1) << axis;
   return {side, side | 1 << u, side | 1 << u | 1 << v, side | 1 << v};
@@ -31,7 +31,7 @@ struct Joined {
   }
 };
 
-/// The pairs of edges that the face joins: none, one or two.
+/// The pairs of crossed edges that are joined on a face: none, one or two.
 struct Pairs {
   int count = 0;
   std::array<std::array<int, 2>, 2> pair{};

@@ -1,4 +1,5 @@
-// Decimates, measures, and decimates again with less tolerance if the result is too far off. Used by cli/cut.
+// Simplifies a surface, measures the distance from the exact one, and repeats with a smaller tolerance if it is too great. Used by
+// cli/cut.
 
 #include "stock/surface/simplified_surface.h"
 
@@ -10,12 +11,12 @@
 namespace kadr {
 namespace {
 
-constexpr double shares_of_tolerance[] = {0.1, 0.35, 1};  // of the tolerance, in turn: flat regions are removed first
+constexpr double shares_of_tolerance[] = {0.1, 0.35, 1};  // one pass with each, so that flat regions are simplified first
 constexpr int most_rounds = 4;
-constexpr double of_found = 0.8;   // safety factor on the tolerance that would be right if the distance were proportional to it
-constexpr double at_points = 1e9;  // mm: a step larger than any triangle, so that only vertices are measured
+constexpr double of_found = 0.8;   // safety factor for the next tolerance, for which the distance is assumed to be proportional to it
+constexpr double at_points = 1e9;  // mm: a step larger than any triangle means that only vertices are measured
 
-/// The lists of Decimation and its mesh; then the trees of both surfaces.
+/// Memory of the lists of Decimation and its mesh; later, of the search trees of both surfaces.
 constexpr double bytes_a_triangle = 180;
 
 Mesh decimated(const Mesh& exact, double most_off, const StopToken& stop) {

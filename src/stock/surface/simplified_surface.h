@@ -1,8 +1,7 @@
 #pragma once
-// A surface with fewer triangles, within a permitted distance of the exact one. Used by cli/cut.
+// Computes a surface with fewer triangles whose distance from the exact surface is at most a given limit. Used by cli/cut.
 //
-//   exact ─ Decimation ─▶ simple ─ measured in both directions by the tree of triangles ─▶ near enough, or repeated with less
-//   tolerance
+//   exact ─ Decimation ─▶ simplified ─ distance measured in both directions ─▶ result, or another attempt with a smaller tolerance
 
 #include "base/stop.h"
 #include "stock/mesh/mesh.h"
@@ -10,26 +9,27 @@
 namespace kadr {
 
 struct SimplifyRules {
-  double most_off = 0.01;  // mm
-  int threads = 1;         // for measuring
+  double most_off = 0.01;  // greatest permitted distance, mm
+  int threads = 1;         // number of threads that measure the distance
   StopToken stop;
 };
 
 struct SimplifiedSurface {
   Mesh mesh;
-  double off = 0;  // mm, the greatest distance: of exact points from this mesh, and of its points, half a cell apart, from the exact one
+  double off = 0;  // mm, greatest distance: of exact points from `mesh`, and of points of `mesh`, half a cell apart, from the exact one
 };
 
-/// Simplifies a surface. The points of the result are points of the exact surface.
-///   exact    closed, without doubled edges
-///   returns  a mesh that is closed too, without doubled edges
-///   law      off ≤ most_off; the same bits for any number of threads   (tests/stock/simplify_test)
+/// Simplifies a surface. All points of the result are points of the exact surface.
+///   exact    a closed mesh whose edges are each used by two triangles
+///   returns  a mesh with the same properties
+///   law      off ≤ most_off; bit for bit the same for any number of threads   (tests/stock/simplify_test)
 SimplifiedSurface simplified_surface(const Mesh& exact, const SimplifyRules& rules);
 
-/// Upper bound of the memory needed besides the exact surface.
+/// Returns an upper bound, in bytes, of the memory that simplification needs in addition to the exact surface.
 double bytes_of_simplifying(std::size_t triangles);
 
-/// Returns the greatest distance from mesh `to` of points of mesh `from`: its vertices, and points at most `step` apart.
+/// Returns the greatest distance of points of the mesh `from` to the mesh `to`. The points are the vertices of `from`, and points on its
+/// triangles that are at most `step` mm apart.
 double farthest_off(const Mesh& from, const Mesh& to, double step, const SimplifyRules& rules);
 
 }  // namespace kadr

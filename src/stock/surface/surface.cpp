@@ -1,4 +1,4 @@
-// Builds the surface brick by brick and joins the parts. Used to show or measure the cut part.
+// Computes the surface brick by brick, and joins the results to one mesh. Used to show or measure the cut part.
 
 #include "stock/surface/surface.h"
 
@@ -14,10 +14,10 @@ namespace {
 
 using Parts = std::vector<std::unique_ptr<SurfacePart>>;
 
-constexpr std::size_t bricks_at_once = 512;                   // before their points are joined
-constexpr std::size_t points_expected = brick_lines / 2 * 3;  // for a brick with a surface
+constexpr std::size_t bricks_at_once = 512;                   // number of bricks whose points are computed before they are joined
+constexpr std::size_t points_expected = brick_lines / 2 * 3;  // estimated number of points in a brick with a surface
 
-/// Processes each index once, by any of the threads.
+/// Calls `work` once for each index, in any of the threads.
 template <class Work>
 void each_side_by_side(int threads, std::size_t count, const Work& work) {
   std::atomic<std::size_t> next{0};
@@ -36,12 +36,12 @@ struct Joiner {
   double apart_squared(std::uint32_t a, std::uint32_t b) const;
 };
 
-/// `cell` may be one before the brick.
+/// `cell` is counted from the corner of `brick`; an index may be -1.
 std::uint32_t Joiner::point_of(BrickPlace brick, std::array<int, 3> cell, int edge) const {
   std::array<int*, 3> place{&brick.x, &brick.y, &brick.z};
   for (std::size_t d = 0; d < 3; ++d)
     if (cell[d] < 0) cell[d] += brick_edge, --*place[d];
-  return parts[lattice.at(brick)]->point_of(cell, edge);  // the signs around it differ, so that brick has a part and is inside the lattice
+  return parts[lattice.at(brick)]->point_of(cell, edge);  // the corners of this cell differ, so the brick has a part and is in the lattice
 }
 
 double Joiner::apart_squared(std::uint32_t a, std::uint32_t b) const {
@@ -49,12 +49,12 @@ double Joiner::apart_squared(std::uint32_t a, std::uint32_t b) const {
   return d.x * d.x + d.y * d.y + d.z * d.z;
 }
 
-/// Adds two triangles between the points of the four cells around the edge, split along the shorter diagonal.
+/// Appends two triangles between the points of the four cells around the edge, divided along the shorter diagonal.
 void Joiner::put_face(std::size_t brick, const CrossedEdge& e, std::uint32_t* to) const {
   const int f = e.family;
   const std::size_t u = std::size_t(f + 1) % 3, v = std::size_t(f + 2) % 3;
   std::array<std::uint32_t, 4> round;
-  for (int i = 0; i < 4; ++i) {  // counter-clockwise about the axis
+  for (int i = 0; i < 4; ++i) {  // counter-clockwise about the axis of the edge
     const int before_u = i == 1 || i == 2, before_v = i >= 2;
     std::array<int, 3> cell{e.x, e.y, e.z};
     cell[u] -= before_u, cell[v] -= before_v;
@@ -67,22 +67,22 @@ void Joiner::put_face(std::size_t brick, const CrossedEdge& e, std::uint32_t* to
   std::copy(corners.begin(), corners.end(), to);
 }
 
-/// Appends the points of a part to the surface, and frees them in the part.
+/// Appends the points of a brick's part to the surface, and frees them in the part.
 void take_points(SurfacePart& part, Surface& surface) {
   part.base = std::uint32_t(surface.made_by.size());
   surface.points.insert(surface.points.end(), part.points.begin(), part.points.end());
   surface.made_by.insert(surface.made_by.end(), part.made_by.begin(), part.made_by.end());
-  part.points = std::vector<float>(), part.made_by = std::vector<std::int32_t>();  // frees their memory too
+  part.points = std::vector<float>(), part.made_by = std::vector<std::int32_t>();  // frees the memory too
 }
 
-/// Builds all parts and moves their points to the surface in batches, so that the points are not held twice.
+/// Computes the parts of all bricks, and moves their points to the surface in batches, so that the points are not stored twice.
 Parts parts_of(const Stock& stock, Surface& surface) {
   std::vector<ToolFaces> tools;
   for (std::size_t i = 0; i < stock.tools(); ++i) tools.push_back(faces_of(stock.tool(i)));
   Parts parts(stock.lattice().size());
   std::size_t cut = 0;
   for (std::size_t i = 0; i < parts.size(); ++i) cut += stock.state(i) == Stock::State::mixed;
-  // Reserved room that is not used takes no memory, whereas a growing vector leaves freed blocks behind.
+  // Reserved memory costs nothing until it is used, whereas a growing vector leaves freed blocks behind.
   surface.points.reserve(3 * cut * points_expected), surface.made_by.reserve(cut * points_expected);
   std::vector<PartWork> works(std::size_t(stock.threads()));
   for (std::size_t first = 0; first < parts.size(); first += bricks_at_once) {

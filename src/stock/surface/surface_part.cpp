@@ -1,4 +1,4 @@
-// Computes the points and crossed edges of a brick. Used by stock/surface/surface.
+// Computes the mesh points and crossed cell edges of a brick. Used by stock/surface/surface.
 
 #include "stock/surface/surface_part.h"
 
@@ -37,7 +37,7 @@ void PartMaker::put(const CellVertex& vertex, const std::array<int, 3>& at, bool
   (first_sheet ? part.made_by : further_by).push_back(vertex.made_by());
 }
 
-/// Returns the corners of a cell that may belong to another brick.
+/// Returns the corners of a cell that may be in another brick.
 unsigned PartMaker::corners_beside(const std::array<int, 3>& at) const {
   if (std::all_of(at.begin(), at.end(), [](int i) { return i >= 0 && i < brick_edge; })) return work.signs.corners(at[0], at[1], at[2]);
   const BrickPlace place = stock.lattice().place(brick);
@@ -49,7 +49,7 @@ unsigned PartMaker::corners_beside(const std::array<int, 3>& at) const {
   return corners;
 }
 
-/// At most one face is doubled in any configuration of corners.
+/// In each configuration of corners, at most one face has both pairs in one sheet.
 Sheets PartMaker::parted(const std::array<int, 3>& at, unsigned corners, unsigned doubled) const {
   const int face = std::countr_zero(doubled);
   std::array<int, 3> beside = at;
@@ -92,7 +92,7 @@ void PartMaker::finish() {
   for (SeveralSheets& s : part.several) s.further = std::uint16_t(s.further + part.made_by.size());
   part.points.insert(part.points.end(), further_points.begin(), further_points.end());
   part.made_by.insert(part.made_by.end(), further_by.begin(), further_by.end());
-  part.points.shrink_to_fit(), part.made_by.shrink_to_fit();  // all parts are kept until the last is built
+  part.points.shrink_to_fit(), part.made_by.shrink_to_fit();  // frees unused memory, as all parts are kept to the end
   each_unlike_edge(work.signs, brick_edge - 1, [&](const LatticeEdge& e, bool leaves) {
     part.edges.push_back({std::uint16_t(e.point[0] & 15), std::uint16_t(e.point[1] & 15), std::uint16_t(e.point[2] & 15),
                           std::uint16_t(e.family & 3), std::uint16_t(leaves)});

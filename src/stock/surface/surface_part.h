@@ -1,6 +1,6 @@
 #pragma once
-// The surface in one brick: the points of its cells, and the crossed lattice edges, which become faces. Used by
-// stock/surface/surface.
+// Computes the surface in one brick: the mesh points in its cells, and the crossed cell edges, which later become faces of the mesh.
+// Used by stock/surface/surface.
 
 #include <array>
 #include <bit>
@@ -12,14 +12,14 @@
 
 namespace kadr {
 
-/// A cell with more than one sheet.
+/// A cell that contains more than one sheet of the surface.
 struct SeveralSheets {
-  std::uint16_t cell;     // number of its column of cells times 16, plus its position in the column
-  std::uint16_t further;  // number of the second sheet's point
+  std::uint16_t cell;     // 16 · (index of the cell's column along Z) + (index in the column)
+  std::uint16_t further;  // number of the mesh point of the cell's second sheet
   std::array<std::uint8_t, cell_edges> of_edge;
 };
 
-/// A lattice edge that the surface crosses; it becomes a face between the points of the four cells around it.
+/// A cell edge that the surface crosses. It becomes a face between the mesh points of the four cells around the edge.
 struct CrossedEdge {
   std::uint16_t x : 4, y : 4, z : 4, family : 2, leaves : 1;
 };
@@ -28,23 +28,23 @@ struct SurfacePart {
   std::vector<float> points;
   std::vector<std::int32_t> made_by;
   std::vector<CrossedEdge> edges;
-  // For each column of cells: one bit per cell that has points, and the number of the first cell's point. Points of further sheets
-  // come last.
+  // For each column of cells along Z: one bit for each cell that has mesh points, and the number of the point of the first such cell.
+  // Points of further sheets follow after all first ones.
   std::array<std::uint16_t, brick_lines> cells{}, first{};
   std::vector<SeveralSheets> several;  // in the order of the cells
-  std::uint32_t base = 0;              // number of its first point among all points
+  std::uint32_t base = 0;              // number of this brick's first point in the whole mesh
 
-  /// Returns the point of the sheet that contains the edge, in a cell counted from the brick's corner.
+  /// Returns the number of the mesh point of the sheet that contains the cell's edge `edge`. `cell` is counted from the brick's corner.
   std::uint32_t point_of(const std::array<int, 3>& cell, int edge) const;
 };
 
-/// Buffers of a thread, reused from part to part.
+/// Buffers of one thread, reused for each brick.
 struct PartWork {
   BrickSigns signs;
   Crossings crossings;
 };
 
-/// Returns nullptr if no surface crosses the brick's cells.
+/// Returns nullptr if the surface crosses no cell of the brick.
 std::unique_ptr<SurfacePart> surface_part(const Stock& stock, const std::vector<ToolFaces>& tools, std::size_t brick, PartWork& work);
 
 }  // namespace kadr

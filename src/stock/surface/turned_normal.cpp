@@ -1,4 +1,4 @@
-// Finds the nearest face of a ring. Used by stock/surface/crossings.
+// Finds the face of a ring that is nearest to a point. Used by stock/surface/crossings.
 
 #include "stock/surface/turned_normal.h"
 
@@ -10,13 +10,13 @@
 namespace kadr {
 namespace {
 
-/// mm: faces nearer to a point than this cannot be distinguished.
+/// mm: if the distances of two faces from a point differ by less, it is unknown which face cut there.
 constexpr double same_face = 3e-4;
-constexpr double on_the_axis = 1e-12;  // mm
+constexpr double on_the_axis = 1e-12;  // mm: a point nearer to the axis of the part than this is on the axis
 
 struct NearFace {
   double distance = 1e30;
-  double square = -1;  // component of the normal along the line, positive towards the side without material
+  double square = -1;  // component of the normal along the lattice line, positive towards the side without material
   Vec3 normal;         // outward from the material
 };
 
@@ -27,12 +27,12 @@ double distance_from(const RingSweep::Edge& e, const InsertPoint& p) {
   return std::sqrt(dx * dx + dz * dz);
 }
 
-/// True if the direction lies between both normals, which are less than 180° apart.
+/// Returns true if the direction is between the two normals of the arc, which are less than 180° apart.
 bool is_within(const RingSweep::Arc& a, const InsertPoint& d) {
   return a.first.x * d.z - a.first.z * d.x >= 0 && d.x * a.last.z - d.z * a.last.x >= 0;
 }
 
-/// Among faces that cannot be distinguished, keeps the one that the line crosses most nearly at a right angle.
+/// Of several faces at about the same distance, keeps the one that the line crosses most nearly at a right angle.
 void take_nearer(NearFace& best, const NearFace& face) {
   if (face.distance < best.distance - same_face || (face.distance < best.distance + same_face && face.square > best.square)) best = face;
 }

@@ -1,15 +1,15 @@
 #pragma once
-// The normal of a surface cut by a turning tool: the normal of the swept outline where it is nearest. Used by
-// stock/surface/crossings.
+// Computes the normal of a surface that a turning tool has cut: the normal of the swept insert outline at its point nearest to the
+// surface point. Used by stock/surface/crossings.
 //
-//   law  perpendicular to the directions in which the distance from the swept ring is constant   (tests/stock/turn_test)
+//   law  perpendicular to every direction in which the distance from the swept ring is constant   (tests/stock/turn_test)
 
 #include "stock/surface/cut_normal.h"
 
 namespace kadr {
 
-/// Returns the outward normal of the remaining material.
-///   from_axis  the lattice's corner, relative to the axis that the part spins about
+/// Returns the outward normal of the remaining material at this point.
+///   from_axis  position of the lattice's corner relative to the axis about which the part spins
 Vec3 turned_normal(const KeptSweep& sweep, const ToolShape& tool, const CutPlace& place, const Vec3& from_axis);
 
 }  // namespace kadr

@@ -1,4 +1,4 @@
-// Builds inserts from their angles and sizes (docs/commands/cut.md).
+// Builds the outlines of turning tools from the angles and sizes of their inserts (docs/commands/cut.md).
 
 #include "stock/tool/insert_body.h"
 
@@ -14,10 +14,10 @@ namespace {
 InsertPoint operator+(const InsertPoint& a, const InsertPoint& b) { return {a.x + b.x, a.z + b.z}; }
 InsertPoint operator*(double k, const InsertPoint& p) { return {k * p.x, k * p.z}; }
 
-/// Returns the outward normal of an edge in this direction, with the body on its left.
+/// Returns the outward normal of a straight edge that runs in this direction, with the outline's inside on its left.
 InsertPoint right_of(const InsertPoint& direction) { return {direction.z, -direction.x}; }
 
-/// Builds a body with edges in the given directions (of any length), one after each corner.
+/// Builds an outline with straight edges in the given directions (of any length), one edge after each corner.
 InsertBody body_of(ToolPart part, std::vector<InsertCorner> corners, const std::vector<InsertPoint>& directions) {
   InsertBody body{part, std::move(corners), {}};
   for (const InsertPoint& d : directions) body.outward.push_back(right_of(d));
@@ -42,13 +42,14 @@ InsertBody round_insert(const ToolGeometry& g) {
   return body_of(ToolPart::cutting, {disc, disc, disc}, {{-1, 0}, {half, -root}, {half, root}});
 }
 
-/// `from_feed` is an angle in degrees, from the feed along z that the tip points to, away from the side along x that it points to.
+/// Returns the direction of an edge. `from_feed` is its angle in degrees from the feed direction along z to which the tip points, measured
+/// away from the side along x to which the tip points.
 InsertPoint edge_direction(const InsertGeometry& i, double from_feed) {
   const SinCos turn = sincos_deg(from_feed);
   return {i.tip_x > 0 ? -turn.sin : turn.sin, i.tip_z > 0 ? turn.cos : -turn.cos};
 }
 
-/// A parallelogram with a rounded nose; both edges have the same length, measured from the sharp corner.
+/// Builds a parallelogram with a rounded nose. Its two cutting edges have the same length, measured from the sharp corner.
 InsertBody angular_insert(const ToolGeometry& g, ToolPart part, double edge) {
   const double lead = g.insert.lead.value_or(0);
   InsertPoint first = edge_direction(g.insert, lead), second = edge_direction(g.insert, lead + g.angle);
@@ -59,15 +60,15 @@ InsertBody angular_insert(const ToolGeometry& g, ToolPart part, double edge) {
   return body_of(part, {{centre, g.corner}, {a, 0}, {a + edge * second, 0}, {b, 0}}, {first, second, -1.0 * first, -1.0 * second});
 }
 
-/// A blade of length `deep` with both corners of its edge rounded.
+/// Builds a blade of the length `deep`; both corners of its cutting edge are rounded.
 InsertBody grooving_insert(const ToolGeometry& g, ToolPart part, double deep) {
   const InsertGeometry& i = g.insert;
   const bool radial = i.lead != 0;
   const int towards = radial ? i.tip_x : i.tip_z, beside = radial ? i.tip_z : i.tip_x;
-  const double back = towards > 0 ? -1 : 1;  // from the edge towards the blade
+  const double back = towards > 0 ? -1 : 1;  // direction from the cutting edge into the blade
   const InsertPoint up = radial ? InsertPoint{back, 0} : InsertPoint{0, back};
   InsertPoint across = radial ? InsertPoint{0, 1} : InsertPoint{1, 0};
-  const InsertPoint edge = (-beside * i.width / 2) * across + (towards == 0 ? -g.corner : 0) * up;  // middle of the edge
+  const InsertPoint edge = (-beside * i.width / 2) * across + (towards == 0 ? -g.corner : 0) * up;  // middle of the cutting edge
   if (across.x * up.z - across.z * up.x < 0) across = -1.0 * across;
   const double half = i.width / 2, inner = half - g.corner;
   return body_of(part,

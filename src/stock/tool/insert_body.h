@@ -1,6 +1,6 @@
 #pragma once
-// InsertBody: a convex body in the half plane of a turning tool. It removes the ring that it sweeps from a spinning part
-// (stock/cut/ring_sweep.h).
+// InsertBody: a convex outline of a turning tool (insert or holder) in the half plane through the axis of the part. On a spinning part
+// it removes the ring that it sweeps (stock/cut/ring_sweep.h).
 
 #include <vector>
 
@@ -10,22 +10,23 @@ namespace kadr {
 
 enum class ToolPart : std::uint8_t;
 
-/// A corner of the outline; radius 0 is a sharp corner.
+/// A corner of the outline, rounded with a radius; radius 0 is a sharp corner.
 struct InsertCorner {
   InsertPoint centre;
   double radius = 0;
 };
 
-/// The convex hull of its corners, counter-clockwise (x to the right, z up). The edge after corner k has the outward normal
-/// `outward[k]`; the outline turns by less than 180° between two edges. Lengths in mm, from the programmed point.
+/// The outline is the convex hull of its corners, listed counter-clockwise (x to the right, z up). The straight edge after corner k has
+/// the outward normal `outward[k]`; the directions of consecutive edges differ by less than 180°. Lengths in mm, relative to the
+/// programmed point.
 struct InsertBody {
   ToolPart part;
   std::vector<InsertCorner> corners;
   std::vector<InsertPoint> outward;  // unit vectors
 };
 
-/// Returns the cutting part, the part beyond its edges, and the holder.
-///   pre  told_fault(geometry) is empty, and it is a turning tool
+/// Returns the outlines of the cutting part, of the insert beyond its cutting edges, and of the holder.
+///   pre  told_fault(geometry) is empty, and the tool is a turning tool
 std::vector<InsertBody> insert_bodies(const ToolGeometry& geometry);
 
 }  // namespace kadr

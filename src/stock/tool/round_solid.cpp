@@ -1,4 +1,4 @@
-// Computes the distance of a point from a solid. Used by stock/surface for the normals of the cut surface, and by tests.
+// Computes the distance of a point from a solid of revolution. Used by stock/surface for the normals of the cut surface, and by tests.
 
 #include "stock/tool/round_solid.h"
 
@@ -8,12 +8,12 @@
 namespace kadr {
 namespace {
 
-/// For a plane or a cone: distance from the line through a point with this outward normal.
+/// Plane or cone: returns the distance from the straight line through a point with this outward normal.
 Away beyond(double radius, double height, double at_radius, double at_height, double normal_radial, double normal_axial) {
   return {(radius - at_radius) * normal_radial + (height - at_height) * normal_axial, normal_radial, normal_axial};
 }
 
-/// For a circle about (x, y): distance from it, negative inside.
+/// Circle about (x, y): returns the distance from it, negative inside.
 Away within_circle(double radius, double height, double x, double y, double r) {
   const double dx = radius - x, dy = height - y, d = std::hypot(dx, dy);
   if (d < 1e-12) return {-r, 0, -1};
@@ -22,7 +22,7 @@ Away within_circle(double radius, double height, double x, double y, double r) {
 
 const Away& farther(const Away& a, const Away& b) { return b.distance > a.distance ? b : a; }
 
-/// Distance from a rounded end: of a ball, or of a torus with its flat.
+/// Returns the distance from a rounded end: a ball, or a torus with its flat.
 Away of_end(const RoundSolid& s, double radius, double height) {
   const double flat = s.form == RoundSolid::Form::ball ? 0 : s.bottom_radius;
   if (radius <= flat) return beyond(radius, height, 0, s.bottom, 0, -1);

@@ -12,9 +12,9 @@
 namespace kadr {
 namespace {
 
-constexpr int quarter_steps = 8;  // per quarter circle: finer than a pixel of the drawing
+constexpr int quarter_steps = 8;  // straight lines per quarter circle: finer than a pixel of the drawing
 
-/// Adds the quarter circle at the end of a ball or bull-nose tool.
+/// Appends the quarter circle at the end of a ball or bull-nose tool.
 void add_round(const RoundSolid& s, std::vector<ProfilePoint>& outline) {
   const bool ball = s.form == RoundSolid::Form::ball;
   const double flat = ball ? 0 : s.bottom_radius, rise = ball ? s.top_radius : s.top - s.bottom;

@@ -1,5 +1,5 @@
 #pragma once
-// The outline of a tool for drawings: the shape that the cutting simulation uses.
+// The outline of a tool for drawings; it has the shape that the cutting simulation uses.
 
 #include <vector>
 
@@ -7,9 +7,9 @@
 
 namespace kadr {
 
-/// Returns cutting part, shank and holder from the tip upwards, with round ends as short straight pieces; empty for a turning tool
-/// and for a tool without a shape.
-///   law  no height is below the one before
+/// Returns the outline of cutting part, shank and holder as a polygon from the tip upwards; short straight lines replace arcs. Empty for
+/// a turning tool and for a tool without a shape.
+///   law  the heights of the points never decrease
 std::vector<ProfilePoint> outline_of(const ToolGeometry& tool);
 
 }  // namespace kadr

@@ -1,4 +1,4 @@
-// Builds the solids of each kind of tool (docs/commands/cut.md, "Tools").
+// Builds the solids for each type of tool (docs/commands/cut.md, "Tools").
 
 #include <algorithm>
 #include <cmath>
@@ -13,20 +13,20 @@ using Form = RoundSolid::Form;
 
 RoundSolid cylinder(double bottom, double top, double radius) { return {Form::cylinder, bottom, top, radius, radius}; }
 
-/// The solid between two points of an outline.
+/// Returns the solid between two consecutive points of an outline.
 RoundSolid section(const ProfilePoint& a, const ProfilePoint& b, double above) {
   const double low = a.diameter / 2, high = b.diameter / 2;
   return {low == high ? Form::cylinder : Form::cone, above + a.height, above + b.height, low, high};
 }
 
-/// Each section of an outline becomes a body, since the union of sections need not be convex.
+/// Adds each section of an outline as a body of its own, since the union of the sections need not be convex.
 void add_outline(std::vector<ConvexBody>& bodies, ToolPart part, const std::vector<ProfilePoint>& outline, double above) {
   for (std::size_t i = 1; i < outline.size(); ++i)
     if (outline[i].height > outline[i - 1].height && std::max(outline[i].diameter, outline[i - 1].diameter) > 0)
       bodies.push_back({part, {section(outline[i - 1], outline[i], above)}});
 }
 
-/// An end of diameter `blunt` that widens to the tool's diameter, followed by a cylinder.
+/// Builds an end that widens from the diameter `blunt` to the tool's diameter, and a cylinder above it.
 ConvexBody pointed(const ToolGeometry& g, double blunt, double half_angle) {
   const double end = blunt / 2, radius = g.diameter / 2;
   const double tall = (radius - end) / std::tan(half_angle * rad_per_deg);
@@ -34,8 +34,8 @@ ConvexBody pointed(const ToolGeometry& g, double blunt, double half_angle) {
   return {ToolPart::cutting, {{Form::cone, 0, tall, end, radius}, cylinder(tall, g.flutes, radius)}};
 }
 
-/// A taper reaches its diameter at the end of its flutes, where the shank continues. If its end would have a negative diameter, it is
-/// pointed.
+/// A taper tool reaches its diameter at the top of its flutes, where the shank begins. If this would give its end a negative diameter, the
+/// end is a point.
 ConvexBody tapered(const ToolGeometry& g) {
   const double end = g.diameter - 2 * g.flutes * std::tan(g.angle * rad_per_deg);
   return pointed(g, std::max(end, 0.0), g.angle);
