@@ -9,8 +9,8 @@ namespace kadr {
 enum class EndGiven : std::uint8_t {
   by_work,      // work coordinates
   by_machine,   // machine coordinates: G53
-  reference_1,  // a reference point: G28
-  reference_2,  // G30, P2 to P4
+  reference_1,  // the reference point of G28
+  reference_2,  // reference_2 to reference_4: the reference point of G30 P2 to G30 P4
   reference_3,
   reference_4,
 };
