@@ -265,8 +265,8 @@ namespace kadr {
   X(length_by_word_off,   length,        own,  code, lines,      usual, nothing)
 // clang-format on
 
-/// What a function needs. The machine of the NCT (dialect = "nct") has its own axes, spindles, offsets and calls: functions for it do not
-/// work on other machines, and vice versa.
+/// What a control must have so that the function works. The machine of the NCT (dialect = "nct") has its own axes, spindles, offsets and
+/// calls: functions for it do not work on other machines, and vice versa.
 enum class Needs : std::uint8_t {
   nothing,
   nct,         // dialect = "nct"

@@ -18,7 +18,7 @@ struct BodyShape {
   Vec2 centre;                 // only for a cylinder, whose axis is parallel to Z
   double bottom = 0, top = 0;  //
   double diameter = 0;         //
-  std::string file;            // a closed mesh, STL or 3MF
+  std::string file;            // path of a file with a closed mesh, STL or 3MF
 };
 
 /// A body in machine coordinates, with all axes at 0; the gauge point of the spindle is then {}.

@@ -19,12 +19,12 @@ namespace kadr::setup_reader {
 
 using Json = nlohmann::json;
 
-inline constexpr int most_number = 999'999'999;  // greatest number as the name of a row
+inline constexpr int most_number = 999'999'999;  // greatest number that may be the name of a row
 inline constexpr int most_channels = 8;
 inline constexpr int most_spindles = 16;
-inline constexpr int most_inputs = 8;  // inputs for probes
+inline constexpr int most_inputs = 8;  // greatest number of inputs for probes
 
-/// Thrown inside the reader for a wrong key or form; read_setup() converts it to its error sentence.
+/// Thrown inside the reader for a key or value that is wrong; read_setup() converts it to its error sentence.
 struct Wrong {
   std::string key;
   std::string sentence;

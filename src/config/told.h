@@ -12,7 +12,7 @@ namespace kadr {
 
 /// Sets the language of the process; the default is English.
 void tell_in(Lang lang);
-/// Sets the language of the current thread, independent of the others, for a page with a language of its own.
+/// Sets the language of the current thread only: a web page has a language of its own.
 void tell_here_in(Lang lang);
 
 /// Returns the language of the current thread.

@@ -30,7 +30,7 @@ void merge(toml::table& under, toml::table&& over);
 /// Returns "file:line: ".
 std::string place(const std::string& file, const toml::node& node);
 
-/// The same for a key of a row, or for the row if the key is missing. The key may come from another file than the row.
+/// Returns "file:line: " for a key of a row, or for the row if the key is missing. The key may come from another file than the row.
 std::string place(const std::string& file, const toml::table& row, std::string_view key);
 
 Text text_of(const toml::table& row);
