@@ -73,12 +73,12 @@ void merge(toml::table& under, toml::table&& over) {
   for (auto&& [key, node] : over) {
     toml::table* const old = under[key].as_table();
     if (toml::table* const table = node.as_table(); table != nullptr && old != nullptr) merge(*old, std::move(*table));
-    else node.visit([&, &name = key](auto& value) { under.insert_or_assign(name, std::move(value)); });  // moved: a copy has no position
+    else node.visit([&, &name = key](auto& value) { under.insert_or_assign(name, std::move(value)); });  // moved, as a copy has no position
   }
 }
 
 std::string place(const std::string& file, const toml::node& node) {
-  const toml::source_path_ptr& path = node.source().path;  // possibly the path of the file that it extends
+  const toml::source_path_ptr& path = node.source().path;  // this may be the path of the file that the file extends
   const auto line = node.source().begin.line;
   return (path ? *path : file) + ":" + (line == 0 ? "" : std::to_string(line) + ":") + " ";
 }
