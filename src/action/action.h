@@ -63,10 +63,10 @@ struct MachineFunction {
   std::uint32_t code;
   std::optional<double> p{};  // P and Q, words of a user macro (Mach3 M100 …)
   std::optional<double> q{};
-  std::uint8_t spindle = 0;        // the spindle it acts on; 0: none
+  std::uint8_t spindle = 0;        // the spindle that the M code acts on; 0: none
   std::optional<double> number{};  // number of an output or input of the machine; `value` is what it is set to (spec/linuxcnc 8)
   std::optional<double> value{};
-  bool by_control = false;  // the control executes it itself and only reports it to the machine (nct 13.1: M2, M30, M98, M99)
+  bool by_control = false;  // the control executes the M code itself and only reports it to the machine (nct 13.1: M2, M30, M98, M99)
 };
 /// An auxiliary function on another address than M (nct 13.2).
 struct AuxiliaryFunction {
@@ -95,7 +95,7 @@ struct ZoneChange {
   bool outside_forbidden = false;
   AxisMask axes = 0;           // axes with limits; the others are unlimited
   Axes least{}, most{};        // limits of the axes in `axes`, machine coordinates; infinite: no limit
-  bool of_parameters = false;  // the zone that the parameters define now, active or not; G23 restores it
+  bool of_parameters = false;  // the change concerns the zone that the parameters define now, active or not; G23 restores this zone
 };
 /// Switches an electronic gearbox on: in addition to its own motions, the slave axis follows a spindle and the travel of a third axis
 /// (nct 20.1).
@@ -208,7 +208,7 @@ struct ProbeAnswer {
 
 /// What was in force after a block was executed.
 struct BlockState {
-  std::vector<std::string> modal;  // code words, with F, S, T, D, H
+  std::vector<std::string> modal;  // code words in force, and the words F, S, T, D, H
   std::uint32_t tool = 0;          // number of the tool in the spindle
   Axes origin{};                   // origin of the work system in machine coordinates, including all shifts
   Axes length{};                   // tool length, by axis

@@ -29,7 +29,7 @@ class Curve {
         spline_(motion.kind == MotionKind::spline),
         first_(motion.first),
         second_(motion.second) {
-    if (arc_ || motion.detail) find_path();  // else the motion is a straight line and its ends say all
+    if (arc_ || motion.detail) find_path();  // otherwise the motion is a straight line, which its ends determine
   }
   Curve(const AxisRoles&, Axes&&, const Motion&) = delete;
 

@@ -20,8 +20,8 @@ inline bool is_arc(MotionKind kind) { return kind == MotionKind::arc_cw || kind 
 /// What the commanded feed is measured along.
 enum class FeedAlong : std::uint8_t {
   path,      // the linear axes; if only rotary axes move, their travel (NIST 2.1.2.5)
-  turn,      // for an arc whose radius changes: its angle advances evenly, with the feed at the arc's start (nct 4.3)
-  arc,       // for a helix: the arc in its plane; the other axes keep pace (nct 4.3.2, HEF=0)
+  turn,      // the arc's angle, if its radius changes: the angle advances evenly, with the feed at the arc's start (nct 4.3)
+  arc,       // the arc in its plane, for a helix; the other axes keep pace (nct 4.3.2, HEF=0)
   all_axes,  // millimetres and degrees count alike (nct 4.2)
   xyz,       // X, Y, Z if they move, else the other linear axes, else the rotary ones (spec/linuxcnc 7.2)
 };
@@ -55,7 +55,7 @@ enum class CornerSpeed : std::uint8_t {
 /// Where the first compensated motion ends.
 enum class ContourEntry : std::uint8_t {
   by_corner,  // where the corner to the next motion requires it (nct 15.5.1)
-  normal,     // on the normal to the next element (2С42 6.4.7)
+  normal,     // on the normal to the next path element (2С42 6.4.7)
   tangent,    // the tool touches the line to the programmed point over its whole length (Mach3, RS274/NGC)
 };
 

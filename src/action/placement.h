@@ -83,8 +83,8 @@ class WorkSpace {
 /// each value goes to the machine axis that `turn->drives` names.
 ///   law  work_of(machine_of(w)) == w up to rounding
 struct Placement {
-  Axes origin{};                             // of the work system, in machine coordinates, with all shifts except turned ones
-  Axes length{};                             // of the tool, by axis
+  Axes origin{};                             // origin of the work system, in machine coordinates, with all shifts except turned ones
+  Axes length{};                             // length of the tool, by axis
   Axes shift{};                              // shift that is turned with the frame (G52 and G92 of the NCT); zero without a turn
   std::shared_ptr<const FrameTurn> turn{};   // nullptr: no rotation, or directions change with the rotary axes
   std::shared_ptr<const WorkSpace> space{};  // nullptr: none; one that is not plain determines where the axes are

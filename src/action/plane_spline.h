@@ -24,7 +24,7 @@ struct ControlPoint {
 class PlaneSpline {
  public:
   static constexpr std::size_t most_order = 32;     // degree 31; usual orders are 3 and 4
-  static constexpr std::size_t most_points = 5000;  // no person or CAM system writes more points as one curve
+  static constexpr std::size_t most_points = 5000;  // no person or CAM system writes a curve of more points
 
   ///   points  at least `order` and at most most_points of them, weights above 0
   ///   order   degree + 1, from 2 to most_order
