@@ -51,7 +51,7 @@ ContourResult read_contour_dxf(std::string_view text);
 ContourResult read_contour_svg(std::string_view text);
 ContourResult read_contour_text(std::string_view text);
 
-/// Collects the edges for the readers and checks the limits.
+/// Collects the edges that a reader (DXF, SVG, text format) finds, and checks the limits.
 class EdgeList {
  public:
   void line(Vec2 from, Vec2 to);

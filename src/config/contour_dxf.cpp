@@ -53,7 +53,7 @@ struct Entity {
     Vec2 at;
     double bulge = 0;
   };
-  std::vector<Vertex> vertices;  // only for LWPOLYLINE
+  std::vector<Vertex> vertices;  // vertices of a polyline, only for LWPOLYLINE
   bool closed() const { return std::fmod(of(70), 2) == 1; }
   double of(int code) const {
     const auto found = value.find(code);

@@ -26,7 +26,7 @@ struct Text {
 
 /// One G or M code.
 struct CodeRow {
-  std::string code;  // as printed: "G43.4"
+  std::string code;  // the code as it is printed: "G43.4"
   char letter = 'G';
   std::int32_t tenth = 0;  // ten times the code's number, see base/code_literals
   Function function = Function::count;
@@ -43,9 +43,9 @@ struct CodeRow {
   std::string manual;
   std::uint16_t cycle = 0;      // index in ControlDef::cycles plus 1; 0: the code calls no cycle
   bool takes_all_axes = false;  // the file has `*` in `takes`: the code uses every axis word of the channel
-  bool works = true;            // Kadr implements it
+  bool works = true;            // Kadr implements the code
   bool in_part = false;         // Kadr implements only a part of the code; the notes say what is missing
-  bool told = false;            // the control executes it and reports it to the machine (nct 13.1)
+  bool told = false;            // the control executes the code itself and reports it to the machine (nct 13.1)
 };
 
 enum class WordUnit : std::uint8_t { none, length, angle };
@@ -55,7 +55,7 @@ struct AddressRow {
   char letter = 0;
   Function function = Function::count;  // count: the control has no such address
   Phase phase = Phase::none;
-  std::uint8_t axis = 0;    // only for `axis` and `center`: index in ControlDef::axes
+  std::uint8_t axis = 0;    // index of an axis in ControlDef::axes, only for `axis` and `center`
   std::uint8_t number = 0;  // number of a spindle, or of an auxiliary function (1 to 3)
   WordUnit unit = WordUnit::none;
   double scale = 1;       // factor from the word's value to mm, degrees, s, …
@@ -102,7 +102,7 @@ struct CycleRow {
   std::uint32_t call_number = 0;                 // 81 for L81; 0: called by its code
   std::vector<CycleStep> steps;                  // a cycle consists of steps …
   std::string body;                              // … or of a program in the control's own language
-  std::string printed;                           // for a cycle of steps: the body as the manual prints it, for people
+  std::string printed;                           // for a cycle of steps: the program that the manual prints for it, for people
   std::vector<std::pair<char, int>> parameters;  // for a permanent subprogram: which word sets which formal parameter
   std::uint64_t needs = 0;                       // letter mask of words that must be given in the block or be modal
   // Words of `needs` (R, Q) that the manual's own example omits: if they are missing, the alarm is only a warning
@@ -164,7 +164,7 @@ struct VariableRow {
   int bit = -1;  // bit number, if the row is one bit of the variable `of`; -1: the row is a whole variable
   std::uint32_t of = 0;
   bool read = true, write = true;
-  bool works = true;  // Kadr implements it
+  bool works = true;  // Kadr implements the variable
   Text text;
   std::string manual;
 };
@@ -253,12 +253,13 @@ struct Behaviour {
   bool machine_move_absolute = false;      // G53 in G91 is ignored (6.5)
   bool repeats_by_k = false;               // the repeat count of a drilling cycle is K, else L (spec/fanuc 10.1)
   bool reference_all_axes = false;         // G28 alone moves all axes, straight to the point (spec/haas 5.1)
-  bool returns_to_own_block = false;       // M99 P goes to a block of the program that contains it (spec/haas 3.3)
+  bool returns_to_own_block = false;       // M99 P goes to a block of the program that contains the M99 (spec/haas 3.3)
   bool repeats_keep_locals = false;        // G65 L: the arguments are set for the first repeat only (spec/haas 3.4)
   bool words_passed_over = false;          // a word that nothing in the block uses gets a warning instead of an alarm (spec/fanuc 1.2)
   std::uint32_t alarm_base = 4000;         // #3000=n raises alarm number alarm_base + n (5.5)
   std::uint32_t call_depth = 16;
-  std::uint32_t program_digits = 1;    // digits of O in converted programs, and in names of files that a call looks for (spec/haas 1.1)
+  std::uint32_t program_digits =
+      1;  // number of digits of O in converted programs, and in names of files that a call looks for (spec/haas 1.1)
   std::uint32_t m_codes_of_block = 8;  // greatest number of M codes in a block (nct 13.1, spec/fanuc 2.4, spec/haas 10)
   std::uint32_t offsets = 99;          // highest offset number
   std::uint32_t fixtures = 6;

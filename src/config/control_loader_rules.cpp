@@ -286,7 +286,7 @@ Done ControlLoader::check_variable(const toml::table& row, const VariableRow& v)
   } else {
     for (const char* const key : {"stride", "repeat"}) KADR_LOAD(no_effect(row, key, who + say("{} has no effect: there is one", key)));
   }
-  constexpr std::uint32_t first_system_variable = 1000;  // numbers below it are ordinary variables of the program
+  constexpr std::uint32_t first_system_variable = 1000;  // variables with lower numbers are ordinary variables of the program
   const std::uint64_t last = range.from + std::uint64_t{range.stride} * (range.repeat - 1) + range.count - 1;
   if (range.from < first_system_variable || range.repeat == 0)
     return Failed(place(name_, row, "from") + who + say("from must be 1000 or more"));

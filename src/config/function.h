@@ -317,8 +317,8 @@ struct FunctionTraits {
 };
 
 const FunctionTraits& traits_of(Function function);
-Function function_named(std::string_view name);  // Function::count if there is none
-Phase phase_named(std::string_view name);        // Phase::count if there is none
+Function function_named(std::string_view name);  // Function::count if no function has this name
+Phase phase_named(std::string_view name);        // Phase::count if no phase has this name
 std::string_view name_of(Phase phase);
 
 inline constexpr std::size_t most_groups = 48;  // groups of codes, including "no group"

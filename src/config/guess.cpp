@@ -294,7 +294,7 @@ std::vector<std::string> candidates_of(const Guess& guess) {
 }
 
 void take_trial(Guess& guess, const std::vector<std::pair<std::string, std::size_t>>& faults) {
-  // What faults cost a control's score: enough that a reading without faults wins over one with faults
+  // Score that a control loses if it finds faults: enough that a reading without faults wins over one with faults
   constexpr double of_faults = near + 1;
   // If no candidate reads the program without faults, the trial proves nothing.
   if (std::none_of(faults.begin(), faults.end(), [](const auto& row) { return row.second == 0; })) return;

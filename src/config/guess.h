@@ -13,8 +13,9 @@
 namespace kadr {
 
 struct Guess {
-  std::string control;                   // empty: no control that Kadr supports
-  std::string dialect;                   // id in controls/dialects.toml of the program's language, if Kadr does not read it; else empty
+  std::string control;  // empty: no control that Kadr supports
+  // Id (in controls/dialects.toml) of the program's language, if Kadr does not read that language; else empty.
+  std::string dialect;
   std::string language_en, language_ru;  // name of that language
   std::vector<std::string> refused_by;   // controls whose reading of such a text would be wrong: for a lathe program, the control as a mill
   std::string reason_en;                 // the evidence in the text, with its lines, in order of lines
@@ -56,7 +57,7 @@ void take_trial(Guess& guess, const std::vector<std::pair<std::string, std::size
 
 /// What the guesses for neighbouring programs have in common.
 struct CommonGuess {
-  std::string control;  // empty if there is no common control
+  std::string control;  // the common control; empty if there is none
   std::string dialect;  // a language that Kadr does not read; empty if there is none
 };
 /// Returns the control or language that all decisive guesses name, or at least three quarters of them if there are three or more. A

@@ -11,7 +11,7 @@ namespace kadr {
 struct GuessLine {
   std::string written;   // without comments, one blank between words
   std::string squeezed;  // without blanks, block number, and leading zeros of G, M
-  std::string raw;       // with its comments
+  std::string raw;       // the line with its comments
   std::string comments;  // text in brackets and after `;`, or all of a line that starts with `# ` or `//`
 };
 

@@ -32,9 +32,10 @@ struct GuessMark {
 
 /// The evidence for one control or language.
 struct GuessRows {
-  std::string control;                  // id of the control, or of the language
-  std::string name_en, name_ru;         // only for a language: its name for people
-  std::vector<std::string> refused_by;  // only for a language: controls that it is mistaken for, but that Kadr reads differently
+  std::string control;           // id of the control, or of the language
+  std::string name_en, name_ru;  // only for a language: its name for people
+  // Only for a language: controls that must not be used for its programs, because Kadr reads these controls differently.
+  std::vector<std::string> refused_by;
   std::vector<GuessMark> marks;
   std::vector<std::pair<TextTrait, double>> traits;
 };

@@ -14,7 +14,7 @@
 namespace kadr {
 
 namespace limits {
-inline constexpr std::size_t insert_points = 64;  // points of a profile or holder of a turning tool
+inline constexpr std::size_t insert_points = 64;  // greatest number of points of a profile or holder of a turning tool
 }
 
 /// Reads the keys points, lead, width, profile, holder.

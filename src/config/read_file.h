@@ -11,8 +11,9 @@
 namespace kadr {
 
 namespace limits {
-inline constexpr std::size_t config_file_bytes = 16u << 20;  // size of a set-up, control or machine file; the built-in ones have 0.1 MB
-}
+// Greatest size of a set-up, control or machine file; the built-in files have up to 0.1 MB.
+inline constexpr std::size_t config_file_bytes = 16u << 20;
+}  // namespace limits
 
 /// Returns in words what a path is: "a directory", "a pipe" …; empty for a regular file, and if nothing exists at the path.
 std::string told_kind(const std::string& path);

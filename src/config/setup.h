@@ -54,7 +54,7 @@ struct KinematicsSetup {
   std::string type;                                    // machine type: head-head, table-table, head-table; empty: not given
   std::string axes, reversed;                          // letters of the axes
   std::map<std::string, std::vector<double>> vectors;  // T1, T2, E, D: mm
-  double singular = 0.01;  // degrees: a direction this close to one that needs no motion of an axis is replaced by it
+  double singular = 0.01;  // degrees: if a direction is this close to one that needs no motion of an axis, the latter is used instead
 };
 
 struct SpindleSetup {
@@ -65,10 +65,10 @@ struct SpindleSetup {
   std::optional<double> angle;                    // degrees
   std::vector<std::pair<double, double>> ranges;  // least and greatest spindle speed of each gear, rev/min
   // Used only if the set-up is the state that an earlier run printed:
-  std::string loop = "open";  // or closed
+  std::string loop = "open";  // position loop of the spindle: open or closed
   double surface_speed = 0;   // m/min
   int css_axis = 0;
-  int master = 0;  // 0: none
+  int master = 0;  // number of the master spindle; 0: none
 };
 
 /// Letters of a tool's info bits, from bit 0 upwards. Of each pair, the first letter means that the bit is 0, the second that it is 1 (nct
@@ -135,7 +135,7 @@ struct SetupEvent {
   When when = When::program_end;
   std::string block;  // "N30"
   std::string code;   // "M90"
-  int count = 0;      // only the n-th time; 0: each time
+  int count = 0;      // the event occurs only the n-th time; 0: each time
   Do what = Do::start;
   std::string signal;
   double value = 0;
@@ -213,7 +213,7 @@ struct RunState {
   Setup tables;  // offsets, work_offsets, parameters, tool and place tables, plane, diameter, in the form of a next set-up
   std::map<std::string, AxisValues> shifts;  // "G92", "G52"
   struct SpindleState {
-    std::string loop = "open";  // or closed
+    std::string loop = "open";  // position loop of the spindle: open or closed
     double rpm = 0;
     std::string dir = "stop";
     double surface_speed = 0;  // m/min

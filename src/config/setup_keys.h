@@ -31,7 +31,7 @@ enum class SetupForm : std::uint8_t {
 
 /// The names that are allowed as keys of a table, or as the text of a value.
 enum class SetupNames : std::uint8_t {
-  fixed,  // only the keys that have rows of their own
+  fixed,  // only the keys that have rows of their own in the table of keys
   any,
   axis,
   axis_of_any,    // name of an axis of any channel
@@ -89,7 +89,7 @@ struct SetupKey {
   SetupUnit unit;
   bool null;  // null is allowed and means the same as a missing key
   SetupNeeds needs;
-  std::string_view words;    // only for one_of: the words, separated by blanks
+  std::string_view words;    // the permitted words, separated by blanks; only for one_of
   std::string_view example;  // JSON
   std::string_view instead;  // key that another type of control has for the same purpose
   std::string_view en, ru;

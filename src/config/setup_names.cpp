@@ -116,7 +116,8 @@ std::vector<WorkSystem> work_systems(const ControlDef& def) {
   std::uint32_t plain = 0;
   for (const CodeRow& row : def.codes) {
     const bool usual = row.tenth >= first_system && row.tenth <= last_system;
-    if (row.letter != 'G' || row.arg <= 0 || !(usual || row.function == Function::work_system)) continue;  // also G110 of the Haas
+    // Function::work_system includes G110 of the Haas.
+    if (row.letter != 'G' || row.arg <= 0 || !(usual || row.function == Function::work_system)) continue;
     const bool is_plain = row.function == Function::work_zero || row.function == Function::fixture ||
                           row.function == Function::work_system || row.function == Function::table_system;
     if (!is_plain) continue;

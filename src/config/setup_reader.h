@@ -37,7 +37,7 @@ double number(const Json& value, const std::string& key);
 double within(const Json& value, const std::string& key, const NumberRange& range);
 int whole(const Json& value, const std::string& key);
 int whole_within(const Json& value, const std::string& key, std::pair<int, int> range);
-std::uint32_t bits(const Json& value, const std::string& key);  // 0 to 4294967295
+std::uint32_t bits(const Json& value, const std::string& key);  // reads a whole number from 0 to 4294967295
 bool flag(const Json& value, const std::string& key);
 std::string word(const Json& value, const std::string& key);
 const Json& table(const Json& value, const std::string& key);

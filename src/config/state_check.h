@@ -9,7 +9,7 @@
 namespace kadr {
 
 struct StateReport {
-  std::string control;              // empty if it cannot be read
+  std::string control;              // id of the control; empty if it cannot be read
   bool checked = true;              // the file has checksums; false: an older Kadr wrote it, so its values cannot be checked
   std::size_t rows = 0;             // number of valid rows
   std::vector<std::string> faults;  // faults as sentences; empty: the file is valid

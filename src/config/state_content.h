@@ -38,7 +38,7 @@ struct Whole {
 };
 
 struct Content {
-  std::string control;              // empty if it cannot be read
+  std::string control;              // id of the control; empty if it cannot be read
   bool checked = true;              // the file has checksums; false: an older Kadr wrote it
   bool ours = true;                 // the file has Kadr's tables or Kadr's application id
   std::vector<StateRow> rows;       // the valid rows, sorted

@@ -55,10 +55,11 @@ class StateFile::Database {
   SqlStatement begin_, commit_, put_, remove_, whole_row_;
   Sums sums_;  // checksums of the rows in the file, by table and key
   Whole whole_;
-  std::vector<std::pair<std::string, std::optional<std::uint64_t>>> before_;  // previous checksums of the rows in a save, until it succeeds
-  std::vector<StateRow> unchecked_;                                           // all rows of a file without checksums
-  bool old_ = false;                                                          // the file has no checksums yet
-  std::optional<FileId> file_, log_;                                          // identity of file and log when opened; nullopt: not yet
+  // Checksums that the rows of a save had before it, until the save succeeds.
+  std::vector<std::pair<std::string, std::optional<std::uint64_t>>> before_;
+  std::vector<StateRow> unchecked_;   // all rows of a file without checksums
+  bool old_ = false;                  // the file has no checksums yet
+  std::optional<FileId> file_, log_;  // identity of file and log when opened; nullopt: not yet
 };
 
 /// Returns true if the paths of file and log still mean the files that were opened. Otherwise, whatever is written to them is lost.

@@ -116,7 +116,7 @@ Done make_state(const std::string& path, const std::string& control, const std::
   if (error == 0) return {};
   ::unlink(beside.c_str());
   if (error == EEXIST) return failed("is there already", "уже существует");
-  if (error == ENOENT || error == ENOTDIR) error = ENOTDIR;  // in both cases it is the folder that is missing
+  if (error == ENOENT || error == ENOTDIR) error = ENOTDIR;  // both errors mean that the folder is missing
   return failed("cannot be made: " + told_errno(error), "не создаётся: " + told_errno(error));
 }
 

@@ -21,7 +21,7 @@ Lang told_lang();
 /// Returns one of two sentences with the same meaning, in the current language.
 std::string told(std::string en, std::string ru);
 
-/// Returns a number of things in Russian: told_count(3, "строка", "строки", "строк") is "3 строки".
+/// Returns a number with its noun in the right Russian form: told_count(3, "строка", "строки", "строк") is "3 строки".
 std::string told_count(std::uint64_t n, const char* one, const char* few, const char* many);
 
 }  // namespace kadr

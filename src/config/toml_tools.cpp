@@ -146,7 +146,7 @@ tl::expected<void, std::string> span(const std::string& file, const toml::table&
 }
 
 std::string_view nearest(std::string_view word, const std::vector<std::string_view>& names) {
-  constexpr std::size_t longest = 64;  // no key is longer
+  constexpr std::size_t longest = 64;  // longer words are not compared: no key is longer
   if (word.size() > longest) return {};
   std::string_view best;
   std::size_t least = std::max<std::size_t>(word.size(), 3) / 3 + 1;

@@ -15,7 +15,7 @@ enum class ToolKind : std::uint8_t { flat, ball, bull, drill, taper, chamfer, ts
 /// A point on the outline of a body of revolution.
 struct ProfilePoint {
   double diameter = 0;
-  double height = 0;  // above the tip; for a holder, above its own face
+  double height = 0;  // height above the tip; for a holder, height above the holder's own face
   friend bool operator==(const ProfilePoint&, const ProfilePoint&) = default;
 };
 
@@ -47,13 +47,13 @@ struct ToolGeometry {
   double angle = 0;                   // see ToolKind
   double tip = 0;                     // diameter of the flat end of a chamfer tool or drill
   double flutes = 0;                  // height of the cutting part (flute length)
-  double length = 0;                  // stick-out: height of the holder's face
+  double length = 0;                  // stick-out: height of the holder's face above the tip
   std::vector<ProfilePoint> profile;  // outline of the cutting part of a form tool
   std::vector<ProfilePoint> shank;    // outline of the shank; empty: a cylinder of `diameter` from `flutes` to `length`
   std::vector<ProfilePoint> holder;   // outline of the holder; empty: not known
   bool plunges = true;                // the tool may cut straight down
   int teeth = 0;                      // number of cutting edges; 0: not known
-  InsertGeometry insert;              // only for a turning tool
+  InsertGeometry insert;              // the insert, only for a turning tool
 };
 
 }  // namespace kadr

@@ -23,8 +23,8 @@ struct ToolLibrary {
   bool in_machine_units = false;   // lengths are in the machine's units, as in a machine's own table; see take_unit()
   std::vector<std::string> notes;  // one sentence for each thing that was left out or assumed
 
-  /// Returns nullptr if there is no tool with this number. A library with a single tool without number (0) returns that tool for every
-  /// number.
+  /// Returns nullptr if there is no tool with this number. If the library has a single tool, whose number
+  /// is missing (0), returns that tool for every number.
   const ToolGeometry* find(std::uint32_t number) const;
 };
 

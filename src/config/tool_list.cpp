@@ -19,7 +19,7 @@ using Failed = tl::unexpected<std::string>;
 toml::table table_of(const json& object);
 toml::array array_of(const json& list);
 
-/// Passes the value to `take` in the form of toml++; null is skipped.
+/// Converts a JSON value to a value of toml++ and passes it to `take`; null is skipped.
 template <class Take>
 void each_kind(const json& value, const Take& take) {
   if (value.is_object()) take(table_of(value));
