@@ -83,7 +83,7 @@ struct Message {
   std::int32_t number = -1;  // number of the message; -1: none
   bool asks = false;         // the program waits for the operator's answer (#3107)
 };
-/// Channels have waited for each other and continue together; one Sync for all of them (nct 14.5).
+/// Several channels have waited for each other and now continue together. One Sync stands for all of them (nct 14.5).
 struct Sync {
   std::uint32_t code;
   std::vector<std::uint8_t> channels;  // numbers of the channels, in their order of arrival

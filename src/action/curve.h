@@ -68,7 +68,7 @@ class Curve {
   /// Returns the derivatives of the two axes of polar interpolation.
   PolarAxes polar_rates(double part) const { return polar().rates(part); }
 
-  /// Returns the same point in the coordinates that the program's words have: in polar interpolation mm in the programmed plane, else
+  /// Returns the point at `part` in the coordinates that the program's words have: in polar interpolation mm in the programmed plane, else
   /// at(part).
   Axes programmed(double part) const;
 

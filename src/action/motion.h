@@ -110,9 +110,9 @@ struct MotionDetail {
   Axes travel{};
   PathSurface surface = PathSurface::plane;
   Vec2 flat_from;          // start; polar: in the programmed plane, mm; cylinder: on the unrolled surface, mm
-  Vec2 flat_to;            // end, in the coordinates of flat_from (the arc's centre and turns refer to them too)
+  Vec2 flat_to;            // end, in the same plane or surface as flat_from; the arc's centre and turns refer to it too
   double radius = 0;       // radius of the cylinder, mm
-  double side = 1;         // polar: sign of the linear axis at G12.1
+  double side = 1;         // only for polar interpolation: sign of the linear axis' position at G12.1
   double offset = 0;       // polar: perpendicular offset of the rotation centre, mm
   double rotary_most = 0;  // polar: greatest speed of the rotary axis, degrees/min; 0: no limit
   Axes programmed{};       // end point in the coordinates of the program's words

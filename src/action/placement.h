@@ -92,7 +92,7 @@ struct Placement {
 
   Axes machine_of(const Axes& work) const;
   Axes work_of(const Axes& driven) const;
-  /// Returns the machine axes that move if these are programmed; with a turn, the main axes move together.
+  /// Returns the machine axes that move if the axes `named` are programmed; with a turn, the main axes move together.
   AxisMask moved_with(AxisMask named) const;
   /// Returns the machine axis that a programmed axis drives.
   std::size_t driven(std::size_t axis) const { return turn == nullptr ? axis : turn->drives.of(axis); }

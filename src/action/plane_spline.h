@@ -26,7 +26,7 @@ class PlaneSpline {
   static constexpr std::size_t most_order = 32;     // degree 31; usual orders are 3 and 4
   static constexpr std::size_t most_points = 5000;  // no person or CAM system writes a curve of more points
 
-  ///   points  at least `order` and at most most_points of them, weights above 0
+  ///   points  control points with weights above 0: at least `order`, at most most_points
   ///   order   degree + 1, from 2 to most_order
   PlaneSpline(const std::vector<ControlPoint>& points, std::size_t order);
 
