@@ -38,7 +38,7 @@ struct CodeRow {
   bool needs_axis = false;         // the block must have at least one axis word
   std::uint64_t takes = 0;         // letter mask of the words that the code uses
   std::uint64_t needs = 0;         // letter mask of the words that the block must have
-  std::vector<std::int32_t> with;  // tenths of the codes of its group that may be in the same block (M7 and M8)
+  std::vector<std::int32_t> with;  // codes of the same group, in tenths, that may be in the same block as this code (M7 and M8)
   Text text;
   std::string manual;
   std::uint16_t cycle = 0;      // index in ControlDef::cycles plus 1; 0: the code calls no cycle
@@ -99,7 +99,7 @@ std::string_view name_of(CycleStep step);
 
 struct CycleRow {
   std::string name;                              // "G81", "L81"
-  std::uint32_t call_number = 0;                 // 81 for L81; 0: called by its code
+  std::uint32_t call_number = 0;                 // number after L: 81 for L81; 0: the cycle is called by its code
   std::vector<CycleStep> steps;                  // a cycle consists of steps …
   std::string body;                              // … or of a program in the control's own language
   std::string printed;                           // for a cycle of steps: the program that the manual prints for it, for people
@@ -160,7 +160,7 @@ struct VariableRow {
   std::vector<VariableRange> ranges;  // the variable's numbers: first the short ones, then the long ones; `symbol` means the last range
   std::string symbol;                 // "ABSIO" for #_ABSIO[n]; for a family (#_WZP7[n]) "WZP"
   std::uint32_t first_index = 1;      // index n of the variable's first number
-  int arg = 0;   // distinguishes variables of the same kind; its meanings are at the head of [[variables]] in controls/nct.toml
+  int arg = 0;   // distinguishes variables of the same kind; the head of [[variables]] in controls/nct.toml explains the values
   int bit = -1;  // bit number, if the row is one bit of the variable `of`; -1: the row is a whole variable
   std::uint32_t of = 0;
   bool read = true, write = true;
@@ -308,7 +308,7 @@ struct ControlDef {
   bool diameter_by_setup = false;                     // the set-up says which axes are diameters (spec/gost 5)
   std::array<std::uint8_t, max_axes> axis_numbers{};  // number of each axis, counted from 1 across all channels of the control (nct 2.1)
   std::uint8_t channel = 1;
-  std::vector<GroupRow> groups;  // [0] stands for "no group"
+  std::vector<GroupRow> groups;  // groups of codes; groups[0] stands for "no group"
   std::vector<CodeRow> codes;    // rows of G and M codes, in the file's order
   std::array<AddressRow, most_addresses> addresses{};
   std::vector<CycleRow> cycles;

@@ -51,7 +51,7 @@ std::string refused_by_control(std::string_view sample, std::string_view control
 /// them all.
 std::vector<std::string> candidates_of(const Guess& guess);
 
-/// Lowers the score of controls that find faults in the program. If all of them find faults, nothing changes.
+/// Lowers the score of the controls whose trial reading found faults in the program. If all of them found faults, nothing changes.
 ///   faults  for each of candidates_of(), the number of alarms in reading the program's start
 void take_trial(Guess& guess, const std::vector<std::pair<std::string, std::size_t>>& faults);
 

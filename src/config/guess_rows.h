@@ -40,7 +40,7 @@ struct GuessRows {
   std::vector<std::pair<TextTrait, double>> traits;
 };
 
-/// A mark with this weight identifies the control by itself. The evidence for a language must reach this sum.
+/// A mark with this weight identifies the control by itself. For a language, the weights of all evidence must add up to this number.
 inline constexpr double decisive_weight = 10;
 
 /// Reads a section [guess].

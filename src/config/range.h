@@ -1,6 +1,6 @@
 #pragma once
-// Permitted ranges of numbers in files, one per kind of number, the same for set-ups, machine files and control files. They prevent a
-// slip (a minus sign, 1e-300, NaN) from becoming a motion that never ends; no machine comes near these limits.
+// Permitted ranges of numbers in files: one range for each quantity, the same for set-ups, machine files and control files. A range
+// prevents a slip (a minus sign, 1e-300, NaN) from becoming a motion that never ends. The limits are far beyond any machine.
 
 #include <string>
 

@@ -38,9 +38,10 @@ struct ToolOffset {
 };
 
 struct AxisLimits {
-  std::optional<double> rapid;                        // mm/min
-  std::optional<std::pair<double, double>> limits;    // mm, machine coordinates
-  std::optional<std::pair<double, double>> zone3;     // mm, machine coordinates; forbidden inside (nct 22.3)
+  std::optional<double> rapid;                      // mm/min
+  std::optional<std::pair<double, double>> limits;  // mm, machine coordinates
+  // mm, machine coordinates: the least and greatest position of zone 3, which the tool must not enter (nct 22.3)
+  std::optional<std::pair<double, double>> zone3;
   std::optional<std::pair<double, double>> switches;  // mm, machine coordinates: positions of the end-position switches (nct 22.1)
   std::optional<double> apart;                        // mm: permitted deviation of a gantry axis from its master (nct 20.6)
   bool no_acceleration = false;                       // `"acceleration": null`: motions need no time to accelerate
@@ -185,8 +186,9 @@ struct Setup {
   std::string search;                     // "N50": the run starts with a block search for this block (nct 13.1); empty: at the beginning
   std::map<std::string, double> signals;  // signals of the PLC
   std::vector<SetupEvent> events;
-  std::string clock;  // "2014-05-18T15:32:41"; empty: a fixed day, so that the same input gives the same output
-  std::string ini;    // name of the control's ini file, relative to the folder of the program memory; empty: no such file
+  // Date and time at the start: "2014-05-18T15:32:41"; empty: a fixed day, so that the same input gives the same output
+  std::string clock;
+  std::string ini;  // name of the control's ini file, relative to the folder of the program memory; empty: no such file
   int channel = 1;
   std::map<int, ChannelSetup> channels;  // the other channels
   std::vector<int> skip;                 // numbers of the block skip switches that are on

@@ -82,12 +82,12 @@ struct SetupRange {
 };
 
 struct SetupKey {
-  std::string_view path;  // "offsets.*.length"; `*` stands for a name
+  std::string_view path;  // full name of the key: "offsets.*.length"; `*` stands for a name
   SetupForm form;
   SetupNames names;  // the names that the keys of a table, or the texts, may have
   SetupRange range;  // range of the numbers
   SetupUnit unit;
-  bool null;  // null is allowed and means the same as a missing key
+  bool null;  // the value null is allowed and means the same as a missing key
   SetupNeeds needs;
   std::string_view words;    // the permitted words, separated by blanks; only for one_of
   std::string_view example;  // JSON

@@ -78,7 +78,7 @@ Reader to_whole(int& to, int least, int most);
 Reader to_flag(bool& to);
 Reader to_word(std::string& to);
 Reader to_one_of(std::string& to, std::initializer_list<std::string_view> words);
-Reader or_null(Reader reader);  // null means the same as a missing key
+Reader or_null(Reader reader);  // a reader that takes null as a missing key
 
 /// Readers for the keys of setup_tables.cpp, setup_machine.cpp and setup_events.cpp.
 Readers readers_of_tables(Setup& setup);

@@ -80,7 +80,7 @@ class Base {
 /// Returns "… is no state file of Kadr".
 std::string told_no_state(const std::string& name);
 
-/// Checks what is visible from outside: the path is not empty, and the file is regular, not empty, and not too large. Never blocks.
+/// Checks the file without opening it: the path is not empty, and the file is regular, not empty, and not too large. Never blocks.
 ///   returns  on failure, an error sentence
 Done vetted(const std::string& path);
 

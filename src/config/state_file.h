@@ -50,7 +50,7 @@ struct StoredState {
 };
 
 struct StateChanges {
-  std::vector<StateRow> rows;  // changes of one block; of two with the same key the last one counts
+  std::vector<StateRow> rows;  // changes of one block; if two rows have the same key, the last one counts
 };
 
 class StateFile {

@@ -1,7 +1,7 @@
 #pragma once
-// The language in which the readers of files report faults. Their sentences come from deep inside and are returned complete, in
-// tl::expected<…, std::string>; so the language belongs to the process, like a locale: the command line sets it once, before anything is
-// read.
+// The language in which the readers of files report faults. Functions deep in a call chain create the error sentences, which the callers
+// only pass on, in tl::expected<…, std::string>. So the language belongs to the process, like a locale: the command line sets it once,
+// before anything is read.
 
 #include <cstdint>
 #include <string>
