@@ -14,7 +14,7 @@ enum class EndGiven : std::uint8_t {
   reference_3,
   reference_4,
 };
-inline int reference_of(EndGiven end) {  // returns 1 to 4; 0 if the end is no reference point
+inline int reference_of(EndGiven end) {  // returns the number of the reference point, 1 to 4; 0 if the end is no reference point
   return end < EndGiven::reference_1 ? 0 : int(end) - int(EndGiven::reference_1) + 1;
 }
 

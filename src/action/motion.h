@@ -164,7 +164,7 @@ struct MotionFeed {
   std::uint8_t smoothing = 0;  // Q of G5.1 in force: 2 smooth, 3 fine (nct 4.7); 0: none
   bool exact = false;          // exact stop at the end
   bool own_override = false;   // feed and spindle override act as 100 % (tapping, threads, G23, M49)
-  bool no_hold = false;        // the operator's feed hold does not act either (nct 6.3.4)
+  bool no_hold = false;        // the operator's feed hold is ignored too (nct 6.3.4)
   bool in_position = false;    // the axes must reach the in-position window at the end (nct 4.1.1, 6.3)
 };
 
