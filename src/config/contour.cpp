@@ -14,7 +14,7 @@ Vec2 around(Vec2 centre, double radius, double deg) {
   return centre + radius * Vec2{turn.cos, turn.sin};
 }
 
-/// Returns true for DXF: pairs of lines, the first line of which is a number, usually 0 or 999.
+/// Returns true for a text that starts like DXF, with a pair of lines whose first line is a number, usually 0 or 999.
 bool looks_like_dxf(std::string_view text) {
   const std::size_t at = text.find_first_not_of(" \t\r\n");
   if (at == std::string_view::npos) return false;

@@ -240,7 +240,7 @@ struct Behaviour {
   bool tool_and_corrector = false;     // T0404: if T has more than two digits, the last two are the offset number
   bool end_required = false;           // a program without M2 or M30 gets a warning
   bool ends_reading = true;            // nothing after the end of the program is read (GOST)
-  bool delayed_assignment = false;     // Mach3: #1=5 X#1 uses the old #1
+  bool delayed_assignment = false;     // Mach3: an assignment takes effect after its block: in `#1=5 X#1`, X is the old #1
   bool feed_of_axis = false;           // F right after an axis word, followed by more axis words, is the feed of that axis (GOST 20999-83)
   bool label_is_number = false;        // O0001 right after % is the program number (spec/gost 1)
   // Differences between controls with custom macros (spec/fanuc).

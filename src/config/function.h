@@ -269,13 +269,13 @@ namespace kadr {
 /// calls: functions for it do not work on other machines, and vice versa.
 enum class Needs : std::uint8_t {
   nothing,
-  nct,         // dialect = "nct"
-  no_nct,      // any other dialect, or none
-  correctors,  // dialect = "correctors"
-  sections,    // [grammar] section
-  labels,      // [grammar] label
-  rs274,       // dialect = "linuxcnc"
-  lines,       // dialect = "grbl"
+  nct,         // the control has dialect = "nct"
+  no_nct,      // any dialect other than "nct", or no dialect
+  correctors,  // the control has dialect = "correctors"
+  sections,    // the control has [grammar] section
+  labels,      // the control has [grammar] label
+  rs274,       // the control has dialect = "linuxcnc"
+  lines,       // the control has dialect = "grbl"
 };
 
 enum class Phase : std::uint8_t {

@@ -17,8 +17,9 @@ struct Guess {
   // Id (in controls/dialects.toml) of the program's language, if Kadr does not read that language; else empty.
   std::string dialect;
   std::string language_en, language_ru;  // name of that language
-  std::vector<std::string> refused_by;   // controls whose reading of such a text would be wrong: for a lathe program, the control as a mill
-  std::string reason_en;                 // the evidence in the text, with its lines, in order of lines
+  // Controls that would read such a text wrongly: for a lathe program, a control that Kadr reads as a mill
+  std::vector<std::string> refused_by;
+  std::string reason_en;  // the evidence in the text, with its lines, in order of lines
   std::string reason_ru;
   bool decisive = false;                                     // the evidence suffices; if false, the guess is weak
   std::vector<std::pair<std::string, double>> scores;        // score of every control, in the order of the controls' rows

@@ -26,7 +26,7 @@ std::string_view name_of_tip(const InsertGeometry& insert);
 /// Sets the values that follow from others: `lead`, such that the bisector of the nose points straight away from the tip.
 void complete_insert(ToolGeometry& tool);
 
-/// Returns a message why the turning tool has no valid shape; empty if it has one.
+/// Returns a message why the shape of the turning tool is not valid; empty if the shape is valid.
 std::string told_insert_fault(const ToolGeometry& tool);
 
 }  // namespace kadr

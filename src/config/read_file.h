@@ -1,5 +1,5 @@
 #pragma once
-// Reads small files as a whole: set-up, control, machine, contour. Only regular files up to a limit, and never blocks.
+// Reads small files as a whole: set-up, control, machine, contour. Reads only regular files up to a size limit, and never blocks.
 
 #include <cstddef>
 #include <string>

@@ -22,7 +22,7 @@ namespace kadr {
 
 using AxisValues = std::map<std::string, double>;  // axis name → mm or degrees
 
-/// A row of the offset table, mm. The sum of geometry and wear is used.
+/// A row of the offset table, mm. Each offset is the sum of its geometry and its wear (`…_wear`).
 struct ToolOffset {
   double length = 0;
   double radius = 0;

@@ -77,7 +77,7 @@ class StateFile {
   std::unique_ptr<Database> database_;
 };
 
-/// Sorts by table, then by key.
+/// Sorts the rows by table, then by key.
 void sort_rows(std::vector<StateRow>& rows);
 
 /// Returns the rows of all tables that survive power-off; of the variables, those with a value in the set-up.

@@ -44,7 +44,7 @@ tl::expected<void, std::string> number(const std::string& file, const toml::tabl
 tl::expected<void, std::string> span(const std::string& file, const toml::table& row, std::string_view key, const NumberRange& range,
                                      double& least, double& most);
 
-/// Returns the name that `word` was probably meant to be; empty if there is none. One letter in three may be wrong.
+/// Returns the name of `names` that `word` was probably meant to be; empty if there is none. Up to a third of the letters may be wrong.
 std::string_view nearest(std::string_view word, const std::vector<std::string_view>& names);
 
 /// Returns the value of a key (string, number or bool), or `otherwise` if the key is missing.

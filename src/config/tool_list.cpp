@@ -42,7 +42,7 @@ toml::array array_of(const json& list) {
   return array;
 }
 
-/// Returns "T5", or the position in the list.
+/// Returns how messages name a tool of the list: "T5", or its position in the list if it has no number.
 std::string called_in_list(const json& row, std::size_t i) {
   const auto number = row.find("number");
   if (number != row.end() && number->is_number_integer()) return "T" + number->dump();
