@@ -1,5 +1,5 @@
 #pragma once
-// Kadr's own sinks of Steps. A sink of your own is any function that accepts a Step.
+// A sink is a function that receives the Steps of a run. These are Kadr's own sinks; a sink of yours is any function that accepts a Step.
 
 #include "out/picture/plot.h"  // SVG, PNG
 #include "out/text/summary.h"  // Statistics

@@ -34,9 +34,9 @@ struct Spindle {
 struct Speed {
   double value;  // the new speed: rev/min, or surface speed in m/min (G96)
   bool surface;
-  std::uint8_t number = 1;  // of the spindle
+  std::uint8_t number = 1;  // number of the spindle
   std::uint8_t range = 0;   // gear range that the speed selects; 0: none
-  double rpm = 0;           // rev/min that a surface speed gives where it is commanded
+  double rpm = 0;           // rev/min that the surface speed gives at the position where it is commanded
 };
 enum class Coolant : std::uint8_t { off, mist, flood };
 struct CoolantSwitch {
@@ -61,12 +61,12 @@ struct ToolChange {
 /// An M code that goes to the machine.
 struct MachineFunction {
   std::uint32_t code;
-  std::optional<double> p{};  // words of a user macro (Mach3 M100 …)
+  std::optional<double> p{};  // P and Q, words of a user macro (Mach3 M100 …)
   std::optional<double> q{};
-  std::uint8_t spindle = 0;        // the spindle it acts on; 0: none
-  std::optional<double> number{};  // of an output or input; `value` is what it is set to (spec/linuxcnc 8)
+  std::uint8_t spindle = 0;        // the spindle that the M code acts on; 0: none
+  std::optional<double> number{};  // number of an output or input of the machine; `value` is what it is set to (spec/linuxcnc 8)
   std::optional<double> value{};
-  bool by_control = false;  // the control executes it itself and only reports it to the machine (nct 13.1: M2, M30, M98, M99)
+  bool by_control = false;  // the control executes the M code itself and only reports it to the machine (nct 13.1: M2, M30, M98, M99)
 };
 /// An auxiliary function on another address than M (nct 13.2).
 struct AuxiliaryFunction {
@@ -80,64 +80,65 @@ struct Stop {
 };
 struct Message {
   std::string text;
-  std::int32_t number = -1;  // -1: none
-  bool asks = false;         // waits for the operator's answer (#3107)
+  std::int32_t number = -1;  // number of the message; -1: none
+  bool asks = false;         // the program waits for the operator's answer (#3107)
 };
-/// Channels have waited for each other and continue together; one Sync for all of them (nct 14.5).
+/// Several channels have waited for each other and now continue together. One Sync stands for all of them (nct 14.5).
 struct Sync {
   std::uint32_t code;
-  std::vector<std::uint8_t> channels;  // in the order of arrival
-  double at = 0;                       // s, time of release
+  std::vector<std::uint8_t> channels;  // numbers of the channels, in their order of arrival
+  double at = 0;                       // s, time at which the channels continue
 };
 /// Changes the safety zones (nct 22.2): G22 sets limits, G23 restores the limits of the parameters.
 struct ZoneChange {
   bool on = false;
   bool outside_forbidden = false;
   AxisMask axes = 0;           // axes with limits; the others are unlimited
-  Axes least{}, most{};        // limits of these axes, machine coordinates; infinite: no limit
-  bool of_parameters = false;  // the zone that the parameters define now, active or not; G23 restores it
+  Axes least{}, most{};        // limits of the axes in `axes`, machine coordinates; infinite: no limit
+  bool of_parameters = false;  // the change concerns the zone that the parameters define now, active or not; G23 restores this zone
 };
 /// Switches an electronic gearbox on: in addition to its own motions, the slave axis follows a spindle and the travel of a third axis
 /// (nct 20.1).
 struct Couple {
-  std::string master, slave;      // spindle, axis
+  std::string master, slave;      // names of the master spindle and of the slave axis
   double ratio = 1;               // revolutions of the slave per revolution of the master, signed
   double rpm = 0;                 // speed of the slave at the master's present speed, rev/min, signed
   bool feeds_by_slave = false;    // feed per revolution counts the slave's revolutions
   std::optional<double> phase{};  // angle of the slave at the zero pulse, degrees
-  double helix = 0;               // degrees per mm of `along`
+  double helix = 0;               // rotation of the slave in degrees per mm of travel of the axis `along`
   std::string along{};            // name of the third axis; empty: none
   int master_number = 0;          // number of the master spindle
 };
 struct Uncouple {
   std::string slave;
 };
-/// Rounds the corner about the programmed point with the tool's radius (G39, nct 15.5.6).
+/// Rounds the corner: the tool's centre moves on an arc of the tool's radius around the programmed point (G39, nct 15.5.6).
 struct ContourCorner {
   std::optional<Vec2> way{};  // I J K: direction that the corner leads to; without it, the direction of the next motion
 };
 /// How the compensated path is checked from here on (nct 15.5.2, 15.5.7). This is not a command to the machine.
 struct ContourCheck {
-  bool interference = false;  // N1403 #0 IEN
-  bool always_alarm = false;  // #1 AAL: alarm without trying to correct the path
-  std::uint8_t further = 0;   // N1404: 0…8 blocks checked in addition to three
+  bool interference = false;  // N1403 #0 IEN: interference is checked
+  bool always_alarm = false;  // N1403 #1 AAL: interference is an alarm at once; the control does not try to correct the path
+  std::uint8_t further = 0;   // N1404: number of blocks that are checked in addition to three, 0…8
   double least_step = 0;      // N1405 DELTV, mm: shorter steps around a corner are omitted
   friend bool operator==(const ContourCheck&, const ContourCheck&) = default;
 };
 /// Interrupts cutter compensation: the tool's centre is on the programmed point (nct 15.5.2). With `off`, compensation has ended (G40,
 /// 15.5.3). With `here`, the program takes the tool's actual position, off the contour, as the programmed point (G92 after G40, Mach3
-/// 10.7.27). In a queued contour (LinuxCNC), the motion that was held back ends off its programmed point, by the tool radius, also before
-/// M0.
+/// 10.7.27). LinuxCNC holds back one compensated motion: at a ContourBreak, also before M0, that motion ends one tool radius off its
+/// programmed point.
 struct ContourBreak {
   bool off = false;
   bool here = false;
 };
-/// Changes the frame of all that follows; not a command to the machine. `work`: the tool's work coordinates from now on (2С42: without a
-/// newly selected tool length).
+/// Changes the frame of all actions that follow; not a command to the machine. `work`: the tool's work coordinates from now on (2С42:
+/// without a newly selected tool length).
 struct FrameChange {
   Placement placement;
   Axes work;
-  std::shared_ptr<const Axes> shifted{};  // part of placement.origin due to G52, G92 …; nullptr: none, or only in placement.shift
+  // The part of placement.origin that comes from G52, G92 …; nullptr: none, or it is only in placement.shift
+  std::shared_ptr<const Axes> shifted{};
 };
 
 struct Action {
@@ -147,7 +148,7 @@ struct Action {
       what;
 };
 
-/// A batch of emitted actions. clear() keeps the elements, so that a long run does not allocate them again.
+/// A batch of emitted actions. clear() keeps the elements in memory, so that a long run does not allocate them again.
 class ActionBatch {
  public:
   Action& add() {
@@ -172,10 +173,10 @@ class ActionBatch {
   [[gnu::noinline]] void grow() { actions_.emplace_back(); }
 
   std::vector<Action> actions_ = std::vector<Action>(1);
-  std::size_t begin_ = 1, end_ = 1;  // the first element is reserved for add_front()
+  std::size_t begin_ = 1, end_ = 1;  // actions_[0] is reserved for add_front(): the batch starts at index 1
 };
 
-/// An alarm with its location, as people and traces see it.
+/// An alarm with its location, as it is printed for people and in traces.
 struct AlarmReport {
   Alarm alarm;
   std::string file;
@@ -190,11 +191,11 @@ struct AlarmReport {
   };
   std::vector<Call> calls;  // outermost first
   struct Line {
-    std::uint32_t number = 0;  // 0: none
+    std::uint32_t number = 0;  // line number; 0: there is no second line
     std::string file, text;
     Span where{};
   };
-  Line other{};            // a second line that the alarm is about: the contour that is cut
+  Line other{};            // a second line that the alarm is about, such as the line of the contour that is cut
   std::string own_text{};  // the program's own message (#3000 of nct), which may be longer than an AlarmArg
 };
 
@@ -207,18 +208,18 @@ struct ProbeAnswer {
 
 /// What was in force after a block was executed.
 struct BlockState {
-  std::vector<std::string> modal;  // code words, with F, S, T, D, H
-  std::uint32_t tool = 0;          // in the spindle
-  Axes origin{};                   // origin of the work system in machine coordinates, all shifts included
+  std::vector<std::string> modal;  // code words in force, and the words F, S, T, D, H
+  std::uint32_t tool = 0;          // number of the tool in the spindle
+  Axes origin{};                   // origin of the work system in machine coordinates, including all shifts
   Axes length{};                   // tool length, by axis
 };
 
 /// The state after a run: the last line of a trace.
 struct Ending {
-  Axes position{};  // work
+  Axes position{};  // work coordinates
   Axes machine_position{};
-  std::vector<std::pair<std::string, double>> variables;    // all that are set: "#100", "R2"
-  std::vector<std::pair<std::string, bool>> watched_unset;  // requested, but not set
+  std::vector<std::pair<std::string, double>> variables;    // every variable that has a value: "#100", "R2"
+  std::vector<std::pair<std::string, bool>> watched_unset;  // variables whose values were requested, but that have none
   std::vector<std::string> modal;                           // code words in force
 };
 

@@ -11,7 +11,7 @@
 
 namespace kadr {
 
-/// What the rooms after `control` know about the axes of a channel.
+/// What the rooms (folders of src) that come after `control` know about the axes of a channel.
 struct AxisRoles {
   std::size_t count = 3;
   AxisMask rotary = 0;

@@ -10,7 +10,7 @@ namespace kadr {
 
 namespace {
 
-// FeedAlong::xyz: travel of X, Y, Z below this counts as none, mm; `tiny` in LinuxCNC's find_straight_length.
+// For FeedAlong::xyz: a travel of X, Y, Z below this counts as none, mm; it is `tiny` in LinuxCNC's find_straight_length.
 constexpr double stands_within = 1e-7;
 
 AxisMask followers_of(const MotionDetail* detail) {
@@ -37,7 +37,7 @@ FlatPath Curve::plane_path() const {
   const Vec2 end = flat ? Vec2{motion_.to[first_], motion_.to[second_]} : motion_.detail->flat_to;
   if (!arc_) return FlatPath::line(start, end);
   Vec2 center = motion_.center;
-  if (surface_ == PathSurface::cylinder)  // the centre is given in axis units
+  if (surface_ == PathSurface::cylinder)  // the motion's centre is given in axis units
     center = start + Vec2{(center.x - from_[first_]) / unit(first_), (center.y - from_[second_]) / unit(second_)};
   return FlatPath::arc(start, end, center, motion_.kind == MotionKind::arc_ccw ? motion_.turns : -motion_.turns);
 }
@@ -63,7 +63,7 @@ AxisMask Curve::xyz_axes() const {
   return axes;
 }
 
-/// Returns what the axes outside the plane contribute to the length.
+/// Returns the travel in mm that the axes outside the plane contribute to the length.
 double Curve::rise(FeedAlong along) const {
   if (along == FeedAlong::arc && arc_) return 0;
   if (along == FeedAlong::xyz) {

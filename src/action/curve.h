@@ -29,7 +29,7 @@ class Curve {
         spline_(motion.kind == MotionKind::spline),
         first_(motion.first),
         second_(motion.second) {
-    if (arc_ || motion.detail) find_path();  // else the motion is a straight line and its ends say all
+    if (arc_ || motion.detail) find_path();  // otherwise the motion is a straight line, which its ends determine
   }
   Curve(const AxisRoles&, Axes&&, const Motion&) = delete;
 
@@ -68,7 +68,7 @@ class Curve {
   /// Returns the derivatives of the two axes of polar interpolation.
   PolarAxes polar_rates(double part) const { return polar().rates(part); }
 
-  /// Returns the same point in the coordinates that the program's words have: in polar interpolation mm in the programmed plane, else
+  /// Returns the point at `part` in the coordinates that the program's words have: in polar interpolation mm in the programmed plane, else
   /// at(part).
   Axes programmed(double part) const;
 

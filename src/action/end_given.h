@@ -5,16 +5,16 @@
 
 namespace kadr {
 
-/// What specifies the end of a motion. If a work offset is shifted, only ends `by_work` move with it.
+/// What specifies the end of a motion. If a work offset is shifted, only ends of the type `by_work` move with it.
 enum class EndGiven : std::uint8_t {
   by_work,      // work coordinates
   by_machine,   // machine coordinates: G53
-  reference_1,  // a reference point: G28
-  reference_2,  // G30, P2 to P4
+  reference_1,  // the reference point of G28
+  reference_2,  // reference_2 to reference_4: the reference point of G30 P2 to G30 P4
   reference_3,
   reference_4,
 };
-inline int reference_of(EndGiven end) {  // returns 1 to 4; 0 if the end is no reference point
+inline int reference_of(EndGiven end) {  // returns the number of the reference point, 1 to 4; 0 if the end is no reference point
   return end < EndGiven::reference_1 ? 0 : int(end) - int(EndGiven::reference_1) + 1;
 }
 

@@ -16,12 +16,14 @@ constexpr int most_pieces = 100'000;
 constexpr int samples_per_turn = 64;
 constexpr int samples_of_line = 16;
 
-/// Antiderivative of sqrt(R² + a²), for a spiral with R' = dR/dφ and a² = R'² + rise².
+/// Returns the antiderivative of sqrt(R² + a²) by the radius R, for a spiral with R' = dR/dφ and a² = R'² + rise² (rise per radian).
 double primitive(double radius, double a) { return (radius * std::hypot(radius, a) + a * a * std::asinh(radius / a)) / 2; }
 
-/// Returns the length of a spiral around an axis that moves by `rise` along the axis and by `growth` outwards.
+/// Returns the length of a spiral around an axis: over the angle `sweep_rad`, it moves `rise` along the axis and `growth` away from it.
 double spiral_length(double radius, double growth, double rise, double sweep_rad) {
-  constexpr double hardly = 1e-3;  // of growth / radius: below, the difference of primitives loses digits; Gauss is exact to rounding
+  // Least growth / radius for the closed formula: below it, the difference of primitives loses digits; Gauss quadrature is exact to
+  // rounding there.
+  constexpr double hardly = 1e-3;
   if (sweep_rad == 0) return std::hypot(growth, rise);
   if (std::abs(growth) > hardly * std::max(radius, radius + growth)) {
     const double a = std::hypot(growth, rise) / sweep_rad;
@@ -35,9 +37,9 @@ double spiral_length(double radius, double growth, double rise, double sweep_rad
   return sum;
 }
 
-/// Returns the angle φ of a spiral, radians from its start, at which it reaches farthest in the direction `quarter` (also radians from
-/// the start). There φ − quarter = atan(R' / R(φ)). The difference of the two sides rises by 1 to 2 per radian, so Newton's method
-/// converges fast.
+/// Returns the angle φ, in radians from the start of a spiral, at which the spiral reaches farthest in the direction `quarter` (also
+/// radians from the start). With R(φ) the radius and R' = dR/dφ, this is where φ − quarter = atan(R' / R(φ)). The difference of the two
+/// sides rises by 1 to 2 per radian, so Newton's method converges fast.
 double turning_point(double quarter, double radius, double growth_per_rad) {
   constexpr int most_steps = 30;
   constexpr double near_enough = 1e-13;
@@ -58,10 +60,10 @@ void take_quarters(Box2& box, const CircleArc& arc) {
   const Vec2 first = arc.first, last = arc.last;
   const auto passes = [&](bool behind, bool before, bool not_opposite) {
     if (arc.turns > 0.5) return arc.turns >= 1 || behind || before;
-    return behind && before && not_opposite;  // excludes the opposite side of an arc of almost no sweep
+    return behind && before && not_opposite;  // not_opposite excludes the opposite side of an arc of almost no sweep
   };
-  // The axis direction lies in the sweep if cross(first, axis) >= 0 and cross(axis, last) >= 0, and one of the arms does not point away
-  // from it.
+  // The positive or negative axis direction lies within the sweep if cross(first, axis) >= 0 and cross(axis, last) >= 0, and at least one
+  // of the arms `first`, `last` does not point away from it.
   if (passes(first.y <= 0, last.y >= 0, first.x >= 0 || last.x >= 0)) box.most.x = std::max(box.most.x, arc.center.x + arc.radius);
   if (passes(first.x >= 0, last.x <= 0, first.y >= 0 || last.y >= 0)) box.most.y = std::max(box.most.y, arc.center.y + arc.radius);
   if (passes(first.y >= 0, last.y <= 0, first.x <= 0 || last.x <= 0)) box.least.x = std::min(box.least.x, arc.center.x - arc.radius);
@@ -147,10 +149,11 @@ Box2 FlatPath::box() const {
       box.take(at(turned / sweep_rad));
     }
   };
-  // A growing radius has its extreme up to 90° after the quarter, a shrinking one up to 90° before it.
+  // A spiral with growing radius has its extreme in an axis direction up to 90° after passing this direction, one with shrinking radius up
+  // to 90° before.
   const double slack = radius_change_ == 0 ? 0 : 1;
   const double first = std::ceil(low / 90) - slack, last = std::floor(high / 90) + slack, turn = 3 + 2 * slack;
-  // Of many revolutions the first and the last are the outermost, because the radius changes steadily.
+  // Of a spiral with many revolutions, the first and the last are the outermost, because the radius changes steadily.
   for (double quarter = first; quarter <= std::min(last, first + turn); ++quarter) take_quarter(quarter);
   for (double quarter = std::max(first + turn + 1, last - turn); quarter <= last; ++quarter) take_quarter(quarter);
   return box;
@@ -171,7 +174,7 @@ double FlatPath::absolute_deg(double part, double radius_at) const {
 
 double FlatPath::swept(double part) const {
   const auto turn = [](Vec2 from, Vec2 to) { return angle_deg({dot(from, to), cross(from, to)}); };
-  if (spline_ != nullptr) {  // piece by piece, so that no piece turns by 180° or more
+  if (spline_ != nullptr) {  // sums over pieces of the spline, each of which turns by less than 180°
     const int count = samples();
     double sum = 0;
     Vec2 before = from_;
@@ -185,7 +188,7 @@ double FlatPath::swept(double part) const {
   if (!arc_) return turn(from_, at(part));
   const double distance = kadr::length(center_), here = radius(part);
   if ((radius_ > distance) == (here > distance)) return absolute_deg(part, here) - absolute_deg(0, radius_);
-  // The radius equals the distance of the centre once: there the computation switches from one of the two cases to the other.
+  // At the part `over`, the radius equals the distance of the centre from the origin: there the computation switches between the two cases.
   const double over = (distance - radius_) / radius_change_;
   const double grown = std::nextafter(distance, 2 * distance + 1);
   const double before = radius_ > distance ? grown : distance, after = here > distance ? grown : distance;

@@ -10,11 +10,11 @@ namespace kadr {
 
 class PlaneSpline;
 
-/// A circular arc, counter-clockwise from the end of the arm `first` to the end of the arm `last`.
+/// A circular arc, counter-clockwise from the point centre + `first` to the point centre + `last`.
 struct CircleArc {
   Vec2 center;
   double radius = 0;
-  Vec2 first, last;  // arms, from the centre
+  Vec2 first, last;  // vectors from the centre to the two ends
   double turns = 0;  // swept angle / 360, positive
 };
 
@@ -31,7 +31,7 @@ class FlatPath {
   /// `turns`: swept angle / 360, counter-clockwise positive. If the radius at one end is 0, the other end gives the direction.
   static FlatPath arc(Vec2 from, Vec2 to, Vec2 center, double turns);
 
-  /// `from`, `to`: parts of the curve's length. The curve must outlive the path.
+  /// The segment of a curve between `from` and `to`, which are parts (0..1) of its length. The curve must outlive the path.
   static FlatPath spline(const PlaneSpline& curve, double from, double to);
 
   bool is_arc() const { return arc_; }
@@ -44,7 +44,7 @@ class FlatPath {
   /// Returns the length in mm if the path also moves `rise` mm out of the plane, evenly with the part (helix, cone).
   double length(double rise = 0) const;
 
-  /// Returns the length of the arc's angle on a circle with the radius at the start; 0 if that radius is 0, or for no arc.
+  /// Returns the length of a circular arc with the path's angle and its start radius; 0 if the start radius is 0, or the path is no arc.
   double turn_length() const;
 
   /// Returns the exact bounding box.
@@ -57,7 +57,7 @@ class FlatPath {
   /// Returns the number of equal pieces whose chords stay within `chord` mm; 1 for a line.
   int pieces(double chord) const;
 
-  /// Returns the curvature in 1/mm, positive for a left turn; for a spiral, the curvature of the circle with the radius at that point.
+  /// Returns the curvature in 1/mm, positive for a left turn; for a spiral, approximated by the inverse of the radius at that point.
   double curvature(double part) const;
 
   /// Returns a number of equal pieces, each with at most one extreme of any coordinate; for searches.
@@ -70,13 +70,13 @@ class FlatPath {
 
   Vec2 from_, to_;
   Vec2 center_;
-  Vec2 arm_;              // from centre to start; a unit vector if the radius there is 0
+  Vec2 arm_;              // vector from the centre to the start; a unit vector if the radius there is 0
   double sweep_deg_ = 0;  // counter-clockwise positive
   double radius_ = 0;
   double radius_change_ = 0;  // radius at the end minus radius at the start
   bool arc_ = false;
   const PlaneSpline* spline_ = nullptr;
-  double spline_from_ = 0, spline_to_ = 1;  // parts of the curve
+  double spline_from_ = 0, spline_to_ = 1;  // the segment's start and end, as parts (0..1) of the spline's length
 };
 
 }  // namespace kadr

@@ -1,5 +1,6 @@
 #pragma once
-// InForce: one named item of what is in force between two blocks. A person inspects and sets these before a program continues.
+// InForce: one named value that is in force between two blocks: a position, a code, a feed … A person inspects and sets such values before
+// a program continues.
 
 #include <cstdint>
 #include <string>
@@ -9,22 +10,22 @@ namespace kadr {
 
 struct InForce {
   enum class Kind : std::uint8_t {
-    position,       // of an axis, in work coordinates, mm or degrees
-    machine,        // of an axis, in machine coordinates
-    code,           // in force in a modal group: `code`
-    feed,           // mm/min, mm/rev or 1/min, according to the code of the feed's modal group
-    speed,          // S
-    spindle,        // of the main spindle: `code` M3, M4, M5
-    coolant,        // `code` M7, M8, M9
-    tool,           // in the spindle
-    selected,       // T
-    offset,         // D
-    length_offset,  // H
-    origin,         // of the work system, all shifts included: machine coordinate of one axis
+    position,       // position of an axis in work coordinates, mm or degrees
+    machine,        // position of an axis in machine coordinates
+    code,           // the code in force in a modal group
+    feed,           // feed in mm/min, mm/rev or 1/min, as the code of the feed's modal group says
+    speed,          // spindle speed, the number after S
+    spindle,        // state of the main spindle: `code` is M3, M4 or M5
+    coolant,        // state of the coolant: `code` is M7, M8 or M9
+    tool,           // number of the tool in the spindle
+    selected,       // number of the selected tool, after T
+    offset,         // number of the offset, after D
+    length_offset,  // number of the tool length offset, after H
+    origin,         // origin of the work system with all its shifts: machine coordinate of one axis
     length,         // tool length along an axis
-    rotation,       // of the plane, degrees
-    scale,          // of an axis; negative if mirrored
-    variable,       // `name` as the program writes it
+    rotation,       // rotation of the plane, degrees
+    scale,          // scale factor of an axis; negative if the axis is mirrored
+    variable,       // a variable; `name` is spelled as in a program
   };
   Kind kind = Kind::position;
   std::string name{};  // name of the axis, group or variable

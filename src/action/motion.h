@@ -20,8 +20,8 @@ inline bool is_arc(MotionKind kind) { return kind == MotionKind::arc_cw || kind 
 /// What the commanded feed is measured along.
 enum class FeedAlong : std::uint8_t {
   path,      // the linear axes; if only rotary axes move, their travel (NIST 2.1.2.5)
-  turn,      // for an arc whose radius changes: its angle advances evenly, with the feed at the arc's start (nct 4.3)
-  arc,       // for a helix: the arc in its plane; the other axes keep pace (nct 4.3.2, HEF=0)
+  turn,      // the arc's angle, if its radius changes: the angle advances evenly, with the feed at the arc's start (nct 4.3)
+  arc,       // the arc in its plane, for a helix; the other axes keep pace (nct 4.3.2, HEF=0)
   all_axes,  // millimetres and degrees count alike (nct 4.2)
   xyz,       // X, Y, Z if they move, else the other linear axes, else the rotary ones (spec/linuxcnc 7.2)
 };
@@ -32,30 +32,30 @@ enum class PathSurface : std::uint8_t { plane, polar, cylinder };
 /// What a motion in the plane does to cutter compensation (nct 15.5.1, 15.5.3).
 enum class SideStep : std::uint8_t {
   none,
-  begins,  // compensation starts: G41, G42 in its block
+  begins,  // compensation starts: G41 or G42 is in the motion's block
   begun,   // compensation was started in an earlier block that did not move in the plane
-  ends,    // compensation ends: G40 in its block
-  holds,   // G38: the offset vector at the end is the one at the start
+  ends,    // compensation ends: G40 is in the motion's block
+  holds,   // G38: the offset vector at the motion's end is the same as at its start
 };
 
 /// How the compensated path goes round an outside corner.
 enum class CornerJoin : std::uint8_t {
-  extended,  // with straight lines; a sharp corner is cut off (nct 15.5.2)
-  arc,       // with an arc about the programmed point (2С42 G36, Mach3)
-  straight,  // with the lines extended to their intersection (2С42 G37)
+  extended,  // along straight lines; a sharp corner is cut off (nct 15.5.2)
+  arc,       // along an arc about the programmed point (2С42 G36, Mach3)
+  straight,  // along the two lines, extended to their intersection (2С42 G37)
 };
 
 /// How speed is controlled where two motions meet (nct 6.3).
 enum class CornerSpeed : std::uint8_t {
-  limited,       // by the control's limits (G64, G61)
-  inner_slower,  // also slower near inside corners (G62)
-  kept,          // not slowed down (G63)
+  limited,       // the control's limits apply (G64, G61)
+  inner_slower,  // the control's limits apply, and motions are slower near inside corners (G62)
+  kept,          // the speed is not reduced (G63)
 };
 
 /// Where the first compensated motion ends.
 enum class ContourEntry : std::uint8_t {
-  by_corner,  // as the corner to the next motion requires (nct 15.5.1)
-  normal,     // on the normal to the next element (2С42 6.4.7)
+  by_corner,  // where the corner to the next motion requires it (nct 15.5.1)
+  normal,     // on the normal to the next path element (2С42 6.4.7)
   tangent,    // the tool touches the line to the programmed point over its whole length (Mach3, RS274/NGC)
 };
 
@@ -63,15 +63,15 @@ enum class ContourEntry : std::uint8_t {
 struct Follower {
   std::uint8_t axis = 0;
   std::uint8_t master = 0;
-  double sign = 1;  // -1: in the opposite direction
+  double sign = 1;  // -1: the follower moves in the opposite direction
 };
 
-/// The line or circle that a motion in the plane lies on, if its start or end has to be calculated (nct 17.3).
+/// The line or circle on which a motion in the plane lies, if the start or end of the motion has to be calculated (nct 17.3).
 enum class SupportingCurve : std::uint8_t {
   none,    // nothing to calculate: the ends are given
-  way,     // a line from its start of which only the direction is known; it ends where the next motion starts
-  line,    // over-determined: a line through its end; it starts at the intersection with the previous motion
-  circle,  // over-determined: a circle about its centre; it starts at the intersection with the previous motion
+  way,     // a line with a known start and direction; it ends where the next motion starts
+  line,    // an over-determined line, with a known end and direction; it starts at the intersection with the previous motion
+  circle,  // an over-determined arc, with a known centre; it starts at the intersection with the previous motion
 };
 
 /// How a motion meets its neighbours in the plane (nct 17). path/contour/contour_corners resolves it.
@@ -79,10 +79,10 @@ struct ContourData {
   double chamfer = 0;   // leg of the chamfer at the motion's end, mm; 0: none
   double rounding = 0;  // radius of the rounding at the motion's end, mm; 0: none
   SupportingCurve on = SupportingCurve::none;
-  Vec2 direction;         // only for `way` and `line`: unit vector
-  double radius = 0;      // only for `circle`, mm
-  bool farther = false;   // the second of two intersections (Q above 0)
-  bool mirrored = false;  // the programmed plane is mirrored: its clockwise is counter-clockwise here
+  Vec2 direction;         // direction of the line, only for `way` and `line`: unit vector
+  double radius = 0;      // radius, only for `circle`, mm
+  bool farther = false;   // of two intersections, the second one is used (Q above 0)
+  bool mirrored = false;  // the programmed plane is mirrored: a clockwise arc of the program is counter-clockwise here
 };
 
 /// The position of the tool along a motion that leads the tool's tip, if the curve and the even travel of the rotary axes do not
@@ -110,23 +110,24 @@ struct MotionDetail {
   Axes travel{};
   PathSurface surface = PathSurface::plane;
   Vec2 flat_from;          // start; polar: in the programmed plane, mm; cylinder: on the unrolled surface, mm
-  Vec2 flat_to;            // end, likewise (the arc's centre and turns refer to that plane too)
-  double radius = 0;       // of the cylinder, mm
-  double side = 1;         // polar: sign of the linear axis at G12.1
+  Vec2 flat_to;            // end, in the same plane or surface as flat_from; the arc's centre and turns refer to it too
+  double radius = 0;       // radius of the cylinder, mm
+  double side = 1;         // only for polar interpolation: sign of the linear axis' position at G12.1
   double offset = 0;       // polar: perpendicular offset of the rotation centre, mm
   double rotary_most = 0;  // polar: greatest speed of the rotary axis, degrees/min; 0: no limit
   Axes programmed{};       // end point in the coordinates of the program's words
   bool has_programmed = false;
-  std::optional<double> lead;         // of a thread, mm
-  std::optional<double> start_angle;  // of the spindle at the start of the thread, degrees
+  std::optional<double> lead;         // lead of a thread, mm
+  std::optional<double> start_angle;  // angle of the spindle at the start of the thread, degrees
   std::optional<double> turn;         // rotation of the spindle during the motion, degrees, signed
   std::optional<double> torque;       // torque limit of a probe motion, %
   int input = 0;                      // input of a probe motion: 1 to 8; 98: torque; 0: any
   std::optional<Vec2> way;            // I J K of G41, G42, G40: direction of the approach or departure
-  std::vector<Follower> followers;    // each listed after its master; their travel is no part of the path
+  // Axes that copy the travel of another axis, each listed after its master; the path's length does not include their travel
+  std::vector<Follower> followers;
   std::shared_ptr<const TipWay> tip_way;
   AxisMask parked = 0;  // axes that the machine's logic has parked: they do not move, their positions are only calculated (nct 20.2)
-  bool evenly = false;  // the axes move evenly, although other motions lead the tip (G53, nct 25.2)
+  bool evenly = false;  // all axes move evenly, although the tool's tip is led in other motions (G53, nct 25.2)
   std::optional<ContourData> contour;
   SplinePart spline;  // only for MotionKind::spline
 };
@@ -145,15 +146,15 @@ struct MotionPath {
   std::uint8_t second = 1;  //
   EndGiven end_given = EndGiven::by_work;
   AxisMask named = 0;          // axes whose position the block gives
-  Vec2 center;                 // of an arc, in its first and second axis, work coordinates
+  Vec2 center;                 // centre of an arc, in the two axes of its plane, work coordinates
   double turns = 0;            // swept angle / 360, positive; the radius changes linearly with the angle
-  bool as_programmed = false;  // the end point is exactly what the program's words give; set where rotated frames are possible (nct 25)
+  bool as_programmed = false;  // the end point is exactly as the program's words give it; set where rotated frames are possible (nct 25)
   bool inch = false;           // the block was read in inches
 };
 
 /// How fast and how exactly a motion is executed.
 struct MotionFeed {
-  double feed = 0;       // as commanded, in `unit`
+  double feed = 0;       // commanded feed, in `unit`
   double tolerance = 0;  // mm by which constant-velocity mode may round the path; 0: not stated
   double join = 0;       // mm; straight motions no longer than this in any axis are joined into one (nct 4.7, N3103)
   FeedUnit unit = FeedUnit::mm_per_min;
@@ -163,19 +164,20 @@ struct MotionFeed {
   std::uint8_t smoothing = 0;  // Q of G5.1 in force: 2 smooth, 3 fine (nct 4.7); 0: none
   bool exact = false;          // exact stop at the end
   bool own_override = false;   // feed and spindle override act as 100 % (tapping, threads, G23, M49)
-  bool no_hold = false;        // the operator's feed hold does not act either (nct 6.3.4)
+  bool no_hold = false;        // the operator's feed hold is ignored too (nct 6.3.4)
   bool in_position = false;    // the axes must reach the in-position window at the end (nct 4.1.1, 6.3)
 };
 
 /// The side of the programmed path that the tool is on, and how it gets there.
 struct MotionCompensation {
-  double tool_radius = 0;           // mm, at the end of the motion
+  double tool_radius = 0;           // radius of the tool at the end of the motion, mm
   std::uint16_t radius_offset = 0;  // row of the offset table, if the tool is on a side of the path; 0: none
   std::int8_t side = 0;             // +1: the tool is left of the path, -1: right, 0: no compensation
-  std::uint8_t nose = 0;            // orientation of a turning tool, whose tip is led (spec/linuxcnc 9); 0, 9: its centre is led
+  // Orientation of a turning tool whose tip follows the path (spec/linuxcnc 9); 0, 9: the centre of its nose follows the path
+  std::uint8_t nose = 0;
   SideStep side_step = SideStep::none;
-  CornerJoin join_corner = CornerJoin::extended;  // with the next motion
-  ContourEntry entry = ContourEntry::by_corner;   // used where compensation starts
+  CornerJoin join_corner = CornerJoin::extended;  // shape of the corner between this motion and the next
+  ContourEntry entry = ContourEntry::by_corner;   // matters only where compensation starts
 };
 
 /// What a motion belongs to: work offset, tool length, drilling cycle.

@@ -8,7 +8,7 @@ namespace kadr {
 /// The length, duration and speeds of one motion.
 struct MotionTime {
   double length = 0;     // Curve::length(), mm
-  double seconds = 0;    // 0 if it would never end
+  double seconds = 0;    // duration; 0 if the motion would never end
   double feed = 0;       // the commanded feed after override, mm/min (degrees/min), measured along MotionFeed::along; 0: rapid, or no feed
   double feed_most = 0;  // highest speed, in the unit of `feed`; valid only if `exact` (0 for a rapid in polar interpolation)
   bool exact = false;    // `seconds` is the machine's exact time, not an estimate

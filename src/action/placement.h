@@ -12,7 +12,7 @@ namespace kadr {
 /// Which machine axis each programmed axis drives, and which axes are reversed about the machine's zero (nct 20.3, 20.4).
 struct AxisDrives {
   std::array<std::int8_t, max_axes> axis;  // machine axis of each programmed axis; a permutation
-  AxisMask reversed = 0;                   // mask of programmed axes
+  AxisMask reversed = 0;                   // mask of the programmed axes that are reversed
   bool is_own = true;                      // each programmed axis drives its own machine axis, not reversed
   AxisDrives();
   friend bool operator==(const AxisDrives&, const AxisDrives&) = default;
@@ -57,13 +57,14 @@ class WorkSpace {
   /// positions and all axes that are not transformed.
   virtual Axes machine_of(const Axes& work, const Axes& plainly) const = 0;
   virtual Axes work_of(const Axes& machine, const Axes& plainly) const = 0;
-  /// Returns the axes that move if these are programmed. A rotary axis moves the others, or leaves them where they are (N3212 FOS).
+  /// Returns the axes that move if the axes `named` are programmed. A rotary axis moves the others too, or leaves them where they are
+  /// (N3212 FOS).
   virtual AxisMask moved_with(AxisMask named) const = 0;
-  /// Returns true if moving these axes changes the work coordinates of axes that do not move.
+  /// Returns true if a motion of the axes `named` changes the work coordinates of axes that do not move.
   virtual bool changes_work(AxisMask named) const = 0;
   /// Returns X, Y, Z in the work system, whatever programming frame (G68.1, G68.2) is active.
   virtual Axes in_system(const Axes& work) const = 0;
-  /// Returns the machine position of the work system's zero, as it was measured.
+  /// Returns the position of the work system's origin in machine coordinates, as it was measured.
   virtual Vec3 zero() const = 0;
   /// Returns true if the directions of the programming frame differ from those of the work system.
   virtual bool has_frame() const = 0;
@@ -78,12 +79,12 @@ class WorkSpace {
   virtual AxisMask rotary_axes() const = 0;
 };
 
-/// machine = origin + length + work; with a turn, on the main axes: origin + length + turn · (shift + work); then the values go to the
-/// axes that `drives` names.
+/// A Placement computes machine = origin + length + work; with a turn, on the main axes: origin + length + turn · (shift + work). Then
+/// each value goes to the machine axis that `turn->drives` names.
 ///   law  work_of(machine_of(w)) == w up to rounding
 struct Placement {
-  Axes origin{};                             // of the work system, in machine coordinates, with all shifts except turned ones
-  Axes length{};                             // of the tool, by axis
+  Axes origin{};                             // origin of the work system, in machine coordinates, with all shifts except turned ones
+  Axes length{};                             // length of the tool, by axis
   Axes shift{};                              // shift that is turned with the frame (G52 and G92 of the NCT); zero without a turn
   std::shared_ptr<const FrameTurn> turn{};   // nullptr: no rotation, or directions change with the rotary axes
   std::shared_ptr<const WorkSpace> space{};  // nullptr: none; one that is not plain determines where the axes are
@@ -91,7 +92,7 @@ struct Placement {
 
   Axes machine_of(const Axes& work) const;
   Axes work_of(const Axes& driven) const;
-  /// Returns the machine axes that move if these are programmed; with a turn, the main axes move together.
+  /// Returns the machine axes that move if the axes `named` are programmed; with a turn, the main axes move together.
   AxisMask moved_with(AxisMask named) const;
   /// Returns the machine axis that a programmed axis drives.
   std::size_t driven(std::size_t axis) const { return turn == nullptr ? axis : turn->drives.of(axis); }

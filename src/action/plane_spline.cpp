@@ -12,7 +12,7 @@ namespace kadr {
 namespace {
 
 constexpr int most_spline_pieces = 100'000;
-// A speed (length per unit of t) below this part of the curve's length counts as 0; direction() then uses the tangent of a nearby point.
+// A speed (length per unit of t) below this share of the curve's length counts as 0; direction() then uses the tangent of a nearby point.
 constexpr double standing = 1e-9;
 
 /// Gauss quadrature with eight points in [-1, 1].
@@ -39,8 +39,8 @@ PlaneSpline::PlaneSpline(const std::vector<ControlPoint>& points, std::size_t or
   }
 }
 
-/// Returns the control points of the Bézier piece between the knots `span` and `span` + 1: values of its polar form (blossom) there, with
-/// each argument one of the two knots. The knots are 0 (`order` times), 1, 2, …, the last (`order` times).
+/// Returns the control points of the Bézier piece between the knots `span` and `span` + 1. They are the values of the spline's polar form
+/// (blossom) with each argument equal to one of the two knots. The knots are 0 (`order` times), 1, 2, …, the last (`order` times).
 PlaneSpline::Piece PlaneSpline::piece_of(const std::vector<Weighted>& points, std::size_t span) const {
   const std::size_t degree = order_ - 1;
   const double last = static_cast<double>(points.size() - degree);
@@ -105,7 +105,7 @@ void PlaneSpline::measure(std::uint32_t piece, double from, double to, double wh
   measure(piece, middle, to, other, halvings - 1);
 }
 
-/// Newton's method between two nodes, with bisection where it would leave them.
+/// Finds the place by Newton's method between two nodes; a step that would leave this interval is replaced by bisection.
 PlaneSpline::Place PlaneSpline::place_of(double part) const {
   const double wanted = part * length();
   const auto next = std::upper_bound(nodes_.begin() + 1, nodes_.end() - 1, wanted, [](double l, const Node& n) { return l < n.length; });
@@ -139,7 +139,7 @@ Vec2 PlaneSpline::at(double part) const {
 
 Vec2 PlaneSpline::direction(double part) const {
   if (!(length() > 0)) return {};
-  constexpr double beside = 1e-5;  // step to a nearby point, as part of the length
+  constexpr double beside = 1e-5;  // distance to a nearby point, as a share of the curve's length
   for (const double shift : {0.0, beside, 10 * beside, 100 * beside}) {
     const double there = std::clamp(part < 0.5 ? part + shift : part - shift, 0.0, 1.0);
     const Vec2 rate = motion(place_of(there)).rate;
@@ -174,7 +174,8 @@ std::pair<PlaneSpline::Piece, PlaneSpline::Piece> PlaneSpline::split(const Piece
   return {left, right};
 }
 
-/// Uses the convex hulls of smaller and smaller pieces. The ends of `piece` must be in the box already.
+/// Extends the box to contain the piece, using the convex hulls of smaller and smaller halves. The ends of `piece` must be in the box
+/// already.
 void PlaneSpline::widen(Box2& box, const Piece& piece, int halvings) {
   constexpr double close = 1e-9;  // mm
   Box2 hull{flat(piece[0]), flat(piece[0])};
@@ -215,20 +216,21 @@ double PlaneSpline::off_chord(double from, double to, Vec2 start, Vec2 end, int 
   double worst = 0;
   for (int i = 1; i < places; ++i) {
     const Vec2 off = at(from + (to - from) * i / places) - start;
-    const double along = squared > 0 ? std::clamp(dot(way, off) / squared, 0.0, 1.0) : 0;  // at a cusp beyond the chord's end
+    // At a cusp, the nearest point may lie beyond the chord's end
+    const double along = squared > 0 ? std::clamp(dot(way, off) / squared, 0.0, 1.0) : 0;
     worst = std::max(worst, kadr::length(off - along * way));
   }
   return worst;
 }
 
-/// The distance from a chord falls with the square of its length where the curve is smooth, and with the length itself at a cusp; so the
-/// count is raised until the distance is small enough. A curve of length s between the ends of a chord c lies within an ellipse (string
-/// construction): at most √(s² − c²)/2 from the chord. A smooth curve comes close to this bound, and the samples near the middle give the
-/// greatest distance; otherwise more points are sampled.
+/// Where the curve is smooth, its distance from a chord falls with the square of the chord's length; at a cusp, with the length itself. So
+/// the number of pieces is raised until the distance is small enough. A curve of length s with the chord c between its ends lies within an
+/// ellipse (string construction), at most √(s² − c²)/2 from the chord. A smooth curve comes close to this bound, and samples near its
+/// middle find the greatest distance. If the sampled distance is far below the bound, more points are sampled.
 int PlaneSpline::pieces(double from, double to, double chord) const {
-  constexpr double used = 0.8;        // part of the tolerance that is used, because the distance is only sampled
-  constexpr double fastest_rise = 4;  // greatest factor of the count from one trial to the next
-  constexpr double of_ellipse = 0.5;  // a smooth curve reaches more than this part of the bound; a circular arc: 0.87
+  constexpr double used = 0.8;        // share of the tolerance that is used, because the distance is only sampled
+  constexpr double fastest_rise = 4;  // greatest factor by which the number of pieces rises from one trial to the next
+  constexpr double of_ellipse = 0.5;  // a smooth curve reaches more than this share of the ellipse's bound; a circular arc reaches 0.87
   double count = std::max(1.0, std::ceil((to - from) * samples() / 4));
   while (true) {
     const double hopeless = fastest_rise * fastest_rise * used * chord;

@@ -24,9 +24,9 @@ struct ControlPoint {
 class PlaneSpline {
  public:
   static constexpr std::size_t most_order = 32;     // degree 31; usual orders are 3 and 4
-  static constexpr std::size_t most_points = 5000;  // no person or CAM system writes more points as one curve
+  static constexpr std::size_t most_points = 5000;  // no person or CAM system writes a curve of more points
 
-  ///   points  at least `order` and at most most_points of them, weights above 0
+  ///   points  control points with weights above 0: at least `order`, at most most_points
   ///   order   degree + 1, from 2 to most_order
   PlaneSpline(const std::vector<ControlPoint>& points, std::size_t order);
 
@@ -41,7 +41,7 @@ class PlaneSpline {
   double greatest_curvature() const;
   /// Returns the bounding box between two parts, within 1e-9 mm.
   Box2 box(double from, double to) const;
-  /// Returns the number of equal pieces between two parts whose chords stay within `chord` mm.
+  /// Returns the number of equal pieces between two parts whose chords stay within `chord` mm of the curve.
   int pieces(double from, double to, double chord) const;
   /// Returns a number of equal pieces, each with at most one extreme of any coordinate; for searches.
   int samples() const;
@@ -56,14 +56,14 @@ class PlaneSpline {
   /// A point of the curve, with the length from the curve's start to it.
   struct Node {
     std::uint32_t piece;
-    double t;  // of the piece, 0..1
+    double t;  // parameter of the point on the piece, 0..1
     double length;
   };
   struct Place {
     std::uint32_t piece;
     double t;
   };
-  /// Position, first and second derivative by t.
+  /// Position, first and second derivative with respect to t.
   struct Motion2 {
     Vec2 at, rate, bend;
   };

@@ -28,7 +28,8 @@ PolarAxes PolarPath::at(double part) const {
   return {linear_at(point), rotary_start_ + path_.swept(part) - (skew_deg(point) - skew_deg(path_.at(0)))};
 }
 
-/// With r² = u² + w² = linear² + p²: linear' = (u·u' + w·w') / linear, rotary' = (u·w' − w·u' + p·linear') / r².
+/// With (u, w) the point in the plane, p the offset, r² = u² + w² = linear² + p², and ' the derivative by `part`:
+///   linear' = (u·u' + w·w') / linear,   rotary' = (u·w' − w·u' + p·linear') / r².
 PolarAxes PolarPath::rates(double part) const {
   const Vec2 point = path_.at(part), rate = path_.rate(part);
   const double linear = linear_at(point), square = dot(point, point);
@@ -62,8 +63,8 @@ void PolarPath::extremes(PolarAxes& least, PolarAxes& most) const {
   most = {linear.most, rotary.most};
 }
 
-/// At distance d from the centre the curvature of the linear axis' travel is at most 1/d, so a chord of length h misses it by h²/8d, and
-/// never by more than h/2.
+/// At the distance d from the rotation centre, the curvature of the linear axis' travel is at most 1/d. So a chord of length h deviates
+/// from the travel by h²/8d, and never by more than h/2.
 int PolarPath::pieces(double chord) const {
   const double near = std::abs(linear_at(path_.at(nearest())));
   const double step = std::max(2 * chord, std::sqrt(8 * chord * near));

@@ -1,12 +1,13 @@
 #pragma once
-// PolarPath: a path programmed in a plane and executed by a linear and a rotary axis. NCT 4.5:
+// PolarPath: a path programmed in a plane and executed by a linear and a rotary axis. NCT 4.5, with (u, w) the point in the plane, p the
+// perpendicular offset of the rotation centre in mm, and `side` the sign (±1) of the linear axis:
 //   linear = side · sqrt(u² + w² − p²),   rotary = atan2(side·w, side·u) − atan2(p, linear), continuous from its start.
 
 #include "action/flat_path.h"
 
 namespace kadr {
 
-/// Positions of the two axes in mm and degrees, or their derivatives in mm and degrees per part.
+/// Positions of the two axes in mm and degrees, or their derivatives in mm and degrees per unit of `part`.
 struct PolarAxes {
   double linear = 0;
   double rotary = 0;

@@ -18,14 +18,14 @@ class Step {
   Step(const AxisRoles& its_roles, const Action& its_action, const ToolPosition& before, double start = 0, const MotionTime& its_time = {},
        double still = 0)
       : roles(its_roles), action(its_action), from(before), begins(start), time(its_time), pause(still) {}
-  Step(const Step&) = delete;  // the curve points into it
+  Step(const Step&) = delete;  // the curve refers to members of this object
   Step& operator=(const Step&) = delete;
 
-  const AxisRoles& roles;    // of the channel
+  const AxisRoles& roles;    // axes of the channel
   const Action& action;      //
   const ToolPosition& from;  // position of the tool before the action
   double begins;             // virtual time, s since the start, including waits for other channels
-  MotionTime time;           // of a motion; all 0 if nobody computes times
+  MotionTime time;           // length and duration of a motion; all 0 if times are not computed
   double pause;              // duration of any other action, s
 
   /// Returns nullptr if the action is not a motion.

@@ -1,5 +1,6 @@
 #pragma once
-// SurfaceSpeed: constant surface speed of a spindle (nct 11.5). The speed follows from the position of an axis:
+// SurfaceSpeed: constant surface speed of a spindle (nct 11.5). The speed n in rev/min follows from the surface speed v in m/min and the
+// diameter D in mm, which the position of an axis gives:
 //   n = min(max(1000 v / (π D), least), most)      D = 2 |position in the work coordinate system|
 
 #include <algorithm>
@@ -12,7 +13,7 @@ namespace kadr {
 
 struct SurfaceSpeed {
   bool on = false;          // if false, the spindle keeps its present speed
-  std::uint8_t number = 1;  // of the spindle
+  std::uint8_t number = 1;  // number of the spindle
   std::uint8_t axis = 0;    // index of the axis whose position is the radius
   double metres = 0;        // surface speed, m/min
   double least = 0;         // rev/min

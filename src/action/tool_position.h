@@ -9,7 +9,7 @@
 
 namespace kadr {
 
-/// The position of the tool point, and how its work system lies. At the start: Control::ending() before the first block.
+/// The position of the tool point, and the orientation of the work system. At the start: Control::ending() before the first block.
 struct ToolPosition {
   Axes work{};
   Axes machine{};

@@ -17,8 +17,8 @@ enum class AlarmId : std::uint16_t {
       count
 };
 
-/// The id that means "no alarm". It is a value of AlarmId, not a separate flag, so that an Alarm, and every Result that has room for one,
-/// stays small.
+/// The id that means "no alarm". It is a value of AlarmId, not a separate flag, so that an Alarm stays small, and so does a Result, which
+/// contains either a value or an Alarm.
 inline constexpr AlarmId no_alarm = AlarmId::count;
 
 /// Returns the name of the id as it is printed, and as the rows of controls/alarms.toml spell it.
@@ -53,12 +53,12 @@ class AlarmArg {
   std::array<char, 30> text_{};
 };
 
-/// Plain value that never allocates, so that a Result costs nothing as long as no alarm occurs.
+/// A plain value. It never allocates memory, so returning a Result (a value or an Alarm) costs nothing as long as no alarm occurs.
 struct Alarm {
   AlarmId id = no_alarm;
   Severity severity = Severity::alarm;
   std::uint8_t arg_count = 0;
-  Span where;  // bytes in the line of the block
+  Span where;  // the bytes of the block's line that the alarm is about
   std::array<AlarmArg, 3> args;
 };
 

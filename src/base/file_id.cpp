@@ -36,12 +36,12 @@ std::optional<FileId> file_id_of(int descriptor) {
 
 std::string true_path(const std::string& path) {
   namespace fs = std::filesystem;
-  constexpr int most_links = 40;  // the limit of the system
+  constexpr int most_links = 40;  // links that are followed, as many as the operating system follows
   fs::path at(path);
   for (int i = 0; i < most_links; ++i) {
     if (const auto real = real_path(at.string())) return *real;
     std::error_code error;
-    const fs::path target = fs::read_symlink(at, error);  // for a link whose target does not exist yet
+    const fs::path target = fs::read_symlink(at, error);  // the path may be a link whose target does not exist yet
     if (error) break;
     at = target.is_absolute() ? target : at.parent_path() / target;
   }

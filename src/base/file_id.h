@@ -17,13 +17,13 @@ struct FileId {
 
 /// Follows links. Returns nullopt if the file does not exist.
 std::optional<FileId> file_id_of(const std::string& path);
-/// The same for an open file.
+/// Returns the identity of an open file.
 std::optional<FileId> file_id_of(int descriptor);
 
 /// Returns the absolute path with every link resolved, including a link in the last component. The file need not exist.
 std::string true_path(const std::string& path);
 
-/// A set of files, which may or may not exist yet.
+/// A set of files, given by their paths. A file of the set need not exist yet.
 class FileSet {
  public:
   void add(const std::string& path);
@@ -33,7 +33,7 @@ class FileSet {
 
  private:
   std::set<FileId> ids_;
-  std::set<std::string> paths_;  // results of true_path()
+  std::set<std::string> paths_;  // the files' paths as true_path() returns them
 };
 
 }  // namespace kadr

@@ -1,5 +1,6 @@
 #pragma once
-// Vectors of eight doubles that are calculated in parallel: in the 128-bit registers that every processor has, or in wider ones.
+// Vectors of eight doubles that are calculated in parallel, in the 128-bit registers that every processor has, or in wider ones. A lane is
+// one of the eight numbers of a vector.
 
 #include <algorithm>
 #include <cmath>
@@ -19,7 +20,7 @@ inline constexpr std::size_t lanes = 8;
 using Pair = double __attribute__((vector_size(16)));
 using Four = double __attribute__((vector_size(32)));
 
-/// Selects lane by lane: `then` where `sign` is above 0, else `otherwise`.
+/// Selects for each lane: `then` where `sign` is above 0, else `otherwise`.
 template <class V>
 KADR_LANES V where_positive(const V& sign, const V& then, const V& otherwise) {
   return sign > 0 ? then : otherwise;
@@ -32,7 +33,7 @@ KADR_LANES Pair greater(const Pair& x, const Pair& y) { return x > y ? x : y; }
 KADR_LANES Four greater(const Four& x, const Four& y) { return x > y ? x : y; }
 KADR_LANES Pair all_of(double x, const Pair&) { return Pair{x, x}; }
 KADR_LANES Four all_of(double x, const Four&) { return Four{x, x, x, x}; }
-/// Converts from and to floats at an address of any alignment.
+/// read_lanes() reads floats and converts them to doubles, write_lanes() does the reverse; the address may have any alignment.
 KADR_LANES void read_lanes(const float* from, Pair& x) { x = Pair{from[0], from[1]}; }
 KADR_LANES void read_lanes(const float* from, Four& x) {
   float __attribute__((vector_size(16))) narrow;
@@ -58,7 +59,7 @@ struct Doubled {
 
   Doubled() = default;
   KADR_LANES Doubled(const Half& l, const Half& h) : low(l), high(h) {}
-  /// Reads from an address of any alignment.
+  /// Reads the numbers from an address of any alignment.
   KADR_LANES explicit Doubled(const double* from) {
     std::memcpy(static_cast<void*>(&low), from, sizeof low);
     std::memcpy(static_cast<void*>(&high), from + sizeof low / sizeof *from, sizeof high);
@@ -100,7 +101,7 @@ struct Doubled {
     return {where_positive(sign.low, then.low, otherwise.low), where_positive(sign.high, then.high, otherwise.high)};
   }
   KADR_LANES friend Doubled root_of(const Doubled& x) { return {root_of(x.low), root_of(x.high)}; }
-  // The order of summation is the same for both kinds, so results agree to the last bit: ((0+4)+(2+6)) + ((1+5)+(3+7)).
+  // The order of summation is the same for vectors of Pair and of Four, so sums agree to the last bit: ((0+4)+(2+6)) + ((1+5)+(3+7)).
   KADR_LANES friend double sum_of(const Doubled& x) { return sum_of(x.low + x.high); }
   KADR_LANES friend double product_of(const Doubled& x) { return product_of(x.low * x.high); }
   KADR_LANES friend double least_of(const Doubled& x) { return least_of(where_positive(x.high - x.low, x.low, x.high)); }

@@ -37,7 +37,7 @@ struct Mat3 {
   friend bool operator==(const Mat3&, const Mat3&) = default;
 };
 
-/// For a rotation, this is the inverse.
+/// Returns the transposed matrix. For a rotation, it is the inverse rotation.
 inline Mat3 transposed(const Mat3& m) { return {{m.column(0), m.column(1), m.column(2)}}; }
 /// Returns transposed(m) · v, for a rotation the inverse rotation of v.
 inline Vec3 turned_back(const Mat3& m, Vec3 v) { return v.x * m.rows[0] + v.y * m.rows[1] + v.z * m.rows[2]; }

@@ -43,7 +43,8 @@ void SideBySide::begin(std::function<void()> work) {
 }
 
 void SideBySide::work() {
-  constexpr int few_looks = 200;  // more would keep a processor from other threads, and the caller of begin() does not wait for the start
+  // Polls before this thread sleeps: more polls would keep a processor from other threads, and nobody waits for the start of the work
+  constexpr int few_looks = 200;
   for (std::uint32_t seen = 0;; ++seen) {
     wait_for(
         given_, [&] { return given_.load(std::memory_order_acquire) != seen; }, few_looks);
@@ -61,7 +62,7 @@ bool SideBySide::claim(std::uint32_t number) {
   return claimed_.compare_exchange_strong(before, number, std::memory_order_acq_rel);
 }
 
-/// If the thread has not started the work yet, because no processor is free, executes the work here.
+/// Finishes the work that was begun: if no processor was free and the thread has not started it yet, executes it in this thread.
 void SideBySide::finish() {
   const std::uint32_t given = given_.load(std::memory_order_relaxed);
   if (is_done()) return;

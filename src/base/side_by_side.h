@@ -32,7 +32,7 @@ bool has_several_processors();
 class SideBySide {
  public:
   SideBySide() = default;
-  /// Waits for pending work.
+  /// Waits until work that was begun is done.
   ~SideBySide();
   SideBySide(const SideBySide&) = delete;
   SideBySide& operator=(const SideBySide&) = delete;
@@ -55,10 +55,12 @@ class SideBySide {
 
   std::function<void()> work_;
   std::exception_ptr failure_;
-  bool begun_ = false;                                             // begin() was called, wait() not yet
-  bool alone_ = false;                                             // single processor, or no thread: begin() executes the work itself
-  Thread thread_;                                                  // started with the first work
-  std::atomic<std::uint32_t> given_ = 0, claimed_ = 0, done_ = 0;  // number of the last work, from 1
+  bool begun_ = false;  // begin() was called, wait() not yet
+  // There is a single processor, or no thread could be created: begin() executes the work itself
+  bool alone_ = false;
+  Thread thread_;  // started with the first work
+  // Number, from 1, of the last work that was begun, claimed by a thread, done
+  std::atomic<std::uint32_t> given_ = 0, claimed_ = 0, done_ = 0;
   std::atomic<bool> over_ = false;
 };
 

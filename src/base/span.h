@@ -16,7 +16,8 @@ struct Span {
 struct Position {
   std::uint64_t offset = 0;  // byte offset of the line in the file
   std::uint32_t line = 1;    // counted from 1
-  std::uint32_t nth = 0;     // number of blocks before it in the same line (2С42: several blocks, separated by `ПС`, may share a line)
+  // Number of blocks that precede the block in its line (2С42: several blocks, separated by `ПС`, may share a line)
+  std::uint32_t nth = 0;
   friend bool operator==(const Position&, const Position&) = default;
 };
 

@@ -5,8 +5,8 @@
 
 namespace kadr {
 
-/// Every loop that may take long polls this. It is a value, passed down from the owner of the flag; a poll is one relaxed read of memory,
-/// safe in any thread.
+/// Answers whether a run has to end. Every loop that may take long polls a token. A token is a value, copied down from the owner of the
+/// stop flag; a poll is one relaxed read of memory, safe in any thread.
 class StopToken {
  public:
   StopToken() = default;  // a token that never requests a stop

@@ -11,7 +11,7 @@
 namespace kadr {
 namespace {
 
-/// Returns a thread that is not joinable if none can be created.
+/// Starts a thread. If none can be created, the returned thread is not joinable.
 std::thread begun(std::function<void()> work) {
   try {
     return std::thread(std::move(work));

@@ -11,9 +11,9 @@ namespace {
 
 constexpr double root_half = 0.70710678118654752440;
 
-/// Faster equivalent of std::remquo(deg, 90, &quarter): reduces `deg` to [-45, 45] and sets `quarter` modulo 4. It is exact too: below
-/// `most`, neither the product nor the difference is rounded, because a whole number of quarters has so few digits. At ±45° either
-/// neighbouring quarter may result.
+/// Faster equivalent of std::remquo(deg, 90, &quarter): returns `deg` reduced to [-45, 45] and sets `quarter` to the number of quarter
+/// turns taken off, modulo 4. The result is exact too: below `most`, neither the product nor the difference is rounded, because a whole
+/// number of quarter turns has so few digits. At ±45° either neighbouring quarter may result.
 double beyond_quarters(double deg, int& quarter) {
   constexpr double most = 1e12, to_whole = 0x1.8p52;  // adding and subtracting to_whole rounds to a whole number
   if (!(std::fabs(deg) < most)) return std::remquo(deg, 90.0, &quarter);
@@ -32,9 +32,10 @@ double beyond_quarters(double deg, int& quarter) {
 
 SinCos sincos_deg(double deg) {
   int quarter = 0;
-  const double rest_deg = beyond_quarters(deg, quarter);  // reduced first, because deg + 90 would round
+  // The angle is reduced before the quarter is applied, because deg + 90 would round
+  const double rest_deg = beyond_quarters(deg, quarter);
   const double rest = rest_deg * rad_per_deg;
-  const bool middle = std::fabs(rest_deg) == 45;  // both possible quarters must give the same result
+  const bool middle = std::fabs(rest_deg) == 45;  // at ±45°, both neighbouring quarters must give the same result
   const double s = middle ? std::copysign(root_half, rest) : std::sin(rest);
   const double c = middle ? root_half : std::cos(rest);
   switch (quarter & 3) {

@@ -27,10 +27,10 @@ class AlarmTexts {
   /// Returns the advice on what to do, arguments inserted; may be empty.
   std::string hint(const Alarm& alarm, Lang lang) const;
 
-  /// Returns the text as the file has it, {0} and all.
+  /// Returns the text as the file has it, with its placeholders {0} {1} {2}.
   const std::string& pattern(AlarmId id, Lang lang) const;
 
-  /// Returns the hint as the file has it.
+  /// Returns the hint as the file has it, with its placeholders.
   const std::string& hint_pattern(AlarmId id, Lang lang) const;
 
   /// Returns the control's own number of this alarm; empty if it has none.
@@ -41,7 +41,7 @@ class AlarmTexts {
  private:
   const AlarmText& row(AlarmId id) const { return rows_[static_cast<std::size_t>(id)]; }
 
-  std::vector<AlarmText> rows_;  // by AlarmId
+  std::vector<AlarmText> rows_;  // one row per alarm, indexed by AlarmId
 };
 
 /// Formats a number for people: as short as possible, with up to `decimals` decimals, never -0.

@@ -14,7 +14,7 @@ Vec2 around(Vec2 centre, double radius, double deg) {
   return centre + radius * Vec2{turn.cos, turn.sin};
 }
 
-/// Returns true for DXF: pairs of lines, the first line of which is a number, usually 0 or 999.
+/// Returns true for a text that starts like DXF, with a pair of lines whose first line is a number, usually 0 or 999.
 bool looks_like_dxf(std::string_view text) {
   const std::size_t at = text.find_first_not_of(" \t\r\n");
   if (at == std::string_view::npos) return false;
@@ -54,7 +54,8 @@ void EdgeList::line(Vec2 from, Vec2 to) { add({from, to}); }
 void EdgeList::bulged(Vec2 from, Vec2 to, double bulge) {
   if (!(std::abs(bulge) > 1)) return add({from, to, bulge});
   const Vec2 way = to - from;
-  const Vec2 middle = 0.5 * (from + to) + (bulge / 2) * Vec2{way.y, -way.x};  // a point of the arc: the sagitta is bulge · chord / 2
+  // The middle of the arc; its distance from the chord (sagitta) is bulge · chord / 2
+  const Vec2 middle = 0.5 * (from + to) + (bulge / 2) * Vec2{way.y, -way.x};
   const double half = std::tan(std::atan(bulge) / 2);
   add({from, middle, half});
   add({middle, to, half});

@@ -17,8 +17,9 @@ namespace kadr {
 struct Edge {
   Vec2 from;
   Vec2 to;
-  double bulge = 0;        // tangent of a quarter of the swept angle, counter-clockwise positive; 0: line; at most 1: semicircle
-  bool open = false;       // the edge has no wall: the tool may cross it
+  // Tangent of a quarter of the swept angle, counter-clockwise positive; 0: a straight line; at most 1: a semicircle
+  double bulge = 0;
+  bool open = false;       // there is no wall at this edge: the tool may cross it
   std::uint32_t line = 0;  // line in the file; 0: not from a file
   friend bool operator==(const Edge&, const Edge&) = default;
 };
@@ -36,9 +37,9 @@ inline tl::unexpected<ContourFault> contour_fault(std::uint32_t line, const Alar
 }
 
 namespace limits {
-inline constexpr std::size_t contour_bytes = 16u << 20;  // size of a file
-inline constexpr std::size_t contour_edges = 20'000;     // each edge costs time in the later geometry
-inline constexpr double contour_reach = 100'000;         // mm from the origin; no milling machine is larger
+inline constexpr std::size_t contour_bytes = 16u << 20;  // greatest size of a drawing file
+inline constexpr std::size_t contour_edges = 20'000;     // greatest number of edges; each costs time in the later geometry
+inline constexpr double contour_reach = 100'000;         // mm, greatest distance of a point from the origin; no milling machine is larger
 }  // namespace limits
 
 /// Reads the edges of a drawing in the order of the file. Arcs are split into pieces of at most a semicircle.
@@ -50,7 +51,7 @@ ContourResult read_contour_dxf(std::string_view text);
 ContourResult read_contour_svg(std::string_view text);
 ContourResult read_contour_text(std::string_view text);
 
-/// Collects the edges for the readers and checks the limits.
+/// Collects the edges that a reader (DXF, SVG, text format) finds, and checks the limits.
 class EdgeList {
  public:
   void line(Vec2 from, Vec2 to);

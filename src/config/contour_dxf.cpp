@@ -17,7 +17,7 @@ namespace {
 struct Pair {
   int code = -1;
   std::string_view value;
-  std::uint32_t line = 0;  // line of the value
+  std::uint32_t line = 0;  // line of the pair's value in the file
 };
 
 std::string_view trimmed(std::string_view text) {
@@ -25,11 +25,11 @@ std::string_view trimmed(std::string_view text) {
   return begin == std::string_view::npos ? std::string_view() : text.substr(begin, end - begin + 1);
 }
 
-/// Returns the mm of a unit of $INSUNITS; 0 for a unit in which nobody draws a part.
+/// Returns the length in mm of a unit of $INSUNITS; 0 for a unit in which nobody draws a part.
 double unit_of(int insunits) {
   switch (insunits) {
     case 0:
-    case 4: return 1;  // 0: not stated, mm is assumed
+    case 4: return 1;  // unit 0 means "not stated": mm is assumed
     case 1: return mm_per_inch;
     case 2: return 12 * mm_per_inch;
     case 5: return 10;
@@ -48,12 +48,12 @@ struct Entity {
   std::string_view type;
   std::uint32_t line = 0;
   bool open = false;
-  std::map<int, double> value;  // values of the codes that occur once
+  std::map<int, double> value;  // values by group code, for codes that occur once per entity
   struct Vertex {
     Vec2 at;
     double bulge = 0;
   };
-  std::vector<Vertex> vertices;  // only for LWPOLYLINE
+  std::vector<Vertex> vertices;  // vertices of a polyline, only for LWPOLYLINE
   bool closed() const { return std::fmod(of(70), 2) == 1; }
   double of(int code) const {
     const auto found = value.find(code);

@@ -15,7 +15,7 @@ namespace {
 
 using svg::Matrix;
 
-constexpr int deepest_group = 100;  // nesting depth of groups
+constexpr int deepest_group = 100;  // greatest nesting depth of groups
 
 /// A length and the mm of its unit; `unit` is 0 if there is no unit.
 struct Length {

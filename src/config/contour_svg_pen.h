@@ -7,7 +7,7 @@
 
 namespace kadr::svg {
 
-/// x' = a·x + c·y + e, y' = b·x + d·y + f, in SVG's order of the coefficients.
+/// Maps the point (x, y) to (x', y') with x' = a·x + c·y + e, y' = b·x + d·y + f; the coefficients are in SVG's order.
 struct Matrix {
   double a = 1, b = 0, c = 0, d = 1, e = 0, f = 0;
   Vec2 operator()(Vec2 p) const { return {a * p.x + c * p.y + e, b * p.x + d * p.y + f}; }
@@ -29,7 +29,7 @@ class Pen {
   Pen(EdgeList& edges, const Matrix& to_mm) : edges_(edges), to_mm_(to_mm) {}
 
   void line(Vec2 from, Vec2 to) { edges_.line(to_mm_(from), to_mm_(to)); }
-  /// Draws any curve over 0..1 as arcs and lines, within tol::contour_curve.
+  /// Draws a curve, given by its points at 0..1, as arcs and lines, within tol::contour_curve.
   void curve(const std::function<Vec2(double)>& at);
   /// Draws an ellipse. A circle stays an exact circle if the matrix keeps it round.
   void ellipse(const EllipseArc& arc);

@@ -101,7 +101,7 @@ class TextReader {
     return std::nullopt;
   }
 
-  static constexpr double radius_off = 0.01;  // mm; allowed difference of the radii at both ends, as the controls themselves allow
+  static constexpr double radius_off = 0.01;  // mm by which the radii at both ends of an arc may differ, as the controls themselves allow
 
   EdgeList edges_;
   std::optional<Vec2> at_;

@@ -18,7 +18,7 @@
 
 namespace kadr {
 
-/// A text for people, in both languages.
+/// A text for people, in English and Russian.
 struct Text {
   std::string en;
   std::string ru;
@@ -26,26 +26,26 @@ struct Text {
 
 /// One G or M code.
 struct CodeRow {
-  std::string code;  // as printed: "G43.4"
+  std::string code;  // the code as it is printed: "G43.4"
   char letter = 'G';
-  std::int32_t tenth = 0;  // ten times the number, see base/code_literals
+  std::int32_t tenth = 0;  // ten times the code's number, see base/code_literals
   Function function = Function::count;
   Phase phase = Phase::none;
   int arg = 0;
   std::uint8_t group = 0;          // index in ControlDef::groups; 0: no group, any number of such codes per block
-  bool modal = false;              // stays in force (its group is modal)
-  bool own_block = false;          // must be alone in its block, except for the words that it takes
-  bool needs_axis = false;         // needs at least one axis word
-  std::uint64_t takes = 0;         // letter mask of the words it uses
-  std::uint64_t needs = 0;         // letter mask of the words that must be present
-  std::vector<std::int32_t> with;  // tenths of the codes of its group that may be in the same block (M7 and M8)
+  bool modal = false;              // the code stays in force, because its group is modal
+  bool own_block = false;          // the code must be alone in its block, except for the words that it takes
+  bool needs_axis = false;         // the block must have at least one axis word
+  std::uint64_t takes = 0;         // letter mask of the words that the code uses
+  std::uint64_t needs = 0;         // letter mask of the words that the block must have
+  std::vector<std::int32_t> with;  // codes of the same group, in tenths, that may be in the same block as this code (M7 and M8)
   Text text;
   std::string manual;
-  std::uint16_t cycle = 0;      // index in ControlDef::cycles + 1
-  bool takes_all_axes = false;  // `*` in `takes`: every axis of the channel
-  bool works = true;            // Kadr implements it
-  bool in_part = false;         // implemented in part only; the notes say what is missing
-  bool told = false;            // the control executes it and reports it to the machine (nct 13.1)
+  std::uint16_t cycle = 0;      // index in ControlDef::cycles plus 1; 0: the code calls no cycle
+  bool takes_all_axes = false;  // the file has `*` in `takes`: the code uses every axis word of the channel
+  bool works = true;            // Kadr implements the code
+  bool in_part = false;         // Kadr implements only a part of the code; the notes say what is missing
+  bool told = false;            // the control executes the code itself and reports it to the machine (nct 13.1)
 };
 
 enum class WordUnit : std::uint8_t { none, length, angle };
@@ -55,22 +55,22 @@ struct AddressRow {
   char letter = 0;
   Function function = Function::count;  // count: the control has no such address
   Phase phase = Phase::none;
-  std::uint8_t axis = 0;    // only for `axis` and `center`: index in ControlDef::axes
+  std::uint8_t axis = 0;    // index of an axis in ControlDef::axes, only for `axis` and `center`
   std::uint8_t number = 0;  // number of a spindle, or of an auxiliary function (1 to 3)
   WordUnit unit = WordUnit::none;
   double scale = 1;       // factor from the word's value to mm, degrees, s, …
-  bool whole = false;     // must be a whole number
-  double least = -1e300;  // value_out_of_range outside least…most
+  bool whole = false;     // the value must be a whole number
+  double least = -1e300;  // a value outside least…most raises value_out_of_range
   double most = 1e300;
   Text text;
   std::string manual;
-  std::string format;  // as written in the file, for people
+  std::string format;  // number format as written in the file, for people
 };
 
 struct GroupRow {
   std::string name;
   bool modal = true;
-  std::int32_t power_on = -1;  // row of the code in force at power-on; -1: none
+  std::int32_t power_on = -1;  // row of the group's code that is in force at power-on; -1: none
   Text text;
 };
 
@@ -90,8 +90,8 @@ enum class CycleStep : std::uint8_t {
   peck_break,  // like peck_full, but retracts only a little between the passes
   shift_out,
   shift_back,
-  feed_face,            // G87: out by I, J in the plane and back; up to K
-  passes_by_parameter,  // L83 of the 2С42: levels of the passes from R1, R2, R3
+  feed_face,            // G87: moves out by I, J in the plane and back, and feeds up to K
+  passes_by_parameter,  // L83 of the 2С42: R1, R2, R3 give the levels of the passes
   count
 };
 
@@ -99,16 +99,17 @@ std::string_view name_of(CycleStep step);
 
 struct CycleRow {
   std::string name;                              // "G81", "L81"
-  std::uint32_t call_number = 0;                 // 81 for L81; 0: called by its code
+  std::uint32_t call_number = 0;                 // number after L: 81 for L81; 0: the cycle is called by its code
   std::vector<CycleStep> steps;                  // a cycle consists of steps …
   std::string body;                              // … or of a program in the control's own language
-  std::string printed;                           // for a cycle of steps: the body as the manual prints it, for people
-  std::vector<std::pair<char, int>> parameters;  // of a permanent subprogram: which word sets which formal parameter
-  std::uint64_t needs = 0;                       // letter mask of words that must be known (given or modal)
-  std::uint64_t left_out = 0;                    // those of `needs` (R, Q) that the manual's own example omits: without them, a warning
+  std::string printed;                           // for a cycle of steps: the program that the manual prints for it, for people
+  std::vector<std::pair<char, int>> parameters;  // for a permanent subprogram: which word sets which formal parameter
+  std::uint64_t needs = 0;                       // letter mask of words that must be given in the block or be modal
+  // Words of `needs` (R, Q) that the manual's own example omits: if they are missing, the alarm is only a warning
+  std::uint64_t left_out = 0;
   bool needs_spindle_cw = false;
   bool needs_spindle = false;
-  bool needs_override_off = false;  // L84 of the 2С42: needs G23 (overrides off)
+  bool needs_override_off = false;  // the overrides must be off (G23): L84 of the 2С42
   Text text;
   std::string manual;
 };
@@ -140,7 +141,7 @@ enum class VariableKind : std::uint8_t {
       count
 };
 
-/// Numbers from here on cannot be written by a program: bits of a variable, variables that have only a symbol.
+/// The first of the numbers that a program cannot write: bits of a variable, and variables that have only a symbol.
 inline constexpr std::uint32_t first_unwritten_variable = 1'000'000;
 
 /// A range of numbers of a system variable: `count` numbers starting at `from`, repeated `repeat` times at intervals of `stride`.
@@ -156,14 +157,14 @@ inline bool is_clock(VariableKind kind) {
 }
 struct VariableRow {
   VariableKind kind = VariableKind::free;
-  std::vector<VariableRange> ranges;  // first the short numbers, then the long ones; the symbol means the last range
+  std::vector<VariableRange> ranges;  // the variable's numbers: first the short ones, then the long ones; `symbol` means the last range
   std::string symbol;                 // "ABSIO" for #_ABSIO[n]; for a family (#_WZP7[n]) "WZP"
-  std::uint32_t first_index = 1;      // the index n of the first number
-  int arg = 0;   // distinguishes variables of the same kind; its meanings are at the head of [[variables]] in controls/nct.toml
-  int bit = -1;  // number of a bit if the row is one bit of the variable `of`
+  std::uint32_t first_index = 1;      // index n of the variable's first number
+  int arg = 0;   // distinguishes variables of the same kind; the head of [[variables]] in controls/nct.toml explains the values
+  int bit = -1;  // bit number, if the row is one bit of the variable `of`; -1: the row is a whole variable
   std::uint32_t of = 0;
   bool read = true, write = true;
-  bool works = true;  // Kadr implements it
+  bool works = true;  // Kadr implements the variable
   Text text;
   std::string manual;
 };
@@ -181,26 +182,30 @@ struct ParameterRow {
   ParameterClass when = ParameterClass::run_time;
   double least = -1e300, most = 1e300;
   double initial = 0;
-  std::vector<std::string> bits;   // names by bit number; "": unknown; a name without a known number follows the eighth
-  bool used = false;               // it has an effect in Kadr
-  std::vector<std::string> means;  // names that the engine uses for it ("1500", "1300#7", "calculator"); for bits, one name per bit
-  Text text;                       // `en` begins with the manual's own name
+  std::vector<std::string> bits;  // names of the bits, by bit number; "": unknown; a name whose bit number is unknown follows the eighth
+  bool used = false;              // the parameter has an effect in Kadr
+  // Names under which the engine uses the parameter ("1500", "1300#7", "calculator"); for bits, one name per bit
+  std::vector<std::string> means;
+  Text text;  // `en` begins with the manual's own name
   std::string manual;
 };
 
-/// What I J K of an arc mean: relative to the start point; absolute or incremental as G90, G91 say, and for the third axis the lead of a
-/// helix (2С42 6.6.4, 6.6.6); or as G90.1, G91.1 say.
+/// What I J K of an arc mean. incremental: the centre relative to the start point. as_distance: absolute or incremental as G90, G91 say;
+/// for the third axis, the word is the lead of a helix (2С42 6.6.4, 6.6.6). by_code: absolute or incremental as G90.1, G91.1 say.
 enum class ArcCenters : std::uint8_t { incremental, as_distance, by_code };
-/// How R of an arc is read: not at all; instead of I J K; also together with I J K, which it then overrides (spec/fanuc 3.2).
+/// How R of an arc is read. none: not at all. alone: instead of I J K. before_centre: also in a block with I J K, which R then overrides
+/// (spec/fanuc 3.2).
 enum class ArcRadius : std::uint8_t { none, alone, before_centre };
 enum class LengthOffset : std::uint8_t { at_once, next_motion };
-/// Where the first motion after G41, G42 ends: on the normal at the next block's start; tangential to the line to its first point
-/// (Mach3); or it is held back until the next motion determines its end (LinuxCNC: path/contour/queued_compensation).
+/// Where the first motion after G41, G42 ends. normal: on the normal at the start of the next block. tangent: the tool touches the line to
+/// the first point (Mach3). queued: the motion is held back until the next motion determines its end (LinuxCNC:
+/// path/contour/queued_compensation).
 enum class CompensationEntry : std::uint8_t { normal, tangent, queued };
-/// What P of a dwell counts: s; ms; ms without a decimal point, s with one (spec/haas 4.1).
+/// The unit of P in a dwell: s; ms; or ms if P has no decimal point, else s (spec/haas 4.1).
 enum class DwellUnit : std::uint8_t { seconds, milliseconds, milliseconds_without_point };
-/// Where the later of two words for the same thing wins: nowhere (an alarm); among the arguments of a macro call (spec/fanuc 9.3), except
-/// G, L, N, O, P, which are no arguments; or for addresses and codes of a group as well (1.2, 2.1).
+/// Where the later of two words for the same thing takes effect. nowhere: two such words are an alarm. arguments: among the arguments of a
+/// macro call (spec/fanuc 9.3), except G, L, N, O, P, which are no arguments. everywhere: also for addresses and codes of a group (1.2,
+/// 2.1).
 enum class LaterWord : std::uint8_t { nowhere, arguments, everywhere };
 /// What the words of a drilling cycle mean. shift_by_ijk: I J K are the shift of G76, G87; I of G85, G89 and of tapping is a percentage;
 /// R alone drills nothing (nct 18). shift_by_q: Q is the shift, a parameter gives its direction, and R alone drills (spec/fanuc 10.1,
@@ -212,46 +217,49 @@ enum class CycleWords : std::uint8_t { shift_by_ijk, shift_by_q, pecks_by_ijk };
 struct Behaviour {
   ArcCenters arc_centers = ArcCenters::incremental;
   ArcRadius arc_radius_word = ArcRadius::none;
-  double arc_radius_difference = 0.01;  // mm
-  double arc_difference_inch = 0;       // mm, while the unit is inch (G20); 0: the same as arc_radius_difference
-  bool arc_angle_even = false;          // if an arc's radius changes, its angle advances evenly (nct 4.3); else its path does
+  double arc_radius_difference = 0.01;  // mm by which an arc's radii at start and end may differ
+  double arc_difference_inch = 0;       // the same limit in mm while the unit is inch (G20); 0: arc_radius_difference applies
+  // If an arc's radius changes, its angle advances evenly (nct 4.3); else the length of its path does
+  bool arc_angle_even = false;
   LengthOffset length_offset = LengthOffset::next_motion;
   CompensationEntry compensation_entry = CompensationEntry::normal;
   bool rapids_apart = false;  // rapid: each axis at its own rate, for a control without a parameter for this; see config/rapid_way.h
   bool feed_required = true;  // a feed motion before any F is an alarm, else a warning (F0 is always an alarm)
-  double result_most = 0;     // greatest absolute value of an assignment (spec/fanuc 5.3); 0: no limit
+  double result_most = 0;     // greatest absolute value that may be assigned to a variable (spec/fanuc 5.3); 0: no limit
   // Values of the machine. If the control has a parameter table that contains them (under the name in `as`), the table takes precedence,
   // and the set-up over the table (config/machine_axes).
-  double feed_most = 0;                // mm/min; 0: no limit
-  double reference_feed = 2000;        // mm/min, G25 of the 2С42
-  double return_chip_break = 1;        // mm, G73
-  double return_near = 1;              // mm above the previous bottom at which G83 stops its rapid
+  double feed_most = 0;                // mm/min, greatest feed; 0: no limit
+  double reference_feed = 2000;        // mm/min, feed of G25 of the 2С42
+  double return_chip_break = 1;        // mm, distance that G73 retracts to break the chip
+  double return_near = 1;              // mm above the previous bottom of the hole at which G83 ends its rapid
   double probe_least_distance = 0;     // mm
-  double probe_retract = 0;            // mm, retract along the path after the probe has touched (Mach3 10.7.12.1)
+  double probe_retract = 0;            // mm, distance to retract along the path after the probe has touched (Mach3 10.7.12.1)
   bool probe_in_inverse_time = false;  // Grbl: in G93, F of G38 is the time of the whole path
-  bool speed_needs_direction = false;  // 2С42: S without M3/M4 changes nothing
+  bool speed_needs_direction = false;  // 2С42: S without M3 or M4 does not change the speed
   bool skip_asks = false;              // the set-up may say that the operator is asked before a block is skipped (spec/gost 2)
   bool tool_and_corrector = false;     // T0404: if T has more than two digits, the last two are the offset number
   bool end_required = false;           // a program without M2 or M30 gets a warning
   bool ends_reading = true;            // nothing after the end of the program is read (GOST)
-  bool delayed_assignment = false;     // Mach3: #1=5 X#1 uses the old #1
+  bool delayed_assignment = false;     // Mach3: an assignment takes effect after its block: in `#1=5 X#1`, X is the old #1
   bool feed_of_axis = false;           // F right after an axis word, followed by more axis words, is the feed of that axis (GOST 20999-83)
   bool label_is_number = false;        // O0001 right after % is the program number (spec/gost 1)
   // Differences between controls with custom macros (spec/fanuc).
   LaterWord later_word_counts = LaterWord::nowhere;
   CycleWords cycle_words = CycleWords::shift_by_ijk;
-  DwellUnit dwell_unit = DwellUnit::seconds;  // with milliseconds: X, U are s; G4 alone is an exact stop (4.1)
+  // With milliseconds, the dwell words X and U are still in s, and G4 alone is an exact stop (4.1)
+  DwellUnit dwell_unit = DwellUnit::seconds;
   bool tool_along_third = false;  // unless a parameter says otherwise, cycles drill along Z and G43 acts on Z in any plane (7.1, 10.1)
   bool repeats_in_program_number = false;  // M98 P51002 calls O1002 five times (9.1)
   bool machine_move_absolute = false;      // G53 in G91 is ignored (6.5)
   bool repeats_by_k = false;               // the repeat count of a drilling cycle is K, else L (spec/fanuc 10.1)
   bool reference_all_axes = false;         // G28 alone moves all axes, straight to the point (spec/haas 5.1)
-  bool returns_to_own_block = false;       // M99 P goes to a block of the program that contains it (spec/haas 3.3)
+  bool returns_to_own_block = false;       // M99 P goes to a block of the program that contains the M99 (spec/haas 3.3)
   bool repeats_keep_locals = false;        // G65 L: the arguments are set for the first repeat only (spec/haas 3.4)
   bool words_passed_over = false;          // a word that nothing in the block uses gets a warning instead of an alarm (spec/fanuc 1.2)
   std::uint32_t alarm_base = 4000;         // #3000=n raises alarm number alarm_base + n (5.5)
   std::uint32_t call_depth = 16;
-  std::uint32_t program_digits = 1;    // digits of O in converted programs, and in names of files that a call looks for (spec/haas 1.1)
+  std::uint32_t program_digits =
+      1;  // number of digits of O in converted programs, and in names of files that a call looks for (spec/haas 1.1)
   std::uint32_t m_codes_of_block = 8;  // greatest number of M codes in a block (nct 13.1, spec/fanuc 2.4, spec/haas 10)
   std::uint32_t offsets = 99;          // highest offset number
   std::uint32_t fixtures = 6;
@@ -288,36 +296,37 @@ struct ControlDef {
   std::string id;
   std::vector<std::string> aliases;  // further names for --control: "haas-vf"
   Text name;
-  std::string spec;                  // the document with its rules
-  std::vector<std::string> lineage;  // ids of the controls that it extends, such as "gost"
-  std::string descriptor;            // the format string
+  std::string spec;                  // the document with the control's rules
+  std::vector<std::string> lineage;  // ids of the controls that this control extends, such as "gost"
+  std::string descriptor;            // the format string of the control's words
   DialectId dialect = DialectId::iso;
   Grammar grammar;
   Behaviour behaviour;
-  std::vector<std::string> axes;                      // names, in order
+  std::vector<std::string> axes;                      // names of the axes, in order
   std::uint32_t rotary = 0;                           // mask of rotary axes
   std::uint32_t diameter = 0;                         // mask of axes programmed as diameters
   bool diameter_by_setup = false;                     // the set-up says which axes are diameters (spec/gost 5)
-  std::array<std::uint8_t, max_axes> axis_numbers{};  // numbers across the whole control, from 1 (nct 2.1)
+  std::array<std::uint8_t, max_axes> axis_numbers{};  // number of each axis, counted from 1 across all channels of the control (nct 2.1)
   std::uint8_t channel = 1;
-  std::vector<GroupRow> groups;  // [0] stands for "no group"
-  std::vector<CodeRow> codes;    // in the file's order
+  std::vector<GroupRow> groups;  // groups of codes; groups[0] stands for "no group"
+  std::vector<CodeRow> codes;    // rows of G and M codes, in the file's order
   std::array<AddressRow, most_addresses> addresses{};
   std::vector<CycleRow> cycles;
   std::vector<VariableRow> variables;
   std::vector<ParameterRow> parameters;
   std::array<std::uint8_t, static_cast<std::size_t>(Phase::count)> order{};  // rank of each phase in the order of execution
   std::vector<Phase> order_list;
-  std::vector<std::int32_t> end_codes;        // rows that the end of the program puts in force
-  std::map<AlarmId, AlarmText> alarms;        // the control's own numbers and wording
-  std::map<std::int32_t, double> feed_codes;  // coded F and S (spec/gost 3); empty: direct values
+  std::vector<std::int32_t> end_codes;        // rows of the codes that the end of the program puts in force
+  std::map<AlarmId, AlarmText> alarms;        // the alarms for which the control has a number or wording of its own
+  std::map<std::int32_t, double> feed_codes;  // F and S as codes, with their values (spec/gost 3); empty: F and S are direct values
   std::map<std::int32_t, double> speed_codes;
   std::vector<MachineCodeRow> machine_codes;  // [convert]
-  WrittenLetters letters;                     // letters and encoding of programs written for it
+  WrittenLetters letters;                     // letters and encoding of programs that are written for this control
 
-  static constexpr std::int32_t most_tenths = 100'000;       // G9999.9, M9999.9: limit for codes with a row
-  static constexpr std::int32_t most_codes = 1'000'000'000;  // M99999999: limit for codes at all
-  std::vector<std::int16_t> g_rows;                          // row by tenths of the code, -1: unknown; ends at the last code
+  static constexpr std::int32_t most_tenths = 100'000;       // greatest code that may have a row, in tenths: G9999.9, M9999.9
+  static constexpr std::int32_t most_codes = 1'000'000'000;  // greatest code that may occur at all, in tenths: M99999999
+  // Row of a G code, indexed by ten times its number; -1: unknown code; ends at the last known code
+  std::vector<std::int16_t> g_rows;
   std::vector<std::int16_t> m_rows;
   std::int32_t m_user_from = -1;  // range of the M codes without a row of their own that go to the machine (free functions, macros M100…)
   std::int32_t m_user_to = -1;
@@ -333,7 +342,7 @@ struct ControlDef {
   bool tells_of_ends() const {
     return std::any_of(codes.begin(), codes.end(), [](const CodeRow& row) { return row.told; });
   }
-  /// Returns true if the control may raise this alarm, because it has a row for it. Some checks run only then: `[alarms]` in
+  /// Returns true if the control may raise this alarm: its file has a row for the alarm. Some checks run only then, see `[alarms]` in
   /// docs/own-control.md.
   bool gives(AlarmId which) const { return alarms.contains(which); }
   /// Returns true if the engine uses some parameter of the control under this name (`as` of its row).

@@ -24,7 +24,7 @@ namespace {
 
 using Table = tl::expected<toml::table, std::string>;
 
-/// Source of a built-in file: the packed table, which is fast to read, or the text, whose nodes have line numbers.
+/// What a built-in file is read from: the packed table, which is fast to read, or the text, whose nodes have line numbers.
 enum class From : std::uint8_t { table, text };
 
 std::optional<Table> built_in(const std::string& file, From from) {
@@ -33,8 +33,8 @@ std::optional<Table> built_in(const std::string& file, From from) {
   return text ? std::optional(toml_tools::parsed(*text, file)) : std::nullopt;
 }
 
-/// Adds the section [expressions] if neither the file nor its base has one: the rows of nct for a control with macros, else those of
-/// mach3, which are RS274/NGC.
+/// Adds the section [expressions] if neither the file nor its base has one: for a control with macros the rows of nct, else the rows of
+/// mach3, which are those of RS274/NGC.
 void lay_operations(toml::table& under, const toml::table& over) {
   const auto is_on = [&](std::string_view key) {
     return over["grammar"][key].value<bool>().value_or(under["grammar"][key].value_or(false));
@@ -58,7 +58,7 @@ bool are_equal(const toml::node& a, const toml::node& b) {
   }
 }
 
-/// Returns true if `below` has every key of the row with the same value.
+/// Returns true if the table `below` has every key of the row, with the same value.
 bool is_part_of(const toml::table& row, const toml::table& below) {
   return !row.empty() && std::all_of(row.begin(), row.end(), [&](const auto& entry) {
     const toml::node* const same = below.get(entry.first.str());
@@ -130,13 +130,13 @@ void forget_sections(toml::table& table) {
   }
 }
 
-/// What merged() has met on its way down the bases.
+/// What merged() has found while it followed `extends` from file to file.
 struct Below {
   std::vector<std::string>& lineage;  // ids of the bases
-  std::set<FileId> files;             // the user's own files; a file that occurs twice extends itself
+  std::set<FileId> files;             // the user's own files found so far; a file that occurs twice extends itself
 };
 
-/// Returns the table of a file, merged over the tables of what it extends.
+/// Returns the table of a file, merged over the tables of the controls that it extends.
 Table merged(Table table, const std::string& file, From from, Below& below, const FileDoor* door) {
   constexpr std::size_t deepest = 16;  // greatest number of controls that extend one another
   if (!table) return table;
@@ -164,14 +164,14 @@ Table merged(Table table, const std::string& file, From from, Below& below, cons
   }
   auto under = merged(std::move(*base_table), name, from, below, door);
   if (!under) return under;
-  for (const std::string_view own : {"aliases", "guess"}) under->erase(own);  // they identify the base, not this control
+  for (const std::string_view own : {"aliases", "guess"}) under->erase(own);  // `aliases` and `guess` identify the base, not this control
   if (const auto spec = (*table)["spec"].value<std::string>(); spec && spec != (*under)["spec"].value<std::string>())
     forget_sections(*under);
   if (const auto fault = is_built_in(file) ? std::nullopt : said_again(*under, *table, file)) return Failed(*fault);
   lay_operations(*under, *table);
   lay_variables(*under, *table);
   if (toml::table* const alarms = (*table)["alarms"].as_table(); alarms != nullptr && (*alarms)["alone"].value_or(false)) {
-    under->erase("alarms");  // `alone`: the control does not inherit numbers and texts of alarms
+    under->erase("alarms");  // [alarms] has `alone`: the control does not inherit numbers and texts of alarms
     alarms->erase("alone");
   }
   toml_tools::merge(*under, std::move(*table));
@@ -182,7 +182,7 @@ Table merged(Table table, const std::string& file, From from, Below& below, cons
 /// Returns false for files of controls/ that are not controls: texts of alarms, languages that Kadr does not read, parameter tables.
 bool is_control(std::string_view name) { return name != "alarms" && name != "dialects" && !is_parameter_table(name); }
 
-/// Returns the id itself, or the id that the alias stands for.
+/// Returns the control's id that a name means: the name itself, or the id that the alias stands for.
 std::string id_meant_by(const std::string& name) {
   if (toml_tools::embedded_text("controls/" + name + ".toml")) return name;
   const auto& aliases = control_aliases();
@@ -242,7 +242,7 @@ std::vector<std::string> built_in_controls() {
   std::vector<std::string> ids;
   for (const EmbeddedFile& file : embedded_files()) {
     std::string_view name = file.name;
-    if (!name.starts_with("controls/") || !name.ends_with(".toml")) continue;  // macros are in the same list
+    if (!name.starts_with("controls/") || !name.ends_with(".toml")) continue;  // the list of built-in files also contains macros
     name.remove_prefix(9);
     name.remove_suffix(5);
     if (is_control(name)) ids.emplace_back(name);

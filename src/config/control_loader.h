@@ -38,9 +38,9 @@ class ControlLoader {
   /// Returns the error for a key that is not in `known`, with the nearest known key.
   tl::unexpected<std::string> unknown_key(const toml::node& node, std::string_view key, const std::vector<std::string_view>& known,
                                           loader_texts::Sentence what = "unknown key '{}'") const;
-  /// Returns a table of the file. If the key holds anything else, load() fails.
+  /// Returns the table of the file under a key. If the key holds anything else, load() fails.
   const toml::table* section(std::string_view key);
-  /// Returns a list of a row. If the key holds anything else, load() fails.
+  /// Returns the list under a key of a row. If the key holds anything else, load() fails.
   const toml::array* list(const toml::table& row, std::string_view key);
   /// Returns the text of a key. If the key holds anything else, load() fails.
   std::string text(const toml::table& row, std::string_view key);
@@ -49,7 +49,7 @@ class ControlLoader {
   bool is_own(const toml::node& node) const;
   /// Returns the whole number of a key, 0 to `most`. If the key holds anything else, load() fails.
   std::uint32_t whole(const toml::table& row, std::string_view key, std::uint32_t otherwise, std::uint32_t most);
-  /// Returns the value of a key that must have type T. If it has another type, load() fails.
+  /// Returns the value of a key, which must have type T. If the value has another type, load() fails.
   template <class T>
   T typed(const toml::table& row, std::string_view key, T otherwise) {
     const toml::node* const node = row.get(key);
@@ -102,9 +102,10 @@ class ControlLoader {
   Done word_format(char letter, const toml::table& row, const AddressRow& a);
   Done groups();
   int group_named(std::string_view name) const;
-  /// Converts "XYZ" to a mask. Every letter must be an address of this control; that is checked after all sections are read.
+  /// Converts letters such as "XYZ" to a letter mask. Every letter must be an address of this control; that is checked after all sections
+  /// are read.
   std::uint64_t letters(const std::string& text) const;
-  /// Does the same for the text of a key. If the text contains other characters than letters and `beside`, load() fails.
+  /// Converts the text of a key to a letter mask. If the text has characters that are neither letters nor in `beside`, load() fails.
   std::uint64_t letters(const toml::table& row, std::string_view key, std::string_view beside = "");
   static std::uint64_t letter_bit_of(char c) { return std::uint64_t{1} << (c - 'A'); }
   Done codes(std::string_view key, char letter);
@@ -133,7 +134,7 @@ class ControlLoader {
   ControlDef def_;
   std::map<char, std::uint8_t> most_codes_;
   std::vector<std::string> initial_;
-  std::string bad_value_;  // the first error of whole(), text(), section() …
+  std::string bad_value_;  // message of the first error that whole(), text(), section() … found
 };
 
 }  // namespace kadr

@@ -14,7 +14,7 @@ using toml_tools::place;
 
 namespace {
 
-/// Keys of earlier versions, and what replaces them.
+/// Keys of [behaviour] in earlier versions, each with its replacement.
 constexpr std::pair<std::string_view, std::string_view> gone[] = {
     {"helix_by_lead", "arc_centers = \"as_distance\""},
     {"arc_difference_inch", "arc_radius_difference = [0.013, 0.0508]"},
@@ -30,7 +30,7 @@ constexpr std::pair<std::string_view, std::string_view> gone[] = {
     {"pecks_by_ijk", "cycle_words = \"pecks_by_ijk\""},
     {"drills_third", "tool_along_third"},
     {"length_axis_third", "tool_along_third"},
-    // replaced by a row of another table
+    // Keys that were replaced by a row of another table.
     {"contour_blocks_checked", "[alarms] compensation_two_blocks = {}"},
     {"zero_change_checked", "[alarms] zero_change = {}"},
     {"reference_outside_cycles", "[alarms] reference_in_cycle = {}"},
@@ -51,7 +51,7 @@ constexpr std::pair<std::string_view, std::string_view> gone[] = {
     {"second_reference_usual", "[g] \"30\" = { needs = \"\" }"},
     {"taps_rigid", "[g] \"84\" = { arg = 842 }"},
     {"common_is_local_shift", "[[variables]] is = \"zero_local\""},
-    // replaced by a parameter of the control, which the set-up gives
+    // Keys that were replaced by a parameter of the control, which the set-up gives.
     {"arc_difference_free", "N3410"},
     {"arc_without_centre_straight", "N3403#5"},
     {"scale_in_increments", "N5400#7"},
@@ -92,14 +92,14 @@ Done ControlLoader::choices(const toml::table& t) {
   KADR_LOAD(choice(t, "later_word_counts", {"nowhere", "arguments", "everywhere"}, b.later_word_counts));
   KADR_LOAD(choice(t, "cycle_words", {"shift_by_ijk", "shift_by_q", "pecks_by_ijk"}, b.cycle_words));
   KADR_LOAD(choice(t, "dwell_unit", {"seconds", "milliseconds", "milliseconds_without_point"}, b.dwell_unit));
-  if (const auto flag = t["arc_radius_word"].value_exact<bool>()) {  // true or false, as in earlier versions
+  if (const auto flag = t["arc_radius_word"].value_exact<bool>()) {  // the value is true or false, as in earlier versions
     b.arc_radius_word = *flag ? ArcRadius::alone : ArcRadius::none;
     return {};
   }
   return choice(t, "arc_radius_word", {"none", "alone", "before_centre"}, b.arc_radius_word);
 }
 
-/// Reads one number, or two: while the unit is mm, and while it is inch; both in mm.
+/// Reads arc_radius_difference: one number, or two (while the unit is mm, while it is inch); both in mm.
 Done ControlLoader::arc_difference(const toml::table& t) {
   Behaviour& b = def_.behaviour;
   const toml::array* const two = t["arc_radius_difference"].as_array();
@@ -119,7 +119,7 @@ Done ControlLoader::arc_difference(const toml::table& t) {
   return {};
 }
 
-/// Takes the values of the parameter table for keys that the section does not have.
+/// For keys that [behaviour] does not have, uses the values of the parameter table.
 void ControlLoader::figures() {
   const toml::table* const t = section("behaviour");
   for (const auto& [key, figure] : figures_of_machine)

@@ -13,7 +13,8 @@ using toml_tools::place;
 
 namespace {
 
-constexpr std::string_view signs = "*/+-^<>=!&|~";  // no operand begins with one of them, no bracket or block ends with one
+// Characters of operators: no operand begins with one of them, no bracket or block ends with one
+constexpr std::string_view signs = "*/+-^<>=!&|~";
 constexpr std::size_t longest_text = 16;
 constexpr std::uint32_t most_binding = 9;
 
@@ -21,7 +22,7 @@ bool is_of_letters(std::string_view text) {
   return std::all_of(text.begin(), text.end(), [](char c) { return c >= 'A' && c <= 'Z'; });
 }
 
-/// Returns true for a text of letters, or (if `only_letters` is false) of signs.
+/// Returns true if the text can be an operator's name: it has only letters or, if `only_letters` is false, only characters of `signs`.
 bool can_be_written(std::string_view text, bool only_letters) {
   if (text.empty() || text.size() > longest_text) return false;
   return is_of_letters(text) || (!only_letters && text.find_first_not_of(signs) == std::string_view::npos);

@@ -82,7 +82,7 @@ constexpr ArgRow args[] = {
     {Function::stored_position, 1, 2},
 };
 
-/// Modes that use no words. A word in their `takes` would only hide that the word has no effect in a program.
+/// Modes that use no words. If a row had a word in `takes`, that would only hide that the word has no effect in a program.
 constexpr Function wordless[] = {
     Function::plane_xy,
     Function::plane_zx,
@@ -114,7 +114,7 @@ constexpr Function wordless[] = {
     Function::tool_length_off,
 };
 
-/// Addresses whose letter is fixed in the engine. G and M are the only letters of codes.
+/// Addresses whose letter is fixed in the engine. Only G and M can be letters of codes.
 struct LetterRow {
   Function function;
   std::string_view letters;

@@ -36,7 +36,7 @@ Done ControlLoader::names() {
       if (!is_name(*alias)) return Failed(place(name_, node) + say("aliases: '{}' is not a name: small letters, digits, - and .", *alias));
       if (std::find(def_.aliases.begin(), def_.aliases.end(), *alias) != def_.aliases.end())
         return Failed(place(name_, node) + say("aliases: '{}' stands twice", *alias));
-      if (node.source().path)  // for a packed built-in file, tests/controls_table.py has checked this
+      if (node.source().path)  // tests/controls_table.py has checked the packed built-in files, which have no path
         for (const auto& [other, id] : taken_names())
           if (other == *alias && id != def_.id)
             return Failed(place(name_, node) + say("aliases: '{}' is the name of another control: {}", *alias, id));

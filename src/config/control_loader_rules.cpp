@@ -21,7 +21,7 @@ constexpr std::pair<std::string_view, bool Grammar::*> nct_grammar[] = {
     {"file_names", &Grammar::file_names},
 };
 
-/// A key of [behaviour] and the functions that read it: without any of these functions the key has no effect.
+/// A key of [behaviour] and the functions that read it. If the control has none of these functions, the key has no effect.
 struct LooksAt {
   std::string_view key;
   std::vector<Function> functions;
@@ -68,7 +68,7 @@ constexpr Function plane_functions[] = {
 /// A function and the kind of system variables that it works with.
 struct Stores {
   Function function;
-  int arg;  // -1: any
+  int arg;  // `arg` of the variables; -1: any
   VariableKind kind;
   std::string_view name;
 };
@@ -84,7 +84,7 @@ constexpr std::uint32_t stored_axes = 6;  // number of coordinates of a point in
 
 }  // namespace
 
-/// Returns true if some row calls one of these functions.
+/// Returns true if some row of the control calls one of these functions.
 bool ControlLoader::does(std::initializer_list<Function> functions) const {
   const auto one_of = [&](Function f) { return std::find(functions.begin(), functions.end(), f) != functions.end(); };
   return std::any_of(def_.codes.begin(), def_.codes.end(), [&](const CodeRow& row) { return one_of(row.function); }) ||
@@ -259,7 +259,7 @@ Done ControlLoader::check_cycle(const toml::table& row, const CycleRow& c) const
   if (!c.body.empty() && def_.grammar.long_parameters.empty())
     return Failed(place(name_, row, "body") + who +
                   say("a body is for cycles that are called, L81, or where there are [grammar] long_parameters"));
-  if (!c.body.empty()) return {};  // a permanent subprogram
+  if (!c.body.empty()) return {};  // this cycle is a permanent subprogram
   KADR_LOAD(no_effect(row, "needs_override_off", who + say("needs_override_off has no effect on a cycle that is not called")));
   if (!needs('Z') || !needs('R')) return Failed(place(name_, row, "needs") + who + say("needs must have Z and R"));
   if ((has(CycleStep::peck_full) || has(CycleStep::peck_break)) && !needs('Q'))
@@ -286,7 +286,7 @@ Done ControlLoader::check_variable(const toml::table& row, const VariableRow& v)
   } else {
     for (const char* const key : {"stride", "repeat"}) KADR_LOAD(no_effect(row, key, who + say("{} has no effect: there is one", key)));
   }
-  constexpr std::uint32_t first_system_variable = 1000;  // numbers below it are ordinary variables of the program
+  constexpr std::uint32_t first_system_variable = 1000;  // variables with lower numbers are ordinary variables of the program
   const std::uint64_t last = range.from + std::uint64_t{range.stride} * (range.repeat - 1) + range.count - 1;
   if (range.from < first_system_variable || range.repeat == 0)
     return Failed(place(name_, row, "from") + who + say("from must be 1000 or more"));

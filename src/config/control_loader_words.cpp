@@ -65,7 +65,7 @@ std::string told_format(const std::string& fault) {
 
 tl::expected<ControlDef, std::string> ControlLoader::load() {
   const Done done = sections();
-  if (!bad_value_.empty()) return Failed(bad_value_);  // bad_value_ was found first
+  if (!bad_value_.empty()) return Failed(bad_value_);  // bad_value_ is the earlier error
   if (!done) return Failed(done.error());
   return std::move(def_);
 }

@@ -8,7 +8,7 @@
 namespace kadr {
 namespace {
 
-constexpr double same_line = 1e-9;  // mm²: three points with less than this, twice their triangle's area, are collinear
+constexpr double same_line = 1e-9;  // mm²: three points are collinear if twice the area of their triangle is less
 
 /// Returns twice the area of a triangle, positive if counter-clockwise.
 double turn(const InsertPoint& a, const InsertPoint& b, const InsertPoint& c) {

@@ -9,7 +9,8 @@ namespace kadr {
 
 using InsertOutline = std::vector<InsertPoint>;
 
-/// Returns counter-clockwise parts: one if the polygon is convex, else triangles. Two points are opposite corners of a rectangle.
+/// Returns the convex parts, counter-clockwise: one if the polygon is convex, else triangles. An outline of two points means the rectangle
+/// with these opposite corners.
 ///   returns  an empty list if the polygon crosses itself or has no area
 std::vector<InsertOutline> convex_parts(InsertOutline outline);
 

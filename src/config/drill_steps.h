@@ -8,17 +8,17 @@ namespace kadr {
 
 enum class DrillStep : std::uint8_t {
   end,
-  approach,     // 3: rapid to R
-  stop,         // in single-block mode
+  approach,     // operation 3 of the manual (as the number in each row below): rapid to R
+  stop,         // stop in single-block mode
   cut,          // 5: feed to the bottom
   cut_fixed,    // 5: feed to the bottom, overrides 100 %
   break_chips,  // 5: pecks, retracting a little after each
   clear_chips,  // 5: pecks, retracting to R after each
-  tap_down,     // 5: with the spindle, at once or in pecks
-  pause,        // 6
+  tap_down,     // 5: feed to the bottom, synchronised with the spindle, at once or in pecks
+  pause,        // 6: dwell
   back,         // 7: feed to R at a percentage of the feed
   back_fixed,   // 7: feed to R, overrides 100 %
-  tap_up,       // 7: with the spindle
+  tap_up,       // 7: feed back, synchronised with the spindle
   retract,      // 7, 9: rapid to R (G99), or directly to the initial point (G98)
   clear,        // 9: rapid to the initial point (G98)
   initial,      // 9: rapid to the initial point, whether G98 or G99
@@ -29,7 +29,7 @@ enum class DrillStep : std::uint8_t {
   halt,
   orient,
   catch_spindle,
-  manual,  // M0
+  manual,  // the operator works by hand, as after M0
 };
 
 /// A drilling cycle: its operations 2 … 10, between the single-block stops after operations 1 and 10.

@@ -265,17 +265,17 @@ namespace kadr {
   X(length_by_word_off,   length,        own,  code, lines,      usual, nothing)
 // clang-format on
 
-/// What a function needs. The machine of the NCT (dialect = "nct") has its own axes, spindles, offsets and calls: functions for it do not
-/// work on other machines, and vice versa.
+/// What a control must have so that the function works. The machine of the NCT (dialect = "nct") has its own axes, spindles, offsets and
+/// calls: functions for it do not work on other machines, and vice versa.
 enum class Needs : std::uint8_t {
   nothing,
-  nct,         // dialect = "nct"
-  no_nct,      // any other dialect, or none
-  correctors,  // dialect = "correctors"
-  sections,    // [grammar] section
-  labels,      // [grammar] label
-  rs274,       // dialect = "linuxcnc"
-  lines,       // dialect = "grbl"
+  nct,         // the control has dialect = "nct"
+  no_nct,      // any dialect other than "nct", or no dialect
+  correctors,  // the control has dialect = "correctors"
+  sections,    // the control has [grammar] section
+  labels,      // the control has [grammar] label
+  rs274,       // the control has dialect = "linuxcnc"
+  lines,       // the control has dialect = "grbl"
 };
 
 enum class Phase : std::uint8_t {
@@ -317,8 +317,8 @@ struct FunctionTraits {
 };
 
 const FunctionTraits& traits_of(Function function);
-Function function_named(std::string_view name);  // Function::count if there is none
-Phase phase_named(std::string_view name);        // Phase::count if there is none
+Function function_named(std::string_view name);  // Function::count if no function has this name
+Phase phase_named(std::string_view name);        // Phase::count if no phase has this name
 std::string_view name_of(Phase phase);
 
 inline constexpr std::size_t most_groups = 48;  // groups of codes, including "no group"

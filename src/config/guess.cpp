@@ -23,9 +23,9 @@ namespace kadr {
 namespace {
 
 constexpr std::uint32_t lines_of_guess = 500;
-constexpr double near = 4;  // a control whose score is farther behind the best one is not considered
+constexpr double near = 4;  // a control whose score is lower than the best one by more than this is not considered
 
-/// Chosen if no evidence points to another control: the most common one on machines of makers.
+/// The control that is guessed if no evidence points to another one: the most common one on hobbyists' machines.
 constexpr std::string_view usual_control = "mach3";
 
 /// A piece of evidence: a text and its first line, or (line 0) the style of the text, the file's name or its folder's name.
@@ -52,7 +52,7 @@ struct Candidate {
     for (const auto& [pattern, weight, place, needs, rarest] : rows->marks)
       if (place == MarkPlace::name && is_named_like(path, pattern)) {
         const bool of_folder = pattern.find('/') != std::string::npos;
-        const std::size_t last = path.rfind('/');  // path is "/folder/part.nc"
+        const std::size_t last = path.rfind('/');  // the path has the form "/folder/part.nc"
         const std::string name(of_folder ? path.substr(1, last - 1) : path.substr(last + 1));
         found.push_back({weight, 0, (of_folder ? "its folder: " : "its name: ") + name, (of_folder ? "папка: " : "имя: ") + name});
         strongest_mark = std::max(strongest_mark, weight);
@@ -76,18 +76,19 @@ struct Candidate {
     std::vector<Found> all;
     std::copy_if(found.begin(), found.end(), std::back_inserter(all), [](const Found& f) { return f.weight > 0; });
     std::stable_sort(all.begin(), all.end(), [](const Found& a, const Found& b) { return a.weight > b.weight; });
-    for (std::size_t i = 0; i < all.size(); ++i)  // two patterns may match the same word
+    for (std::size_t i = 0; i < all.size(); ++i)  // two patterns may match the same word, which counts once
       all.erase(
           std::remove_if(all.begin() + static_cast<std::ptrdiff_t>(i) + 1, all.end(), [&](const Found& f) { return f.en == all[i].en; }),
           all.end());
     if (all.size() > most) all.resize(most);
-    std::stable_sort(all.begin(), all.end(), [](const Found& a, const Found& b) { return a.line - 1U < b.line - 1U; });  // 0 sorts last
+    // Line 0 becomes the greatest number and sorts last
+    std::stable_sort(all.begin(), all.end(), [](const Found& a, const Found& b) { return a.line - 1U < b.line - 1U; });
     return all;
   }
 };
 
-/// The marks not found yet, of all candidates. Each is filed under the rarest sign that it needs, so that most lines do not have to be
-/// compared with most marks.
+/// The marks of all candidates that have not been found yet. Each is stored under the rarest character that it needs, so that most lines do
+/// not have to be compared with most marks.
 class OpenMarks {
  public:
   void add(Candidate& candidate) {
@@ -95,14 +96,15 @@ class OpenMarks {
       if (mark.place != MarkPlace::name) marks_[mark.rarest].push_back({&candidate, &mark});
   }
 
-  /// Searches a line for marks. `signs`: of the line as written, with its comments. `only_against`: ignore evidence for languages that
-  /// Kadr does not read.
+  /// Searches a line for marks. `signs`: the characters of the line as written, with its comments. `only_against`: ignore evidence for
+  /// languages that Kadr does not read.
   void take(const GuessLine& line, LineSigns signs, std::uint32_t number, bool only_against) {
     hits_.clear();
     for (LineSigns rest = signs; rest != 0; rest &= rest - 1)
       look(static_cast<std::size_t>(std::countr_zero(rest)), line, signs, only_against);
     look(any_sign, line, signs, only_against);
-    std::sort(hits_.begin(), hits_.end(), [](const Hit& a, const Hit& b) { return std::less<>()(a.mark, b.mark); });  // by row
+    // In the order of the marks' rows
+    std::sort(hits_.begin(), hits_.end(), [](const Hit& a, const Hit& b) { return std::less<>()(a.mark, b.mark); });
     for (const Hit& hit : hits_) hit.of->take(hit.text, hit.mark->weight, number);
   }
 
@@ -146,8 +148,8 @@ bool stands_before(const Row& a, const Row& b) {
   return a.second != b.second ? a.second > b.second : a.first == usual_control && b.first != usual_control;
 }
 
-/// Decides by the scores alone. A control with a mark that is conclusive by itself needs only a small lead over the next one; weaker
-/// marks need a large lead together, and mere hints decide nothing.
+/// Decides by the scores alone. A control with a mark that is conclusive by itself needs only a small margin over the next control. Weaker
+/// marks together need a large margin, and mere hints decide nothing.
 void decide(Guess& guess) {
   constexpr double lead = 2, great_lead = 6, more_than_hint = 5;
   auto ranked = guess.scores;
@@ -292,8 +294,9 @@ std::vector<std::string> candidates_of(const Guess& guess) {
 }
 
 void take_trial(Guess& guess, const std::vector<std::pair<std::string, std::size_t>>& faults) {
-  constexpr double of_faults = near + 1;  // a reading without faults wins over one with faults
-  // Without a faultless reading, the trial proves nothing.
+  // Score that a control loses if it finds faults: enough that a reading without faults wins over one with faults
+  constexpr double of_faults = near + 1;
+  // If no candidate reads the program without faults, the trial proves nothing.
   if (std::none_of(faults.begin(), faults.end(), [](const auto& row) { return row.second == 0; })) return;
   for (const auto& [id, count] : faults)
     for (auto& [control, score] : guess.scores)

@@ -20,7 +20,7 @@ std::size_t digits_at(std::string_view text, std::size_t at) {
   return std::min(text.find_first_not_of("0123456789", at), text.size()) - at;
 }
 
-/// Returns how many characters a class of the pattern matches at this position, or nullopt if it does not match.
+/// Returns how many characters a class of the pattern (\d, \c, \n, \a, \l) matches at this position, or nullopt if it does not match.
 std::optional<std::size_t> taken(char sign, std::string_view line, std::size_t at) {
   if (sign == 'd') {
     const std::size_t digits = digits_at(line, at);
@@ -38,13 +38,13 @@ std::optional<std::size_t> taken(char sign, std::string_view line, std::size_t a
 
 bool is_class(char sign) { return std::string_view("dcnal").find(sign) != std::string_view::npos; }
 
-/// Returns the end of the match at this position, or nullopt. The pattern's signs are matched one after the other.
+/// Returns the end of the match at this position, or nullopt. The elements of the pattern are matched one after the other.
 std::optional<std::size_t> end_of_signs(std::string_view line, std::size_t at, std::string_view pattern) {
   for (std::size_t i = 0; i < pattern.size(); ++i) {
     if (pattern[i] == '$' && i + 1 == pattern.size()) return at == line.size() ? std::optional(at) : std::nullopt;
     const bool escaped = pattern[i] == '\\' && i + 1 < pattern.size();
     const char sign = escaped ? pattern[++i] : pattern[i];
-    if (escaped && sign == '*') {  // shortest match first
+    if (escaped && sign == '*') {  // the shortest match is tried first
       for (std::size_t behind = at; behind <= line.size(); ++behind)
         if (const auto end = end_of_signs(line, behind, pattern.substr(i + 1))) return end;
       return std::nullopt;
@@ -95,7 +95,7 @@ std::string comments_of(std::string_view raw) {
 
 /// Finds a pattern that contains a bracket, outside of comments.
 std::string_view found_with_bracket(std::string_view raw, std::string_view pattern) {
-  const std::size_t word = std::min(raw.find_first_not_of(" \t0123456789N"), raw.size());  // after the block number
+  const std::size_t word = std::min(raw.find_first_not_of(" \t0123456789N"), raw.size());  // position after the block number
   const bool at_beginning = pattern[0] == '^';
   if (at_beginning) pattern.remove_prefix(1);
   int depth = 0;
@@ -124,7 +124,7 @@ GuessLine guess_line(std::string_view line) {
 std::string_view found_in(const GuessLine& line, std::string_view pattern) {
   const bool in_comments = pattern.starts_with('(') || pattern.starts_with(';');
   const bool as_written = pattern.find(' ') != std::string_view::npos;
-  const bool has_bracket = !in_comments && pattern.find('(') != std::string_view::npos;  // CYCLE800(: not a comment
+  const bool has_bracket = !in_comments && pattern.find('(') != std::string_view::npos;  // the bracket in CYCLE800( is not a comment
   if (has_bracket) return found_with_bracket(line.raw, pattern);
   const std::string_view text = in_comments ? line.raw : as_written ? line.written : line.squeezed;
   const bool at_beginning = pattern.size() > 1 && pattern[0] == '^';

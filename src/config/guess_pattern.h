@@ -11,7 +11,7 @@ namespace kadr {
 struct GuessLine {
   std::string written;   // without comments, one blank between words
   std::string squeezed;  // without blanks, block number, and leading zeros of G, M
-  std::string raw;       // with its comments
+  std::string raw;       // the line with its comments
   std::string comments;  // text in brackets and after `;`, or all of a line that starts with `# ` or `//`
 };
 
@@ -26,14 +26,16 @@ GuessLine guess_line(std::string_view line);
 /// pattern that starts with `(` or `;` is searched in comments, too; one with a blank in the words as written; all others without blanks.
 std::string_view found_in(const GuessLine& line, std::string_view pattern);
 
-/// The same in a separate text, such as the comments of a line. A letter at the pattern's end then matches only if no letter follows.
+/// Like found_in(), for a separate text, such as the comments of a line. A letter at the pattern's end then matches only if no letter
+/// follows.
 std::string_view found_in_words(std::string_view text, std::string_view pattern);
 
-/// The characters of a text, one bit each (some share a bit). A pattern that needs a missing one cannot match.
+/// The set of characters that occur in a text, one bit for each (some characters share a bit). A pattern that needs a missing one cannot
+/// match.
 using LineSigns = std::uint64_t;
 LineSigns signs_of(std::string_view text);
 LineSigns signs_needed(std::string_view pattern);
-/// Returns the bit of the character that the fewest lines of programs have; any_sign if `signs` is empty.
+/// Returns the bit of that character of `signs` which the fewest lines of programs contain; any_sign if `signs` is empty.
 inline constexpr std::size_t any_sign = 64;
 std::size_t rarest_sign(LineSigns signs);
 

@@ -17,29 +17,30 @@
 namespace kadr {
 
 enum class MarkPlace : std::uint8_t {
-  statement,  // [guess]: in the blocks
-  comment,    // [guess.comment]: in the words of the comments
-  name        // [guess.name]: in the names of the file and its folder
+  statement,  // rows of [guess]: the pattern is searched in the blocks
+  comment,    // rows of [guess.comment]: the pattern is searched in the comments
+  name        // rows of [guess.name]: the pattern is searched in the names of the file and its folder
 };
 
 struct GuessMark {
-  std::string pattern;  // see guess_pattern.h
-  double weight = 0;    // below 0: evidence against it
+  std::string pattern;  // the text to find, see guess_pattern.h
+  double weight = 0;    // how strong the evidence is; below 0: evidence against the control
   MarkPlace place = MarkPlace::statement;
-  LineSigns needs = 0;            // signs that the pattern needs
-  std::size_t rarest = any_sign;  // the rarest of them
+  LineSigns needs = 0;            // the characters without which the pattern cannot match
+  std::size_t rarest = any_sign;  // the rarest of these characters
 };
 
 /// The evidence for one control or language.
 struct GuessRows {
-  std::string control;                  // id of the control or language
-  std::string name_en, name_ru;         // only for a language: its name for people
-  std::vector<std::string> refused_by;  // only for a language: controls that it is mistaken for, but that Kadr reads differently
+  std::string control;           // id of the control, or of the language
+  std::string name_en, name_ru;  // only for a language: its name for people
+  // Only for a language: controls that must not be used for its programs, because Kadr reads these controls differently.
+  std::vector<std::string> refused_by;
   std::vector<GuessMark> marks;
   std::vector<std::pair<TextTrait, double>> traits;
 };
 
-/// A mark with this weight identifies the control by itself. The evidence for a language must reach this sum.
+/// A mark with this weight identifies the control by itself. For a language, the weights of all evidence must add up to this number.
 inline constexpr double decisive_weight = 10;
 
 /// Reads a section [guess].

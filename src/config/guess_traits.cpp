@@ -124,12 +124,13 @@ void Traits::letter(std::string_view line, std::size_t i) {
   const bool digit_behind = i + 2 < line.size() && is_digit(line[i + 2]);
   if ((c == 'G' || c == 'M') && is_digit(next)) ++(digit_behind ? two_digit_codes_ : one_digit_codes_);
   if (std::string_view("XYZIJK").find(c) != std::string_view::npos && next == '+' && digit_behind) ++plus_signs_;
-  const bool argument = line.find("G65") != std::string_view::npos || line.find("G66") != std::string_view::npos;  // often a mere number
+  // A word of G65, G66 is an argument: often a mere number, not a length
+  const bool argument = line.find("G65") != std::string_view::npos || line.find("G66") != std::string_view::npos;
   if (!argument && std::string_view("XYZIJKR").find(c) != std::string_view::npos) length(line, i + 1, c == 'X' || c == 'Y' || c == 'Z');
 }
 
-/// Counts a length. `X8000`, four or more digits and no point, suggests increments of 0.001 mm. `X10` may mean 10 mm, and `X0` is the
-/// same on all controls.
+/// Counts a length. Four or more digits without a decimal point, such as `X8000`, suggest increments of 0.001 mm. `X10` may mean 10 mm, and
+/// `X0` means the same on all controls.
 void Traits::length(std::string_view line, std::size_t at, bool of_axis) {
   if (line[at] == '+' || line[at] == '-') ++at;
   const std::size_t end = std::min(line.find_first_not_of("0123456789", at), line.size());

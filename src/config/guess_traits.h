@@ -9,20 +9,20 @@ namespace kadr {
 
 enum class TextTrait : std::uint8_t {
   all_numbered,     // every block has a number
-  few_numbered,     // less than half of the blocks have one
-  decimal_points,   // some number has a point
-  trailing_points,  // `X10.`: no digit after the point
-  long_integers,    // coordinates of four or more digits, and no point anywhere
-  whole_lengths,    // X10, Y-5: one to three digits, and no length has a point
-  plus_signs,       // `X+10.`, and no code of one digit
-  two_digit_codes,  // G01, no code of one digit, every block numbered
-  program_number,   // `%`, then O0001; does not count if all blocks are numbered and all codes have two digits
-  percent,          // `%` is at the start
-  no_percent,       // no `%` anywhere
-  no_tools,         // no T, no M6, no H
+  few_numbered,     // less than half of the blocks have a number
+  decimal_points,   // some number has a decimal point
+  trailing_points,  // `X10.`: numbers without a digit after the decimal point
+  long_integers,    // coordinates of four or more digits, and no decimal point anywhere
+  whole_lengths,    // X10, Y-5: coordinates of one to three digits, and no coordinate has a decimal point
+  plus_signs,       // `X+10.`: plus signs are written, and no code has one digit
+  two_digit_codes,  // G01: codes have two digits, none has one, and every block is numbered
+  program_number,   // `%`, then a program number such as O0001; does not count if all blocks are numbered and all codes have two digits
+  percent,          // the text starts with `%`
+  no_percent,       // the text has no `%`
+  no_tools,         // the text has no T, no M6, no H
   without_y,        // X and Z are used, Y never
   u_w_words,        // U or W is used, and A, B, C, Y are not
-  changing_power,   // S alone, without M3, M4 or T in its block, at least three times
+  changing_power,   // S in blocks without M3, M4 or T, at least three times
   feed_everywhere,  // most feed motions have an F
   count
 };

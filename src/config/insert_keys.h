@@ -14,19 +14,19 @@
 namespace kadr {
 
 namespace limits {
-inline constexpr std::size_t insert_points = 64;  // points of a profile or holder of a turning tool
+inline constexpr std::size_t insert_points = 64;  // greatest number of points of a profile or holder of a turning tool
 }
 
-/// Reads points, lead, width, profile, holder.
+/// Reads the keys points, lead, width, profile, holder.
 tl::expected<void, std::string> insert_of(const std::string& file, const toml::table& row, InsertGeometry& insert);
 
-/// Returns the value of `points` for the insert: "-x-z", "centre".
+/// Returns the value that the key `points` has for this insert: "-x-z", "centre".
 std::string_view name_of_tip(const InsertGeometry& insert);
 
-/// Sets what follows from the other values: `lead`, so that the bisector of the nose points straight away from the tip.
+/// Sets the values that follow from others: `lead`, such that the bisector of the nose points straight away from the tip.
 void complete_insert(ToolGeometry& tool);
 
-/// Returns a message why the turning tool has no valid shape; empty if it has one.
+/// Returns a message why the shape of the turning tool is not valid; empty if the shape is valid.
 std::string told_insert_fault(const ToolGeometry& tool);
 
 }  // namespace kadr

@@ -14,7 +14,7 @@ namespace {
 
 using Json = nlohmann::json;
 
-constexpr int deepest_table = 64;  // nesting of tables, far beyond any set-up
+constexpr int deepest_table = 64;  // greatest nesting of tables, far beyond any set-up
 
 /// Iterates over the text and counts the lines. The parser has not seen anything after the current byte.
 class CountingIterator {
@@ -69,7 +69,7 @@ class Listener {
 
  private:
   struct Level {
-    std::string name;  // of the table or list
+    std::string name;  // name of the table or list
     bool is_list;
     std::size_t item = 0;
     std::string key;

@@ -9,8 +9,8 @@
 namespace kadr {
 
 namespace limits {
-inline constexpr std::size_t json_depth = 32;        // nesting of brackets; a set-up has 5
-inline constexpr std::size_t json_values = 500'000;  // some eighty bytes each
+inline constexpr std::size_t json_depth = 32;        // greatest nesting of brackets; a set-up has 5
+inline constexpr std::size_t json_values = 500'000;  // greatest number of values, which take some eighty bytes of memory each
 }  // namespace limits
 
 /// Checks that the text is JSON in UTF-8 within the limits.

@@ -20,7 +20,8 @@ class Fitter {
 
   std::string run() {
     for (const char letter : axis_letters) free_letter(letter);
-    if (def_.grammar.operator_i) def_.grammar.word('R').increment = true;  // RI0.1: data of G10, levels of cycles (5.1)
+    // RI0.1: R takes the operator I, for data of G10 and levels of cycles (5.1)
+    if (def_.grammar.operator_i) def_.grammar.word('R').increment = true;
     axes();
     auxiliary();
     increments();
@@ -71,7 +72,7 @@ class Fitter {
     format(letter);
   }
 
-  /// Sets a format with sign, any number of digits and decimal point, any number of times in a block (macro arguments).
+  /// Gives an address a format with sign, any number of digits and a decimal point, any number of times in a block (macro arguments).
   WordFormat& format(char at) {
     WordFormat& w = def_.grammar.word(at);
     w = {};
@@ -111,7 +112,7 @@ class Fitter {
       def_.axis_numbers[a] = static_cast<std::uint8_t>(number);
       axis(a, def_.axes[a]);
     }
-    def_.grammar.word('R').increment = def_.grammar.operator_i;  // R of the drilling cycles (5.1)
+    def_.grammar.word('R').increment = def_.grammar.operator_i;  // R takes the operator I in drilling cycles (5.1)
   }
 
   void axis(std::size_t a, const std::string& name) {
@@ -145,11 +146,11 @@ class Fitter {
       if (letter.empty()) letter = letter_of(names[i], "");
       if (letter.size() != 1 || axis_letters.find(letter[0]) == std::string_view::npos) continue;
       AddressRow& row = address(letter[0]);
-      if (row.function == Function::axis) continue;  // INFERRED: the axis name wins
+      if (row.function == Function::axis) continue;  // INFERRED: if an axis has the same name, the axis wins
       row.function = Function::auxiliary_word;
       row.phase = Phase::machine;
       row.number = static_cast<std::uint8_t>(i + 1);
-      row.least = 0;  // 13.2: at most eight digits, INFERRED: a whole number
+      row.least = 0;  // nct 13.2: at most eight digits, INFERRED: a whole number
       row.most = 99'999'999;
       row.whole = true;
     }
@@ -166,7 +167,7 @@ class Fitter {
       row.function = Function::increment_axis;
       row.axis = main.axis;
       row.unit = main.unit;
-      format(row.letter).increment = true;  // I together with U, V, W is redundant (1.1)
+      format(row.letter).increment = true;  // the operator I together with U, V, W is redundant (1.1)
     }
   }
 

@@ -14,7 +14,7 @@ namespace kadr {
 ///   returns  an error sentence (duplicate name, too many names); empty if all is well
 std::string fit_to_machine(ControlDef& def, const Setup& setup);
 
-/// Values of the machine that a parameter table may contain: the engine's name (`as`), and the field.
+/// Values of the machine that a parameter table may contain: the name by which the engine knows the parameter (`as`), and the field.
 inline constexpr std::pair<std::string_view, double Behaviour::*> figures_of_machine[] = {
     {"feed_most", &Behaviour::feed_most},
     {"reference_feed", &Behaviour::reference_feed},

@@ -14,17 +14,17 @@ namespace kadr {
 struct BodyShape {
   enum class Form : std::uint8_t { box, cylinder, file };
   Form form = Form::box;
-  Vec3 least, most;            // only for a box
-  Vec2 centre;                 // only for a cylinder, whose axis is parallel to Z
+  Vec3 least, most;            // opposite corners of a box, only for a box
+  Vec2 centre;                 // centre of a cylinder, only for a cylinder, whose axis is parallel to Z
   double bottom = 0, top = 0;  //
   double diameter = 0;         //
-  std::string file;            // a closed mesh, STL or 3MF
+  std::string file;            // path of a file with a closed mesh, STL or 3MF
 };
 
 /// A body in machine coordinates, with all axes at 0; the gauge point of the spindle is then {}.
 struct MachineBody {
   std::string name;
-  std::string on;  // axis that carries it; empty: the bed
+  std::string on;  // name of the axis that carries the body; empty: the bed
   BodyShape shape;
 };
 

@@ -62,7 +62,7 @@ Done cylinder_of_body(const std::string& file, const toml::node& node, BodyShape
   return {};
 }
 
-/// The path is relative to the machine's file.
+/// Reads the path of a body's mesh file, which is relative to the machine's file.
 Done file_of_body(const std::string& file, const toml::node& node, BodyShape& shape) {
   const std::string name = node.value_or(std::string());
   const std::string small = in_small_letters(name);
@@ -84,7 +84,7 @@ Done shape_of_body(const std::string& file, const toml::table& row, BodyShape& s
   return file_of_body(file, *row.get("file"), shape);
 }
 
-/// Returns the axes that may carry a body: those of [kinematics]; without it X, Y, Z, which carry the tool.
+/// Returns the axes that may carry a body: the axes of [kinematics]; without that section X, Y, Z, which carry the tool.
 std::vector<std::string> carriers_of(const MachineProfile& profile) {
   if (!profile.chains.given()) return {"X", "Y", "Z"};
   std::vector<std::string> all = profile.chains.tool;

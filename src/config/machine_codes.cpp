@@ -9,7 +9,7 @@ namespace {
 
 constexpr std::int32_t tenths = 10;
 
-/// Returns how specific a row is to the other control; 0 if it does not apply to it.
+/// Returns how specifically a row names the other control; 0 if the row does not apply to that control.
 std::size_t nearness(const MachineCodeRow& row, const ControlDef& other) {
   if (row.control == other.id) return other.lineage.size() + 2;
   const auto found = std::find(other.lineage.begin(), other.lineage.end(), row.control);
@@ -44,7 +44,7 @@ void MachineCodes::take(const ControlDef& own, const ControlDef& other, bool own
     const CodeRow* const there = machine_row(other, row.there);
     if (there == nullptr || !is_of_machine(*there)) {
       if (near > 1 && !fault_) fault_ = Fault{own.id, row.code, other.id, row.there};
-      continue;  // "*": not every control has this code
+      continue;  // a row for "*" is no fault: not every control has its code
     }
     const Pair pair = own_is_from ? Pair{row.code, row.there} : Pair{row.there, row.code};
     if (!this->there(pair.here) && !here(pair.there)) pairs_.push_back(pair);

@@ -12,14 +12,15 @@ namespace kadr {
 
 class MachineCodes {
  public:
-  /// Rows with the id of the other control have priority over rows with an id that it extends, those over "*"; the table of `from` has
-  /// priority over the table of `to`.
+  /// A row with the id of the other control has priority over a row with an id that the other control extends, and that one over a row with
+  /// "*". The table of `from` has priority over the table of `to`.
   MachineCodes(const ControlDef& from, const ControlDef& to);
 
-  /// there(): the M function of `to` for one of `from`; here(): the reverse. Both return nullopt if no table has it.
+  /// there() returns the M function of `to` for an M function of `from`, here() the reverse. Both return nullopt if no table has the
+  /// function.
   std::optional<std::uint32_t> there(std::uint32_t code) const;
   std::optional<std::uint32_t> here(std::uint32_t code) const;
-  /// Corresponding codes: `here` of `from`, `there` of `to`.
+  /// Two corresponding M codes: `here` on the control `from`, `there` on the control `to`.
   struct Pair {
     std::uint32_t here = 0, there = 0;
   };
@@ -41,9 +42,9 @@ class MachineCodes {
   std::optional<Fault> fault_;
 };
 
-/// Returns the row of an M code; nullptr if the control has none, or none that Kadr implements.
+/// Returns the row of an M code; nullptr if the control has no such row, or Kadr does not implement the code.
 const CodeRow* machine_row(const ControlDef& def, std::uint32_t code);
-/// Returns true for a function of the machine, and for switching coolant.
+/// is_of_machine(): true for a function of the machine, and for switching coolant.
 bool is_of_machine(const CodeRow& row);
 bool switches_coolant(Function function);
 

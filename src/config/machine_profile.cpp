@@ -107,7 +107,7 @@ Done joint_of(const std::string& file, const std::string& name, const toml::tabl
   return {};
 }
 
-/// Reads axis names from the bed outwards. `seen`: names of both chains so far.
+/// Reads a list of axis names from the bed outwards. `seen`: the names in both chains so far.
 Done chain_of(const std::string& file, const toml::table& table, std::string_view key, const MachineProfile& profile,
               std::vector<std::string>& to, std::vector<std::string>& seen) {
   const toml::node* const node = table.get(key);

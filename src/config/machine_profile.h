@@ -32,10 +32,11 @@ struct AxisProfile {
   AxisJoint joint{};
 };
 
-/// What carries what, starting at the bed ([kinematics]): axis names, each carries the next, and the last one the tool or the part.
+/// Which axis carries which ([kinematics]). Each list has axis names from the bed outwards: an axis carries the next one, and the last axis
+/// carries the tool or the part.
 struct AxisChains {
   std::vector<std::string> tool, part;
-  Vec3 tool_direction{0, 0, 1};  // from the tip into the spindle, with all axes at 0
+  Vec3 tool_direction{0, 0, 1};  // unit vector from the tip into the spindle, with all axes at 0
   bool given() const { return !tool.empty() || !part.empty(); }
 };
 
@@ -48,13 +49,13 @@ struct MachineProfile {
   std::string id = "generic";
   std::string name_en = "generic three-axis mill";
   std::string name_ru = "обобщённый фрезерный станок";
-  std::map<std::string, AxisProfile> axes;  // by name; axes not listed have AxisProfile{}
+  std::map<std::string, AxisProfile> axes;  // by axis name; axes that are not listed have AxisProfile{}
   AxisChains chains;
   std::vector<MachineBody> bodies;
   double tool_change_s = 10;
   double spindle_start_s = 0;
   double most_rpm = 0;      // highest spindle speed, rev/min; 0: not stated
-  double tolerance = 0.01;  // mm by which a corner may be rounded if the program does not say
+  double tolerance = 0.01;  // mm by which a corner may be rounded if the program states no tolerance
   PlannerMode planner = PlannerMode::programmed;
 };
 

@@ -10,7 +10,7 @@
 
 namespace kadr {
 std::size_t edits(std::string_view a, std::string_view b) {
-  std::vector<std::size_t> before, above, row(b.size() + 1);  // rows i - 2, i - 1, i
+  std::vector<std::size_t> before, above, row(b.size() + 1);  // rows i - 2, i - 1 and i of the table of edit distances
   for (std::size_t j = 0; j <= b.size(); ++j) row[j] = j;
   const auto same = [&](std::size_t i, std::size_t j) { return to_lower(a[i]) == to_lower(b[j]); };
   for (std::size_t i = 1; i <= a.size(); ++i) {
@@ -26,7 +26,7 @@ std::size_t edits(std::string_view a, std::string_view b) {
 }
 
 std::optional<std::string> nearest(std::string_view name, const std::vector<std::string>& known) {
-  constexpr std::size_t longest = 64;  // no mistyped name is longer
+  constexpr std::size_t longest = 64;  // longer names are not compared: no mistyped name is longer
   if (name.size() > longest) return std::nullopt;
   const auto begins_alike = [&](const std::string& one) { return !name.empty() && !one.empty() && to_lower(name[0]) == to_lower(one[0]); };
   const std::string* best = nullptr;

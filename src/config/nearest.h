@@ -12,8 +12,8 @@ namespace kadr {
 /// and lower case count as equal.
 std::size_t edits(std::string_view a, std::string_view b);
 
-/// Returns the closest of `known`; among equals the first one with the same first letter. Returns nullopt if even that would change more
-/// than half of the letters.
+/// Returns the name of `known` that needs the fewest edits; among equals the first name with the same first letter. Returns nullopt if even
+/// this name would change more than half of the letters.
 std::optional<std::string> nearest(std::string_view name, const std::vector<std::string>& known);
 
 /// Returns an ending for an error sentence: "; did you mean 'x'?", in the language of messages (told.h); empty if no name is close.

@@ -1,6 +1,6 @@
-// Packs TOML tables as bytes. A node is one byte for its kind, followed by: text: length, bytes; whole: value in two's complement; real:
-// its 8 bytes; list: number of nodes, nodes; table: number of pairs, each a key (length, bytes) and a node. Numbers take 7 bits per byte,
-// low bits first.
+// Packs TOML tables as bytes. A node is one byte for its type, followed by, for a text: its length, its bytes; a whole number: the value in
+// two's complement; a real number: its 8 bytes; a list: the number of nodes, the nodes; a table: the number of pairs, the pairs, each a key
+// (length, bytes) and a node. Lengths, counts and whole numbers are stored with 7 bits per byte, low bits first.
 
 #include "config/packed_toml.h"
 

@@ -25,9 +25,10 @@ constexpr std::array<std::string_view, 4> types = {"bits", "whole", "real", "tex
 constexpr std::array<std::string_view, 3> classes = {"run_time", "restart", "emergency"};
 constexpr std::array<std::string_view, 12> keys_of_row = {"scope", "type", "when", "least", "most",   "initial",
                                                           "bits",  "used", "en",   "ru",    "manual", "as"};
-constexpr std::size_t bits_with_number = 8;   // bits with a number per parameter (24.0)
-constexpr std::size_t most_bits = 48;         // a value is a double, which holds whole numbers to 2^53
-constexpr double whole_least = -2147483648.;  // 24.0: 32 bits, signed or unsigned
+constexpr std::size_t bits_with_number = 8;  // greatest number of bits of a parameter that have a bit number (nct 24.0)
+// Greatest number of bits of a parameter: its value is a double, which holds whole numbers up to 2^53
+constexpr std::size_t most_bits = 48;
+constexpr double whole_least = -2147483648.;  // least whole number: nct 24.0 has 32 bits, signed or unsigned
 constexpr double whole_most = 4294967295.;
 
 /// Reads one row and keeps the first fault.
@@ -84,7 +85,7 @@ class RowReader {
     return otherwise;
   }
 
-  /// Converts "0107" to 107; returns -1 for letters, because the manual gives no number.
+  /// Converts "0107" to 107; returns -1 for letters: for such a parameter the manual gives no number.
   std::int32_t number_of(std::string_view key) {
     const bool digits = key.find_first_not_of("0123456789") == std::string_view::npos;
     const bool letters = key.find_first_not_of("ABCDEFGHIJKLMNOPQRSTUVWXYZ") == std::string_view::npos;
@@ -142,7 +143,8 @@ Rows rows_of(const toml::table& table, const std::string& file) {
     rows.push_back(reader.row(key.str()));
     if (!reader.fault().empty()) return Failed(reader.fault());
   }
-  const auto rank = [](const ParameterRow& row) { return static_cast<std::uint32_t>(row.number); };  // -1 sorts last
+  // As an unsigned number, -1 sorts last
+  const auto rank = [](const ParameterRow& row) { return static_cast<std::uint32_t>(row.number); };
   std::stable_sort(rows.begin(), rows.end(), [&](const ParameterRow& a, const ParameterRow& b) { return rank(a) < rank(b); });
   return rows;
 }
@@ -161,7 +163,7 @@ Rows load_parameters(const std::string& name) {
   const auto text = is_parameter_table(name) ? toml_tools::embedded_text(file) : std::nullopt;
   if (!text) return Failed(say("no table of parameters '{}'", name));
   auto rows = rows_of(toml_tools::embedded_table(file).value(), file);
-  return rows ? rows : parse_parameters(*text, file);  // parsed from the text, the fault has a line number
+  return rows ? rows : parse_parameters(*text, file);  // on failure, the text is parsed again, so that the error has a line number
 }
 
 }  // namespace kadr

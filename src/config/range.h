@@ -1,6 +1,6 @@
 #pragma once
-// Permitted ranges of numbers in files, one per kind of number, the same for set-ups, machine files and control files. They prevent a
-// slip (a minus sign, 1e-300, NaN) from becoming a motion that never ends; no machine comes near these limits.
+// Permitted ranges of numbers in files: one range for each quantity, the same for set-ups, machine files and control files. A range
+// prevents a slip (a minus sign, 1e-300, NaN) from becoming a motion that never ends. The limits are far beyond any machine.
 
 #include <string>
 
@@ -20,9 +20,9 @@ inline constexpr NumberRange rate = {1e-3, 1e9, "mm/min or degrees/min", "мм/�
 inline constexpr NumberRange feed = {0, 1e9, "mm/min", "мм/мин"};
 inline constexpr NumberRange acceleration = {1e-3, 1e9, "mm/s² or degrees/s²", "мм/с² или град/с²"};
 inline constexpr NumberRange jerk = {1e-3, 1e12, "mm/s³ or degrees/s³", "мм/с³ или град/с³"};
-inline constexpr NumberRange seconds = {0, 86400, "s", "с"};  // a day
+inline constexpr NumberRange seconds = {0, 86400, "s", "с"};  // up to a day
 inline constexpr NumberRange speed = {0, 1e6, "rev/min", "об/мин"};
-inline constexpr NumberRange singular = {0, 5, "degrees", "градусов"};  // permitted deviation of a direction
+inline constexpr NumberRange singular = {0, 5, "degrees", "градусов"};  // permitted deviation of a direction (KinematicsSetup::singular)
 inline constexpr NumberRange percent = {0, 1000, "%", "%"};
 inline constexpr NumberRange scale = {1e-9, 1e9};
 inline constexpr NumberRange any = {-1e300, 1e300};

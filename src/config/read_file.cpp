@@ -101,7 +101,7 @@ tl::expected<std::string, std::string> read_file(const std::string& path, std::s
   std::string text;
   text.reserve(static_cast<std::size_t>(there.st_size));
   char piece[1 << 16];
-  for (;;) {  // does not rely on the size: the file may grow meanwhile, and files of /proc have size 0
+  for (;;) {  // reads until the end, whatever size was reported: the file may grow meanwhile, and files of /proc have size 0
     const ssize_t got = ::read(file.number, piece, sizeof piece);
     if (got < 0 && errno == EINTR) continue;
     if (got < 0) return unreadable(path, errno);

@@ -1,5 +1,5 @@
 #pragma once
-// Reads small files as a whole: set-up, control, machine, contour. Only regular files up to a limit, and never blocks.
+// Reads small files as a whole: set-up, control, machine, contour. Reads only regular files up to a size limit, and never blocks.
 
 #include <cstddef>
 #include <string>
@@ -11,10 +11,11 @@
 namespace kadr {
 
 namespace limits {
-inline constexpr std::size_t config_file_bytes = 16u << 20;  // size of a set-up, control or machine file; the built-in ones have 0.1 MB
-}
+// Greatest size of a set-up, control or machine file; the built-in files have up to 0.1 MB.
+inline constexpr std::size_t config_file_bytes = 16u << 20;
+}  // namespace limits
 
-/// Returns what a path is, in words: "a directory", "a pipe" …; empty for a regular file, and if nothing exists there.
+/// Returns in words what a path is: "a directory", "a pipe" …; empty for a regular file, and if nothing exists at the path.
 std::string told_kind(const std::string& path);
 
 /// Returns in words why a file could not be opened or read; `error` is an errno.
@@ -34,7 +35,7 @@ std::string told_no_text(std::string_view text, const std::string& file);
 /// Returns "file:line:column: "; without a file, "line 3, column 5: ".
 std::string told_place(const std::string& file, std::size_t line, std::size_t column);
 
-/// The same for a byte of the text; columns count characters of UTF-8.
+/// Returns the same text for the byte at the offset `at` of a text; columns count characters of UTF-8.
 std::string told_place(const std::string& file, std::string_view text, std::size_t at);
 
 }  // namespace kadr

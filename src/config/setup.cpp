@@ -59,7 +59,7 @@ Readers readers_of(Setup& setup) {
   readers.merge(readers_of_tables(setup));
   readers.merge(readers_of_machine(setup));
   readers.merge(readers_of_events(setup));
-  // Keys for others than Kadr: the runner of the golden cases, people; or keys that are not supported yet.
+  // Keys that Kadr accepts and ignores: they are for the runner of the golden cases, or for people, or are not supported yet.
   const Reader nothing = [](const Json&, const std::string&) {};
   for (const char* key : {"frame", "files", "main_file", "notes"}) readers.emplace(key, nothing);
   return readers;
@@ -78,7 +78,7 @@ namespace {
 
 using setup_reader::Json;
 
-/// Prefixes the place: "shop.json:3: …", "--zero G54=X1: …"; for a text without a name, nothing.
+/// Puts the place in front of a sentence: "shop.json:3: …", "--zero G54=X1: …"; for a text without a name, puts nothing.
 std::string placed(const std::string& place, std::uint32_t line, const std::string& sentence) {
   std::string text = place;
   if (line != 0 && !place.empty() && !place.starts_with("--")) text += ":" + std::to_string(line);
@@ -115,14 +115,14 @@ tl::expected<PlacedSetup, std::string> read_setup(const std::vector<SetupSource>
     try {
       Setup read;
       setup_reader::read_table(parts[i].value, "", setup_reader::readers_of(read));
-    } catch (const setup_reader::Wrong& error) {  // dates, combinations, limits with their unit
+    } catch (const setup_reader::Wrong& error) {  // faults that the check of keys does not find: dates, combinations, limits with unit
       return tl::unexpected(placed(sources[i].place, line(error.key), error.sentence));
     }
   }
   try {
     setup_reader::read_table(whole, "", setup_reader::readers_of(result.setup));
     setup_reader::give_kinematics(result.setup);
-  } catch (const setup_reader::Wrong& error) {  // each source is valid, but not all of them together
+  } catch (const setup_reader::Wrong& error) {  // each source is valid by itself, but not all of them together
     return tl::unexpected(error.sentence);
   }
   result.stated = stated_in(whole);

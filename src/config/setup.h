@@ -22,7 +22,7 @@ namespace kadr {
 
 using AxisValues = std::map<std::string, double>;  // axis name → mm or degrees
 
-/// A row of the offset table, mm. The sum of geometry and wear is used.
+/// A row of the offset table, mm. Each offset is the sum of its geometry and its wear (`…_wear`).
 struct ToolOffset {
   double length = 0;
   double radius = 0;
@@ -38,23 +38,24 @@ struct ToolOffset {
 };
 
 struct AxisLimits {
-  std::optional<double> rapid;                        // mm/min
-  std::optional<std::pair<double, double>> limits;    // mm, machine coordinates
-  std::optional<std::pair<double, double>> zone3;     // mm, machine coordinates; forbidden inside (nct 22.3)
+  std::optional<double> rapid;                      // mm/min
+  std::optional<std::pair<double, double>> limits;  // mm, machine coordinates
+  // mm, machine coordinates: the least and greatest position of zone 3, which the tool must not enter (nct 22.3)
+  std::optional<std::pair<double, double>> zone3;
   std::optional<std::pair<double, double>> switches;  // mm, machine coordinates: positions of the end-position switches (nct 22.1)
   std::optional<double> apart;                        // mm: permitted deviation of a gantry axis from its master (nct 20.6)
   bool no_acceleration = false;                       // `"acceleration": null`: motions need no time to accelerate
   std::optional<double> acceleration;                 // mm/s²
   std::optional<double> jerk_time;                    // s; 0: the acceleration changes at once (linear)
-  double position_error = 0;                          // mm; the axis stays short of its commanded position by this much
+  double position_error = 0;                          // mm; the axis stops short of its commanded position by this much
 };
 
 /// The rotary axes of a five-axis machine, in words (nct 25.1).
 struct KinematicsSetup {
-  std::string type;                                    // head-head, table-table, head-table; empty: not given
+  std::string type;                                    // machine type: head-head, table-table, head-table; empty: not given
   std::string axes, reversed;                          // letters of the axes
   std::map<std::string, std::vector<double>> vectors;  // T1, T2, E, D: mm
-  double singular = 0.01;  // degrees: a direction this close to one that needs no motion of an axis is replaced by it
+  double singular = 0.01;  // degrees: if a direction is this close to one that needs no motion of an axis, the latter is used instead
 };
 
 struct SpindleSetup {
@@ -63,21 +64,22 @@ struct SpindleSetup {
   double rpm = 0;
   std::string dir = "stop";
   std::optional<double> angle;                    // degrees
-  std::vector<std::pair<double, double>> ranges;  // least and greatest speed of each gear, rev/min
+  std::vector<std::pair<double, double>> ranges;  // least and greatest spindle speed of each gear, rev/min
   // Used only if the set-up is the state that an earlier run printed:
-  std::string loop = "open";  // or closed
+  std::string loop = "open";  // position loop of the spindle: open or closed
   double surface_speed = 0;   // m/min
   int css_axis = 0;
-  int master = 0;  // 0: none
+  int master = 0;  // number of the master spindle; 0: none
 };
 
-/// Letters of a tool's info bits, by bit: for 0, for 1 (nct 12.3.1). They are printed from the highest bit down: "SENCV".
+/// Letters of a tool's info bits, from bit 0 upwards. Of each pair, the first letter means that the bit is 0, the second that it is 1 (nct
+/// 12.3.1). The letters are printed from the highest bit down: "SENCV".
 inline constexpr std::array<std::string_view, 5> tool_info_letters = {"IV", "CT", "NL", "ED", "US"};
 
 /// A row of the tool management table (nct 12.3.1).
 struct ToolRow {
-  double type = 0;         // T
-  std::uint32_t info = 0;  // bits
+  double type = 0;         // column T of the table
+  std::uint32_t info = 0;  // info bits, see tool_info_letters
   std::uint32_t form = 0, status = 0;
   double counter = 0, life = 0, warn = 0;
   double h = 0, d = 0, g = 0, w = 0, s = 0, f = 0;
@@ -134,7 +136,7 @@ struct SetupEvent {
   When when = When::program_end;
   std::string block;  // "N30"
   std::string code;   // "M90"
-  int count = 0;      // only the n-th time; 0: each time
+  int count = 0;      // the event occurs only the n-th time; 0: each time
   Do what = Do::start;
   std::string signal;
   double value = 0;
@@ -167,33 +169,37 @@ struct Setup {
   std::map<std::string, AxisValues> work_offsets;
   std::map<int, AxisValues> zeros;
   std::map<int, double> correctors;
-  std::map<std::string, std::optional<double>> variables;        // "#100", "#_ALM", "#_FOFS1[1]", "R2"; nullopt: vacant variable
-  std::map<std::string, AxisLimits> machine;                     // by axis name, or "*" for all
-  std::map<std::string, std::pair<double, double>> axis_limits;  // no key of the file: limits of set-up and machine file combined (session)
-  KinematicsSetup kinematics;                                    // may also be given as parameters, which take precedence
+  std::map<std::string, std::optional<double>> variables;  // "#100", "#_ALM", "#_FOFS1[1]", "R2"; nullopt: vacant variable
+  std::map<std::string, AxisLimits> machine;               // by axis name, or "*" for all
+  // Not a key of the file: here the session combines the limits of set-up and machine file
+  std::map<std::string, std::pair<double, double>> axis_limits;
+  KinematicsSetup kinematics;  // the same data may be given as parameters, which take precedence
   std::map<int, SpindleSetup> spindles;
   int tool = 0;
   std::map<int, ToolRow> tool_table;
   PlaceTable place_table;
   std::map<int, ToolForm> form_table;
   Parameters parameters;
-  std::string plane;                     // "XC": the axes of the plane, in order
+  std::string plane;                     // the axes of the plane, in order: "XC"
   std::map<std::string, bool> diameter;  // axes programmed as diameters
   bool single_block = false;
   std::string search;                     // "N50": the run starts with a block search for this block (nct 13.1); empty: at the beginning
   std::map<std::string, double> signals;  // signals of the PLC
   std::vector<SetupEvent> events;
-  std::string clock;  // "2014-05-18T15:32:41"; empty: a fixed day, so that the same input gives the same output
-  std::string ini;    // name of the control's ini file, relative to the folder of the program memory; empty: none
+  // Date and time at the start: "2014-05-18T15:32:41"; empty: a fixed day, so that the same input gives the same output
+  std::string clock;
+  std::string ini;  // name of the control's ini file, relative to the folder of the program memory; empty: no such file
   int channel = 1;
   std::map<int, ChannelSetup> channels;  // the other channels
-  std::vector<int> skip;                 // skip switches that are on
-  std::vector<bool> skip_answers;        // the operator's answers when asked whether to skip a block; the last one stays; empty: not asked
+  std::vector<int> skip;                 // numbers of the block skip switches that are on
+  // The operator's answers to whether to skip a block; the last answer applies to all further blocks; empty: the operator is not asked
+  std::vector<bool> skip_answers;
   bool optional_stop = false;
-  std::vector<AlarmId> disabled;                   // warnings and notes that are not reported
-  std::vector<std::string> mirror;                 // mirrored axes
-  std::map<int, AxisValues> reference_points;      // machine coordinates
-  std::map<int, std::optional<AxisValues>> probe;  // by input: position of the signal in the work system; nullopt: never
+  std::vector<AlarmId> disabled;               // warnings and notes that are not reported
+  std::vector<std::string> mirror;             // mirrored axes
+  std::map<int, AxisValues> reference_points;  // machine coordinates
+  // By number of the probe input: where in the work system the signal comes; nullopt: it never comes
+  std::map<int, std::optional<AxisValues>> probe;
   std::optional<ProbeHole> probe_hole;
   std::vector<double> points;
   std::vector<std::string> watch;
@@ -209,7 +215,7 @@ struct RunState {
   Setup tables;  // offsets, work_offsets, parameters, tool and place tables, plane, diameter, in the form of a next set-up
   std::map<std::string, AxisValues> shifts;  // "G92", "G52"
   struct SpindleState {
-    std::string loop = "open";  // or closed
+    std::string loop = "open";  // position loop of the spindle: open or closed
     double rpm = 0;
     std::string dir = "stop";
     double surface_speed = 0;  // m/min

@@ -83,7 +83,7 @@ class Checker {
     check(item, *row, key);
   }
 
-  /// Suggests the nearest of the keys that this control has in this table.
+  /// Reports an unknown key, and suggests the nearest key that this control has in this table.
   [[noreturn]] void unknown(const std::string& name, const std::string& path, const std::string& key) const {
     std::vector<std::string> known;
     for (const SetupKey& row : setup_keys()) {

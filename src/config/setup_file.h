@@ -17,7 +17,7 @@ namespace kadr {
 struct ControlDef;               // config/control_def.h
 enum class Lang : std::uint8_t;  // config/alarm_texts.h
 
-/// A fault of a set-up, in words.
+/// A fault of a set-up, as sentences in English and Russian.
 struct SetupFault {
   std::string key;     // "work_offsets.G54.x"
   std::string en, ru;  // empty: no fault
@@ -37,7 +37,7 @@ struct SetupSource {
 
 struct PlacedSetup {
   Setup setup;
-  KeyLines lines;  // of the first source
+  KeyLines lines;  // lines of the keys in the first source
   /// Keys that are given and not null: "offsets.1.length", "work_offsets.G54", "zeros.1", "correctors.17".
   std::set<std::string> stated;
 };

@@ -20,8 +20,8 @@ enum class SetupForm : std::uint8_t {
   flag,            // true, false
   text,            //
   one_of,          // one of the words in `words`
-  number_or_text,  // number or text of a parameter
-  info,            // info bits of a tool, as five letters or a number
+  number_or_text,  // the value of a parameter: a number or a text
+  info,            // info bits of a tool, written as five letters or as a number
   span,            // [least, most]
   numbers,         // [1, 2]
   wholes,          //
@@ -31,13 +31,13 @@ enum class SetupForm : std::uint8_t {
 
 /// The names that are allowed as keys of a table, or as the text of a value.
 enum class SetupNames : std::uint8_t {
-  fixed,  // only the keys that have rows of their own
+  fixed,  // only the keys that have rows of their own in the table of keys
   any,
   axis,
-  axis_of_any,    // axis of any channel
-  axis_or_all,    // axis or "*"
-  axis_or_plane,  // axis, or "G17", "G18", "G19": a basic rotation
-  offset,         // from here on: numbers of rows …
+  axis_of_any,    // name of an axis of any channel
+  axis_or_all,    // name of an axis, or "*" for all axes
+  axis_or_plane,  // name of an axis, or "G17", "G18", "G19" for a basic rotation
+  offset,         // number of a row of the offset table; the names below, to `channel`, are numbers too
   corrector,
   zero,
   reference_point,
@@ -49,20 +49,20 @@ enum class SetupNames : std::uint8_t {
   work_offset,  // "G54", "G54.1 P2", "common"
   variable,     // "#100", "#_ALM", "R2"
   parameter,    // "N0106.X#1"
-  place,        // "10/1"
-  signal,       // signal of the machine's logic
+  place,        // place of a tool as magazine/pocket: "10/1"
+  signal,       // name of a signal of the machine's logic
   shift,        // "G92", "G52"
 };
 
 /// What a control must have so that the key applies to it; its file decides (config/setup_names).
 enum class SetupNeeds : std::uint8_t {
   nothing,
-  work_offsets,   // G54 … by their codes
+  work_offsets,   // work offsets G54 … that are named by their codes
   zeros,          // work offsets by number, in an order that the codes need not have (2С42: G55 is zero 3)
   correctors,     // axis correctors
   variables,      // #n or R0 … R9
   parameters,     // a parameter table
-  corner_radius,  // variables for the corner radius of offsets
+  corner_radius,  // variables for the corner radius of the tool offsets
   turning_lengths,
   tool_management,
   clock,
@@ -70,7 +70,7 @@ enum class SetupNeeds : std::uint8_t {
   probe,
   diameters,      // axes may be programmed as diameters
   skip_question,  // the operator may be asked before a block is skipped
-  machine_axes,   // axes, channels, spindles and logic depend on the machine
+  machine_axes,   // axes, channels, spindles and the machine's logic depend on the machine
 };
 
 enum class SetupUnit : std::uint8_t { none, mm, axis, mm_min, mm_s2, seconds, degrees, rev_min, m_min, percent };
@@ -82,16 +82,16 @@ struct SetupRange {
 };
 
 struct SetupKey {
-  std::string_view path;  // "offsets.*.length"; `*` stands for a name
+  std::string_view path;  // full name of the key: "offsets.*.length"; `*` stands for a name
   SetupForm form;
-  SetupNames names;  // names of the keys in a table, or of the texts
+  SetupNames names;  // the names that the keys of a table, or the texts, may have
   SetupRange range;  // range of the numbers
   SetupUnit unit;
-  bool null;  // null is allowed and means the same as a missing key
+  bool null;  // the value null is allowed and means the same as a missing key
   SetupNeeds needs;
-  std::string_view words;    // only for one_of: the words, separated by blanks
+  std::string_view words;    // the permitted words, separated by blanks; only for one_of
   std::string_view example;  // JSON
-  std::string_view instead;  // key that another kind of control has for the same purpose
+  std::string_view instead;  // key that another type of control has for the same purpose
   std::string_view en, ru;
 };
 

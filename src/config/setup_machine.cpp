@@ -62,7 +62,7 @@ AlarmId finding(const Json& value, const std::string& key) {
   return id;
 }
 
-/// Reads the hole. All its keys are required.
+/// Reads the hole to be probed. All its keys are required.
 void hole(const Json& value, const std::string& key, ProbeHole& to) {
   const Reader center = [&](const Json& item, const std::string& name) {
     read_table(item, name, {{"X", to_range(to.center_x, ranges::position)}, {"Y", to_range(to.center_y, ranges::position)}});
@@ -72,7 +72,7 @@ void hole(const Json& value, const std::string& key, ProbeHole& to) {
               {"diameter", to_range(to.diameter, ranges::diameter)},
               {"top", to_range(to.top, ranges::position)},
               {"depth", to_range(to.depth, ranges::distance)}});
-  if (to.diameter == 0) wrong(key + ".diameter", told(ranges::diameter));  // the key is missing
+  if (to.diameter == 0) wrong(key + ".diameter", told(ranges::diameter));  // 0 means that the key is missing
 }
 
 void probe_workpiece(const Json& value, const std::string& key, Setup& setup) {

@@ -16,12 +16,12 @@
 namespace kadr {
 namespace {
 
-constexpr int most_row = 999'999'999;                              // greatest number as the name of a row
-constexpr int turning_zeros = 9;                                   // G92 /A/ of the 2С42 on turning machines
-constexpr int dynamic_systems = 8;                                 // G54.2 P1 … P8 (nct 25.4)
-constexpr std::int32_t first_system = 54_g, last_system = 59.3_g;  // tenths: G54 … G59, G59.3
+constexpr int most_row = 999'999'999;                              // greatest number that may be the name of a row
+constexpr int turning_zeros = 9;                                   // number of zeros: G92 /A/ of the 2С42 on turning machines
+constexpr int dynamic_systems = 8;                                 // number of dynamic offsets: G54.2 P1 … P8 (nct 25.4)
+constexpr std::int32_t first_system = 54_g, last_system = 59.3_g;  // codes in tenths: G54 … G59, G59.3
 
-/// Returns "N5114, N5200#1 or N1006.X".
+/// Joins names to a text such as "N5114, N5200#1 or N1006.X".
 std::string alternatives(const std::vector<std::string>& all, std::string_view or_word) {
   std::string text;
   for (std::size_t i = 0; i < all.size(); ++i) {
@@ -66,7 +66,7 @@ bool is_like_work_offset(std::string_view name) {
   return blank == std::string_view::npos || (name.substr(blank).starts_with(" P") && all_are(name.substr(blank + 2), is_digit));
 }
 
-/// Returns true if the numbers of the work offsets do not follow their codes. 2С42: G55 is zero 3.
+/// Returns true if the numbers of the work offsets do not follow their codes: on the 2С42, G55 is zero 3.
 bool numbers_zeros_itself(const ControlDef& def) {
   return std::any_of(def.codes.begin(), def.codes.end(), [](const CodeRow& row) {
     return row.function == Function::work_zero && row.arg > 0 && row.arg != row.tenth / 10 - first_system / 10 + 1;
@@ -116,7 +116,8 @@ std::vector<WorkSystem> work_systems(const ControlDef& def) {
   std::uint32_t plain = 0;
   for (const CodeRow& row : def.codes) {
     const bool usual = row.tenth >= first_system && row.tenth <= last_system;
-    if (row.letter != 'G' || row.arg <= 0 || !(usual || row.function == Function::work_system)) continue;  // also G110 of the Haas
+    // Function::work_system includes G110 of the Haas.
+    if (row.letter != 'G' || row.arg <= 0 || !(usual || row.function == Function::work_system)) continue;
     const bool is_plain = row.function == Function::work_zero || row.function == Function::fixture ||
                           row.function == Function::work_system || row.function == Function::table_system;
     if (!is_plain) continue;

@@ -19,7 +19,7 @@ bool has(const ControlDef& def, SetupNeeds needs);
 struct WorkSystem {
   std::string name;   // "G54", "G54.1 P2"
   std::uint32_t row;  // row in the table of work offsets or fixtures
-  bool works = true;  // Kadr implements it
+  bool works = true;  // Kadr implements the work system
 };
 std::vector<WorkSystem> work_systems(const ControlDef& def);
 /// Returns the names of the work systems by `row`. Name 0 is the code that selects no work system ("G53"), or empty.
@@ -41,13 +41,13 @@ class SetupNamesOf {
   Words form(SetupNames kind) const;
   /// Returns one parameter name of each form that the control's table has, for messages and pages: N5114, N5200#1, N1006.X.
   std::vector<std::string> forms_of_parameters() const;
-  /// Returns "axis", «оси».
+  /// Returns the word for a name of this kind: "axis", «оси».
   static SetupWords kind_name(SetupNames kind);
   /// Returns true for a work system that the control has, but that Kadr does not support yet.
   bool unserved(SetupNames kind, std::string_view name) const;
   /// Returns the form that the value of a parameter needs, if it is not valid. `text`: the value is given as text.
   std::optional<Words> parameter_fault(std::string_view name, double value, bool text) const;
-  /// Returns the range of the row's numbers on this control.
+  /// Returns the range that the numbers of this key have on this control.
   SetupRange range(const SetupKey& row) const;
   const ControlDef* control() const { return def_; }
 

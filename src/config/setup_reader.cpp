@@ -58,7 +58,7 @@ const Json& table(const Json& value, const std::string& key) {
 }
 
 AxisValues axis_values(const Json& value, const std::string& key) {
-  constexpr double farthest = 1e7;  // mm: 10 km, as for positions in a program
+  constexpr double farthest = 1e7;  // mm, greatest absolute value of a position: 10 km, as for positions in a program
   AxisValues axes;
   for (const auto& [axis, position] : table(value, key).items()) {
     axes[axis] = number(position, key + "." + axis);

@@ -19,12 +19,12 @@ namespace kadr::setup_reader {
 
 using Json = nlohmann::json;
 
-inline constexpr int most_number = 999'999'999;  // greatest number as the name of a row
+inline constexpr int most_number = 999'999'999;  // greatest number that may be the name of a row
 inline constexpr int most_channels = 8;
 inline constexpr int most_spindles = 16;
-inline constexpr int most_inputs = 8;  // inputs for probes
+inline constexpr int most_inputs = 8;  // greatest number of inputs for probes
 
-/// Thrown inside the reader for a wrong key or form; read_setup() converts it to its error sentence.
+/// Thrown inside the reader for a key or value that is wrong; read_setup() converts it to its error sentence.
 struct Wrong {
   std::string key;
   std::string sentence;
@@ -37,7 +37,7 @@ double number(const Json& value, const std::string& key);
 double within(const Json& value, const std::string& key, const NumberRange& range);
 int whole(const Json& value, const std::string& key);
 int whole_within(const Json& value, const std::string& key, std::pair<int, int> range);
-std::uint32_t bits(const Json& value, const std::string& key);  // 0 to 4294967295
+std::uint32_t bits(const Json& value, const std::string& key);  // reads a whole number from 0 to 4294967295
 bool flag(const Json& value, const std::string& key);
 std::string word(const Json& value, const std::string& key);
 const Json& table(const Json& value, const std::string& key);
@@ -78,7 +78,7 @@ Reader to_whole(int& to, int least, int most);
 Reader to_flag(bool& to);
 Reader to_word(std::string& to);
 Reader to_one_of(std::string& to, std::initializer_list<std::string_view> words);
-Reader or_null(Reader reader);  // null means the same as a missing key
+Reader or_null(Reader reader);  // a reader that takes null as a missing key
 
 /// Readers for the keys of setup_tables.cpp, setup_machine.cpp and setup_events.cpp.
 Readers readers_of_tables(Setup& setup);

@@ -81,7 +81,7 @@ AxisValues work_offset(const Json& value, const std::string& key) {
   return axes;
 }
 
-/// Reads "SENCV", from the highest bit down, or the number.
+/// Reads a tool's info bits: letters such as "SENCV", from the highest bit down, or a number.
 std::uint32_t tool_info(const Json& value, const std::string& key) {
   if (value.is_number()) return bits(value, key);
   const std::string text = value.is_string() ? value.get<std::string>() : "";
@@ -137,7 +137,7 @@ ToolForm tool_form(const Json& value, const std::string& key) {
   return form;
 }
 
-/// Reads "10/1" (magazine/pocket): row of the tool table.
+/// Reads a place table: for each place such as "10/1" (magazine/pocket), the row of the tool table.
 void place_table(const Json& value, const std::string& key, PlaceTable& to) {
   constexpr std::size_t most_digits = 9;
   for (const auto& [name, row] : table(value, key).items()) {

@@ -30,7 +30,7 @@ std::string_view text_at(sqlite3_stmt* statement, int column) {
 Base::~Base() {
   sqlite3_close(connection_);
   if (merges_ || had_log_) return;
-  std::error_code none;  // opening alone creates an empty log
+  std::error_code none;  // opening a database already creates an empty log
   const std::string log = path_ + "-wal";
   if (fs::exists(log, none) && fs::file_size(log, none) == 0) fs::remove(log, none);
 }
@@ -38,7 +38,7 @@ Base::~Base() {
 Done Base::connect() {
   std::error_code none;
   had_log_ = fs::exists(path_ + "-wal", none);
-  const std::string name = path_[0] == '/' ? path_ : "./" + path_;  // else SQLite would interpret ":memory:" and "file:…"
+  const std::string name = path_[0] == '/' ? path_ : "./" + path_;  // the prefix keeps SQLite from interpreting ":memory:" and "file:…"
   constexpr int how = SQLITE_OPEN_READWRITE | SQLITE_OPEN_NOMUTEX;
   if (const int code = sqlite3_open_v2(name.c_str(), &connection_, how, nullptr); code != SQLITE_OK) return failed(code);
   merges(false);
@@ -100,7 +100,7 @@ Done vetted(const std::string& path) {
   const auto error = [&](const std::string& en, const std::string& ru) { return tl::unexpected(path + " " + told(en, ru)); };
   if (path.empty()) return tl::unexpected(told("the state file has no name", "не задано имя файла состояния"));
   if (const std::string kind = told_kind(path); !kind.empty()) return error("is " + kind + ", not a file", "— это " + kind + ", а не файл");
-  std::error_code none;  // the file is not opened: closing it would release the locks of this process
+  std::error_code none;  // reads attributes only and does not open the file: closing it would release the locks of this process
   const std::uintmax_t size = fs::file_size(path, none);
   if (!none && size == 0)
     return error("is empty: no state file of Kadr. A new one is made where there is none: remove it, if nobody else needs it",

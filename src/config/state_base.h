@@ -18,7 +18,7 @@ inline constexpr int application_id = 0x4B616472;  // "Kadr"
 inline constexpr int major_version = 2;            // changes if an older Kadr must not read the file; version 1 had no checksums
 inline constexpr int minor_version = 0;            // changes if there is additional data that an older version ignores
 inline constexpr int minors_of_major = 1000;
-inline constexpr std::uintmax_t most_bytes = 256u << 20;  // size limit of a file; a full one has 1 MB
+inline constexpr std::uintmax_t most_bytes = 256u << 20;  // greatest size of a state file; one with all tables full has 1 MB
 
 /// The statements that create the tables, by version. A file with any other table is not a state file.
 inline constexpr const char* about_table = "CREATE TABLE about (name TEXT PRIMARY KEY, value NOT NULL) WITHOUT ROWID";
@@ -51,8 +51,8 @@ class Base {
 
   /// Opens the existing file and locks it. As long as merges(false) applies, the file is not changed, not even by closing.
   Done connect();
-  void merges(bool may);  // whether closing may merge the log into the file
-  /// Call this if the path now means another file: closing then leaves that file and its log alone.
+  void merges(bool may);  // says whether closing may merge the log into the file
+  /// Call let_go() if the path now means another file: closing then leaves that other file and its log alone.
   void let_go() {
     merges(false);
     had_log_ = true;
@@ -80,7 +80,7 @@ class Base {
 /// Returns "… is no state file of Kadr".
 std::string told_no_state(const std::string& name);
 
-/// Checks what is visible from outside: the path is not empty, and the file is regular, not empty, and not too large. Never blocks.
+/// Checks the file without opening it: the path is not empty, and the file is regular, not empty, and not too large. Never blocks.
 ///   returns  on failure, an error sentence
 Done vetted(const std::string& path);
 

@@ -85,13 +85,14 @@ tl::expected<Content, std::string> content_of(const std::string& copy, const std
   return content;
 }
 
-/// Overwrites the first page of the copy by the first page of a new state file, which has our tables at the same positions.
+/// Replaces the first page of the copy by the first page of a new state file, which has our tables at the same positions.
 bool lay_new_head(const std::string& copy, const Folder& folder) {
   const std::string made = folder.path() / "new";
   if (!make_state(made, "", {})) return false;
   std::array<char, page_bytes> head{};
   std::ifstream(made, std::ios::binary).read(head.data(), head.size());
-  constexpr std::size_t change_counter = 24, valid_for = 92;  // if these differ, SQLite takes the page count from the file's size
+  // Byte offsets of two numbers; if the numbers differ, SQLite takes the page count from the file's size
+  constexpr std::size_t change_counter = 24, valid_for = 92;
   head[change_counter] = 1, head[valid_for] = 2;
   std::error_code none;
   fs::remove(copy + "-wal", none);
@@ -100,7 +101,7 @@ bool lay_new_head(const std::string& copy, const Folder& folder) {
   return static_cast<bool>(file);
 }
 
-/// Reads the file as it is; if its first page is damaged, also with a new first page. Returns the result with more rows.
+/// Reads the file as it is; if its first page is damaged, reads it also with a new first page. Returns the result that has more rows.
 tl::expected<Content, std::string> best_content(const std::string& path) {
   const Folder folder;
   const auto copy = copied(path, folder);
@@ -152,7 +153,7 @@ tl::expected<StateReport, std::string> recover_state(const std::string& path, co
 }
 
 bool state_is_unchecked(const std::string& path) {
-  constexpr std::streamoff user_version = 60;  // big-endian, in SQLite's header
+  constexpr std::streamoff user_version = 60;  // byte offset of user_version (big-endian) in SQLite's header
   std::array<unsigned char, 4> bytes{};
   std::error_code none;
   if (!fs::is_regular_file(path, none)) return false;

@@ -9,10 +9,10 @@
 namespace kadr {
 
 struct StateReport {
-  std::string control;              // empty if it cannot be read
-  bool checked = true;              // has checksums; false: written by an older Kadr, so its values cannot be checked
+  std::string control;              // id of the control; empty if it cannot be read
+  bool checked = true;              // the file has checksums; false: an older Kadr wrote it, so its values cannot be checked
   std::size_t rows = 0;             // number of valid rows
-  std::vector<std::string> faults;  // in words; empty: the file is valid
+  std::vector<std::string> faults;  // faults as sentences; empty: the file is valid
 };
 
 /// Checks a copy, so that the file and its log are not changed.

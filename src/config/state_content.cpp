@@ -61,10 +61,10 @@ class Reader {
     if (content_.faults.size() < most_faults) content_.faults.push_back(told(std::move(en), std::move(ru)));
   }
 
-  /// Checks the mark, the version, and that there are exactly our tables: no others, no triggers.
+  /// Checks the application id, the version, and that the file has exactly our tables: no others, no triggers.
   void tables() {
     const bool marked = base_.answer("PRAGMA application_id") == std::to_string(application_id);
-    int about = 0, state = 0, others = 0;  // version of each table; 0: missing
+    int about = 0, state = 0, others = 0;  // format version of the tables `about` and `state`, 0 if missing; number of other tables
     const SqlStatement all = base_.prepared("SELECT sql FROM sqlite_master");
     while (all && sqlite3_step(all.get()) == SQLITE_ROW) {
       const std::string_view sql = text_at(all.get(), 0);
@@ -110,7 +110,7 @@ class Reader {
     if (code != SQLITE_DONE) fault("its order is broken", "внутренний порядок нарушен");
   }
 
-  /// Reads the rows forwards; if a page in between is unreadable, also backwards from the last row.
+  /// Reads the rows forwards; if a page in between is unreadable, reads them also backwards from the last row.
   void rows() {
     const bool checked = content_.checked;
     const auto read = [&](const char* order) {
@@ -130,7 +130,7 @@ class Reader {
     sort();
   }
 
-  /// Returns false if the row was already read forwards.
+  /// Takes one row. Returns false if the row was already read forwards.
   bool take(sqlite3_stmt* row) {
     const std::string kind(text_at(row, 0)), key(text_at(row, 1));
     if (back_ && seen_ && std::pair(kind, key) <= *seen_) return false;
@@ -187,7 +187,7 @@ class Reader {
 
   const Base& base_;
   Content content_;
-  Whole last_;                                               // as recorded by the latest turn
+  Whole last_;                                               // totals as the latest turn recorded them
   std::optional<std::pair<std::string, std::string>> seen_;  // last row read forwards
   bool back_ = false;
 };

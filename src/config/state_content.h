@@ -1,12 +1,12 @@
 #pragma once
 // Reads a state file with its checksums: the valid rows, and all faults. Only state_*.cpp use it.
 //
-// Each row has a checksum of its contents (kind, key, type, value) and of the state of the whole file when the row was written: the turn
-// (each write of a row is a turn), the number of rows, and the sum of the checksums of all values plus one of the control's name. So the
-// row of the latest turn describes the whole file: an added or missing row is detected, and also a file mixed from two. A save of one row
-// writes a single page. Turns that change the number of rows (new file, new row, removed row) are also recorded as `whole` in the table
-// about, a turn without a row. The checksum is FNV-1a with 64 bits: it certainly differs for two rows that differ in one byte, because
-// each of its steps is invertible.
+// Each row has a checksum of two things: its contents (kind, key, type, value), and the totals of the whole file when the row was written.
+// The totals are the turn (a count of all writes of rows), the number of rows, and the sum of the checksums of all values and of the
+// control's name. So the checksum of the latest row covers the whole file: an added or missing row is detected, and also a file mixed from
+// two files. Saving one row writes a single page. A turn that changes the number of rows (new file, new row, removed row) also stores the
+// totals as `whole` in the table `about`, without a row. The checksum is FNV-1a with 64 bits: it certainly differs for two rows that
+// differ in one byte, because each of its steps is invertible.
 
 #include <cstdint>
 #include <optional>
@@ -38,13 +38,13 @@ struct Whole {
 };
 
 struct Content {
-  std::string control;              // empty if it cannot be read
-  bool checked = true;              // written with checksums; false: by an older Kadr
-  bool ours = true;                 // has our tables or our mark
-  std::vector<StateRow> rows;       // sorted; only valid rows
-  std::vector<std::uint64_t> sums;  // checksums of the rows
-  std::vector<std::string> faults;  // in words; empty: the file is valid
-  Whole whole;                      // totals of a valid file with checksums
+  std::string control;              // id of the control; empty if it cannot be read
+  bool checked = true;              // the file has checksums; false: an older Kadr wrote it
+  bool ours = true;                 // the file has Kadr's tables or Kadr's application id
+  std::vector<StateRow> rows;       // the valid rows, sorted
+  std::vector<std::uint64_t> sums;  // checksum of each row
+  std::vector<std::string> faults;  // faults as sentences; empty: the file is valid
+  Whole whole;                      // totals of the file; only if it is valid and has checksums
 };
 
 /// Reads everything readable; the file is not changed.

@@ -55,13 +55,14 @@ class StateFile::Database {
   SqlStatement begin_, commit_, put_, remove_, whole_row_;
   Sums sums_;  // checksums of the rows in the file, by table and key
   Whole whole_;
-  std::vector<std::pair<std::string, std::optional<std::uint64_t>>> before_;  // previous checksums of the rows in a save, until it succeeds
-  std::vector<StateRow> unchecked_;                                           // all rows of a file without checksums
-  bool old_ = false;                                                          // the file has no checksums yet
-  std::optional<FileId> file_, log_;                                          // identity of file and log when opened; nullopt: not yet
+  // Checksums that the rows of a save had before it, until the save succeeds.
+  std::vector<std::pair<std::string, std::optional<std::uint64_t>>> before_;
+  std::vector<StateRow> unchecked_;   // all rows of a file without checksums
+  bool old_ = false;                  // the file has no checksums yet
+  std::optional<FileId> file_, log_;  // identity of file and log when opened; nullopt: not yet
 };
 
-/// Returns true if the paths of file and log still mean the opened files. Otherwise, whatever is written is lost.
+/// Returns true if the paths of file and log still mean the files that were opened. Otherwise, whatever is written to them is lost.
 bool StateFile::Database::stands() const { return (!file_ || file_id_of(path_) == file_) && (!log_ || file_id_of(path_ + "-wal") == log_); }
 
 /// Returns the message for a damaged file, with advice. The file is left as it is.
@@ -130,10 +131,10 @@ tl::expected<StoredState, std::string> StateFile::Database::load() {
 
 int StateFile::Database::step(const SqlStatement& statement) {
   sqlite3_step(statement.get());
-  return sqlite3_reset(statement.get());  // returns the error of the step
+  return sqlite3_reset(statement.get());  // sqlite3_reset() returns the error of the last step
 }
 
-/// Updates the checksum of a row in the file; nullopt: the row is removed.
+/// Records the new checksum of a row in the file; nullopt: the row is removed.
 void StateFile::Database::sum_is(const std::string& row, std::optional<std::uint64_t> sum) {
   const auto old = sums_.find(row);
   before_.emplace_back(row, old == sums_.end() ? std::nullopt : std::optional(old->second));
@@ -157,11 +158,12 @@ int StateFile::Database::step(const StateRow& row) {
   sum_is(name, sum);
   bind_row(put_.get(), row, sum, whole_);
   const int code = step(put_);
-  // For a new row also the whole is recorded: if the row were lost, the row of the turn before would describe a whole without it.
+  // For a new row, the totals are recorded as `whole` too: if the row were lost, the row of the turn before would have totals that fit a
+  // file without it.
   return code == SQLITE_OK && is_new ? put_whole() : code;
 }
 
-/// Records a turn without a row.
+/// Records the totals as a turn that has no row.
 int StateFile::Database::put_whole() {
   ++whole_.turn;
   const std::string text = whole_.text();

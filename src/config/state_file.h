@@ -50,7 +50,7 @@ struct StoredState {
 };
 
 struct StateChanges {
-  std::vector<StateRow> rows;  // changes of one block; of two with the same key the last one counts
+  std::vector<StateRow> rows;  // changes of one block; if two rows have the same key, the last one counts
 };
 
 class StateFile {
@@ -77,7 +77,7 @@ class StateFile {
   std::unique_ptr<Database> database_;
 };
 
-/// Sorts by table, then by key.
+/// Sorts the rows by table, then by key.
 void sort_rows(std::vector<StateRow>& rows);
 
 /// Returns the rows of all tables that survive power-off; of the variables, those with a value in the set-up.

@@ -11,7 +11,8 @@ namespace {
 
 using OrderedJson = nlohmann::ordered_json;
 
-constexpr double most_exact = 9007199254740992;  // 2^53: a whole number below it is printed without decimal point
+// 2^53: a whole number below it is exact in a double and is printed without a decimal point
+constexpr double most_exact = 9007199254740992;
 
 OrderedJson json_number(double value) {
   if (!std::isfinite(value)) return nullptr;

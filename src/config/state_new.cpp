@@ -80,7 +80,7 @@ int write_out(const std::string& path, const unsigned char* bytes, sqlite3_int64
 int name_anew(const std::string& from, const std::string& to) {
   if (::renameat2(AT_FDCWD, from.c_str(), AT_FDCWD, to.c_str(), RENAME_NOREPLACE) == 0) return 0;
   if (errno != EINVAL && errno != ENOSYS) return errno;
-  if (::link(from.c_str(), to.c_str()) == 0) {  // for a file system without renameat2
+  if (::link(from.c_str(), to.c_str()) == 0) {  // link() works on a file system that has no renameat2
     ::unlink(from.c_str());
     return 0;
   }
@@ -116,7 +116,7 @@ Done make_state(const std::string& path, const std::string& control, const std::
   if (error == 0) return {};
   ::unlink(beside.c_str());
   if (error == EEXIST) return failed("is there already", "уже существует");
-  if (error == ENOENT || error == ENOTDIR) error = ENOTDIR;  // it is the folder that is missing
+  if (error == ENOENT || error == ENOTDIR) error = ENOTDIR;  // both errors mean that the folder is missing
   return failed("cannot be made: " + told_errno(error), "не создаётся: " + told_errno(error));
 }
 

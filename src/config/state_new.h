@@ -14,8 +14,8 @@ namespace kadr::state {
 ///   returns  on failure, an error sentence: the name exists already, or the file cannot be written
 Done make_state(const std::string& path, const std::string& control, const std::vector<StateRow>& rows);
 
-/// Binds a row, whose value has the checksum `sum`, to the statement put_row as the next turn of `whole`, which includes the row already.
-/// The row must live until the statement is reset.
+/// Binds a row, whose value has the checksum `sum`, to the statement put_row as the next turn (write of a row, see state_content.h) of
+/// `whole`, whose totals include the row already. The row must live until the statement is reset.
 void bind_row(sqlite3_stmt* put, const StateRow& row, std::uint64_t sum, Whole& whole);
 
 }  // namespace kadr::state

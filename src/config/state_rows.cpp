@@ -14,7 +14,7 @@ namespace {
 
 using Json = nlohmann::json;
 
-/// Returns true if a row of the set-up is a table of values ("5/length"), not a single value.
+/// Returns true if a row of this table of the set-up has several values ("5/length"), not a single one.
 constexpr bool has_columns(StateTable table) {
   return table == StateTable::offsets || table == StateTable::work_offsets || table == StateTable::tool_table ||
          table == StateTable::form_table;
@@ -50,7 +50,7 @@ void put(Json& table, const std::string& key, const Json& value) {
   const std::size_t number = rest.size() < 8 ? std::strtoul(rest.c_str() + 5, nullptr, 10) : 0;
   while (list.size() < std::min(number, ToolRow{}.user.size())) list.push_back(0);
   if (number > 0 && number <= list.size()) list[number - 1] = value;
-  else table[row][rest] = value;  // the reader rejects it by its name
+  else table[row][rest] = value;  // the reader of set-ups rejects the row by its name
 }
 
 }  // namespace

@@ -34,7 +34,7 @@ WordCount words_of(std::string_view line) {
   WordCount count;
   for (std::size_t i = 0; i < line.size();) {
     if (line[i] == ';') break;
-    if (line[i] == '<') i = std::min(line.find('>', i), line.size() - 1);  // a name: O<name>, #<name>
+    if (line[i] == '<') i = std::min(line.find('>', i), line.size() - 1);  // skips a name in angle brackets: O<name>, #<name>
     if (line[i] == '#' || line[i] == ':') {
       ++count.addresses;
       ++i;
@@ -52,7 +52,7 @@ WordCount words_of(std::string_view line) {
     const std::size_t next = std::min(line.find_first_not_of(" \t", end), line.size());
     const bool value = next < line.size() && begins_value(line[next]);
     const bool of_language = std::find(statement_words.begin(), statement_words.end(), word) != statement_words.end();
-    constexpr std::string_view end_of_block = "\xD0\x9F\xD0\xA1";  // ПС
+    constexpr std::string_view end_of_block = "\xD0\x9F\xD0\xA1";  // the letters ПС in UTF-8
     if ((characters == 1 && value) || of_language || word == end_of_block || (characters <= 2 && value)) ++count.addresses;
     else ++count.words;
     i = end;
@@ -60,8 +60,8 @@ WordCount words_of(std::string_view line) {
   return count;
 }
 
-/// Returns true if commas stand before numbers, as in a table: `M2 x 0.4, 2.5, 1.886`. In blocks they stand before letters (`,R5`) and in
-/// brackets.
+/// Returns true if commas precede numbers, as in a row of a table: `M2 x 0.4, 2.5, 1.886`. In blocks, commas precede letters (`,R5`) or
+/// are in brackets.
 bool is_like_row(std::string_view line) {
   int commas = 0, depth = 0;
   for (std::size_t i = 0; i < line.size() && line[i] != ';'; ++i) {
@@ -82,7 +82,7 @@ bool is_like_block(const std::string& line) {
 
 /// Returns the start of the line for people, cut at a character boundary.
 std::string beginning_of(std::string_view line) {
-  constexpr std::size_t most = 40;  // bytes
+  constexpr std::size_t most = 40;  // greatest length in bytes
   line.remove_prefix(std::min(line.find_first_not_of(" \t"), line.size()));
   std::size_t size = std::min(line.size(), most);
   while (size < line.size() && size > 0 && continues(line[size])) --size;
@@ -91,7 +91,7 @@ std::string beginning_of(std::string_view line) {
 }
 
 bool is_binary(std::string_view sample) {
-  constexpr double most = 0.02;  // part of the bytes; a damaged program has fewer
+  constexpr double most = 0.02;  // greatest share of bytes that are no text; a damaged program has fewer
   const auto odd = std::count_if(sample.begin(), sample.end(), [](char c) {
     const auto byte = static_cast<unsigned char>(c);
     return (byte < 0x20 && c != '\n' && c != '\r' && c != '\t' && c != '\f' && byte != 0x1A) || byte == 0x7F;

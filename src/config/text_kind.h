@@ -11,7 +11,7 @@ enum class TextKind : std::uint8_t { program, prose, binary, empty };
 
 struct KindOfText {
   TextKind kind = TextKind::program;
-  std::string found;       // for prose: its first line that is not a block
+  std::string found;       // for prose: the first line of the text that is not a block
   std::uint32_t line = 0;  // number of this line, from 1; 0: no particular line
 };
 

@@ -1,7 +1,7 @@
 #pragma once
-// The language in which the readers of files report faults. Their sentences come from deep inside and are returned complete, in
-// tl::expected<…, std::string>; so the language belongs to the process, like a locale: the command line sets it once, before anything is
-// read.
+// The language in which the readers of files report faults. Functions deep in a call chain create the error sentences, which the callers
+// only pass on, in tl::expected<…, std::string>. So the language belongs to the process, like a locale: the command line sets it once,
+// before anything is read.
 
 #include <cstdint>
 #include <string>
@@ -12,7 +12,7 @@ namespace kadr {
 
 /// Sets the language of the process; the default is English.
 void tell_in(Lang lang);
-/// Sets the language of the current thread, independent of the others, for a page with a language of its own.
+/// Sets the language of the current thread only: a web page has a language of its own.
 void tell_here_in(Lang lang);
 
 /// Returns the language of the current thread.
@@ -21,7 +21,7 @@ Lang told_lang();
 /// Returns one of two sentences with the same meaning, in the current language.
 std::string told(std::string en, std::string ru);
 
-/// Returns a number of things in Russian: told_count(3, "строка", "строки", "строк") is "3 строки".
+/// Returns a number with its noun in the right Russian form: told_count(3, "строка", "строки", "строк") is "3 строки".
 std::string told_count(std::uint64_t n, const char* one, const char* few, const char* many);
 
 }  // namespace kadr

@@ -37,7 +37,7 @@ class TomlScan {
     if (c != ' ' && c != '\t' && c != '\n' && c != '\r') begins_ = false;
   }
 
-  /// Counts a bracket. At the start of a line, outside of a value, it is a heading: [a] and [[a]] end with their line.
+  /// Counts an opening bracket. At the start of a line, outside of a value, it opens a heading: [a] and [[a]] end with their line.
   void open(char c) {
     value();
     if (begins_ && c == '[') {
@@ -49,7 +49,7 @@ class TomlScan {
                  "скобки вложены более чем на " + told_count(limits::toml_depth, "уровень", "уровня", "уровней")));
   }
 
-  /// Counts a part of a key. Points in numbers count too, which does no harm.
+  /// Counts one part of a dotted key. Decimal points in numbers are counted as well, which does no harm.
   void part() {
     value();
     if (++parts_ > limits::toml_key_parts)
@@ -89,7 +89,7 @@ class TomlScan {
   std::string_view text_;
   const std::string& file_;
   std::size_t at_ = 0, depth_ = 0, parts_ = 1, values_ = 0;
-  bool begins_ = true;  // at the start of a line: only blanks so far
+  bool begins_ = true;  // the scan is at the start of a line: it has seen only blanks so far
   std::string fault_;
 };
 

@@ -73,12 +73,12 @@ void merge(toml::table& under, toml::table&& over) {
   for (auto&& [key, node] : over) {
     toml::table* const old = under[key].as_table();
     if (toml::table* const table = node.as_table(); table != nullptr && old != nullptr) merge(*old, std::move(*table));
-    else node.visit([&, &name = key](auto& value) { under.insert_or_assign(name, std::move(value)); });  // moved: a copy has no position
+    else node.visit([&, &name = key](auto& value) { under.insert_or_assign(name, std::move(value)); });  // moved, as a copy has no position
   }
 }
 
 std::string place(const std::string& file, const toml::node& node) {
-  const toml::source_path_ptr& path = node.source().path;  // possibly the path of the file that it extends
+  const toml::source_path_ptr& path = node.source().path;  // this may be the path of the file that the file extends
   const auto line = node.source().begin.line;
   return (path ? *path : file) + ":" + (line == 0 ? "" : std::to_string(line) + ":") + " ";
 }
@@ -146,7 +146,7 @@ tl::expected<void, std::string> span(const std::string& file, const toml::table&
 }
 
 std::string_view nearest(std::string_view word, const std::vector<std::string_view>& names) {
-  constexpr std::size_t longest = 64;  // no key is longer
+  constexpr std::size_t longest = 64;  // longer words are not compared: no key is longer
   if (word.size() > longest) return {};
   std::string_view best;
   std::size_t least = std::max<std::size_t>(word.size(), 3) / 3 + 1;

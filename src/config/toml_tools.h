@@ -30,7 +30,7 @@ void merge(toml::table& under, toml::table&& over);
 /// Returns "file:line: ".
 std::string place(const std::string& file, const toml::node& node);
 
-/// The same for a key of a row, or for the row if the key is missing. The key may come from another file than the row.
+/// Returns "file:line: " for a key of a row, or for the row if the key is missing. The key may come from another file than the row.
 std::string place(const std::string& file, const toml::table& row, std::string_view key);
 
 Text text_of(const toml::table& row);
@@ -44,7 +44,7 @@ tl::expected<void, std::string> number(const std::string& file, const toml::tabl
 tl::expected<void, std::string> span(const std::string& file, const toml::table& row, std::string_view key, const NumberRange& range,
                                      double& least, double& most);
 
-/// Returns the name that `word` was probably meant to be; empty if there is none. One letter in three may be wrong.
+/// Returns the name of `names` that `word` was probably meant to be; empty if there is none. Up to a third of the letters may be wrong.
 std::string_view nearest(std::string_view word, const std::vector<std::string_view>& names);
 
 /// Returns the value of a key (string, number or bool), or `otherwise` if the key is missing.

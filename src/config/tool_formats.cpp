@@ -15,8 +15,8 @@
 namespace kadr {
 namespace {
 
-constexpr double assumed_length = 100;  // mm; a table of offsets does not contain lengths
-constexpr double assumed_edge = 10;     // mm, length of an insert's edge
+constexpr double assumed_length = 100;  // mm, length of a tool: a table of offsets does not contain it
+constexpr double assumed_edge = 10;     // mm, length of an insert's cutting edge: a table of offsets does not contain it
 
 bool ends_with_any(const std::string& path, std::initializer_list<std::string_view> endings) {
   const std::string small = in_small_letters(path);
@@ -44,10 +44,11 @@ ToolKind kind_in_words(std::string_view comment) {
   return ToolKind::flat;
 }
 
-/// Position of the tip relative to the nose's centre, along x and z, by Q; as LinuxCNC's drawing of the tool (rs274/glcanon.py) has it.
+/// Direction of the tip from the nose's centre, along x and z, by Q; as LinuxCNC's drawing of the tool (rs274/glcanon.py) has it.
 constexpr struct { int x, z; } tips_by_q[] = {{0, 0}, {-1, 1}, {-1, -1}, {1, -1}, {1, 1}, {0, 1}, {-1, 0}, {0, -1}, {1, 0}, {0, 0}};
 
-/// Converts the direction of an edge, in degrees from +z towards +x, to its angle from the feed along z that the tip points to; 0 to 360.
+/// Converts the direction of a cutting edge, in degrees from +z towards +x, to its angle from the feed direction along z that the
+/// tip points to; 0 to 360.
 double from_feed(double direction, int tip_x, int tip_z) {
   const double turned = tip_x > 0 ? -direction : direction, angle = std::fmod(tip_z > 0 ? turned : 180 - turned, 360);
   return angle < 0 ? angle + 360 : angle;

@@ -15,7 +15,7 @@ enum class ToolKind : std::uint8_t { flat, ball, bull, drill, taper, chamfer, ts
 /// A point on the outline of a body of revolution.
 struct ProfilePoint {
   double diameter = 0;
-  double height = 0;  // above the tip; for a holder, above its own face
+  double height = 0;  // height above the tip; for a holder, height above the holder's own face
   friend bool operator==(const ProfilePoint&, const ProfilePoint&) = default;
 };
 
@@ -31,10 +31,11 @@ struct InsertPoint {
 struct InsertGeometry {
   /// Direction from the nose's centre to the programmed point: -1, 0, 1 along x and z. Both 0: the programmed point is the centre.
   int tip_x = 0, tip_z = 0;
-  std::optional<double> lead;        // entering angle, degrees: between the leading edge and the feed along z that the tip points to
+  // Entering angle, degrees: between the leading cutting edge and the feed direction along z that the tip points to
+  std::optional<double> lead;
   double width = 0;                  // width of a grooving insert; 0: not a grooving insert
-  std::vector<InsertPoint> profile;  // a simple polygon for the cutting part, instead of the above
-  std::vector<InsertPoint> holder;   // a simple polygon; two points: opposite corners of a rectangle
+  std::vector<InsertPoint> profile;  // outline of the cutting part, a simple polygon; if given, it replaces the values above
+  std::vector<InsertPoint> holder;   // outline of the holder, a simple polygon; two points: opposite corners of a rectangle
 };
 
 struct ToolGeometry {
@@ -42,17 +43,17 @@ struct ToolGeometry {
   std::string name;
   ToolKind kind = ToolKind::flat;
   double diameter = 0;
-  double corner = 0;                  // radius at the end of a bull nose mill
+  double corner = 0;                  // corner radius of a bull nose mill
   double angle = 0;                   // see ToolKind
   double tip = 0;                     // diameter of the flat end of a chamfer tool or drill
   double flutes = 0;                  // height of the cutting part (flute length)
-  double length = 0;                  // stick-out: height of the holder's face
-  std::vector<ProfilePoint> profile;  // cutting part of a form tool
-  std::vector<ProfilePoint> shank;    // empty: a cylinder of `diameter` from `flutes` to `length`
-  std::vector<ProfilePoint> holder;   // empty: not known
+  double length = 0;                  // stick-out: height of the holder's face above the tip
+  std::vector<ProfilePoint> profile;  // outline of the cutting part of a form tool
+  std::vector<ProfilePoint> shank;    // outline of the shank; empty: a cylinder of `diameter` from `flutes` to `length`
+  std::vector<ProfilePoint> holder;   // outline of the holder; empty: not known
   bool plunges = true;                // the tool may cut straight down
   int teeth = 0;                      // number of cutting edges; 0: not known
-  InsertGeometry insert;              // only for a turning tool
+  InsertGeometry insert;              // the insert, only for a turning tool
 };
 
 }  // namespace kadr

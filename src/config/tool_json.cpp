@@ -108,7 +108,7 @@ bool says_any(const std::string& text, std::initializer_list<std::string_view> w
   return std::any_of(words.begin(), words.end(), [&](std::string_view w) { return text.find(w) != std::string::npos; });
 }
 
-/// Recognises FreeCAD's names of shapes: endmill.fcstd, or endmill.
+/// Recognises FreeCAD's names of shapes, such as endmill.fcstd or endmill.
 bool freecad_shape(ToolGeometry& tool, const std::string& shape, const json& sizes) {
   const double full = amount(part(sizes, "CuttingEdgeAngle"), 1);
   if (says_any(shape, {"ballend"})) tool.kind = ToolKind::ball;
@@ -144,7 +144,7 @@ bool fusion_shape(ToolGeometry& tool, const std::string& type, const json& sizes
     tool.kind = ToolKind::chamfer;
     tool.angle = 2 * amount(part(sizes, "TA"), 1);
     tool.tip = length("tip-diameter");
-  } else if (says_any(type, {"tapered mill"})) {  // DC is measured at the tip; Kadr supports this kind only without corner radius
+  } else if (says_any(type, {"tapered mill"})) {  // DC: diameter at the tip; Kadr supports tapered mills only without corner radius
     if (length("RE") > 0) return false;
     tool.kind = ToolKind::taper;
     tool.angle = amount(part(sizes, "TA"), 1);

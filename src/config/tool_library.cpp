@@ -34,7 +34,7 @@ constexpr std::string_view tool_keys[] = {"number",  "name",         "kind",   "
                                           "tip",     "flute_length", "length", "profile",  "shank",  "holder",
                                           "plunges", "flute_count",  "points", "lead",     "width"};
 
-/// Keys of older files, which mean something else in the trade (`flutes` was a length here). They are still read.
+/// Keys of older files whose names mean something else in the trade (`flutes` was a length). They are still read.
 struct OldKey {
   std::string_view old, now;
 };
@@ -190,7 +190,7 @@ const ToolGeometry* ToolLibrary::find(std::uint32_t number) const {
 }
 
 bool assume_heights(ToolGeometry& t) {
-  // Factors of the diameter, as in most catalogues.
+  // Assumed lengths as multiples of the diameter, as in most catalogues.
   constexpr double flutes_share = 3, length_share = 5, drill_flutes_share = 8, drill_length_share = 10;
   const bool is_known = t.flutes != 0 || t.length != 0 || !t.profile.empty() || !t.shank.empty() || t.kind == ToolKind::turning;
   if (is_known || !(t.diameter > 0)) return false;

@@ -13,18 +13,18 @@
 namespace kadr {
 
 namespace limits {
-inline constexpr std::size_t tools = 10'000;          // tools in one file
-inline constexpr std::size_t outline_points = 1'000;  // points of a profile, shank or holder
-inline constexpr int teeth = 1'000;                   // cutting edges of a tool
+inline constexpr std::size_t tools = 10'000;          // greatest number of tools in one file
+inline constexpr std::size_t outline_points = 1'000;  // greatest number of points of a profile, shank or holder
+inline constexpr int teeth = 1'000;                   // greatest number of cutting edges of a tool
 }  // namespace limits
 
 struct ToolLibrary {
   std::vector<ToolGeometry> tools;
   bool in_machine_units = false;   // lengths are in the machine's units, as in a machine's own table; see take_unit()
-  std::vector<std::string> notes;  // a sentence for everything that was left out or assumed
+  std::vector<std::string> notes;  // one sentence for each thing that was left out or assumed
 
-  /// Returns nullptr if there is no tool with this number. A library with a single tool without number (0) returns that tool for every
-  /// number.
+  /// Returns nullptr if there is no tool with this number. If the library has a single tool, whose number
+  /// is missing (0), returns that tool for every number.
   const ToolGeometry* find(std::uint32_t number) const;
 };
 

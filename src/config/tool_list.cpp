@@ -19,7 +19,7 @@ using Failed = tl::unexpected<std::string>;
 toml::table table_of(const json& object);
 toml::array array_of(const json& list);
 
-/// Passes the value to `take` in the form of toml++; null is skipped.
+/// Converts a JSON value to a value of toml++ and passes it to `take`; null is skipped.
 template <class Take>
 void each_kind(const json& value, const Take& take) {
   if (value.is_object()) take(table_of(value));
@@ -42,7 +42,7 @@ toml::array array_of(const json& list) {
   return array;
 }
 
-/// Returns "T5", or the position in the list.
+/// Returns how messages name a tool of the list: "T5", or its position in the list if it has no number.
 std::string called_in_list(const json& row, std::size_t i) {
   const auto number = row.find("number");
   if (number != row.end() && number->is_number_integer()) return "T" + number->dump();

@@ -1,5 +1,5 @@
 #pragma once
-// Converts tools to JSON and back, with the keys of a tools file; a page and a session exchange tools in this form.
+// Converts tools to JSON and back, with the keys of a tools file. The web page and its session exchange tools in this form.
 
 #include <nlohmann/json_fwd.hpp>
 #include <string_view>

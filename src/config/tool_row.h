@@ -10,7 +10,7 @@
 
 namespace kadr {
 
-/// returns  on failure, an error sentence with its location
+/// Returns the tool of a row; on failure, an error sentence with its location.
 tl::expected<ToolGeometry, std::string> tool_of(const std::string& file, const toml::table& row);
 
 /// Adds a tool. Returns an error sentence if its number occurs already.
