@@ -45,7 +45,7 @@ class Correctors final : public Dialect, public Memory {
   bool adds_to_motion(const BlockContext& m) const override;
   bool lines_follow(const BlockContext&) const override { return true; }
   /// Adds the block's correctors to its motion: sets Transform::added.
-  ///     returns  the axes that move besides the axes of the axis words
+  ///   returns  the axes that move besides the axes of the axis words
   ///   alarms   corrector_axis: `L17` without exactly one axis word, or an axis code above 7; corrector_unknown
   Result<AxisMask> add_to_motion(Emitter& m) override;
 

@@ -31,8 +31,8 @@ struct PocketPiece {
 class PocketRounds {
  public:
   /// radius: tool radius, mm
-  ///     alarms  pocket_tool_large; pocket_corner: the pocket's corner radius is smaller than the tool radius, or larger than half the
-  ///     pocket
+  ///   alarms  pocket_tool_large; pocket_corner: the pocket's corner radius is smaller than the tool radius, or larger than half the
+  ///           pocket
   ///   law     no point of the pocket is further than `radius` from a round or the middle
   static Result<PocketRounds> of(const PocketCycle& pocket, double radius, Span where);
 
