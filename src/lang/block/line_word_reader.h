@@ -15,7 +15,7 @@ namespace kadr {
 
 /// Returns the characters that pass the filter of protocol.c, in capitals:
 /// no blanks, control characters, `/`, comments, real-time characters.
-///     place  output: the offset of each of these characters in the line
+///   place  output: the offset of each of these characters in the line
 std::string filtered(std::string_view line, std::vector<std::uint32_t>& place);
 
 /// Returns the length of a number as Grbl writes it at the start of the text: a sign, digits, one decimal point. 0 if there is no digit.

@@ -17,7 +17,7 @@ class PlainBlocks {
 
   /// Reads the block that starts at `from` and ends at the end of the text.
   ///   block    cleared by the caller; its text, where, words and shape are set here
-  ///     returns  false if the block is not plain; `block` is then unchanged, except for the contents of its words
+  ///   returns  false if the block is not plain; `block` is then unchanged, except for the contents of its words
   bool read(std::string_view text, std::size_t from, Block& block) const;
 
  private:
