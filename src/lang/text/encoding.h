@@ -33,8 +33,8 @@ std::optional<Encoding> detect_encoding(std::string_view sample);
 inline bool is_tape(Encoding encoding) { return encoding == Encoding::iso7 || encoding == Encoding::eia; }
 
 /// Appends the `bytes` of one line to `text` as UTF-8; on an alarm, appends only the text before the fault.
-///     alarms  bad_encoding, with the byte that has no meaning; parity_error, with the number of the row in the line, counted from 1;
-///                     the Span of the alarm is the location of the byte in `bytes`
+///   alarms  bad_encoding, with the byte that has no meaning; parity_error, with the number of the row in the line, counted from 1;
+///           the Span of the alarm is the location of the byte in `bytes`
 ///   law     `text` remains valid UTF-8, whatever the bytes
 Status append_utf8(std::string_view bytes, Encoding encoding, std::string& text);
 

@@ -24,7 +24,7 @@ struct TapeLook {
 
 /// Accepts the rows as a tape if 19 of 20 rows have the parity of the code and are codes of program text, with at least eight rows and a
 /// digit. If that leaves the orientation open, words decide: an address is before its number.
-///     returns  nullopt if the rows are not a tape
+///   returns  nullopt if the rows are not a tape
 std::optional<TapeLook> look_at_tape(std::string_view rows);
 
 /// Returns the rows in the order and with the tracks that the correctly inserted tape would give.

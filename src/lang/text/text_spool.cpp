@@ -33,7 +33,7 @@ class SpoolFile {
   SpoolFile(const SpoolFile&) = delete;
   SpoolFile& operator=(const SpoolFile&) = delete;
 
-  ///     returns  number of bytes written: fewer than requested if there is no file, or no space on the disk
+  ///   returns  number of bytes written: fewer than requested if there is no file, or no space on the disk
   std::size_t write(std::string_view piece, std::uint64_t at) const {
     return whole([&](std::size_t done) { return pwrite(descriptor_, piece.data() + done, piece.size() - done, off_t(at + done)); },
                  piece.size());

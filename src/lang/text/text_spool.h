@@ -52,7 +52,7 @@ std::string whole_text(ByteSource& source);
 
 /// Passes a text to `take` in order, in pieces of some hundred kilobytes, until `take` returns false. A piece ends at the end of a line;
 /// pieces of a line longer than that end with a whole character.
-///     returns  false if `take` has returned false
+///   returns  false if `take` has returned false
 bool each_piece(ByteSource& source, const std::function<bool(std::string_view)>& take);
 
 }  // namespace kadr

@@ -25,7 +25,7 @@ struct ToolComment {
 
 /// Returns what the comment says for certain: a number that may be something other than a size is left out.
 ///   text  UTF-8
-///     inch  numbers without a unit are inches; fractions always are
+///   inch  numbers without a unit are inches; fractions always are
 ToolComment read_tool_comment(std::string_view text, bool inch);
 
 /// Returns the comments of a line, written in brackets or after a semicolon, as UTF-8.

@@ -35,7 +35,7 @@ ByteOrder order_of(std::string_view sample, Utf16 said);
 
 /// Appends the whole characters of `bytes` as UTF-8. Half a surrogate pair becomes U+FFFD, and so does an odd byte at the end of the text
 /// (`last`).
-///     returns  number of bytes used: the bytes of an incomplete character at the end are not used, unless `last`
+///   returns  number of bytes used: the bytes of an incomplete character at the end are not used, unless `last`
 std::size_t append_utf16(std::string_view bytes, ByteOrder order, bool last, std::string& text);
 
 /// Converts a whole text. Returns false, with nothing changed, if it is not UTF-16.

@@ -31,11 +31,11 @@ struct Transliterated {
   std::size_t characters = 0;  // number of characters that were replaced
 };
 /// Replaces characters that the control cannot have by characters that read alike: Ё by Е or YO, ж by Ж or ZH, « by ".
-///     law  a text that has only allowed characters does not change
+///   law  a text that has only allowed characters does not change
 Transliterated transliterated(std::string_view utf8, const WrittenLetters& letters);
 
 /// Returns the bytes of the text; a punched tape has a leader and a trailer.
-///     alarms  bad_encoding, with the character that has no code and its location
+///   alarms  bad_encoding, with the character that has no code and its location
 Result<std::string> bytes_of(std::string_view utf8, const WrittenLetters& letters);
 
 }  // namespace kadr
