@@ -59,7 +59,7 @@ class Emitter : public BlockContext {
   virtual void warn(const Alarm& alarm) = 0;
 
   /// Returns the present value of an expression in the program's notation, such as `#100+1`.
-  ///     alarms  those of compile_value and of the evaluation; expression_syntax if text follows the expression
+  ///   alarms  those of compile_value and of the evaluation; expression_syntax if text follows the expression
   Result<double> value_of(std::string_view expression);
 
   // ---- motion
