@@ -185,7 +185,7 @@ class Control {
   /// Called for every warning (look-alike letters, …).
   std::function<void(const AlarmReport&)> on_warning;
 
-  /// What the program has used of a set-up. Includes variables and lines if watch_use() was called before the run.
+  /// Returns which data of a set-up the program has used. Includes variables and lines if watch_use() was called before the run.
   const ProgramUse& use() const;
   void watch_use();
 
@@ -196,34 +196,34 @@ class Control {
   /// Returns lines of the program, or of the called file with number Origin::file, in UTF-8 by line number; unreadable lines are
   /// missing. To be called after the run; reads through the file once.
   std::map<std::uint32_t, std::string> texts_of(const std::set<std::uint32_t>& lines, std::uint16_t file) const;
-  /// The bytes of the program or of another file as they were when it was opened; nullptr if there is no file with this number.
+  /// Returns the bytes of the program or of another file, as they were when the file was opened; nullptr if no file has this number.
   std::shared_ptr<ByteSource> source_of(std::uint32_t file) const;
-  /// Path of the program or of another file.
+  /// Returns the path of the program or of another file, by number.
   const std::string& file_name(std::uint16_t file) const;
-  /// Paths of all files that have been read: the program and those that it called.
+  /// Returns the paths of all files that have been read: the program and the files that it called.
   std::vector<std::string> files_read() const;
-  /// Numbers of the files that the program has called, for file_name(), source_of(), Origin::file. They are not consecutive.
+  /// Numbers of the files that the program has called, for file_name(), source_of(), Origin::file. The numbers are not consecutive.
   std::vector<std::uint16_t> called_files() const;
   /// The files that the program has written, or would have written (RunLimits::writes_files).
   const WrittenFiles& files_written() const;
 
   Ending ending() const;
-  /// Tool position after all blocks executed so far; its frame is the one that the first action sets.
+  /// Tool position after all blocks executed so far; its coordinates are in the frame that the first action sets.
   ToolPosition tool_position() const;
   /// Placement of the work coordinates on the machine, after all blocks executed so far.
   const Placement& placement() const;
-  /// Starts recording for state_of(). It costs a comparison per block, and a copy of the state per block that changes a mode.
+  /// Starts recording states for state_of(). This costs a comparison per block, and a copy of the state per block that changes a mode.
   void watch_states();
-  /// What was in force after the block that an action comes from; the control may have read far beyond it. Returns nullopt if some
-  /// thousand changes of modes lie in between, or without watch_states().
+  /// Returns what was in force after the block that an action comes from; the control may have read far beyond that block. Returns
+  /// nullopt if the modes have changed some thousand times since, or without watch_states().
   std::optional<BlockState> state_of(const Origin& origin) const;
-  /// Starts recording for calls_of(); reports of report_for() then include the calls at their place.
+  /// Starts recording calls for calls_of(); reports of report_for() then include the calls that were open at the location of the alarm.
   void watch_calls();
   /// The calls and repetitions through which the program reached the block of an action, outermost first; the control may have read far
-  /// beyond it. Snapshots do not include them: actions of a control before the restored one have none.
+  /// beyond that block. Snapshots do not include these calls: for actions emitted before a restore the list is empty.
   std::vector<AlarmReport::Call> calls_of(const Origin& origin) const;
-  std::uint64_t blocks() const;      // executed
-  std::uint64_t bytes_read() const;  // for progress
+  std::uint64_t blocks() const;      // number of blocks executed
+  std::uint64_t bytes_read() const;  // bytes of the program read so far, for progress
   std::uint64_t bytes() const;
   Encoding encoding() const;
   bool encoding_was_guessed() const;
@@ -233,7 +233,7 @@ class Control {
   const SetupFault& setup_fault() const;
   /// Returns true if the machine is described by parameters (nct 24).
   bool has_machine_parameters() const;
-  /// Returns true if its cutter compensation is that of path/contour/queued_compensation.
+  /// Returns true if the cutter compensation of this control is computed by path/contour/queued_compensation.
   bool queues_contours() const;
   std::uint32_t rotary() const;
   /// See Dialect::limits_by_file().
