@@ -33,7 +33,7 @@ class BlockContext : public ControlState, public RunMemory {
 
   const Word* word(char letter) const { return block->find(letter); }
   bool has(char letter) const { return block->has(letter); }
-  /// Returns the value of a word, with the scale of its address; 0 if the block has no such word.
+  /// Returns the value of a word, with the scale of its address applied; 0 if the block has no word with this letter.
   double value(char letter) const;
   /// Returns the value of a word as a length in mm.
   double length_value(char letter) const { return value(letter) * unit_scale(); }
@@ -64,7 +64,7 @@ class BlockContext : public ControlState, public RunMemory {
   /// Checks a point that a transformation has computed. alarms position_out_of_range
   Status within_reach(const Axes& work) const;
   double radius_in_force() const;
-  /// The row of the offset table whose length is in force; 0 if there is none.
+  /// Returns the row of the tool offset table whose length compensation is in force; 0 if none is.
   std::uint16_t length_row() const;
   ArcRule arc_rule() const { return dialect->arc_rule(*this); }
   ArcRule plain_arc_rule() const;
@@ -74,7 +74,7 @@ class BlockContext : public ControlState, public RunMemory {
   /// The axis that the block's word `index`, an F, belongs to: the axis of the word before it, if another axis word follows. Otherwise
   /// the F is for all axes without a feed of their own. Only where Behaviour::feed_of_axis is set (GOST 20999-83).
   std::optional<std::size_t> axis_of_feed(std::uint32_t index) const;
-  /// The part of the origin that is a shift of the work system: G92 and codes that act like it.
+  /// Returns the part of the origin that is a shift of the work system: by G92 and by codes that act like G92.
   Axes shift_by_tables() const;
   /// The speed of the main spindle as G96, G97 define it (nct 11.5); on controls
   /// other than NCT the X coordinate is taken as a radius (spec/gost 4; INFERRED: X).
@@ -86,7 +86,7 @@ class BlockContext : public ControlState, public RunMemory {
   const ControlState& state_before() const { return before_; }
   bool keeps_state() const { return state_kept_; }
   bool keeps_flow_place() const { return flow_before_.has_value(); }
-  /// What a block with this plan may change, judged by the plan alone; a dialect may be more precise.
+  /// Returns what a block with this plan may change, judged by the plan alone; a dialect may know more exactly.
   BlockChanges changes_of_block(const Plan& plan) const;
 
   // ---- course of the program
@@ -103,17 +103,17 @@ class BlockContext : public ControlState, public RunMemory {
   Tables tables;
   Variables variables;
   std::unique_ptr<Dialect> dialect = make_iso_dialect();  // never nullptr
-  MacroVariables* macro_variables = nullptr;              // the dialect's, if it has levels of local variables; else nullptr
+  MacroVariables* macro_variables = nullptr;              // variables of the dialect, if it has levels of local variables; else nullptr
   std::vector<std::string> axis_names;
   std::size_t axis_count = 3;
-  bool has_fixtures = false;  // the number of the work system is Modal::fixture, else Modal::work_zero
+  bool has_fixtures = false;  // true: Modal::fixture has the number of the work system; false: Modal::work_zero has it
   bool probe_stated = false;  // the set-up defines what a probe touches
-  SetupFault start_fault;     // something that the set-up names and the control does not have
+  SetupFault start_fault;     // something that the set-up names and the control does not have; reported when the run starts
 
   // ---- the current block
 
   Block* block = nullptr;                  // the block being executed, never nullptr
-  bool block_axes_taken = false;           // a code of this block uses its axis words: a motion code in the block only sets the mode
+  bool block_axes_taken = false;           // a code of this block (G28, G92 …) uses its axis words: a motion code then only sets the mode
   bool block_exact = false;                // G9 in this block
   bool block_machine_coordinates = false;  // G53 with a motion (Mach3)
   bool needs_probe = false;
@@ -131,8 +131,8 @@ class BlockContext : public ControlState, public RunMemory {
   Flow flow;
   ControlState before_;
   bool state_kept_ = false;
-  std::optional<Flow::Place> flow_before_;  // position in the program, kept if a block has more than one item that jumps
-  ShapeFacts* shape_ = nullptr;             // of the current block
+  std::optional<Flow::Place> flow_before_;  // position before the block, saved if more than one function of it jumps
+  ShapeFacts* shape_ = nullptr;             // facts about the shape of the current block
 };
 
 }  // namespace kadr

@@ -48,7 +48,7 @@ class Control {
   /// Executes blocks until `batch` (cleared first) is full or the caller must react.
   ///   needs_probe  the last action is a probe motion: call answer() with the contact, then continue
   ///   waiting      at a waiting code (nct 14.5) after Waiting::meet: see meeting(); call release(), then continue
-  ///   held         holds_before() has returned true
+  ///   held         holds_before() has returned true: the next block has not been executed
   ///   stopped      by an alarm, see report(); go_on() continues with the next block (for a check); the faulty block has no effect
   ///   ended        the program is at its end
   State run(ActionBatch& batch);
@@ -59,7 +59,8 @@ class Control {
   /// From now on records in `marks` the lines whose blocks are executed; run() returns after `most` blocks at the latest. Read
   /// `marks` only while the control is at rest (RunAhead::settle). nullptr ends the recording.
   void note_lines(LineMarks* marks, std::uint64_t most);
-  /// Returns true if a block is not finished: its canned cycle continues, or something waits for the end of that cycle.
+  /// Returns true if a block is not finished: its canned cycle still has motions to emit, or functions of the block wait for the end of
+  /// the cycle.
   bool in_block() const;
   /// Enters a line of the operator (MDI). It is executed next, in the present state; then the program continues where it was.
   ///   pre  !in_block()
@@ -74,28 +75,29 @@ class Control {
   Result<double> evaluate(std::string_view expression) const;
   /// Open calls and repetitions, outermost first.
   std::vector<AlarmReport::Call> calls() const;
-  /// Place of the block that is being executed, or was executed last.
+  /// Location of the block that is being executed, or was executed last.
   const Origin& origin() const;
   /// mm per unit of the lengths in the machine's own tables.
   double machine_unit() const;
-  /// Axis normal to the selected plane.
+  /// Index of the axis normal to the selected plane.
   std::size_t plane_normal() const;
-  /// What is in force after all blocks executed so far.
+  /// Returns the modes and offsets in force after all blocks executed so far.
   BlockState state_now() const;
   std::vector<InForce> in_force() const;
 
   /// Returns everything that decides how the run continues; nullopt while the control waits for a probe. Not included: what the program
-  /// has read from standard input or written into files, and what refused() restores.
+  /// has read from standard input or written into files, and the state before the last block, which refused() would restore.
   std::optional<Snapshot> snapshot() const;
-  /// Continues from a snapshot of a control with the same file, set-up and program: the actions, alarms and notes that follow are the
-  /// same as there. Tables shared by channels get the values of this channel.
+  /// Continues from a snapshot of a control with the same file, set-up and program: the actions, alarms and notes that follow are those
+  /// that followed in that control. Tables shared by channels get the values of this channel.
   ///   alarms  file_missing, file_write: a file that the program had called or was writing is missing or has changed
   Status restore(const Snapshot& from);
 
   void answer(const ProbeAnswer& answer);
   /// From now on returns the actions of each block separately, so that the machine may refuse a block.
   void hand_over_each_block();
-  /// Returns true if it does so: from the start, or since the program has reached a safety zone or a clock.
+  /// Returns true if the actions of each block are returned separately: from the start, or since the program has reached a safety zone or
+  /// a clock.
   bool hands_over_each_block() const;
   /// Cancels the last block because the machine has refused one of its actions; the block has no effect, as after an alarm of its own.
   void refused();
@@ -112,7 +114,7 @@ class Control {
 
   /// The alarm that stopped the run.
   const AlarmReport& report() const;
-  /// Returns the report of an alarm that a later room raised, with the place of the action that caused it.
+  /// Returns the report of an alarm that a later room (path, motion, machine …) raised, with the location of the action that caused it.
   AlarmReport report_for(const Alarm& alarm, const Origin& origin) const;
   /// Returns the line that an action comes from, for display; its text is empty if it is in no file.
   AlarmReport::Line line_at(const Origin& origin) const;
@@ -133,7 +135,7 @@ class Control {
   std::uint64_t common_version() const;
   /// Copies the shared data from another channel of the same machine, between two blocks.
   void take_common(const Control& from);
-  /// Makes the axes follow the masters that N2101 names, or ends it (nct 20.2).
+  /// Makes the axes follow the master axes that parameter N2101 names, or ends this coupling (nct 20.2).
   void couple_axes(const std::vector<std::string>& axes, AxisLink link, bool on);
   /// Axes of this channel that are coupled to, or exchanged with, axes of other channels at present (nct 20.2, 20.3).
   const std::vector<FarAxis>& far_axes() const;
@@ -141,12 +143,13 @@ class Control {
   std::function<void()> on_far_axes;
   /// Ends a coupling or exchange that is impossible: the axis is independent again, with a warning.
   void drop_far(const FarAxis& axis);
-  /// Moves an axis to a machine coordinate because the axis of another channel
-  /// that it follows has moved; its own followers in this channel move too.
+  /// Moves an axis to a machine coordinate because the axis of another channel that it follows has moved. Axes of this channel that
+  /// follow this axis move too.
   void lead_axis(std::size_t axis, double machine);
   /// Returns true if the axis may be exchanged with a linear one.
   bool may_exchange(std::size_t axis) const;
-  /// From the next block on, lets the axis drive that of another channel, which is at `machine`; or ends this.
+  /// From the next block on, lets the axis drive the axis of another channel that it is exchanged with, which is at `machine`; or ends
+  /// this.
   void exchange_far(std::size_t axis, double machine, bool on);
   bool is_parked(std::size_t axis) const;
   bool rolls_over(std::size_t axis) const;
@@ -158,11 +161,12 @@ class Control {
   void power_cycle();
   /// Sets the virtual time since the start of the run and the time at feed, for the clocks that a program reads (nct 23.1.9).
   void set_time(double now_ms, double cutting_ms);
-  /// Returns true once the program may read a clock: from then on set_time() has an effect, and each block is passed on separately.
+  /// Returns true once the program may read a clock: from then on set_time() has an effect, and the actions of each block are returned
+  /// separately.
   bool reads_clock() const;
   /// Returns true if programs of this control can read a clock, so that the time since the start may matter.
   bool may_read_clock() const;
-  /// Tables and switches after the run, in the form of a set-up; nullopt if the control has none to show.
+  /// Returns the tables and switches after the run, in the form of a set-up; nullopt if the control has no such tables.
   std::optional<RunState> run_state() const;
 
   /// Present contents of the tables that a program can write (control/tables_now).
@@ -181,7 +185,7 @@ class Control {
   /// Called for every warning (look-alike letters, …).
   std::function<void(const AlarmReport&)> on_warning;
 
-  /// What the program has used of a set-up. Includes variables and lines if watch_use() was called before the run.
+  /// Returns which data of a set-up the program has used. Includes variables and lines if watch_use() was called before the run.
   const ProgramUse& use() const;
   void watch_use();
 
@@ -192,34 +196,34 @@ class Control {
   /// Returns lines of the program, or of the called file with number Origin::file, in UTF-8 by line number; unreadable lines are
   /// missing. To be called after the run; reads through the file once.
   std::map<std::uint32_t, std::string> texts_of(const std::set<std::uint32_t>& lines, std::uint16_t file) const;
-  /// The bytes of the program or of another file as they were when it was opened; nullptr if there is no file with this number.
+  /// Returns the bytes of the program or of another file, as they were when the file was opened; nullptr if no file has this number.
   std::shared_ptr<ByteSource> source_of(std::uint32_t file) const;
-  /// Path of the program or of another file.
+  /// Returns the path of the program or of another file, by number.
   const std::string& file_name(std::uint16_t file) const;
-  /// Paths of all files that have been read: the program and those that it called.
+  /// Returns the paths of all files that have been read: the program and the files that it called.
   std::vector<std::string> files_read() const;
-  /// Numbers of the files that the program has called, for file_name(), source_of(), Origin::file. They are not consecutive.
+  /// Numbers of the files that the program has called, for file_name(), source_of(), Origin::file. The numbers are not consecutive.
   std::vector<std::uint16_t> called_files() const;
   /// The files that the program has written, or would have written (RunLimits::writes_files).
   const WrittenFiles& files_written() const;
 
   Ending ending() const;
-  /// Tool position after all blocks executed so far; its frame is the one that the first action sets.
+  /// Tool position after all blocks executed so far; its coordinates are in the frame that the first action sets.
   ToolPosition tool_position() const;
   /// Placement of the work coordinates on the machine, after all blocks executed so far.
   const Placement& placement() const;
-  /// Starts recording for state_of(). It costs a comparison per block, and a copy of the state per block that changes a mode.
+  /// Starts recording states for state_of(). This costs a comparison per block, and a copy of the state per block that changes a mode.
   void watch_states();
-  /// What was in force after the block that an action comes from; the control may have read far beyond it. Returns nullopt if some
-  /// thousand changes of modes lie in between, or without watch_states().
+  /// Returns what was in force after the block that an action comes from; the control may have read far beyond that block. Returns
+  /// nullopt if the modes have changed some thousand times since, or without watch_states().
   std::optional<BlockState> state_of(const Origin& origin) const;
-  /// Starts recording for calls_of(); reports of report_for() then include the calls at their place.
+  /// Starts recording calls for calls_of(); reports of report_for() then include the calls that were open at the location of the alarm.
   void watch_calls();
   /// The calls and repetitions through which the program reached the block of an action, outermost first; the control may have read far
-  /// beyond it. Snapshots do not include them: actions of a control before the restored one have none.
+  /// beyond that block. Snapshots do not include these calls: for actions emitted before a restore the list is empty.
   std::vector<AlarmReport::Call> calls_of(const Origin& origin) const;
-  std::uint64_t blocks() const;      // executed
-  std::uint64_t bytes_read() const;  // for progress
+  std::uint64_t blocks() const;      // number of blocks executed
+  std::uint64_t bytes_read() const;  // bytes of the program read so far, for progress
   std::uint64_t bytes() const;
   Encoding encoding() const;
   bool encoding_was_guessed() const;
@@ -229,7 +233,7 @@ class Control {
   const SetupFault& setup_fault() const;
   /// Returns true if the machine is described by parameters (nct 24).
   bool has_machine_parameters() const;
-  /// Returns true if its cutter compensation is that of path/contour/queued_compensation.
+  /// Returns true if the cutter compensation of this control is computed by path/contour/queued_compensation.
   bool queues_contours() const;
   std::uint32_t rotary() const;
   /// See Dialect::limits_by_file().

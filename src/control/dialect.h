@@ -1,8 +1,8 @@
 #pragma once
 // Dialect: the behaviour of a control that no row of its file can describe (`dialect = "…"` in controls/*.toml). Each channel has one
 // object; the interpreter calls it per block or per motion, never per word. The defaults are the behaviour of all controls, ISO 6983; a
-// control that its file describes completely has only them (make_iso_dialect()). The functions are grouped in five interfaces, so that
-// code can depend on the one that it needs.
+// control that its file describes completely has only these defaults (make_iso_dialect()). The functions are grouped in five interfaces, so
+// that code can depend on the one interface that it needs.
 
 #include <memory>
 
@@ -19,7 +19,7 @@ struct RunLimits;
 
 class Dialect : public ProgramDialect, public BlockDialect, public MotionDialect, public FrameDialect, public VariableDialect {};
 
-// Each is defined in the folder of its name.
+// Each function is defined in the folder of the dialect that it creates.
 std::unique_ptr<Dialect> make_s2c42_dialect();
 std::unique_ptr<Dialect> make_correctors_dialect(const BlockContext& m, const Setup& setup);
 std::unique_ptr<Dialect> make_grbl_dialect(const Setup& setup);
@@ -27,10 +27,10 @@ std::unique_ptr<Dialect> make_mach3_dialect(const RunLimits& limits);
 std::unique_ptr<Dialect> make_linuxcnc_dialect(BlockContext& m, const Setup& setup, const RunLimits& limits);
 std::unique_ptr<Dialect> make_nct_dialect(BlockContext& m, const Setup& setup, const RunLimits& limits, std::shared_ptr<Commons> commons);
 
-/// The dialect of a control that its file describes completely: every function is the default.
+/// Creates the dialect of a control that its file describes completely: every function has its default behaviour.
 std::unique_ptr<Dialect> make_iso_dialect();
 
-/// The dialect that the control's file names. `commons`: variables that all channels of the machine share.
+/// Creates the dialect that the control's file names. `commons`: variables that all channels of the machine share.
 std::unique_ptr<Dialect> make_dialect(BlockContext& m, const Setup& setup, const RunLimits& limits, std::shared_ptr<Commons> commons);
 
 }  // namespace kadr

@@ -1,7 +1,7 @@
 #pragma once
-// Emitter: what a block does to the machine. Motions, changes of the frames, functions and warnings leave through it as actions, and it
-// updates the state with them. A function that moves or switches something receives an Emitter; it cannot change the course of the
-// program. Only src/control includes this file.
+// Emitter: what a block does to the machine. Motions, changes of the coordinate frames, functions and warnings leave the interpreter
+// through the Emitter as actions, and the Emitter updates the state accordingly. A function that moves or switches something receives an
+// Emitter; it cannot change the course of the program. Only src/control includes this file.
 
 #include <functional>
 #include <memory>
@@ -16,7 +16,7 @@ namespace kadr {
 class Emitter;
 class Interpreter;
 
-/// A code or an address of the block, as it is passed to its function.
+/// A code or an address of the block, as it is passed to the C++ function that executes it.
 struct Call {
   const CodeRow* row = nullptr;  // nullptr: an address that acts by itself
   const Word* word = nullptr;    // nullptr: no word; the modal motion applies
@@ -30,14 +30,14 @@ inline constexpr std::size_t batch_size = 64;  // actions emitted at a time
 class Running {
  public:
   virtual ~Running() = default;
-  /// Returns a copy that continues from here, in a control restored from a snapshot.
+  /// Returns a copy that continues from the same point, in a control restored from a snapshot.
   virtual std::unique_ptr<Running> clone() const = 0;
   /// Emits the next actions, at most a few. Returns false if the cycle is finished.
   virtual Result<bool> next(Emitter& m) = 0;
-  /// Called when the cycle is finished: from here it may continue the program elsewhere.
+  /// Called when the cycle is finished; may make the program continue at another block.
   virtual Status lead_on(Interpreter& m) const;
-  /// True if the other functions of the block act before the cycle continues
-  /// (drilling, nct 18.0); else the functions after the motion wait for its end.
+  /// True if the other functions of the block act before the cycle continues (drilling, nct 18.0); else the functions that follow the
+  /// motion wait until the cycle has ended.
   virtual bool functions_first() const { return false; }
 };
 
@@ -58,8 +58,8 @@ class Emitter : public BlockContext {
   }
   virtual void warn(const Alarm& alarm) = 0;
 
-  /// Returns the present value of an expression in the program's notation.
-  ///   alarms  those of compile_value and of the evaluation; expression_syntax: something follows the expression
+  /// Returns the present value of an expression in the program's notation, such as `#100+1`.
+  ///   alarms  those of compile_value and of the evaluation; expression_syntax if text follows the expression
   Result<double> value_of(std::string_view expression);
 
   // ---- motion
@@ -68,7 +68,7 @@ class Emitter : public BlockContext {
   Status straight(MotionKind kind, const Axes& programmed, AxisMask named);
   /// Emits a straight motion to a machine position on the named axes.
   Status to_machine(MotionKind kind, const Axes& machine, AxisMask named, double feed, EndGiven end = EndGiven::by_machine);
-  /// Emits an arc as the tables of the control's file define it; a dialect may differ.
+  /// Emits an arc as the tables of the control's file define it. A dialect may define arcs differently.
   Status plain_arc(Turn turn, Span where);
   /// Sets the machine position after the axes have been moved by hand.
   void stand_at(const Axes& machine);
@@ -81,10 +81,10 @@ class Emitter : public BlockContext {
       position.machine[a] = position.work[a] + frames.origin[a] + frames.length[a];
     }
   }
-  /// Updates the position after a motion; the axes not named keep theirs.
+  /// Updates the position after a motion; the axes that are not named keep their coordinates.
   void move_to(const Axes& programmed, const Axes& work, AxisMask named);
   Motion& add_motion(MotionKind kind, AxisMask named);
-  /// Like add_motion(), with the modes given; the motion ends at the position just computed.
+  /// Like add_motion(), with the modes as an argument; the motion ends at the position just computed.
   Motion& add_motion_as(const MotionModes& modes, AxisMask named);
   Status feed_known(Span where);
   /// Sets the motion's feed, unit and exact stop from the modal state.
@@ -93,7 +93,7 @@ class Emitter : public BlockContext {
 
   // ---- frames
 
-  /// Recomputes origin and length from the tables and the modal state.
+  /// Recomputes the origin and the tool length from the tables and the modal state.
   void refresh_frames();
   void frames_by_tables();
   /// Calls refresh_frames() and converts the tool's coordinates to the new frame (the machine does not move).

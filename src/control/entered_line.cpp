@@ -1,4 +1,4 @@
-// What a line entered by the operator (MDI) may not do. Used by control/interpreter; tested by tests/panel.py.
+// Checks what a line entered by the operator (MDI) may not do. Used by control/interpreter; tested by tests/panel.py.
 
 #include "control/interpreter.h"
 

@@ -1,4 +1,4 @@
-// Lists what is in force, item by item: for a restart in mid-program, for panels, for the debugger. Tested by
+// Lists the codes, offsets and modes in force, item by item: for a restart in mid-program, for panels, for the debugger. Tested by
 // tests/session/stepping_test.cpp.
 
 #include "action/in_force.h"

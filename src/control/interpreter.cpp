@@ -47,7 +47,7 @@ Status Running::lead_on(Interpreter&) const { return {}; }
 void Interpreter::begin_batch(ActionBatch& to) {
   to.clear();
   batch = &to;
-  motion_run_.end();  // between two calls of run() anything may have been changed
+  motion_run_.end();  // between two calls of run() any mode or table may have been changed
   if (!needs_frames) return;
   needs_frames = false;
   emit(frame_change());
@@ -70,7 +70,7 @@ bool Interpreter::goes_on_with_last() {
   return true;
 }
 
-/// Lets the dialect finish what it has pending. Returns true if the next block must still wait.
+/// Lets the dialect do one step of what it must finish. Returns true if the next block must still wait.
 bool Interpreter::waits_for_dialect() {
   if (!dialect->has_unfinished()) return false;
   const auto waits = dialect->finish(*this);
@@ -78,7 +78,7 @@ bool Interpreter::waits_for_dialect() {
   return !waits || *waits;
 }
 
-/// Handles the end of the file. `last`: the block before, for reports. Returns nullopt if only a line entered by hand has ended.
+/// Handles the end of the file. `last`: the block before it, for reports. Returns nullopt if only a line entered by hand has ended.
 std::optional<Control::State> Interpreter::close_file(Block* last) {
   block = last;
   if (flow.depth() <= flow.entered_depth() && flow.leave_entered()) return std::nullopt;
@@ -100,10 +100,10 @@ std::optional<Control::State> Interpreter::take_read(const Result<BlockReader::G
     }
     block->no_clock = true;
   }
-  if (!got && block->marker == Marker::program_start) flow.set_started(true);  // the block is damaged, but it is there
+  if (!got && block->marker == Marker::program_start) flow.set_started(true);  // the block is damaged, but it has the sign %
   if (!block->warnings.empty()) [[unlikely]] {
     for (const Alarm& w : block->warnings) warn(w);
-    block->warnings.clear();  // the block may be kept and executed again: its warnings are reported once
+    block->warnings.clear();  // if the block is kept and executed again, its warnings are not reported again
   }
   if (got && block->skip != 0 && asks_to_skip()) return Control::State::running;
   if (!got && dialect->skips_unread() && block->skip != 0 && skip_switches[std::min<std::size_t>(block->skip, 9)]) return std::nullopt;
@@ -176,10 +176,10 @@ void Interpreter::take_block() {
     return watch_block();
   if (const Status status = execute(); !status) fail_with(status.error());
   else report_changes();
-  if (!is_stopped() && dialect->watches_blocks()) phase_ = RunPhase::end_of_block;  // M96 may just have come into force
+  if (!is_stopped() && dialect->watches_blocks()) phase_ = RunPhase::end_of_block;  // M96 may just have switched the interrupt macro on
 }
 
-/// True if the machine's logic looks at each block, or an interrupt macro may come.
+/// True if the machine's logic observes each block, or an interrupt macro may be called.
 bool Interpreter::is_watched() const { return (on_block != nullptr && *on_block) || dialect->watches_blocks(); }
 
 /// Executes a block after what the machine's logic does before it. end_block() follows once the
@@ -201,7 +201,7 @@ void Interpreter::watch_block() {
     return;
   }
   if (block->skip != 0 && !skipped) dialect->note_skip_mark(*this);
-  const std::uint8_t skip = skipped ? block->skip : std::exchange(block->skip, std::uint8_t{0});  // the skip switch was checked above
+  const std::uint8_t skip = skipped ? block->skip : std::exchange(block->skip, std::uint8_t{0});  // the skip switch was evaluated above
   const Status status = instead ? execute() : Status(fail(instead.error()));
   if (!skipped) block->skip = skip;
   if (!status) fail_with(status.error());
@@ -229,7 +229,7 @@ void Interpreter::power_cycle() {
   flow.end();
 }
 
-/// The end of the file also ends the program, unless a call or a repetition is open.
+/// Handles the end of the file: it also ends the program, unless a call or a repetition is open.
 Status Interpreter::end_of_file() {
   origin.line = std::max<std::uint32_t>(origin.line, 1);  // in an empty file too
   const auto done = dialect->end_of_file(*this);
@@ -313,7 +313,7 @@ Status Interpreter::check_numbers() {
   return check('O', block->label, block->where);
 }
 
-/// Executes the block's words completely, or undoes all of it.
+/// Executes all words of the block, or, after an alarm, undoes all of them.
 Status Interpreter::attempt() {
   const std::size_t actions = batch->size();
   state_kept_ = false;
@@ -323,7 +323,7 @@ Status Interpreter::attempt() {
   shape_ = shapes_.of(def, *block);
   dialect->begin_block(*this);
   if (sets_variables_only(*block)) return assign_alone();
-  if (!block->code.empty() && macro_variables == nullptr) keep_state();  // else assignments are blocks of their own (statements)
+  if (!block->code.empty() && macro_variables == nullptr) keep_state();  // else an assignment is a block of its own (a statement)
   Status status = words();
   if (!status) take_back(actions);
   return status;

@@ -54,7 +54,7 @@ class Interpreter final : public Emitter {
 
   /// Evaluates the words written as expressions and checks the ranges of all words.
   Status evaluate_words();
-  /// True while a block is not finished: its canned cycle is being executed, or what waits for the end of the cycle.
+  /// True while a block is not finished: its canned cycle is being executed, or functions of the block wait for the end of the cycle.
   bool in_block() const { return cycling() || waiting_count_ != 0 || phase_ == RunPhase::end_of_block || phase_ == RunPhase::same_block; }
   /// Open calls and repetitions, outermost first.
   std::vector<AlarmReport::Call> calls() const;
@@ -67,7 +67,7 @@ class Interpreter final : public Emitter {
   /// Copies the data that the channels share from another channel.
   void take_common(const Interpreter& from);
 
-  /// Executes codes that a canned cycle sets by itself, for their modes.
+  /// Executes codes that a canned cycle sets by itself, so that their modes come into force.
   void run_modes(std::initializer_list<Function> functions);
   void warn(const Alarm& alarm) override;
   /// M99, M47 of a main program: starts another pass, from its first block or from `from`. If nothing in this pass could make the next
@@ -76,13 +76,16 @@ class Interpreter final : public Emitter {
 
   /// Saves the state, so that an alarm later in the block can restore it.
   void keep_state();
-  /// Executes a block that is a statement, where nothing watches the block; fails with an alarm if it is faulty.
+  /// Executes a block that is a statement (IF, GOTO, #1=…), when no interrupt macro and no machine logic observes blocks; stops with an
+  /// alarm if the block is faulty.
   void carry_out_statement();
-  /// Executes a block that only sets variables (sets_variables_only()). Returns false if it is faulty; then nothing is changed.
+  /// Executes a block that only sets variables (sets_variables_only()). Returns false if the block is faulty; then no variable has
+  /// changed.
   bool assign_again();
   /// To be called after something other than the words of a block has changed what is in force.
   void modes_changed() { motion_run_.end(); }
-  /// Executes a block that is only a macro call or a return (word number `word` of the block), where nothing watches the block.
+  /// Executes a block that is only a macro call or a return (word number `word` of the block), when no interrupt macro and no machine
+  /// logic observes blocks.
   ///   returns  false if the block must be executed in the general way; nothing has changed
   bool carry_out_call(std::uint8_t word);
   /// Saves the position in the program, so that an alarm later in the block can restore it.
@@ -90,20 +93,20 @@ class Interpreter final : public Emitter {
   /// Drops the canned cycle or ellipse that is being executed.
   void stop_cycles();
 
-  // ---- behaviour by the control's file alone (a dialect may override it)
+  // ---- behaviour as the control's file alone defines it (a dialect may override it)
 
   /// Checks the ranges of the words and executes the assignments among them.
   Status take_words();
 
   // ---- data that the functions work on
 
-  using BlockContext::flow;  // position in the program, and where it continues
+  using BlockContext::flow;  // position in the program, and the block where it continues
 
-  Block first_block;  // the current block before any was read, or after a restore in the middle of one
+  Block first_block;  // the current block before any block was read, or after a restore in the middle of a block
   std::function<void(const AlarmReport&)>* on_warning = nullptr;
   const std::function<bool(const Origin&)>* holds_before = nullptr;
   LineMarks* line_marks = nullptr;
-  std::uint64_t most_unseen = 0;  // with `line_marks`: run() returns after this number of blocks
+  std::uint64_t most_unseen = 0;  // with `line_marks`: run() returns after this number of blocks, so that the marks can be read
   std::function<void(const StateChanges&)>* on_changes = nullptr;
   const std::function<std::optional<Alarm>(ActionBatch&, const Axes&)>* find_corners = nullptr;
 
@@ -169,7 +172,7 @@ class Interpreter final : public Emitter {
   std::shared_ptr<const BlockMemory> block_memory() const;
   void go_on_in_block(const BlockMemory& then);
 
-  /// Cancels the end of a watched block, which is not reached.
+  /// Cancels what was to happen at the end of a watched block, because that end is not reached.
   void close_block() {
     if (phase_ == RunPhase::end_of_block) phase_ = RunPhase::next_block;
   }
@@ -190,10 +193,10 @@ class Interpreter final : public Emitter {
   MotionRun motion_run_;
   std::array<std::uint8_t, limits::block_words> waiting_{};  // items of plan_ that stop or end the program after the canned cycle
   std::size_t waiting_count_ = 0;
-  mutable std::shared_ptr<const Tables> last_tables_;  // of the last snapshot, shared by the next one if equal
+  mutable std::shared_ptr<const Tables> last_tables_;  // tables of the last snapshot; the next snapshot shares them if they are still equal
   mutable std::shared_ptr<const Variables::Values> last_variables_;
-  std::unique_ptr<BlockStates> block_states_;  // nullptr: not recorded
-  std::unique_ptr<CallTree> call_tree_;        // nullptr: not recorded
+  std::unique_ptr<BlockStates> block_states_;  // nullptr: states are not recorded
+  std::unique_ptr<CallTree> call_tree_;        // nullptr: calls are not recorded
   std::string first_text_;                     // text of first_block
   std::vector<double> assigned_;
   StopToken stop_;
@@ -203,7 +206,7 @@ class Interpreter final : public Emitter {
 /// Returns true if the block is only `#1=…` and sets no variable that modes or tables depend on.
 bool sets_variables_only(const Block& block);
 
-/// Returns the C++ function for the function of a code row (control/functions/functions.cpp).
+/// Returns the C++ function that executes the function named in a code row (control/functions/functions.cpp).
 using Handler = Status (*)(Interpreter&, const Call&);
 Handler handler_of(Function function);
 

@@ -19,7 +19,7 @@ struct Reading {
       note_read(m, number);
     return m.dialect->read_variable(m, number, where);
   }
-  /// Increments per unit: of 0.0001 in or 0.001 mm (spec/haas 2.2).
+  /// Returns the increments per unit of length: increments of 0.0001 in or 0.001 mm (spec/haas 2.2).
   double increments() const {
     const bool inch = m.has_code({Function::inch}) || (m.modal.inch && !m.has_code({Function::millimetre}));
     return inch ? 10'000 : 1000;

@@ -1,4 +1,4 @@
-// Reports for people: places of alarms, the state at the end, faults of subprograms that were never called.
+// Reports for people: locations of alarms, the state at the end, faults of subprograms that were never called.
 
 #include <algorithm>
 #include <memory>
@@ -15,8 +15,8 @@ std::uint32_t characters(std::string_view text) {
       std::count_if(text.begin(), text.end(), [](char c) { return (static_cast<unsigned char>(c) & 0xC0) != 0x80; }));
 }
 
-/// Moves the place of an alarm to its own line where the block spans several:
-/// after a comment over several lines that is the last one (nct 14.3).
+/// Moves the location of an alarm to its own line where the block spans several lines: after a comment over several lines this is the
+/// last line (nct 14.3).
 void to_own_line(AlarmReport& r) {
   const std::string_view before = std::string_view(r.line_text).substr(0, r.alarm.where.begin);
   const std::size_t end = r.line_text.find('\n', r.alarm.where.begin);
@@ -35,8 +35,8 @@ void Interpreter::warn(const Alarm& alarm) {
   if (*on_warning) (*on_warning)(report_of(alarm, origin, block->text));
 }
 
-/// Replaces internal letters of addresses that have several characters by their names (`,C`, `XDE`). A piece of the program's text is
-/// left as written: `]` is not `,A`.
+/// Replaces internal letters of addresses that have several characters by their names (`,C`, `XDE`). An argument that is copied from the
+/// program's text is left as written: `]` there is not `,A`.
 Alarm Interpreter::with_names(Alarm alarm) const {
   if (alarm.id == AlarmId::expression_syntax || alarm.id == AlarmId::unexpected_character) return alarm;
   for (std::size_t i = 0; i < alarm.arg_count; ++i) {
@@ -49,7 +49,7 @@ Alarm Interpreter::with_names(Alarm alarm) const {
   return alarm;
 }
 
-/// Converts arguments that are undecoded pieces of the program (a comment, DPRNT) to UTF-8.
+/// Converts arguments that were copied undecoded from the program's text (a comment, DPRNT) to UTF-8.
 void Interpreter::decode_arguments(Alarm& alarm) const {
   for (AlarmArg& arg : alarm.args) {
     std::string text;
@@ -63,7 +63,7 @@ AlarmReport Interpreter::plain_report_of(const Alarm& alarm, const Origin& at, s
   AlarmReport r{def.grammar.names.empty() && !def.grammar.comma_words ? alarm : with_names(alarm), flow.file(), {}, at, {}, {}};
   decode_arguments(r.alarm);
   const bool in_body = flow.in_body() && !line_text.empty();
-  if (in_body) r.alarm.where = call_where;  // a cycle's body is in no file: the place is the call
+  if (in_body) r.alarm.where = call_where;  // a cycle's body is in no file: the location of the call is reported
   r.line_text = in_body ? call_text : flow.shown(line_text, r.alarm.where);
   if (r.alarm.where.begin <= r.line_text.size() && r.line_text.find('\n') != std::string::npos) to_own_line(r);
   if (r.alarm.where.begin <= r.line_text.size())
@@ -135,7 +135,7 @@ void Interpreter::check_uncalled(const std::function<void(const AlarmReport&)>& 
   });
 }
 
-/// Code words in force, and F, S, T, D, H.
+/// Returns the code words in force, and F, S, T, D, H.
 std::vector<std::string> Interpreter::codes_in_force(const Modal& of) const {
   std::vector<std::string> codes;
   for (std::size_t g = 1; g < def.groups.size(); ++g)

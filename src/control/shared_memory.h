@@ -15,7 +15,8 @@ class SharedMemory {
  public:
   std::shared_ptr<Commons> commons = std::make_shared<Commons>();
 
-  /// Makes offsets 1 … `count` (N1401) common; their values come from the first channel that calls this.
+  /// Makes the tool offsets 1 … `count` (parameter N1401) common to the channels; their values come from the first channel that calls
+  /// this.
   void share_offsets(std::vector<ToolOffset>& of_channel, int count) {
     if (!offsets_.empty() || count <= 0) return lend(of_channel);
     offsets_.assign(of_channel.begin(), of_channel.begin() + std::min<std::ptrdiff_t>(count + 1, std::ssize(of_channel)));
@@ -27,7 +28,7 @@ class SharedMemory {
   }
 
  private:
-  std::vector<ToolOffset> offsets_;  // [0] is none
+  std::vector<ToolOffset> offsets_;  // tool offsets by number; [0] is unused
 };
 
 }  // namespace kadr

@@ -7,7 +7,7 @@
 
 namespace kadr {
 
-/// Asks the operator whether the switch may skip the block, if operators are asked; the answer is there when the block comes again
+/// Asks the operator whether the switch may skip the block, if operators are asked; the answer is available when the block is read again
 /// (spec/gost 2). INFERRED: the question is the text of the block.
 bool Interpreter::asks_to_skip() {
   if (skip_answers.empty() || skips_it || !is_skipped()) return false;

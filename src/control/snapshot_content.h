@@ -8,19 +8,19 @@
 
 namespace kadr {
 
-/// The current block and what is unfinished in it: a canned cycle, items that wait for the cycle's end.
+/// The current block and what is unfinished in it: a canned cycle, and functions that wait for the end of the cycle.
 struct BlockMemory {
   Block block;
-  std::string text;  // of the block
+  std::string text;  // text of the block
   Plan plan;
-  std::vector<std::uint8_t> waiting;  // items of the plan
+  std::vector<std::uint8_t> waiting;  // items of the plan that wait for the end of the cycle
   CycleRun cycle_run;
   std::size_t cycle = 0;  // row of the cycle in ControlDef::cycles
   EllipseRun ellipse_run;
   std::shared_ptr<const Running> running;
   RunPhase phase = RunPhase::next_block;
-  AlarmReport report;                                                   // if the control has stopped
-  bool exact = false, machine_coordinates = false, axes_taken = false;  // BlockContext::block_exact and so on
+  AlarmReport report;                                                   // the alarm, if the control has stopped
+  bool exact = false, machine_coordinates = false, axes_taken = false;  // as block_exact … of BlockContext
 };
 
 struct Snapshot::Content {
@@ -32,7 +32,7 @@ struct Snapshot::Content {
   std::shared_ptr<const DialectState> dialect;  // nullptr: the dialect remembers nothing
   std::shared_ptr<const BlockMemory> block;
   bool each_block = false;
-  double cutting_seen_ms = 0;  // of Control
+  double cutting_seen_ms = 0;  // time at feed that Control has seen, in ms
 };
 
 }  // namespace kadr

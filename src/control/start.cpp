@@ -16,7 +16,8 @@ Axes axes_of(const AxisValues& values, const std::vector<std::string>& names) {
   return axes;
 }
 
-/// Returns the row of a work offset in the table of zeros or fixtures: 0 for "common", -1 if the name is not that of a work offset.
+/// Returns the row of a work offset in the table of work offsets or fixtures: 0 for "common", -1 if the name is not that of a work
+/// offset.
 int zero_number(const std::vector<WorkSystem>& systems, const std::string& name) {
   if (name == "common") return 0;
   const auto found = std::find_if(systems.begin(), systems.end(), [&](const WorkSystem& system) { return system.name == name; });
@@ -25,8 +26,8 @@ int zero_number(const std::vector<WorkSystem>& systems, const std::string& name)
 
 }  // namespace
 
-/// Checks for things that the set-up names and this control does not have: axes, numbers beyond its tables. A set-up from a file has
-/// been checked before, key by key (config/setup_check); this covers one made by a program.
+/// Checks for things that the set-up names and this control does not have: axes, numbers beyond the control's tables. A set-up from a
+/// file was checked before, key by key (config/setup_check); this function covers a set-up that a calling program has built.
 void Interpreter::check_setup(const Setup& setup) {
   const auto note = [&](const std::string& key) {
     if (start_fault.empty())
@@ -65,7 +66,7 @@ void Interpreter::check_setup(const Setup& setup) {
     if (!plain) break;
     if (zero_number(work_systems(def), name) < 0) note("work_offsets." + name);
     AxisValues of_axes = zero;
-    if (def.has_parameter_file()) of_axes.erase("G17");  // R of G10 L2 (spec/linuxcnc 7.8)
+    if (def.has_parameter_file()) of_axes.erase("G17");  // G17 here is the rotation R of G10 L2 (spec/linuxcnc 7.8)
     axes_known("work_offsets", of_axes);
   }
 }
@@ -113,7 +114,7 @@ void Interpreter::read_setup(const Setup& setup) {
   write(variables.first(VariableKind::home), tables.reference[1]);
   write(variables.first(VariableKind::home_second), tables.reference[2]);
   for (const auto& [name, value] : setup.variables) {
-    if (macro_variables != nullptr) break;  // Dialect::take_setup writes them
+    if (macro_variables != nullptr) break;  // Dialect::take_setup writes these variables
     if (!value || name.size() < 2) continue;
     if (const int parameter = variables.parameter_named(name); parameter >= 0) variables.set_parameter(parameter, *value);
     else if (const double n = std::strtod(name.c_str() + 1, nullptr); n >= 1 && n <= variables.highest())

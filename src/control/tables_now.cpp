@@ -11,7 +11,7 @@
 namespace kadr {
 namespace {
 
-constexpr std::size_t most_stored = 6;  // axes in the variables of a fixture
+constexpr std::size_t most_stored = 6;  // maximum number of axes in the variables of a fixture
 
 Axes stored_zero(const BlockContext& m, std::uint32_t row) {
   if (!m.has_fixtures) return row < m.tables.zeros.size() ? m.tables.zeros[row] : Axes{};
@@ -22,7 +22,7 @@ Axes stored_zero(const BlockContext& m, std::uint32_t row) {
 }
 
 void add_work_systems(const BlockContext& m, Setup& tables) {
-  std::set<std::uint32_t> named;  // G54 is also G59 P1: one name per row
+  std::set<std::uint32_t> named;  // names of work offsets already given to a row: G54 is also G59 P1
   for (const WorkSystem& system : work_systems(m.def)) {
     const bool is_stored = system.row > 0 && (!m.has_fixtures || system.row <= m.def.behaviour.fixtures);
     if (!system.works || !is_stored || !named.insert(system.row).second) continue;

@@ -1,5 +1,6 @@
 #pragma once
-// The tables of a control as the program and the operator's lines have left them.
+// Returns the tables of a control (offsets, work offsets, parameters) with the values that the program and the operator's lines have
+// written.
 
 #include "config/setup.h"
 

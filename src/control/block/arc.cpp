@@ -39,7 +39,8 @@ Result<PlaneArc> arc_by_radius(Vec2 from, Vec2 to, double radius, Turn turn, dou
   r = std::max(r, half);
   const double rise = std::sqrt((r - half) * (r + half));    // r*r - half*half would lose digits near a half circle
   const Vec2 left{-chord.y / distance, chord.x / distance};  // normal to the left of the chord
-  // A short ccw arc has its centre on the left of the chord, a long one on the right; for cw it is the opposite.
+  // A short counter-clockwise arc has its centre on the left of the chord, a long one on the right; for a clockwise arc the sides are
+  // exchanged.
   const bool center_left = (turn == Turn::ccw) == (radius > 0);
   const Vec2 center = from + 0.5 * chord + (center_left ? rise : -rise) * left;
   return PlaneArc{center, sweep_deg(from - center, to - center, turn) / 360};

@@ -1,5 +1,5 @@
 #pragma once
-// Geometry of one programmed arc: centre, sweep, checks. Works on plain numbers in the plane, without words or state.
+// Geometry of one programmed arc: centre, sweep, checks. The functions work on plain numbers in the plane, without words or state.
 
 #include <cmath>
 
@@ -18,11 +18,11 @@ struct PlaneArc {
 
 /// How a control reads the centre of an arc, and which inaccuracy it accepts.
 struct ArcRule {
-  bool by_words = false;        // the centre follows from the block's words and modes alone
-  bool absolute = false;        // the words of the centre are coordinates; else distances from the start
+  bool by_words = false;        // the centre is known from the block's words and modes alone
+  bool absolute = false;        // the words of the centre are its coordinates; false: distances from the start point
   bool lead_on_normal = false;  // the word of the normal axis is the lead of a helix (2С42 6.6.6)
   double difference = 0;        // mm; maximum difference of the radii at start and end
-  bool even_angle = false;      // if the radii differ, the angle changes evenly (nct 4.3); else the feed applies along the path
+  bool even_angle = false;      // radii differ: the angle changes at a constant rate (nct 4.3); else the feed applies along the path
 };
 
 /// Returns true if the radii at start and end differ by more than rounding.

@@ -81,7 +81,7 @@ bool Interpreter::carry_out_call(std::uint8_t word) {
   if (row.function == Function::return_program) {
     const CallFrame* const top = flow.innermost();
     const bool plain = top != nullptr && (top->kind == CallFrame::Kind::macro || top->kind == CallFrame::Kind::subprogram);
-    if (!plain || top->return_to >= 0) return false;  // general way: another pass of the main program, an interrupt, a jump
+    if (!plain || top->return_to >= 0) return false;  // the general way handles another pass of the main program, an interrupt, a jump
   }
   journal.begin();
   const std::size_t actions = batch->size();
@@ -102,8 +102,9 @@ void Emitter::tell_machine(std::int32_t code) {
   emit(function);
 }
 
-/// Returns true if an item of the block waits for the end of its canned cycle. In the block of a drilling cycle M0 acts after operation
-/// 1, the end of the program after the last hole; in the block of a turning cycle everything after the motion waits.
+/// Returns true if a function of the block waits for the end of the block's canned cycle. In the block of a drilling cycle M0 acts after
+/// operation 1, and the end of the program after the last drilled hole; in the block of a turning cycle every function after the motion
+/// waits.
 bool Interpreter::waits_for(const Running& cycle, const PlanItem& item) const {
   if (cycle.functions_first()) return ends(row_of(item));
   return def.order[static_cast<std::size_t>(phase_of(item))] > def.order[static_cast<std::size_t>(Phase::motion)];
@@ -115,7 +116,8 @@ bool Interpreter::is_call(const PlanItem& item) const {
   return traits_of(f).is(function_fact::calls);
 }
 
-/// Checks that an end that waits will be possible, so that it fails now, before the block has had any effect.
+/// Checks that an end of the program or subprogram that must wait will be possible later. If it will not, the block fails now, before it
+/// has had any effect.
 ///   depth  number of open calls and repetitions around the block
 Status Interpreter::end_possible(const PlanItem& item, std::size_t depth) const {
   const Span at = block->words[item.word].where;
@@ -136,7 +138,7 @@ Status Interpreter::end_possible(const PlanItem& item, std::size_t depth) const 
   return in_repetition ? Status(fail(alarm(AlarmId::repeat_end_missing, at, double(around->caller.line)))) : Status();
 }
 
-/// `L03 M17`: the call comes first; what the block ends is stored and executed on return (2С42 6.3.4, 6.3.5).
+/// `L03 M17`: the call comes first; the function that ends the calling block is stored and executed on return (2С42 6.3.4, 6.3.5).
 void Interpreter::keep_for_return(const PlanItem& item) {
   for (std::int16_t& row : flow.frames().back().then)
     if (row < 0) {
@@ -145,7 +147,8 @@ void Interpreter::keep_for_return(const PlanItem& item) {
     }
 }
 
-/// Checks the modes that Kadr does not support. Measuring checks the modes itself (nct 21.1); any other motion fails in such a mode.
+/// Checks that no mode is in force that Kadr does not support. Measuring checks the modes itself (nct 21.1); any other motion fails in
+/// such a mode.
 Status Interpreter::modes_served(const PlanItem& item) const {
   const CodeRow* const moves = row_of(item);
   if (moves != nullptr && (moves->function == Function::measure || moves->function == Function::measure_length)) return {};
@@ -172,7 +175,7 @@ void Interpreter::keep_state() {
   dialect->keep(*this);
 }
 
-/// Like keep_state(), for a block that only moves and feeds, or only calls.
+/// Like keep_state(), for a block that has only motions and feeds, or only calls; saves less.
 void Interpreter::keep_little() { journal.keep<MotionModal>(modal); }
 
 /// Undoes a faulty block completely (docs/architecture.md, "An alarm undoes its block").
@@ -184,7 +187,7 @@ void Interpreter::take_back(std::size_t actions) {
   if (flow_before_) flow.back_to(*flow_before_);
   if (state_kept_) static_cast<ControlState&>(*this) = before_;
   dialect->take_back(*this);
-  journal.undo();  // after the copies above: the journal has the oldest values
+  journal.undo();  // after the copies above are restored: the journal has the oldest values
   if (state_kept_) {
     (void)variables.take_frames_changed();
     variables.inch = modal.inch && !def.has_parameter_file();  // with a parameter file: in the machine's unit (spec/linuxcnc 1.1)

@@ -14,7 +14,8 @@ namespace {
 /// Returns true if the block's motion followed the modes alone: no G53, no G9, no code that uses the axis words itself.
 bool was_plain(const BlockContext& m) { return !m.block_machine_coordinates && !m.block_axes_taken && !m.block_exact; }
 
-/// Returns true if the words of a motion alone decide what it does: no compensation, transformation, polar or inch mode, no observer.
+/// Returns true if the words of a motion alone determine the motion: no compensation, transformation, polar or inch mode is active, and
+/// nothing observes the blocks.
 bool only_words_count(const Emitter& m) {
   const Modal& modal = m.modal;
   const bool plain_modes = !modal.inch && !modal.polar && modal.surface == PathSurface::plane && modal.diameter == 0 &&
@@ -39,7 +40,7 @@ bool keeps_modes(const Block& block) {
     case StatementKind::loop:
     case StatementKind::loop_end:
     case StatementKind::go_to:
-    case StatementKind::o_word: return true;  // if it restores modes at its end, it calls Interpreter::modes_changed()
+    case StatementKind::o_word: return true;  // an O word that restores modes at its end calls Interpreter::modes_changed()
     case StatementKind::assign: {
       const Expression target = block.statement.target;
       const Instruction& number = block.code[target.begin];
@@ -84,13 +85,13 @@ std::uint8_t quick_call(const BlockContext& m, const Block& block) {
   return quick ? word : no_word;
 }
 
-/// Returns true if a loop executes the block again and the block has nothing but words: no skip mark, comment or warning.
+/// Returns true if a loop executes the block again and the block has only words: no skip mark, comment or warning.
 bool is_read_again(const Block& block) {
   return block.kept && block.no_clock && block.skip == 0 && block.marker == Marker::none && block.comments.empty() &&
          block.warnings.empty();
 }
 
-/// Returns true if, in addition, some of its words are expressions.
+/// Returns true if is_read_again() and some of the words are expressions.
 bool is_kept(const Block& block) { return block.evaluates && is_read_again(block) && !block.codes_vary && block.assignments.empty(); }
 
 AxisMask plane_of(const BlockContext& m) { return AxisMask{1} << m.modal.axes.first | AxisMask{1} << m.modal.axes.second; }
@@ -106,7 +107,7 @@ Motion& Emitter::add_motion_as(const MotionModes& modes, AxisMask named) {
 
 void MotionRun::note(const Emitter& m) {
   if (m.modal.radius_side != 0 || m.modal.contour != ContourPhase::off)
-    return end();  // the cheapest test first; compensation mostly lasts for many blocks
+    return end();  // the cheapest test comes first; cutter compensation mostly stays on for many blocks
   const Block& block = *m.block;
   if (block.statement.kind != StatementKind::none) {
     if (!keeps_modes(block)) end();
@@ -161,8 +162,8 @@ const MotionRun::Form& MotionRun::form_of(const BlockContext& m, const Block& bl
   return form;
 }
 
-/// Returns true if the block consists of axis words, each axis once, and at most a motion code, codes that change nothing, an arc centre
-/// and a feed.
+/// Returns true if the block consists of axis words, each axis once, and at most one motion code, codes that change nothing, an arc
+/// centre and a feed.
 bool MotionRun::make(const BlockContext& m, const Block& block, Form& form) const {
   constexpr double most_value = 1e9;  // as Interpreter::check_ranges
   for (std::uint32_t i = 0; i < block.word_count; ++i) {
@@ -214,7 +215,8 @@ bool MotionRun::add_code(const BlockContext& m, const Word& word, Form& form) co
   return true;
 }
 
-/// Returns true if the repeated codes are in force, the block number and the feed are within their limits, and the feed needs no warning.
+/// Returns true if the codes that the block repeats are in force, the block number and the feed are within their limits, and the feed
+/// needs no warning.
 bool MotionRun::holds(const BlockContext& m, const Form& form) const {
   const Block& block = *m.block;
   for (std::size_t i = 0; i < form.codes; ++i)
@@ -226,7 +228,7 @@ bool MotionRun::holds(const BlockContext& m, const Form& form) const {
   return number_fits(block);
 }
 
-/// Finds the arc from its centre, like the general way.
+/// Finds the arc from its centre, by the same rules as the general way.
 bool MotionRun::find_arc(const BlockContext& m, const Form& form, Kind kind, const Axes& to, PlaneArc& arc) const {
   const PlaneAxes plane = m.modal.axes;
   const AxisMask normal = AxisMask{1} << plane.normal;
@@ -274,7 +276,7 @@ bool MotionRun::take(Interpreter& m) {
   }
   if (sets_variables_only(block)) return is_read_again(block) && number_fits(block) && m.assign_again();
   if (is_label(block))
-    return block.kept && m.program().depth() != 0 && !m.def.behaviour.label_is_number;  // it was checked in the first pass
+    return block.kept && m.program().depth() != 0 && !m.def.behaviour.label_is_number;  // the label was checked in the first pass
   if (!block.shape && !is_kept(block)) return false;
   if (block.skip != 0 || block.marker != Marker::none || block.altered) return refused();
   const Form& form = form_of(m, block);

@@ -45,7 +45,7 @@ class BlockPlanner {
   }
 
  private:
-  /// In a block with G65, G66, G66.1 all words are arguments, M too, and nothing else is executed (nct 23.3).
+  /// In a block with G65, G66, G66.1 all words are arguments of the macro, M words too, and nothing else is executed (nct 23.3).
   bool macro_call() {
     if ((block_.letters & letter_bit('G')) == 0) return false;
     for (std::uint32_t i = 0; i < block_.word_count; ++i) {
@@ -91,7 +91,7 @@ class BlockPlanner {
     return {};
   }
 
-  /// Returns the code with its computed number: `G#1` as G77.3.
+  /// Returns the code with the number that was computed from its expression: `G#1` as G77.3.
   static std::string by_value(const Word& word) {
     std::string text = std::to_string(word.value);
     while (text.back() == '0') text.pop_back();
@@ -118,7 +118,8 @@ class BlockPlanner {
     return {};
   }
 
-  /// Fails if two codes use the axis words of the block; a motion code together with G28 and similar codes only sets the mode.
+  /// Fails if two codes use the axis words of the block. If a motion code is together with G28 or a similar code, the motion code only
+  /// sets the mode.
   Status axes_taken(const CodeRow& row, const Word& word) {
     const bool is_mode = row.modal && (row.phase == Phase::motion || row.phase == Phase::positioning);
     if (is_mode) {
@@ -163,7 +164,7 @@ class BlockPlanner {
     const CodeRow& row = def_.codes[static_cast<std::size_t>(motion_row)];
     const bool by_level = def_.behaviour.shifts_by_q() && (block_.letters & letter_bit('R')) != 0;
     if (row.function == Function::drilling && (loose & letters_.axes) == 0 &&
-        !by_level) {  // nct 18: without an axis nothing is drilled or kept
+        !by_level) {  // nct 18: in a block without an axis word nothing is drilled and no word of the cycle is stored
       plan_.taken |= row.takes;
       return {};
     }
@@ -185,7 +186,7 @@ class BlockPlanner {
     }
   }
 
-  /// nct 18.2: Q, E, P, … without an axis do nothing while a canned cycle is in force.
+  /// nct 18.2: in a block without an axis word, Q, E, P, … do nothing while a canned cycle is in force.
   void ignored_in_cycle(std::int16_t motion_row) {
     if (motion_row < 0 || motion_coded_ || axes_taker_ != nullptr) return;
     const CodeRow& row = def_.codes[static_cast<std::size_t>(motion_row)];
@@ -238,11 +239,11 @@ class BlockPlanner {
   const Block& block_;
   Plan& plan_;
   std::uint64_t groups_seen_ = 0;
-  std::array<std::uint8_t, most_groups> first_of_group_{};  // index of the group's item; valid only if groups_seen_ has the bit
+  std::array<std::uint8_t, most_groups> first_of_group_{};  // index of the group's first item; valid only if groups_seen_ has the bit
   std::uint32_t code_count_ = 0;
   bool motion_coded_ = false;
   bool calls_macro_ = false;
-  bool motion_is_cycle_ = false;  // nct: the cycle would use words of the other code
+  bool motion_is_cycle_ = false;  // nct: the motion code is a cycle, which would use words of the other code
   const Word* motion_word_ = nullptr;
   const Word* axes_taker_ = nullptr;
   Function axes_taker_function_ = Function::count;

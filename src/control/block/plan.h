@@ -20,7 +20,7 @@ struct PlanItem {
   char address = 0;       // an address that acts by itself
 };
 inline constexpr std::uint8_t no_word = 255;
-inline constexpr std::int16_t any_motion = -2;  // for blocks that are only checked: assumes that some motion code is in force
+inline constexpr std::int16_t any_motion = -2;  // motion row for blocks that are only checked: some motion code is assumed to be in force
 
 struct Plan {
   std::array<PlanItem, limits::block_words + 2> items;

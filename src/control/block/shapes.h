@@ -1,5 +1,6 @@
 #pragma once
-// Shapes: facts that all blocks of the same shape share, computed once. A long program has few shapes (`G1 X Y`, `X Y`, `G2 X Y I J`, …).
+// Shapes: the shape of a block is its list of addresses and codes without the values. Facts that all blocks of a shape share are computed
+// once. A long program has few shapes (`G1 X Y`, `X Y`, `G2 X Y I J`, …).
 
 #include <bitset>
 #include <vector>
@@ -12,8 +13,8 @@ using FunctionSet = std::bitset<static_cast<std::size_t>(Function::count)>;
 
 struct ShapeFacts {
   BlockShape shape;
-  FunctionSet functions;     // of its codes
-  bool words_right = false;  // nct: its words are allowed together, whatever their values
+  FunctionSet functions;     // functions of the shape's codes
+  bool words_right = false;  // nct: the words of the shape are allowed together, whatever their values
   bool planned = false;      // `plan` is valid for this motion code
   std::int16_t motion_row = -1;
   Plan plan;

@@ -1,11 +1,11 @@
-// The marks that structure a file: '%', sections of subprograms, labels.
+// The characters and blocks that structure a file: '%', sections of subprograms, labels.
 
 #include "control/functions/section_calls.h"
 #include "control/interpreter.h"
 
 namespace kadr {
 
-/// Returns the place of the letter of the block's label; of the whole block if the label is written with another letter.
+/// Returns the location of the letter of the block's label; the location of the whole block if the label is written with another letter.
 Span Interpreter::label_place() const {
   const std::size_t from = block->has_number ? block->number_where.end : block->where.begin;
   const std::size_t at = block->text.find(def.grammar.label_address, from);
@@ -13,7 +13,7 @@ Span Interpreter::label_place() const {
   return {static_cast<std::uint32_t>(at), static_cast<std::uint32_t>(at + 1)};
 }
 
-/// Executes '%', sections of subprograms and labels, which show where a program starts.
+/// Executes '%', the start of a section of subprograms, and labels: these show where a program starts.
 Status Interpreter::structure() {
   switch (block->marker) {
     case Marker::program_start:
@@ -56,7 +56,7 @@ Status Interpreter::structure() {
   return fail(alarm(AlarmId::program_start_missing, {block->where.begin, block->where.begin + 1}));
 }
 
-/// Handles O… in a file that contains several programs: the program being executed ends there (spec/fanuc 1.1).
+/// Handles O… in a file that contains several programs: the program that is being executed ends at the next O… (spec/fanuc 1.1).
 Status Interpreter::next_program() {
   const CallFrame* const top = flow.innermost();
   if (top == nullptr) {
@@ -70,8 +70,8 @@ Status Interpreter::next_program() {
   return own ? Status() : fail(alarm(AlarmId::subprogram_end_missing, block->where, double(top->name)));
 }
 
-/// Handles the first block of a subprogram in the program: a subprogram
-/// with the number of a called canned cycle cannot be called (2С42 6.7.1).
+/// Handles the first block of a subprogram in the program: a subprogram that has the number of a called canned cycle cannot be called
+/// (2С42 6.7.1).
 void Interpreter::note_section() {
   constexpr std::uint32_t blocks_a_subprogram = 1000;  // N02001: subprogram 02, block 001 (2С42 6.3.5)
   const std::uint32_t number = block->number / blocks_a_subprogram;

@@ -32,7 +32,7 @@ Status Interpreter::evaluate_word(Word& w) {
 }
 
 Result<double> Emitter::value_of(std::string_view expression) {
-  const bool brackets = !def.grammar.sums_without_brackets() && def.grammar.expressions;  // without brackets these controls have no sums
+  const bool brackets = !def.grammar.sums_without_brackets() && def.grammar.expressions;  // these controls allow sums only in brackets
   const std::string text = brackets ? fmt::format("[{}]", expression) : std::string(expression);
   Cursor cursor{text};
   Block looked_at;
@@ -54,7 +54,7 @@ Result<double> Emitter::value_of(std::string_view expression) {
   return kadr::evaluate(looked_at, *compiled, Reading{*this});
 }
 
-/// Resolves AX[n]=…: the channel's axis with this control-wide number (nct 23.2.12).
+/// Resolves AX[n]=…: finds the axis of the channel that has this control-wide number (nct 23.2.12).
 Status Interpreter::find_axis(Word& w) {
   const auto number = evaluate(*block, w.axis, Reading{*this});
   if (!number) return fail(number.error());
@@ -81,7 +81,7 @@ Status Interpreter::take_words() {
   return def.behaviour.delayed_assignment && !block->code.empty() ? assign() : Status();
 }
 
-/// Rebuilds the set of addresses of the block, after some words were vacant or removed.
+/// Rebuilds the set of addresses of the block, after words with a vacant value were removed.
 void BlockContext::note_addresses() {
   block->letters = 0;
   for (std::uint32_t i = block->word_count; i-- > 0;) {
@@ -112,7 +112,7 @@ Status Interpreter::assign() {
   return {};
 }
 
-/// Executes a block that only assigns. Its writes are in the journal, and nothing else changes.
+/// Executes a block that only assigns variables. The journal records what it writes, and nothing else changes.
 Status Interpreter::assign_alone() {
   pass_varies = true;
   Status done = assign();

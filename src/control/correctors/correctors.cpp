@@ -1,4 +1,5 @@
-// The dialect of the generic Soviet ISO control: axis correctors (spec/correctors 1), pockets (3). Used by control/correctors/pocket.
+// The dialect of the generic Soviet ISO control: axis correctors (offsets of axes, spec/correctors 1), pockets (3). Used by
+// control/correctors/pocket.
 
 #include "control/correctors/correctors.h"
 
@@ -19,7 +20,7 @@ using correctors::PocketCycle;
 namespace {
 
 constexpr std::size_t corrected_axes = 3;  // X, Y, Z
-constexpr double most_rounds = 1e6;        // of a pocket; more is a mistake in K or I
+constexpr double most_rounds = 1e6;        // maximum number of rounds (closed paths) of a pocket; more is a mistake in K or I
 
 /// The axes and the corrector that an L word names.
 struct Named {
@@ -27,7 +28,8 @@ struct Named {
   std::size_t number = 0;
 };
 
-/// Reads an L word. `L2 15`: axes as a sum of 1 X, 2 Y, 4 Z, then the corrector. `L17`: corrector 17 on the only axis that moves.
+/// Reads an L word. `L2 15`: the first number is the sum of 1 for X, 2 for Y, 4 for Z, the second the corrector. `L17`: corrector 17 on
+/// the only axis that moves.
 Result<Named> read(const BlockContext& m, const Word& w) {
   Named named;
   const bool pair = !std::isnan(w.second);
@@ -46,7 +48,7 @@ Result<Named> read(const BlockContext& m, const Word& w) {
   return named;
 }
 
-/// Returns the tool radius in the corrector that T names (2: T0915, corrector 15 = radius), mm; 0 if unknown.
+/// Returns the tool radius, mm, which is the value of the corrector that T names (2: T0915, corrector 15 = radius); 0 if unknown.
 double tool_radius(BlockContext& m) {
   const std::size_t number = m.modal.corrector;
   if (number == 0 || number >= m.tables.correctors.size()) return 0;
@@ -56,8 +58,8 @@ double tool_radius(BlockContext& m) {
   return radius;
 }
 
-/// Warns if a pocket starts above solid material. Of coaxial pockets (3, figure b) one whose face is deeper starts on the floor of a
-/// larger one. Anywhere else, as far as the program shows, the rapid down to the clearance would enter the part.
+/// Warns if a pocket starts above solid material. Of pockets with a common centre (3, figure b) one whose face is deeper starts on the
+/// floor of a larger one. Anywhere else, as far as the program shows, the rapid down to the clearance would enter the workpiece.
 void warn_above_solid(Emitter& m, Span where, const Axes& middle) {
   correctors::Correctors& own = correctors_of(m);
   constexpr std::size_t most_pockets = 1000;
@@ -125,7 +127,7 @@ Result<AxisMask> Correctors::add_to_motion(Emitter& m) {
     if (w.address != 'L') continue;
     const auto named = read(m, w);
     if (!named) return fail(named.error());
-    if (!is_set[named->number]) {  // not set on the panel: the motion lacks its amount
+    if (!is_set[named->number]) {  // the corrector was not set on the panel: the motion lacks this offset
       is_set[named->number] = true;
       m.warn(warning(AlarmId::corrector_not_set, w.where, double(named->number)));
     }
@@ -138,12 +140,12 @@ Result<AxisMask> Correctors::add_to_motion(Emitter& m) {
       double& added = m.transform.added[a];
       moved |= 1u << a;
       if (m.has_code({Function::corrector_cancel})) {
-        // Subtracts what the corrector added last; if it was never added, its stored value (spec/correctors 1).
+        // Subtracts the value that the corrector added last; if it never added one, its stored value (spec/correctors 1).
         const double back = last != 0 ? last : stored;
         added = m.modal.absolute ? 0.0 : added - back;
         last = 0;
       } else {
-        // INFERRED: with G90 the corrector belongs to the coordinate (it is not added repeatedly), with G91 to the motion.
+        // INFERRED: with G90 the corrector belongs to the coordinate (a second L does not add it again), with G91 to the motion.
         added = m.modal.absolute ? counted : added + counted;
         last = counted;
       }
@@ -199,7 +201,7 @@ Status pocket_define(Emitter& m, const Call& call) {
   return {};
 }
 
-/// G79: cuts the stored pocket at a point, in the plane XY.
+/// G79: cuts the stored pocket at the programmed point, in the plane XY.
 Status pocket_run(Emitter& m, const Call& call) {
   const PocketCycle& pocket = correctors_of(m).pocket;
   if (!pocket.defined) return fail(alarm(AlarmId::cycle_undefined, call.where, call.row->code));

@@ -1,5 +1,6 @@
 #pragma once
-// The dialect of the generic Soviet ISO control: axis correctors (spec/correctors 1), pockets (3).
+// The dialect of the generic Soviet ISO control: axis correctors, which are offsets added to the motion of an axis (spec/correctors 1),
+// and pockets (3).
 
 #include <vector>
 
@@ -24,8 +25,8 @@ struct PocketCut {
 struct Memory {
   PocketCycle pocket;
   std::vector<PocketCut> pockets_cut;
-  std::vector<bool> is_set;     // by number: the set-up gives it, or the warning that it does not was reported (1)
-  std::vector<double> applied;  // by corrector and axis: what the corrector added last (1)
+  std::vector<bool> is_set;     // by number: the set-up gives the corrector, or the warning that it does not was reported (1)
+  std::vector<double> applied;  // by corrector and axis: the offset that the corrector added last (1)
 };
 
 class Correctors final : public Dialect, public Memory {
@@ -44,7 +45,7 @@ class Correctors final : public Dialect, public Memory {
   bool adds_to_motion(const BlockContext& m) const override;
   bool lines_follow(const BlockContext&) const override { return true; }
   /// Adds the block's correctors to its motion: sets Transform::added.
-  ///   returns  the axes moved in addition to those of the axis words
+  ///   returns  the axes that move besides the axes of the axis words
   ///   alarms   corrector_axis: `L17` without exactly one axis word, or an axis code above 7; corrector_unknown
   Result<AxisMask> add_to_motion(Emitter& m) override;
 

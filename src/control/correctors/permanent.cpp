@@ -4,8 +4,8 @@
 
 namespace kadr {
 
-/// The words of the block set the parameters that the code's row names;
-/// parameters without a word keep their value ("the actual path is set by them").
+/// The words of the block set the formal parameters that the code's row in the control's file names; parameters without a word keep their
+/// value ("the actual path is set by them").
 Status functions::permanent_subprogram(Interpreter& m, const Call& call) {
   const CycleRow& cycle = m.def.cycles[call.row->cycle - std::size_t{1}];
   m.call_where = call.where;

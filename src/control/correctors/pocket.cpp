@@ -1,5 +1,5 @@
-// The rectangular pocket of G87, G79 (spec/correctors 3): rounds of the tool centre from the middle outwards, pass by pass. Used by
-// control/correctors/correctors; tested by tests/control/correctors/pocket_test.cpp.
+// The rectangular pocket of G87, G79 (spec/correctors 3): closed paths (rounds) of the tool centre from the middle outwards, at each
+// depth. Used by control/correctors/correctors; tested by tests/control/correctors/pocket_test.cpp.
 
 #include "control/correctors/pocket.h"
 
@@ -13,7 +13,7 @@ namespace {
 
 constexpr AxisMask in_plane = 3u, along_tool = 4u;
 
-/// Number of steps of a size that make up a whole; a remainder within rounding does not count.
+/// Returns how many steps of `size` cover `whole`; a remainder within rounding does not count.
 double steps(double whole, double size) { return std::ceil(whole / size - tol::whole_number); }
 
 }  // namespace
@@ -33,7 +33,7 @@ Result<PocketRounds> PocketRounds::of(const PocketCycle& pocket, double radius, 
 
 PocketRound PocketRounds::at(double index) const {
   if (index + 1 >= count_) return wall_;
-  const double inside = std::min(wall_.x, wall_.y) - (index + 1) * step_;  // distance inside the wall's round
+  const double inside = std::min(wall_.x, wall_.y) - (index + 1) * step_;  // distance from the last round, along the wall
   return {wall_.x - inside, wall_.y - inside, std::max(wall_.corner - inside, 0.0)};
 }
 
@@ -62,7 +62,7 @@ Status PocketRun::move(Emitter& m, MotionKind kind, Vec2 at, double z, AxisMask 
   return m.straight(kind, to, named);
 }
 
-/// Moves over the middle at the tool's present height, or at the clearance if the tool is lower; INFERRED.
+/// Moves to above the middle of the pocket at the tool's present height, or at the clearance if the tool is lower; INFERRED.
 Status PocketRun::approach(Emitter& m) const {
   const double z = std::max(m.position.programmed[2], clear());
   if (z > m.position.programmed[2]) {
@@ -89,7 +89,7 @@ Status PocketRun::round(Emitter& m, const PocketRound& round) const {
     auto& motion = std::get<Motion>(m.batch->back().what);
     motion.kind = (pocket_.direction < 0) != m.transform.reverses(m.modal.axes) ? MotionKind::arc_cw : MotionKind::arc_ccw;
     motion.center = {center[0], center[1]};
-    motion.turns = 0.25;  // each corner is a quarter
+    motion.turns = 0.25;  // each corner is a quarter of a revolution
   }
   return {};
 }

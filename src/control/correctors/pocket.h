@@ -1,5 +1,6 @@
 #pragma once
-// The rectangular pocket of G87, G79 (spec/correctors 3): rounds of the tool centre from the middle outwards, pass by pass.
+// The rectangular pocket of G87, G79 (spec/correctors 3). A round is one closed path of the tool centre around the pocket; the rounds go
+// from the middle outwards, and are repeated at each depth (pass).
 //
 //   rapid to the clearance over the face ─▶ feed down by a pass ─▶ rounds, the last along the wall ─▶ back to the middle ─▶ the next pass …
 
@@ -13,7 +14,7 @@
 
 namespace kadr::correctors {
 
-/// A round of the tool centre: half its lengths along X and Y, and its corner radius; mm.
+/// One round of the tool centre: half its lengths along X and Y, and its corner radius; mm.
 struct PocketRound {
   double x = 0, y = 0, corner = 0;
 };
@@ -25,11 +26,13 @@ struct PocketPiece {
   bool is_arc = false;
 };
 
-/// The rounds of one pass: parallels to the wall, `step` apart, from the middle outwards; the last is the wall offset by the tool radius.
+/// The rounds of one pass: parallel to the wall, `step` apart, from the middle outwards; the last round is the wall offset by the tool
+/// radius.
 class PocketRounds {
  public:
-  /// radius: of the tool, mm
-  ///   alarms  pocket_tool_large; pocket_corner: smaller than the tool radius, or larger than half the pocket
+  /// radius: tool radius, mm
+  ///   alarms  pocket_tool_large; pocket_corner: the pocket's corner radius is smaller than the tool radius, or larger than half the
+  ///           pocket
   ///   law     no point of the pocket is further than `radius` from a round or the middle
   static Result<PocketRounds> of(const PocketCycle& pocket, double radius, Span where);
 
@@ -42,8 +45,8 @@ class PocketRounds {
   double count_ = 0;
 };
 
-/// Divides a round into pieces, from its point on +X, counter-clockwise
-/// for direction +1, clockwise for -1. Some pieces may have length zero.
+/// Divides a round into lines and arcs, from its point on the +X side, counter-clockwise for direction +1, clockwise for -1. Some of them
+/// may have length zero.
 std::array<PocketPiece, 9> pieces_of(const PocketRound& round, double direction);
 
 /// Executes the canned cycle one round at a time: constant memory for any pocket.
@@ -53,7 +56,7 @@ class PocketRun final : public RunningValue<PocketRun> {
   PocketRun(const PocketCycle& pocket, const PocketRounds& rounds, const Axes& middle)
       : pocket_(pocket), rounds_(rounds), middle_(middle) {}
 
-  /// Number of passes, none deeper than K.
+  /// Returns the number of passes (depths); no pass is deeper than K.
   static double passes(const PocketCycle& pocket);
   Result<bool> next(Emitter& m) override;
 

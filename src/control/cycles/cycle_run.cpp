@@ -1,4 +1,4 @@
-// Executes drilling cycles by steps (CycleRow::steps), one drilled hole and one action at a time, so that a cycle of any length runs in
+// Executes drilling cycles by steps (CycleRow::steps), one drilled hole and one action at a time, so that a cycle of any length needs
 // constant memory. Used by control/interpreter.
 
 #include "control/cycles/cycle_run.h"
@@ -24,7 +24,7 @@ void CycleRun::start(const BlockContext& m, const Job& job) {
            m.modal.feeds_of_axes == 0;
 }
 
-/// The number of steps per call is limited even if they emit nothing, because Ctrl-C is checked between two calls.
+/// Each call executes a limited number of steps, even if they emit nothing, because Ctrl-C is checked between two calls.
 Status CycleRun::next(Emitter& m) {
   for (std::size_t i = 0; i < batch_size && active(); ++i) {
     KADR_TRY(go_on(m));
@@ -52,7 +52,7 @@ Status CycleRun::go_on(Emitter& m) {
   return step(m);
 }
 
-/// Moves up to R if the tool is below it (first hole only), over the hole, and down to R (spec/mach3 4, preliminary motion).
+/// Moves up to R if the tool is below R (first drilled hole only), then over the hole, then down to R (spec/mach3 4, preliminary motion).
 Status CycleRun::begin_hole(Emitter& m) {
   in_hole_ = true;
   step_ = 0;
@@ -116,8 +116,8 @@ Status CycleRun::peck(Emitter& m, bool full) {
   }
 }
 
-/// L83 of the 2С42 (table 9): pass i starts with a rapid to R2 + i·R3, drills
-/// one pass, waits 0.3 s, and returns at rapid to R2; the last pass stops at R1.
+/// L83 of the 2С42 (table 9): peck i starts with a rapid to R2 + i·R3, drills the depth of one peck, waits 0.3 s, and returns at rapid to
+/// R2; the last peck stops at R1.
 Status CycleRun::passes(Emitter& m) {
   const double down = job_.bottom < job_.level ? -job_.peck : job_.peck;
   switch (part_) {
@@ -163,7 +163,7 @@ Status CycleRun::plane_to(Emitter& m, double first, double second) {
   return emit_in_hole(*m.batch, work_, [&] { return m.straight(MotionKind::rapid, to, named); });
 }
 
-/// Moves to the programmed position like Emitter::straight(), without its checks.
+/// Moves to the programmed position like Emitter::straight(), without the checks that straight() makes.
 Status CycleRun::line(Emitter& m, MotionKind kind, AxisMask named) {
   m.place_plainly(named);
   Motion& motion = m.add_motion(kind, named);

@@ -19,22 +19,22 @@ class CycleRun {
   bool active() const { return cycle_ != nullptr; }
   void stop() { cycle_ = nullptr; }
   const CycleRow* cycle() const { return cycle_; }
-  /// Continues with the same row in the table of another control with the same definition.
+  /// Continues with the row `same`, which is the same row in the table of another control with the same definition.
   void lead_to(const CycleRow* same) { cycle_ = job_.cycle = same; }
 
-  /// Levels and positions of one block. Axes by index: first and second axis of the plane, drilling axis.
+  /// Levels and positions of one block. Axes are given by index: first and second axis of the plane, drilling axis.
   struct Job {
     const CycleRow* cycle = nullptr;
     std::size_t first = 0, second = 1, drill = 2;
     double step_first = 0, step_second = 0;  // from one drilled hole to the next, mm
     Axes hole{};                             // first drilled hole, programmed coordinates
     std::uint32_t holes = 1;
-    double level = 0, bottom = 0, clear = 0;  // R, Z, and the level at the end of each drilled hole
+    double level = 0, bottom = 0, clear = 0;  // R, Z, and the level to which the tool retracts from each drilled hole
     double peck = 0, dwell = 0;
     double shift_first = 0, shift_second = 0, back_face = 0;  // G87
-    double return_level = 0;                                  // L83: level between passes, reached at rapid
+    double return_level = 0;                                  // L83: level to which the tool retracts between pecks, at rapid
     bool preliminary = true;                                  // rapid up to R before the first drilled hole if the tool is below it
-    bool pass_from_level = false;                             // L83: rapid to the level where a pass begins
+    bool pass_from_level = false;                             // L83: rapid to the level where a peck begins
   };
   void start(const BlockContext& m, const Job& job);
 
@@ -56,12 +56,12 @@ class CycleRun {
   SpindleDir spindle_ = SpindleDir::stop;
   std::uint32_t hole_ = 0;
   std::size_t step_ = 0;
-  std::uint32_t part_ = 0;  // step within a peck
+  std::uint32_t part_ = 0;  // number of the motion within a peck
   double depth_ = 0;        // depth reached by pecks
   bool in_hole_ = false;
   bool taps_ = false;
   HoleWork work_ = HoleWork::none;
-  bool plain_ = false;  // motions along one axis have no side effects
+  bool plain_ = false;  // a motion along one axis changes nothing but the position
 };
 
 }  // namespace kadr

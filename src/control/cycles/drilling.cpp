@@ -14,7 +14,7 @@ constexpr double most_pecks = 1e6;
 struct CycleAxes {
   std::size_t first, second, drill;
 };
-/// Plane axes and drilling axis in Mach3: XY/Z, YZ/X, XZ/Y.
+/// Returns the plane axes and the drilling axis in Mach3: XY/Z, YZ/X, XZ/Y.
 CycleAxes cycle_axes(Plane plane) {
   switch (plane) {
     case Plane::zx: return {0, 2, 1};
@@ -72,7 +72,8 @@ class Drilling {
     return {};
   }
 
-  /// Updates the sticky words of the same cycle; memory_.bottom (Z) is the word of the drilling axis of the plane.
+  /// Updates the sticky words (words that stay valid while the same cycle follows); memory_.bottom (Z) is the word of the plane's
+  /// drilling axis.
   Status remember() {
     const char drill = letter_of(axes_.drill);
     const auto take = [&](char letter, char kept, double& to, bool is_length) {
@@ -100,12 +101,12 @@ class Drilling {
     return {};
   }
 
-  /// Replaces words that the block and those before it leave out, as the manual's example does
-  /// (Mach3 10.7.6: G83 Z-0.6). INFERRED: without R the cycle starts at the tool's position;
-  /// without Q the drill goes down in one pass. Neither value is kept for the next hole.
+  /// Replaces words that this block and earlier blocks leave out, as the manual's example does (Mach3 10.7.6: G83 Z-0.6). INFERRED:
+  /// without R the cycle starts at the tool's position; without Q the drill goes down in one peck. Neither value is stored for the next
+  /// drilled hole.
   void take_left_out() {
     taken_ = cycle_.left_out & cycle_.needs & ~memory_.known;
-    if ((cycle_.needs & ~memory_.known & letter_bit('Z')) != 0) return;  // remember() raises an alarm for it
+    if ((cycle_.needs & ~memory_.known & letter_bit('Z')) != 0) return;  // remember() raises an alarm for the missing Z
     if ((taken_ & letter_bit('R')) != 0) {
       memory_.level = m_.modal.absolute ? m_.position.programmed[axes_.drill] : 0;
       warn_of('R', memory_.level);
@@ -138,7 +139,7 @@ class Drilling {
     return {};
   }
 
-  /// Checks each corner of a drilled hole, in work coordinates too, because nothing may fail after the first one has started.
+  /// Checks each corner point of the path at a drilled hole, in work coordinates too, because nothing may fail after the first motion.
   Status within_reach(const CycleRun::Job& job, Axes hole) const {
     for (const double level : {job.level, job.bottom, job.clear, job.back_face}) {
       hole[axes_.drill] = level;
@@ -180,7 +181,7 @@ class Drilling {
   const CycleRow& cycle_;
   CycleAxes axes_;
   CycleMemory& memory_;
-  std::uint64_t taken_ = 0;  // words that are left out and have been replaced
+  std::uint64_t taken_ = 0;  // letters of words that were left out and have been replaced
 };
 
 }  // namespace

@@ -17,9 +17,9 @@ class EllipseRun {
   struct Job {
     std::size_t first = 0, second = 1;
     Vec2 center;                // programmed coordinates
-    Axes from{}, to{};          // programmed coordinates; the other axes move linearly with the arc
+    Axes from{}, to{};          // programmed coordinates; the axes outside the plane move linearly with the arc
     double sweep_deg = 0;       // counter-clockwise positive
-    double greatest_scale = 1;  // of the two axes
+    double greatest_scale = 1;  // the larger scale factor of the two axes
     std::uint32_t named = 0;
   };
 

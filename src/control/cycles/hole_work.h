@@ -1,5 +1,5 @@
 #pragma once
-// Marks the motions of a drilling cycle with what they do besides their path: HoleWork of action/action.h.
+// Marks the motions of a drilling cycle with their purpose besides the path: HoleWork of action/action.h.
 
 #include <variant>
 

@@ -24,7 +24,7 @@ enum class BlockMoment : std::uint8_t { start, end };
 enum class BlockChanges : std::uint8_t {
   position,  // nothing but the position: the motion either fails before it starts, or is executed
   little,    // motion code and feed
-  cycle,     // the same, and the words of a drilling cycle
+  cycle,     // motion code, feed, and the words of a drilling cycle
   anything,
 };
 
@@ -34,7 +34,7 @@ class BlockDialect {
 
   /// Returns true if the dialect must finish something before the next block is read.
   virtual bool has_unfinished() const { return false; }
-  /// Executes a part of what is to be finished. Returns true if the next block must still wait.
+  /// Executes one step of what the dialect must finish. Returns true if the next block must still wait.
   virtual Result<bool> finish(Interpreter& m);
   /// Returns true if the block's expressions read a clock: it must then be executed at its real time.
   virtual bool reads_clock(const Block& block) const;
@@ -42,21 +42,21 @@ class BlockDialect {
   virtual void note_skip_mark(Emitter& m);
   /// True if a skipped block is not even read, so that faults in it do not matter.
   virtual bool skips_unread() const { return false; }
-  /// True if blocks are looked at one by one, because an interrupt macro may come.
+  /// True if the dialect observes the blocks one by one, because an interrupt macro may be requested.
   virtual bool watches_blocks() const { return false; }
   virtual bool in_interrupt() const { return false; }
   /// Calls the interrupt macro if it has been requested. Returns true if it was called.
   virtual Result<bool> interrupt(Interpreter& m, BlockMoment moment);
-  /// True if numbered lines are data (of a G10), not blocks.
+  /// True if blocks with a number are data lines (of a G10), not blocks to execute.
   virtual bool takes_data() const { return false; }
   /// Executes a block that is a statement: IF, WHILE, GOTO, #1=…. Returns
   /// false if an IF … THEN is true and the words after it must be executed.
   virtual Result<bool> statement(Interpreter& m);
   virtual void begin_block(Emitter& m);
-  /// Called when the words have their values. Returns true if the block
-  /// is complete with that (its words were arguments of a macro, data …).
+  /// Called when the words have their values. Returns true if nothing of the block remains to be executed (its words were arguments of a
+  /// macro, data …).
   virtual Result<bool> takes_block(Interpreter& m);
-  /// Row of the motion code that axis words alone execute; -1 if there is none.
+  /// Returns the row of the motion code that a block with axis words only executes; -1 if there is none.
   virtual std::int16_t motion_row(const BlockContext& m) const;
   virtual BlockChanges changes_of(const BlockContext& m, const Plan& plan) const;
   /// Called before and after each function of the block; `code` is the word's number in tenths, -1 if there is no word.

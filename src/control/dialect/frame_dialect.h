@@ -16,7 +16,7 @@ class FrameDialect {
   virtual void refresh_frames(Emitter& m);
   /// Returns the part of the current origin that is a shift of the work system (G52, G92), not a work offset of its table; mm.
   virtual Axes shift_of_origin(const BlockContext& m) const;
-  /// True if the work offset may change during cutter compensation.
+  /// True if the work offset may change during cutter compensation without an alarm.
   virtual bool zero_may_move() const { return false; }
   /// mm per unit of the lengths in the machine's own tables.
   virtual double machine_unit() const { return 1; }

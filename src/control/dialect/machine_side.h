@@ -1,5 +1,5 @@
 #pragma once
-// MachineSide: the control as the machine, its logic and its operator access it.
+// MachineSide: the interface of a control that the machine, its logic and its operator use.
 
 #include <string>
 #include <vector>
@@ -14,8 +14,8 @@ class BlockContext;
 class Emitter;
 struct SearchRules;
 
-/// Input from the machine, its logic and its operator to a control that
-/// accepts such input, and their queries. NCT 11.7, 11.8, 20.2, 23.1, 23.4.
+/// Input from the machine, its logic and its operator to a control that accepts such input, and the queries that they make. NCT 11.7,
+/// 11.8, 20.2, 23.1, 23.4.
 class MachineSide {
  public:
   virtual ~MachineSide() = default;
@@ -25,7 +25,7 @@ class MachineSide {
   /// Makes spindle `slave` follow `master`. `master` 0 ends it; `slave` 0 means all spindles.
   virtual void synchronise(int slave, int master) = 0;
   virtual void couple_axis(Emitter& m, const std::string& name, AxisLink link, bool on) = 0;
-  // ---- axes coupled to those of other channels: as in Control
+  // ---- axes coupled to axes of other channels: the functions of the same names in Control describe these
   virtual const std::vector<FarAxis>& far_axes() const = 0;
   virtual void drop_far(Emitter& m, const FarAxis& axis) = 0;
   virtual void lead_axis(Emitter& m, std::size_t axis, double machine) = 0;
@@ -38,7 +38,7 @@ class MachineSide {
   virtual void set_time(double now_ms, double cut_ms) = 0;
   virtual RunState run_state(const Emitter& m) const = 0;
   virtual SearchRules search_rules() const = 0;
-  /// Returns true while waiting codes have no effect.
+  /// Returns true while waiting codes (M codes that synchronise channels) have no effect.
   virtual bool waiting_suspended() const = 0;
 };
 

@@ -1,6 +1,6 @@
 #pragma once
-// ProgramDialect: how a control starts and ends a program, and what it
-// remembers beyond it. One of the interfaces of a Dialect (control/dialect.h).
+// ProgramDialect: how a control starts and ends a program, and what it remembers after the program's end. One of the interfaces of a
+// Dialect (control/dialect.h).
 
 #include <cstdint>
 #include <memory>
@@ -22,7 +22,7 @@ class Emitter;
 class Interpreter;
 class Dialect;
 
-/// Data that a dialect remembers, in a snapshot.
+/// The data that a dialect remembers, as part of a snapshot.
 struct DialectState {
   virtual ~DialectState() = default;
 };
@@ -36,34 +36,35 @@ class ProgramDialect {
   /// Restores the data from a snapshot of the same dialect, after the interpreter has been restored.
   ///   alarms  file_write: a file that the program was writing cannot be continued
   virtual Status restore(BlockContext& m, const DialectState& from);
-  /// The interface of the machine; nullptr if the control has no machine with logic, operator or parameters.
+  /// The interface for the machine; nullptr if the control models no machine with logic, operator or parameters.
   virtual MachineSide* machine_side() { return nullptr; }
   /// The files that the program has written: path, size in bytes.
   virtual const WrittenFiles& files_written() const;
-  /// Power-on. Returns true if it replaces the power-on codes of the modal groups in the control's file.
+  /// Called at power-on. Returns true if the dialect has set the initial modes itself, in place of the power-on codes in the control's
+  /// file.
   virtual bool start(Interpreter& m, const Setup& setup);
-  /// True if the modal codes of a set-up are executed one by one, not as one block.
+  /// True if the modal codes of a set-up are executed one after another, each as a block, not all as one block.
   virtual bool starts_code_by_code() const { return false; }
   /// Reads the set-up, after its modal codes.
   virtual void take_setup(Emitter& m, const Setup& setup);
-  /// Words to be executed after the power-on codes and before those of the set-up.
+  /// Returns the text of words to be executed after the power-on codes and before the words of the set-up.
   virtual std::string start_words() const { return {}; }
   /// Called when the tool is at the start position of the set-up.
   virtual void started(Emitter& m);
-  /// Limits of an axis from a file of the machine, machine coordinates; ±1e300 if
-  /// there are none. Limits of the set-up and of a machine file have priority.
+  /// Returns the limits of an axis from a file of the machine, in machine coordinates; ±1e300 if the file gives none. Limits of the
+  /// set-up and of a machine description have priority.
   virtual std::pair<double, double> limits_by_file(std::size_t axis) const;
-  /// M2, M30. Returns true if it replaces the effect of the end codes in the control's file.
+  /// Called at M2, M30. Returns true if the dialect's action replaces the effect of the end codes in the control's file.
   virtual bool end_program(Interpreter& m);
   /// Called when an alarm has stopped the run and everything that the block had changed is restored.
   virtual void failed(Emitter&) {}
-  /// Power off and on: discards what is lost without power. Returns false if the control does not model this.
+  /// Called when the power goes off and on: discards what is lost without power. Returns false if the control does not model this.
   virtual bool lose_power(Interpreter& m);
   /// Adds tables in the form of a set-up (control/tables_now). Returns false if the interpreter's own tables are to be used.
   virtual bool add_tables(const BlockContext&, Setup&) const { return false; }
   /// Returns what the block changed among the data that survive power-off.
   virtual StateChanges take_changes(Interpreter& m);
-  /// Version of what the channels of a machine share besides Commons; it rises with each change.
+  /// Version of the data that the channels of a machine share besides the common variables (Commons); it rises with each change.
   virtual std::uint64_t common_version() const { return 0; }
   /// Copies the shared data from another channel, whose dialect is of the same type; between two blocks.
   virtual void take_common(BlockContext&, const Dialect&) {}

@@ -1,4 +1,4 @@
-// The program memory on the disk: finds the place of a path and opens it. Used by file_writer.cpp; tested by
+// The program memory on the disk: finds the location for a path and opens the file there. Used by file_writer.cpp; tested by
 // tests/control/macro_b/output_file_test.cpp.
 
 #include "control/files/file_place.h"
@@ -38,7 +38,7 @@ There what_is(int folder, const std::string& name) {
   if (::fstatat(folder, name.c_str(), &there, AT_SYMLINK_NOFOLLOW) != 0) return errno == ENOENT ? There::nothing : There::other;
   if (S_ISLNK(there.st_mode)) return There::outside;
   if (!S_ISREG(there.st_mode)) return There::other;
-  return there.st_nlink > 1 ? There::outside : There::file;  // its other name may be anywhere
+  return there.st_nlink > 1 ? There::outside : There::file;  // a second name of the same file may be in any folder
 }
 
 }  // namespace

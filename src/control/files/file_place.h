@@ -1,6 +1,6 @@
 #pragma once
-// Finds the place on the disk for a path of the program memory, for file_writer.h: folders are entered one by one from the root's own
-// descriptor, and no link is followed.
+// Finds the location on the disk for a path of the program memory, for file_writer.h: folders are opened one by one, starting from the
+// descriptor of the root folder, and no link is followed.
 
 #include <unistd.h>
 
@@ -38,11 +38,11 @@ class Descriptor {
 
 enum class There : std::uint8_t { nothing, file, outside, other, no_folder };
 
-/// The end of a path: its folder, entered part by part, and what is there.
+/// The end of a path: its folder, opened part by part, and what exists there.
 struct Place {
   Descriptor folder{-1};
   std::string file;
-  std::string path;  // from the root, with the letter case on the disk
+  std::string path;  // path from the root, with the letter case on the disk
   There what = There::no_folder;
 };
 

@@ -33,7 +33,7 @@ struct OutputOptions {
   std::size_t most_files = 10'000;  // maximum number of files that one run may write
 };
 
-/// Returns true for a part of a path that every system accepts as a file name: not hidden, not a device, no blank or point at its end.
+/// Returns true for a part of a path that every system accepts as a file name: not hidden, not a device, no blank or dot at its end.
 bool is_good_part(std::string_view part);
 
 /// A request to open a file.
@@ -41,7 +41,7 @@ struct Wanted {
   std::string path;   // from the root, separated by `/`
   std::string shown;  // name in alarms
   FileMode rule;
-  AlarmId exists, missing;  // alarms if the file exists, or is missing, against `rule`
+  AlarmId exists, missing;  // alarms if the file exists, or is missing, although `rule` requires the opposite
   std::string running;      // path of the running program, which may not be written
 };
 
@@ -71,28 +71,28 @@ class FileWriter {
   /// The state in a snapshot.
   struct Memory {
     bool open = false;
-    std::string path;            // of the open file, from the root
-    std::uint64_t size = 0;      // of the open file
-    std::uint64_t written = 0;   // in the whole run
+    std::string path;            // path of the open file, from the root
+    std::uint64_t size = 0;      // size of the open file
+    std::uint64_t written = 0;   // bytes written in the whole run
     std::set<std::string> made;  // dry run: files that would exist
     std::map<std::string, std::uint64_t> files;
   };
   Memory memory() const;
-  /// Continues the file that was open then, without what was printed to it since. All other files stay as they are.
+  /// Continues the file that was open at the snapshot, without what was printed to the file since. All other files stay as they are.
   ///   alarms   file_write (path): the file is missing, is shorter than it was, or may not be written
   Status remember(const Memory& memory);
 
   /// All files written in the run: path from the root, bytes.
   const std::map<std::string, std::uint64_t>& files() const { return files_; }
   const std::string& root() const { return options_.root; }
-  const std::string& path() const { return path_; }  // of the open file, from the root
+  const std::string& path() const { return path_; }  // path of the open file, from the root
 
  private:
   OutputOptions options_;
   bool open_ = false;
   int file_ = -1;  // descriptor; -1: no file open, or a dry run
   std::string path_;
-  std::uint64_t written_ = 0;   // in the whole run
+  std::uint64_t written_ = 0;   // bytes written in the whole run
   std::set<std::string> made_;  // dry run: files that would exist
   std::map<std::string, std::uint64_t> files_;
 };

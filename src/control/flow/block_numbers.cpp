@@ -1,4 +1,4 @@
-// Builds and searches the index of block numbers: one pass, sorted rows, binary searches.
+// Builds and searches the index of block numbers: one pass through the file, sorted table rows, binary searches.
 
 #include "control/flow/block_numbers.h"
 
@@ -44,8 +44,8 @@ bool BlockNumbers::make(BlockReader& reader, StopToken stop) {
   return true;
 }
 
-/// Returns true if N of this row is a block number for a search from `from`. A data line belongs to the last G10 before it; a search
-/// that starts after this G10 has not seen it.
+/// Returns true if N of this row is a block number for a search that starts at `from`. A data line belongs to the last G10 before it; a
+/// search that starts after this G10 has not seen the G10, and reads N as a block number.
 bool BlockNumbers::counts_from(const Row& row, std::uint64_t from) const {
   if ((row.place & 1u) == 0) return true;
   const auto behind = std::lower_bound(openings_.begin(), openings_.end(), row.place & ~std::uint64_t{1});

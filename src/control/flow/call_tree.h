@@ -20,25 +20,25 @@ class CallTree {
   ///   returns  0 if no call is open
   std::uint16_t way_of(const ControlDef& def, const std::vector<CallFrame>& open);
 
-  /// One call of a chain, and the file that contains it.
+  /// One call of a chain, and the file that contains the call.
   struct Call {
     AlarmReport::Call call;
-    std::uint16_t file = 0;  // as Origin::file
+    std::uint16_t file = 0;  // number of the file, as in Origin::file
   };
   /// Returns the calls of a chain, outermost first.
   std::vector<Call> calls(std::uint16_t way) const;
 
  private:
   struct Way {
-    std::uint16_t outer = 0;  // the chain of the caller
+    std::uint16_t outer = 0;  // number of the caller's chain
     Call call;
   };
-  /// The chain of the caller; line and file of the call; the called item: kind, name, file.
+  /// Number of the caller's chain; line and file of the call; what is called: kind, name, file.
   using Key = std::tuple<std::uint16_t, std::uint32_t, std::uint16_t, std::uint8_t, std::uint32_t, std::uint16_t>;
 
-  std::vector<Way> ways_;  // [0] is number 1
+  std::vector<Way> ways_;  // [0] has the number 1
   std::map<Key, std::uint16_t> known_;
-  // The chain of the previous query. It is found again by the block that made the call.
+  // The chain of the previous query. The block that made the call identifies it.
   std::size_t last_depth_ = 0;
   std::uint32_t last_block_ = 0;
   Key last_key_;

@@ -32,7 +32,7 @@ void Flow::enter(std::string line) {
   files_[entered.reader] = std::move(file);
   entered = {true, now_.ended, now_.started, entered.reader, now_.reader, position(), now_.frames.size(), std::move(line)};
   now_.ended = false;
-  now_.started = true;  // the line needs no program start
+  now_.started = true;  // an entered line is executed without a program start before it
   go_to(entered.reader, {});
 }
 

@@ -10,7 +10,7 @@
 namespace kadr {
 namespace {
 
-constexpr std::size_t end_bytes = 4096;  // bytes read at each end of the file
+constexpr std::size_t end_bytes = 4096;  // number of bytes that are read at each end of the file
 
 std::string bytes_at(const ProgramFile& file, std::uint64_t from) {
   std::string bytes(end_bytes, '\0');

@@ -11,9 +11,9 @@
 namespace kadr {
 namespace {
 
-constexpr std::size_t most_labels = 100'000;  // subprograms of one file
+constexpr std::size_t most_labels = 100'000;  // maximum number of subprograms in one file
 
-/// Grammar of the cycle bodies, which have neither block numbers nor marks.
+/// Returns the grammar of the cycle bodies, which have neither block numbers nor the sign % nor ПС at the end of blocks.
 Grammar grammar_of_bodies(const Grammar& program) {
   Grammar g = program;
   g.block_number_required = false;
@@ -55,7 +55,7 @@ Result<BlockReader::Got> Flow::next(Block*& block) {
   return bodies_->next(body_block_);
 }
 
-/// Counts a block that is executed again. `last`: the block before, which is still the current one.
+/// Counts a block that is executed again. `last`: the block before it, which is still the current block.
 Status Flow::count_repeated(const Block& last) {
   if (++now_.repeated <= limits_.repeated_blocks) return {};
   now_.ended = true;
@@ -241,7 +241,8 @@ BlockReader& Flow::elsewhere() {
   return *elsewhere_;
 }
 
-/// Reads the whole file and records where its subprograms start. Faults are not reported here, but when the blocks are executed.
+/// Reads the whole file and records where its subprograms start. Faults of blocks are not reported here, but when the blocks are
+/// executed.
 void Flow::make_index() {
   indexed_ = true;
   BlockReader& reader = elsewhere();

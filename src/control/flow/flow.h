@@ -22,23 +22,23 @@ struct CallFrame {
   Kind kind = Kind::subprogram;
   Position start;            // first block of its body
   Position back;             // where the caller continues
-  std::uint16_t reader = 0;  // file of the body: 0 the program, 1 the cycle bodies, then other files
+  std::uint16_t reader = 0;  // file that contains the body: 0 the program, 1 the cycle bodies, then other files
   std::uint16_t back_reader = 0;
   std::uint32_t name = 0;  // subprogram number
   std::uint32_t left = 0;  // remaining passes, including this one
   std::uint32_t done = 0;  // passes started
-  bool repeating = false;  // after the first pass
+  bool repeating = false;  // true from the second pass on
   Origin caller;
   std::uint16_t work_zero = 0;  // work offset of the caller (2С42: restored on return)
   Axes zero_shift{};
   std::int16_t zero_row = -1;
   std::array<std::int16_t, 3> then{-1, -1, -1};  // code rows of the calling block that are executed on return: M17, M20, M2
   // nct
-  std::uint8_t modal_calls = 0;   // number of modal macro calls that act in the caller (23.3.2)
+  std::uint8_t modal_calls = 0;   // number of modal macro calls in force in the caller (23.3.2)
   bool opened_level = false;      // an interrupt macro with its own local variables
-  std::int32_t return_to = -1;    // M99 P: block of the caller
-  char called_by = 0;             // address of the calling word: the same word does not call again inside (23.3.4–23.3.8)
-  std::int32_t called_code = -1;  // … and its code
+  std::int32_t return_to = -1;    // M99 P: number of the caller's block to return to
+  char called_by = 0;             // address of the calling word: inside the call this word does not call again (23.3.4–23.3.8)
+  std::int32_t called_code = -1;  // … and the number of its code
 };
 
 class Flow {
@@ -49,7 +49,7 @@ class Flow {
   Result<BlockReader::Got> next(Block*& block);
 
   // ---- a block that is read but not executed yet
-  /// The state of reading.
+  /// The state of reading before a block, to return to it.
   struct Mark {
     Position position;
     BlockReader::Memory memory;
@@ -57,11 +57,11 @@ class Flow {
     bool ended = false;
   };
   Mark mark() const;
-  /// Restores the state before the block read since then.
+  /// Restores the state that `before` recorded, so that the block is read again.
   void unread(const Mark& before);
 
   // ---- a line entered by the operator (MDI)
-  /// Makes this line the next block; then reading continues where it was.
+  /// Makes this line the next block; after it reading continues where it was.
   void enter(std::string line);
   /// True while the line is being executed.
   bool in_entered() const { return now_.entered.on; }
@@ -73,18 +73,18 @@ class Flow {
   // ---- snapshot
   struct Entered {
     bool on = false;
-    bool ended = false, started = false;  // of the program, before the line
+    bool ended = false, started = false;  // state of the program before the line was entered
     std::uint16_t reader = 0;             // 0: no line has been entered yet
     std::uint16_t back_reader = 0;
     Position back;
     std::size_t depth = 0;
     std::string line;
   };
-  /// What remains from one block to the next.
+  /// The part of the state that remains from one block to the next.
   struct Counts {
     std::uint16_t reader = 0;
     std::vector<CallFrame> frames;
-    CallFrame left;  // the frame that was left last
+    CallFrame left;  // the frame that was closed last
     std::set<std::uint32_t> passed;
     bool ended = false;
     bool jumped_back = false;
@@ -95,7 +95,7 @@ class Flow {
     Entered entered;
   };
   struct File {
-    std::string name;  // path; for a built-in program its name
+    std::string name;  // path of the file; for a built-in program its name
     bool built_in = false;
     ProgramFile::Memory memory;
   };
@@ -103,15 +103,15 @@ class Flow {
     Counts now;
     Position position;
     std::vector<File> files;            // [0] the program, then by reader number; [1] is unused
-    std::vector<std::uint32_t> called;  // numbers of the called subprograms of the program
+    std::vector<std::uint32_t> called;  // numbers of the program's subprograms that were called
   };
   Memory memory() const;
-  /// Continues from a stored memory.
+  /// Continues from the state stored in `memory`.
   ///   alarms  file_missing: a file that had been called is missing now; nothing has changed
   Status remember(const Memory& memory);
 
   // ---- jumps
-  /// Open calls and the position in the program: what a faulty block may have changed.
+  /// Open calls and the position in the program: these a faulty block may have changed.
   struct Place {
     std::vector<CallFrame> frames;
     Position position;
@@ -128,14 +128,14 @@ class Flow {
   /// Calls the body that starts at `start` in the file with number `reader` (from open_program). `frame`: kind, left, caller, …
   ///   alarms  call_too_deep
   Status call_at(std::uint16_t reader, Position start, const CallFrame& frame, Span where);
-  /// Returns the place of `Onnnn` in the main file; nullopt if it is missing or not unique.
+  /// Returns the position of the label `Onnnn` in the main file; nullopt if the label is missing or not unique.
   std::optional<Position> label_of(std::uint32_t number);
   /// Returns true if the program has a subprogram with this number.
   bool has_subprogram(std::uint32_t number) {
     if (!indexed_) make_index();
     return labels_.contains(number);
   }
-  /// Opens the file at this path of the program memory, once. Returns nullopt if it cannot be read.
+  /// Opens the file at this path of the program memory; a second call does not open it again. Returns nullopt if the file cannot be read.
   std::optional<std::uint16_t> open_program(const std::string& path);
   /// Opens a built-in program of the control (macros/). Returns nullopt if there is none with this name.
   std::optional<std::uint16_t> open_built_in(const std::string& name);
@@ -165,7 +165,7 @@ class Flow {
   }
 
   bool ended() const { return now_.ended; }
-  /// Leaves the innermost call or repetition whose end was not found; a repetition continues at `again`.
+  /// Closes the innermost call or repetition if its end was not found; a repetition continues at `again`.
   void abandon(std::optional<Position> again);
   std::string shown(std::string_view text, Span& place) const {
     return visiting_ ? elsewhere_->shown(text, place) : now_.reader != 1 ? files_[now_.reader]->shown(text, place) : std::string(text);
@@ -176,7 +176,7 @@ class Flow {
   std::vector<CallFrame>& frames() { return now_.frames; }
   /// Path of the file being read; in a cycle body, that of the program.
   const std::string& file() const { return files_[now_.reader == 1 ? 0 : now_.reader]->path(); }
-  /// File by number: Origin::file, reader().
+  /// Returns the file with this number, as in Origin::file and reader().
   const ProgramFile& file(std::uint16_t reader) const { return *files_[reader]; }
   /// Returns true if a file has this number; the cycle bodies are not a file.
   bool has_file(std::uint32_t reader) const { return reader < files_.size() && files_[reader] != nullptr; }
@@ -189,12 +189,12 @@ class Flow {
   /// True once a block that begins with '%' has been read.
   bool started() const { return now_.started; }
   void set_started(bool started) { now_.started = started; }
-  /// See ProgramFile::note_told.
+  /// Records that the warnings of a kept block were reported: see ProgramFile::note_told.
   void note_told(const Block& block) {
     if (now_.reader != 1) files_[now_.reader]->note_told(block);
   }
   std::uint64_t blocks() const { return now_.blocks; }
-  std::uint64_t repeated() const { return now_.repeated; }  // of them again: after a jump back, in a call, in another pass
+  std::uint64_t repeated() const { return now_.repeated; }  // blocks executed again: after a jump back, in a call, in another pass
   std::uint64_t bytes_read() const { return program().offset(); }
   std::uint64_t bytes() const { return program().size(); }
   const BlockReader& program() const { return files_[0]->reader(); }
@@ -222,7 +222,7 @@ class Flow {
   RunLimits limits_;
   std::vector<std::unique_ptr<ProgramFile>> files_;  // [1] is reserved for the cycle bodies
   std::map<std::string, std::uint16_t> opened_, built_in_;
-  std::unique_ptr<BlockReader> elsewhere_;  // reads the file in other places, so that the current block keeps its text
+  std::unique_ptr<BlockReader> elsewhere_;  // reads other parts of the file, so that the current block keeps its text
   Grammar body_grammar_;
   std::unique_ptr<BlockReader> bodies_;
   Block body_block_;

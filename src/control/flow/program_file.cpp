@@ -1,5 +1,5 @@
-// One file of the program memory: reader, blocks kept for loops, places of numbers and loops (spec/nct/14, 23 23.2.8, 23.2.11). Used by
-// control/flow/file_end, control/flow/flow; tested by tests/control/program_file_test.cpp.
+// One file of the program memory: its reader, the blocks kept in memory for loops, the positions of block numbers and loops (spec/nct/14,
+// 23 23.2.8, 23.2.11). Used by control/flow/file_end, control/flow/flow; tested by tests/control/program_file_test.cpp.
 
 #include "control/flow/program_file.h"
 
@@ -13,7 +13,7 @@
 namespace kadr {
 namespace {
 
-/// Finds DO, END or WHILE in a line that cannot be read, so that the other half of its loop is not reported as a second fault.
+/// Finds DO, END or WHILE in a line that cannot be read, so that the matching END or DO is not reported as a second fault.
 std::pair<StatementKind, std::uint8_t> damaged_loop(std::string_view text) {
   std::string capitals(text.substr(0, text.find('(')));
   for (char& c : capitals) c = to_upper(c);
@@ -100,7 +100,7 @@ std::optional<Position> ProgramFile::find_number(std::uint32_t number, Position 
   return found;
 }
 
-/// Searches by reading on; once this has cost enough, by the index.
+/// Searches by reading on; after many blocks have been read this way, by the index.
 std::optional<Position> ProgramFile::search(std::uint32_t number, Position from, const Extent& in) {
   auto found = scan(number, from, in.end);
   if (!found) found = scan(number, in.begin, from);
@@ -124,7 +124,8 @@ std::optional<Position> ProgramFile::in_index(std::uint32_t number, Position fro
   return std::nullopt;
 }
 
-/// Returns the range of the program that contains the block before `place`; the whole file if its programs are not distinguished.
+/// Returns the range of the program that contains the block before `place`; the range is the whole file if the control does not
+/// distinguish programs in a file.
 ProgramFile::Extent ProgramFile::extent_of(Position place) {
   Extent extent{{}, {~std::uint64_t{0}, 0, 0}};
   if (!grammar_.programs_by_label) return extent;
@@ -134,7 +135,7 @@ ProgramFile::Extent ProgramFile::extent_of(Position place) {
   };
   auto next = std::lower_bound(programs_->begin(), programs_->end(), place, before);
   const bool at_first = next == programs_->begin() && next != programs_->end() && next->begin == place;
-  if (at_first && first_block().offset == place.offset) ++next;  // no program is before it
+  if (at_first && first_block().offset == place.offset) ++next;  // no program ends before `place`
   if (next != programs_->end()) extent.end = next->begin;
   if (next != programs_->begin()) extent.begin = std::prev(next)->begin;
   return extent;
@@ -222,7 +223,7 @@ void ProgramFile::find_loops() {
     const auto same = [&](std::size_t i) { return loops_[i].number == m || loops_[i].number == 0; };
     const auto nearest = std::find_if(open.rbegin(), open.rend(), same);
     if (kind == StatementKind::loop) {
-      if (nearest != open.rend()) loops_[*nearest].fault = AlarmId::do_without_end;  // DO1 DO1
+      if (nearest != open.rend()) loops_[*nearest].fault = AlarmId::do_without_end;  // DO1 DO1: the first DO1 has no END
       Loop loop;
       loop.number = m;
       loop.begin = block->position;
@@ -233,7 +234,7 @@ void ProgramFile::find_loops() {
       loops_.push_back(loop);
       continue;
     }
-    if (nearest == open.rend()) continue;  // END without DO: loop_to() finds nothing
+    if (nearest == open.rend()) continue;  // END without DO: loop_to() finds no loop here
     const bool overlaps = nearest != open.rbegin();
     for (auto i = open.rbegin(); i != nearest; ++i) loops_[*i].fault = AlarmId::loops_overlap;
     Loop& loop = loops_[*nearest];

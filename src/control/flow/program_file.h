@@ -1,6 +1,6 @@
 #pragma once
-// ProgramFile: one file of the program memory, with its reader, the blocks kept for loops, and the places of numbers and loops
-// (spec/nct/14, 23 23.2.8, 23.2.11).
+// ProgramFile: one file of the program memory, with its reader, the blocks kept in memory for loops, and the positions of block numbers
+// and loops (spec/nct/14, 23 23.2.8, 23.2.11).
 
 #include <map>
 #include <memory>
@@ -23,7 +23,7 @@ struct KeptBlock {
   Position next;
   KeptBlock* following = nullptr;  // the kept block at `next`
   KeptBlock* jumped = nullptr;     // the kept block that the last jump from here went to
-  std::uint64_t jumped_to = 0;     // key of that block
+  std::uint64_t jumped_to = 0;     // key (key_of) of the block `jumped`
 };
 
 /// DO … END of a file, paired by their order in the text.
@@ -34,7 +34,7 @@ struct Loop {
   Position behind;  // first block after END
   AlarmId fault = no_alarm;
   std::uint8_t number = 0;  // 0: a WHILE without DO
-  bool damaged = false;     // one of the two blocks cannot be read; END then has no effect
+  bool damaged = false;     // the DO or END block cannot be read; END then has no effect
 };
 
 class ProgramFile {
@@ -42,7 +42,8 @@ class ProgramFile {
   ProgramFile(std::string path, std::shared_ptr<ByteSource> source, const Grammar& grammar, std::optional<Encoding> encoding,
               StopToken stop = {});
 
-  /// Reads the next block; `block` points to it until the next call. If blocks are kept, it may be one that was read before.
+  /// Reads the next block; `block` points to it until the next call. If blocks are kept in memory, it may be a block that was read
+  /// before.
   Result<BlockReader::Got> next(Block*& block);
   void seek(Position position) {
     elsewhere_ = position;
@@ -53,11 +54,11 @@ class ProgramFile {
   void note_told(const Block& block) {
     if (block.kept) memory_.told.insert(place_of(block.position));
   }
-  /// State of reading that the run has left in the file; with the position it is all that the run needs to continue.
+  /// State of reading that the run has left in the file; with the position in the program this is all that the run needs to continue.
   struct Memory {
     BlockReader::Memory reader;
     bool keeps = false;
-    std::set<std::pair<std::uint64_t, std::uint32_t>> told{};  // places of kept blocks whose warnings have been reported
+    std::set<std::pair<std::uint64_t, std::uint32_t>> told{};  // positions of kept blocks whose warnings were reported
   };
   Memory memory() const {
     Memory now = memory_;
@@ -68,24 +69,24 @@ class ProgramFile {
     memory_ = memory;
     reader_.remember(memory.reader);
   }
-  /// From now on keeps the blocks that are read, because they will be read again.
+  /// From now on keeps in memory the blocks that are read, because they will be read again.
   void keep_blocks() { memory_.keeps = true; }
 
   /// Returns the first block with number `number` from `from` to the end, then from the start of the file (nct 14.1, INFERRED order).
   /// The first few thousand blocks are searched by reading on; after that an index of all numbers of the file is built.
   std::optional<Position> find_number(std::uint32_t number, Position from);
-  /// Places where a program O… with this number starts in the file (Grammar::programs_by_label).
+  /// Returns the positions where a program O… with this number starts in the file (Grammar::programs_by_label).
   std::vector<Position> programs_numbered(std::uint32_t number);
-  /// The first block with anything but a comment or the sign %.
+  /// Returns the first block that contains more than a comment or the sign %.
   Position first_block();
   /// The loop whose DO (loop_from) or END (loop_to) is at `position`; nullptr if there is none.
   const Loop* loop_from(Position position);
   const Loop* loop_to(Position position);
 
-  /// Returns lines as UTF-8 by number, without those that do not exist. Reads through the file once.
+  /// Returns the given lines as UTF-8 by number, without lines that do not exist. Reads through the file once.
   std::map<std::uint32_t, std::string> texts_of(const std::set<std::uint32_t>& lines) const;
 
-  /// Returns one line as UTF-8; empty if it does not exist. The first call reads through the file, the others read a few lines.
+  /// Returns one line as UTF-8; empty if it does not exist. The first call reads through the file, later calls read a few lines.
   std::string text_of(std::uint32_t line) const;
 
   const std::string& path() const { return path_; }
@@ -98,7 +99,7 @@ class ProgramFile {
  private:
   static constexpr std::size_t most_kept = 4096;
   static constexpr std::size_t most_loops = 100'000;
-  static constexpr std::size_t most_searched = 4096;  // blocks; a short file or a near target needs no index
+  static constexpr std::size_t most_searched = 4096;  // blocks; in a short file, or if the target is near, no index is needed
   BlockReader& scanner();
   /// The range from the start of a program to the start of the next.
   struct Extent {
@@ -119,18 +120,18 @@ class ProgramFile {
   std::shared_ptr<ByteSource> source_;
   const Grammar& grammar_;
   BlockReader reader_;
-  std::unique_ptr<BlockReader> scanner_;  // reads the file in other places, so that the current block keeps its text
+  std::unique_ptr<BlockReader> scanner_;  // reads other parts of the file, so that the current block keeps its text
   Block in_hand_;
   Position elsewhere_;                                                   // where the next block begins …
   bool moved_ = false;                                                   // … if not at the reader's position
-  Memory memory_;                                                        // without the reader's part
-  KeptBlock* last_ = nullptr;                                            // returned last
+  Memory memory_;                                                        // without the state of the reader
+  KeptBlock* last_ = nullptr;                                            // the kept block that was returned last
   std::unordered_map<std::uint64_t, std::unique_ptr<KeptBlock>> kept_;   // by key
-  std::map<std::pair<std::uint64_t, std::uint32_t>, Position> numbers_;  // {key of the search's start; number} → place of the block
+  std::map<std::pair<std::uint64_t, std::uint32_t>, Position> numbers_;  // {key of the search's first block; number} → block found
   std::vector<Loop> loops_;
   std::unordered_map<std::uint64_t, std::size_t> loops_by_begin_, loops_by_end_;
   bool loops_found_ = false;
-  const Loop* last_loop_ = nullptr;  // whose END was executed last
+  const Loop* last_loop_ = nullptr;  // the loop whose END was executed last
   std::size_t searched_ = 0;         // blocks read in searches for numbers
   std::optional<Position> first_block_;
   std::optional<BlockNumbers> index_;
@@ -141,7 +142,7 @@ class ProgramFile {
   std::optional<std::vector<NumberedProgram>> programs_;  // starts of the programs in the file (Grammar::programs_by_label)
   bool index_possible_ = true;
   StopToken stop_;
-  static constexpr std::uint32_t marked_line = 256;  // distance of the marks, in lines
+  static constexpr std::uint32_t marked_line = 256;  // a mark is stored for every 256th line
   mutable std::vector<std::uint64_t> line_marks_;    // offsets of lines 1, 257, …
 };
 

@@ -1,4 +1,4 @@
-// How a run continues: with another pass of a main program, and after a faulty block in a check.
+// How a run continues: with another pass of a main program, and, in a check, after a faulty block.
 
 #include <algorithm>
 #include <span>
@@ -7,7 +7,8 @@
 
 namespace kadr {
 
-/// Returns true if an expression of the block reads a variable, R or a parameter of the control, or the block writes one.
+/// Returns true if an expression of the block reads a variable, a parameter R or a parameter of the control, or if the block writes one
+/// of these.
 bool Interpreter::reads_variables() const {
   return !block->assignments.empty() || std::any_of(block->code.begin(), block->code.end(), [](const Instruction& i) {
     return i.op == Op::variable || i.op == Op::variable_at || i.op == Op::parameter || i.op == Op::element || i.op == Op::control_value;
@@ -28,8 +29,8 @@ Status Interpreter::begin_again(Span where, Position from) {
   return {};
 }
 
-/// Returns true if the faulty block could have written a variable, called
-/// or jumped. For a block that could not be read, its text is searched.
+/// Returns true if the faulty block could have written a variable, called a subprogram or jumped. If the block could not be read, its
+/// text is searched for this.
 bool Interpreter::may_have_steered() const {
   if (block->statement.kind != StatementKind::none) return true;
   if (!damaged) return has_code({Function::macro_call, Function::macro_modal, Function::call_program});
@@ -37,8 +38,8 @@ bool Interpreter::may_have_steered() const {
   return (holds("#") && holds("=")) || holds("IF") || holds("GOTO") || holds("WHILE") || holds("G65") || holds("M98");
 }
 
-/// Continues after an alarm. After an end that came too early, the open call or
-/// repetition is left, so that the same fault is not reported again and again.
+/// Continues after an alarm. After an end of a subprogram or repetition that came too early, the open call or repetition is closed, so
+/// that the same fault is not reported again and again.
 void Interpreter::go_on() {
   phase_ = RunPhase::next_block;
   motion_run_.end();
@@ -68,7 +69,7 @@ bool Interpreter::follows_refused_motion(AlarmId id) const {
   }
 }
 
-/// Sets the modes that the codes of a faulty block name: those that define the meaning of coordinates, and the motion.
+/// Sets the modes of a faulty block's codes: the modes that define the meaning of coordinates, and the motion code.
 void Interpreter::keep_modes_of_faulty_block() {
   if (damaged || block->statement.kind != StatementKind::none) return;
   for (std::uint32_t i = 0; i < block->word_count; ++i) {
@@ -91,8 +92,9 @@ void Interpreter::keep_modes_of_faulty_block() {
   }
 }
 
-/// Moves to the end point of a refused motion, because the following blocks were written for it. If the end point is unknown (the block
-/// could not be read, or its words belong to another code), its axes are unplaced until a block gives them a coordinate.
+/// Moves to the end point of a refused motion, because the following blocks were written for this point. If the end point is unknown (the
+/// block could not be read, or its words belong to another code), the axes that it names are unplaced (without a known position) until a
+/// block gives them a coordinate.
 void Interpreter::stand_where_meant() {
   if (block->statement.kind != StatementKind::none || flow.in_body()) return;
   const bool unread = damaged || block->broken;
@@ -121,7 +123,7 @@ void Interpreter::stand_where_meant() {
   if (modal.absolute) unplaced &= ~by_words;
 }
 
-/// After an executed block: the axes to which it gives a coordinate are placed again.
+/// Called after an executed block: the positions of the axes to which the block gives a coordinate are known again.
 void Interpreter::note_placed() {
   if (is_stopped() || !modal.absolute || block->statement.kind != StatementKind::none) return;
   for (std::size_t a = 0; a < axis_count; ++a) {
@@ -130,7 +132,7 @@ void Interpreter::note_placed() {
   }
 }
 
-/// Keeps what the following blocks expect from a faulty block, so that one fault gives one alarm: a feed, its modes, the end point of
+/// Keeps from a faulty block what the following blocks rely on, so that one fault gives one alarm: a feed, its modes, the end point of
 /// its motion, the end of a subprogram or repetition.
 void Interpreter::keep_from_faulty_block() {
   if (block->position.line != report.origin.line) return;
@@ -138,7 +140,7 @@ void Interpreter::keep_from_faulty_block() {
   const bool of_flow = id == AlarmId::return_without_call || id == AlarmId::repeat_end_alone || id == AlarmId::repeat_end_missing ||
                        id == AlarmId::subprogram_end_missing || id == AlarmId::endless_program;
   const Word* const f = block->find('F');
-  const bool is_missed = id == AlarmId::feed_missing && modal.feed_mode != FeedMode::inverse_time;  // there each block needs its own
+  const bool is_missed = id == AlarmId::feed_missing && modal.feed_mode != FeedMode::inverse_time;  // inverse time: each block needs an F
   if ((f != nullptr || is_missed) && !(modal.feed_known && modal.feed > 0)) {
     modal.feed_known = true;
     modal.feed = f != nullptr && f->value > 0 ? f->value : 1;

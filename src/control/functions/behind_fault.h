@@ -7,9 +7,9 @@
 
 namespace kadr {
 
-/// Called at the end of a call or repetition with very many passes, after a fault that `kadr check`
-/// has reported: one pass shows the faults in it; the others would take minutes and end with a false
-/// endless_program. INFERRED: up to 1000 passes are still executed, so that increments add up.
+/// Called at the end of a call or repetition with very many passes, after a fault that `kadr check` has reported. One pass shows the
+/// faults of the body; the other passes would take minutes and end with a false endless_program. INFERRED: up to 1000 passes are still
+/// executed, so that increments add up.
 inline void shorten_behind_fault(const AlarmReport& last, Flow& flow) {
   constexpr std::uint32_t most_passes = 1000;
   if (last.alarm.id == no_alarm || flow.depth() == 0) return;

@@ -1,4 +1,5 @@
-// G2 / G3: from words to an arc to a Motion. 2С42 6.6.4 and 6.6.6; Mach3: RS274/NGC; other controls as [behaviour] of their file defines.
+// G2, G3: converts words to an arc, and the arc to a Motion. 2С42 6.6.4 and 6.6.6; Mach3: RS274/NGC; other controls as [behaviour] of
+// their file defines.
 
 #include <algorithm>
 #include <cmath>
@@ -14,13 +15,13 @@ namespace {
 
 Vec2 in_plane(const Axes& point, PlaneAxes p) { return {point[p.first], point[p.second]}; }
 
-/// Checks that the rotation keeps the circle in its plane: G68 rotates in XY and tilts circles of the other planes.
+/// Checks that the rotation keeps the circle in its plane: G68 rotates in XY, and tilts circles that are in other planes.
 Status turned_in_plane(const BlockContext& m, PlaneAxes axes, Span where, std::string_view code) {
   if (m.transform.leaves(axes)) return fail(alarm(AlarmId::plane_wrong, where, code));
   return {};
 }
 
-/// Sets the place of a geometry alarm to the block, without trailing blanks.
+/// Sets the location of a geometry alarm to that of the block, without trailing blanks.
 tl::unexpected<Alarm> placed(const BlockContext& m, Alarm alarm) {
   alarm.where = m.block->where;
   while (alarm.where.end > alarm.where.begin && static_cast<unsigned char>(m.block->text[alarm.where.end - 1]) <= ' ') --alarm.where.end;
@@ -39,7 +40,7 @@ class Circular {
     const bool corrected = m_.dialect->adds_to_motion(m_);
     const std::uint64_t used =
         m_.letters.axes | m_.letters.centers | (m_.def.behaviour.reads_arc_radius() ? letter_bit('R') : std::uint64_t{0});
-    if ((m_.block->letters & used) == 0 && !corrected) return {};  // the code alone: only the mode
+    if ((m_.block->letters & used) == 0 && !corrected) return {};  // a block with the code alone only sets the mode
     if (corrected) KADR_TRY(correct(named));
     KADR_TRY(arc_beside_contour(m_, where, turn_ == Turn::cw ? "G2" : "G3"));
     KADR_TRY(m_.feed_known(where));
@@ -48,14 +49,14 @@ class Circular {
     if (!arc) return fail(arc.error());
     KADR_TRY(helix(start, end, *arc));
     KADR_TRY(turned_in_plane(m_, axes_, where, turn_ == Turn::cw ? "G2" : "G3"));
-    // Unequal factors make an ellipse of a circle (Mach3 10.7.15).
+    // Unequal scale factors make an ellipse of a circle (Mach3 10.7.15).
     if (m_.transform.distorts(axes_)) return start_ellipse(*arc, end, named);
     hand_on(*arc, end, named);
     return {};
   }
 
  private:
-  /// L moves the end point (spec/correctors 1); INFERRED: I, J, K give the centre from the tool's actual position.
+  /// L moves the end point by a corrector (offset; spec/correctors 1); INFERRED: I, J, K give the centre from the tool's actual position.
   Status correct(AxisMask& named) {
     const auto added = m_.dialect->add_to_motion(m_);
     if (!added) return fail(added.error());
@@ -87,14 +88,14 @@ class Circular {
 
   bool has_center(std::size_t axis) const { return m_.letters.center_letter[axis] != 0 && m_.has(m_.letters.center_letter[axis]); }
 
-  /// Returns a coordinate of the centre; without a word, that of the start point. INFERRED for absolute centres.
+  /// Returns a coordinate of the centre; if it has no word, the coordinate of the start point. INFERRED for absolute centres.
   double center(std::size_t axis, double start) const {
     if (!has_center(axis)) return start;
     const double v = m_.length_value(m_.letters.center_letter[axis]);
     return rule_.absolute ? v : start + v;
   }
 
-  /// 2С42 6.6.6: with a motion on the normal axis K is the lead; Z/K is a whole number, the number of revolutions.
+  /// 2С42 6.6.6: with a motion along the normal axis K is the lead of the helix; Z/K is a whole number, the number of revolutions.
   Status helix(const Axes& start, const Axes& end, PlaneArc& arc) {
     if (!rule_.lead_on_normal) return {};
     const double rise = std::fabs(end[axes_.normal] - start[axes_.normal]);
@@ -109,11 +110,11 @@ class Circular {
     const double whole = std::round(turns);
     if (!(lead > 0) || whole < 1 || std::fabs(turns - whole) > tol::whole_turns)
       return fail(alarm(AlarmId::turns_not_whole, m_.where(letter), rise, lead));
-    arc.turns += whole - 1;  // INFERRED: the arc itself, then whole revolutions
+    arc.turns += whole - 1;  // INFERRED: the arc itself comes first, then the whole revolutions
     return {};
   }
 
-  /// Starts an ellipse, after checking that all of it is within reach before the first piece moves.
+  /// Starts an ellipse, after checking that all of it is within reach before the first straight motion.
   Status start_ellipse(const PlaneArc& arc, const Axes& end, AxisMask named) {
     EllipseRun::Job job;
     job.first = axes_.first;
@@ -182,7 +183,7 @@ Status Emitter::plain_arc(Turn turn, Span where) { return Circular(*this, turn).
 Status functions::arc_cw(Emitter& m, const Call& call) { return circular(m, call, Turn::cw, MotionMode::arc_cw); }
 Status functions::arc_ccw(Emitter& m, const Call& call) { return circular(m, call, Turn::ccw, MotionMode::arc_ccw); }
 
-/// G12 / G13 (Mach3): from the centre out along +X by I, the full circle, and back; arg: 2 clockwise, 3 counter-clockwise.
+/// G12, G13 (Mach3): from the centre out along +X by I, the full circle, and back to the centre; arg: 2 clockwise, 3 counter-clockwise.
 Status functions::circular_pocket(Emitter& m, const Call& call) {
   if (m.modal.radius_side != 0) return fail(alarm(AlarmId::compensation_active, call.where, call.row->code));
   KADR_TRY(m.feed_known(call.where));

@@ -21,8 +21,8 @@ bool is_contour(MotionKind kind) { return kind == MotionKind::rapid || kind == M
 
 double beside(const Modal& modal) { return modal.contour_side == 0 ? 0 : length(modal.contour_vector); }
 
-/// Warns if the tool continues in another axis while it is still offset from the contour: a hole or a step there is rarely intended.
-/// Once per contour; G40 of the 2С42 has Z as a word of its own (6.4.7).
+/// Warns, once per contour, if the tool moves along another axis while it is still offset from the contour: a drilled hole or a step
+/// there is rarely intended. On the 2С42 no warning is given for Z in the block with G40, where Z is a word of G40 (6.4.7).
 void tell_beside(Emitter& m, const Motion& motion, const Axes& from) {
   if (m.modal.beside_told || beside(m.modal) <= tol::same_point || !is_contour(motion.kind)) return;
   if (m.has_code({Function::compensation_off})) return;
@@ -33,8 +33,8 @@ void tell_beside(Emitter& m, const Motion& motion, const Axes& from) {
   m.warn(warning(AlarmId::beside_contour, m.block->where, beside(m.modal)));
 }
 
-/// Handles the motion that leaves the contour after G40, or one that does not move the tool in the plane. The plane is that of the
-/// contour, whatever plane was selected after G40.
+/// Handles the motion that leaves the contour after G40, or a motion that does not move the tool in the plane. The plane is the plane of
+/// the contour, whatever plane was selected after G40.
 void lead_off(Emitter& m, Motion& motion, const Axes& from) {
   Modal& modal = m.modal;
   motion.side = modal.contour_side;
@@ -49,8 +49,8 @@ void lead_off(Emitter& m, Motion& motion, const Axes& from) {
   modal.contour_side = 0;
 }
 
-/// Returns the offset at the end of a straight motion: normal to it, or
-/// normal to the path tangent to the tool's circle (RS274/NGC, first move).
+/// Returns the offset vector at the end of a straight motion: normal to the motion, or (first move in RS274/NGC) normal to the path that
+/// is tangent to the tool's circle.
 Vec2 vector_at_end(const Motion& motion, Vec2 way) {
   const double distance = length(way), radius = motion.tool_radius;
   const Vec2 ahead = 1 / distance * way, left{-ahead.y, ahead.x};
@@ -60,8 +60,8 @@ Vec2 vector_at_end(const Motion& motion, Vec2 way) {
   return motion.side * radius * (along * left - motion.side * across * ahead);
 }
 
-/// Any motion of a queued contour begins or continues it, whatever axes it
-/// moves; after G40 any motion leads to its own end point (spec/linuxcnc 7.5).
+/// Every motion of a queued contour starts or continues the contour, whatever axes it moves; after G40 every motion leads to its own end
+/// point (spec/linuxcnc 7.5).
 void note_queued(BlockContext& m, Motion& motion, const Axes& from) {
   Modal& modal = m.modal;
   if (modal.contour == ContourPhase::leaving) return void(modal.contour = ContourPhase::off);
@@ -86,7 +86,7 @@ Status begin_contour(BlockContext& m, const Call& call, std::int8_t side) {
   Modal& modal = m.modal;
   const bool queued = m.def.behaviour.queues_contours();
   if (modal.contour == ContourPhase::leaving && !queued &&
-      mask_of(modal.contour_axes) != plane_mask(m))  // offset from a contour in another plane
+      mask_of(modal.contour_axes) != plane_mask(m))  // the tool is offset from a contour in another plane
     return fail(alarm(AlarmId::compensation_active, call.where, call.row->code));
   modal.radius_side = side;
   modal.beside_told = false;

@@ -14,19 +14,19 @@ Status begin_contour(BlockContext& m, const Call& call, std::int8_t side);
 /// motion in its plane: plane, unit and work offset may change there (RS274/NGC: the mode ends with G40).
 bool compensates(const Modal& modal);
 
-/// Makes the tool's actual position the programmed one if it is still offset from the contour: for codes that refer to "the current
-/// point" (G92, G16: Mach3 10.7.27, 10.7.6).
+/// Makes the tool's actual position the programmed position if the tool is still offset from the contour: for codes that refer to "the
+/// current point" (G92, G16: Mach3 10.7.27, 10.7.6).
 void take_up_contour(Emitter& m);
 
 /// Records where the tool is at the end of an arc, once the centre of the arc is known.
 void note_arc_end(BlockContext& m, const Motion& arc);
 
-/// G40: the next motion in the plane leaves the contour; G40 alone moves nothing.
+/// G40: the next motion in the plane leaves the contour; the block with G40 alone moves nothing.
 ///   alarms  compensation_two_blocks: the contour has only one block (2С42 6.4.7)
 Status end_contour(Emitter& m, const Call& call);
 
-/// For M0 and similar codes: first executes what a queued contour holds
-/// back, up to the position offset from its last point (spec/linuxcnc 7.5).
+/// For M0 and similar codes: first executes the motions that a queued contour holds back, up to the position offset from the contour's
+/// last point (spec/linuxcnc 7.5).
 void stop_beside_contour(Emitter& m);
 
 /// Returns true if G0 or G1 alone is a motion too: with length zero it begins a queued contour or leaves it.
@@ -45,7 +45,7 @@ Status contour_allows_infeed(const BlockContext& m, Span where);
 ///   alarms  compensation_begins_in_arc, compensation_ends_in_arc
 Status arc_beside_contour(const BlockContext& m, Span where, std::string_view code);
 
-/// Sets side, radius and corner joint of a motion that is emitted, and tracks the progress of the contour.
+/// Sets side, radius and corner joint of a motion that is emitted, and updates the progress of cutter compensation.
 ///   from  start of the motion, work coordinates
 void note_contour(Emitter& m, Motion& motion, const Axes& from);
 

@@ -1,4 +1,4 @@
-// Ends, calls, returns, repetitions.
+// Functions for ends, calls, returns and repetitions.
 
 #include "control/functions/behind_fault.h"
 #include "control/functions/functions.h"
@@ -7,7 +7,7 @@
 namespace kadr {
 namespace {
 
-/// Ends the program: no call or repetition may be open; the control's end-of-program codes come into force.
+/// Ends the program: no call or repetition may be open. The control's end-of-program codes come into force.
 Status end_program(Interpreter& m, Span where) {
   if (m.program().depth() != 0) {
     const CallFrame& top = m.flow.frames().back();
@@ -20,10 +20,10 @@ Status end_program(Interpreter& m, Span where) {
     const CodeRow& row = m.def.codes[static_cast<std::size_t>(row_index)];
     const bool switches_off = (row.function == Function::spindle_stop && m.modal.spindle != SpindleDir::stop) ||
                               (row.function == Function::coolant_off && (m.modal.flood || m.modal.mist));
-    const bool told = m.def.has_lines_alone() && switches_off;  // the next lines run with spindle and coolant off
+    const bool told = m.def.has_lines_alone() && switches_off;  // lines that the operator sends next run with spindle and coolant off
     const std::size_t silent = m.batch->size();
     (void)handler_of(row.function)(m, {&row, nullptr, where});
-    if (row.letter == 'M' && !told) m.batch->cut(silent);  // M2 itself stops spindle and coolant: no action of their own
+    if (row.letter == 'M' && !told) m.batch->cut(silent);  // M2 itself stops spindle and coolant: their stops are no separate actions
     if (row.group != 0 && row.modal) m.modal.rows[row.group] = static_cast<std::int16_t>(row_index);
   }
   return {};
@@ -35,12 +35,12 @@ Status leave_subprogram(Interpreter& m, Span where) {
   if (!left) return fail(left.error());
   if (!*left) return {};
   restore_zero(m, **left);
-  const auto then = (*left)->then;  // the rest of the calling block, which may end a subprogram itself
+  const auto then = (*left)->then;  // what remains of the calling block, which may end a subprogram itself
   for (const std::int16_t row : then) {
     if (row < 0) break;
     const CodeRow& code = m.def.codes[static_cast<std::size_t>(row)];
     KADR_TRY(handler_of(code.function)(m, {&code, nullptr, where}));
-    if (code.function == Function::subprogram_end) break;  // `M17 M2`: M2 ends the section
+    if (code.function == Function::subprogram_end) break;  // `M17 M2`: M2 ends the section of subprograms
   }
   return {};
 }
@@ -54,7 +54,7 @@ Status tape_end(Interpreter& m, const Call& call) { return end_program(m, call.w
 
 Status repeat_program(Interpreter& m, const Call& call) { return m.begin_again(call.where); }
 
-/// M98 P (Mach3), L or Q times.
+/// M98 P (Mach3): calls a subprogram L or Q times.
 Status call_subprogram(Interpreter& m, const Call& call) {
   if (!m.has('P')) return fail(alarm(AlarmId::word_missing, call.where, 'P', "M98"));
   const auto name = m.whole('P', 0, 999'999'999);
@@ -70,13 +70,13 @@ Status call_subprogram(Interpreter& m, const Call& call) {
   return m.flow.call(*name, times, m.origin, call.where);
 }
 
-/// M99: returns to the caller; in the main program, starts it again (spec/mach3 1).
+/// M99: returns to the caller; in the main program, starts the main program again (spec/mach3 1).
 Status subprogram_return(Interpreter& m, const Call& call) {
   if (m.program().depth() == 0) return m.begin_again(call.where);
   return leave_subprogram(m, call.where);
 }
 
-/// M17 (2С42 6.3.6).
+/// M17: ends a subprogram (2С42 6.3.6).
 Status subprogram_end(Interpreter& m, const Call& call) { return leave_subprogram(m, call.where); }
 
 /// H: repeats the blocks from the next one to M20 the given number of times (2С42 6.4.6).

@@ -1,4 +1,4 @@
-// The table from a function's name to its code, and the functions that only set a mode.
+// The table from the name of a function to the C++ function, and the functions that only set a mode.
 
 #include "control/functions/functions.h"
 
@@ -10,7 +10,7 @@
 namespace kadr {
 namespace {
 
-/// Wraps a function as an entry of the table.
+/// Wraps a C++ function as an entry of the table.
 template <Status (*function)(Emitter&, const Call&)>
 Status entry(Interpreter& m, const Call& call) {
   return function(m, call);
@@ -37,7 +37,7 @@ Status set_plane(Emitter& m, Plane plane) {
 
 Status set_feed_mode(BlockContext& m, FeedMode mode) {
   Modal& modal = m.modal;
-  if (modal.feed_mode != mode && m.dialect->keeps_both_feeds()) {  // one feed per unit (nct 6.2.1)
+  if (modal.feed_mode != mode && m.dialect->keeps_both_feeds()) {  // the dialect keeps one feed per unit (nct 6.2.1)
     std::swap(modal.feed, modal.other_feed);
     std::swap(modal.feed_known, modal.other_feed_known);
   } else if (modal.feed_mode != mode) {
@@ -62,7 +62,7 @@ Handler handler_of(Function function) { return handlers[static_cast<std::size_t>
 
 namespace functions {
 
-// Addresses that other functions read; they do nothing by themselves.
+// Addresses that other functions read; the address alone has no effect.
 Status block_number(Emitter&, const Call&) { return {}; }
 Status axis(Emitter&, const Call&) { return {}; }
 Status center(Emitter&, const Call&) { return {}; }
@@ -101,7 +101,7 @@ Status surface_speed(Emitter& m, const Call&) {
   m.emit(m.surface_speed());
   return {};
 }
-/// The spindle keeps its present speed.
+/// G97: the spindle keeps its present speed.
 Status spindle_rpm(Emitter& m, const Call&) {
   if (m.modal.surface_speed) m.modal.rpm = m.surface_speed().rpm(m.position.work, m.modal.rpm);
   m.modal.surface_speed = false;

@@ -1,5 +1,6 @@
 #pragma once
-// The functions of the interpreter, one for each row of config/function.h that acts. A row of a control's file calls one by its name.
+// The functions of the interpreter, one for each row of config/function.h that has an effect. A row of a control's file calls a function
+// by its name.
 
 #include <type_traits>
 

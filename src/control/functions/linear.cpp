@@ -13,7 +13,7 @@ namespace {
 constexpr std::uint64_t x_bit = letter_bit('X');
 constexpr std::uint64_t y_bit = letter_bit('Y');
 
-/// Mach3 10.7.6: X is the radius and Y the angle from the pole; a word left out keeps its last value.
+/// Mach3 10.7.6: X is the radius and Y the angle from the pole; the radius or angle without a word keeps its last value.
 void polar_target(BlockContext& m, Axes& to, AxisMask& named) {
   if ((m.block->letters & (x_bit | y_bit)) == 0) return;
   Modal& modal = m.modal;
@@ -58,7 +58,7 @@ Status straight(Emitter& m, const Call& call, MotionKind kind, MotionMode mode) 
     if (!added) return fail(added.error());
     named |= *added;
   }
-  if (named == 0 && !leads_without_words(m)) return {};  // the code alone: only the mode
+  if (named == 0 && !leads_without_words(m)) return {};  // a block with the code alone only sets the mode
   if (kind == MotionKind::feed) KADR_TRY(m.feed_known(call.where));
   if (m.block_machine_coordinates) return machine_motion(m, kind);
   if (m.dialect->only_shifts(m)) {
@@ -77,7 +77,8 @@ bool axes_taken_by_code(const BlockContext& m) {
   return false;
 }
 
-/// Machine points, reference points and probes are not allowed during cutter compensation (Mach3 10.7.12; 2С42 INFERRED).
+/// Checks that cutter compensation is off: machine points, reference points and probes are not allowed during it (Mach3 10.7.12; 2С42
+/// INFERRED).
 Status no_compensation(const BlockContext& m, const Call& call) {
   if (m.modal.radius_side == 0) return {};
   return fail(alarm(AlarmId::compensation_active, call.where, call.row->code));
@@ -123,8 +124,8 @@ Status machine_coordinates(Emitter& m, const Call& call) {
   return {};
 }
 
-/// G28 / G30 (Mach3 10.7.10): through the programmed point to the home position, at rapid. arg: 1 home, 2 second home.
-/// INFERRED: only the named axes go home; without axis words all of them, at once.
+/// G28, G30 (Mach3 10.7.10): through the programmed point to the home position, at rapid. arg: 1 home, 2 second home. INFERRED: only the
+/// named axes go home; without axis words all axes go home at once.
 Status home_through(Emitter& m, const Call& call) {
   KADR_TRY(no_compensation(m, call));
   const std::uint32_t first = m.variables.first(call.row->arg == 2 ? VariableKind::home_second : VariableKind::home);
@@ -139,7 +140,7 @@ Status home_through(Emitter& m, const Call& call) {
   return m.to_machine(MotionKind::home, home, named_axes(m), 0, call.row->arg == 2 ? EndGiven::reference_2 : EndGiven::reference_1);
 }
 
-/// G28.1 (Mach3 10.7.11): the axes go to their switches at feed; the commanded end point is the reference point.
+/// G28.1 (Mach3 10.7.11): the axes move to their switches at feed; the end point of the Motion is the reference point.
 Status home_axes(Emitter& m, const Call& call) {
   KADR_TRY(no_compensation(m, call));
   KADR_TRY(m.feed_known(call.where));

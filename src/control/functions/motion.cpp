@@ -35,14 +35,14 @@ Status BlockContext::axis_words(Axes& to, AxisMask& named) const {
   return {};
 }
 
-/// Returns the next action of the batch as a motion to the computed position. Its modes are leftovers of an earlier action.
+/// Returns the next action of the batch as a motion to the computed position. Its modes are still those of an earlier action.
 Motion& Emitter::next_motion() {
   Action& action = batch->add();
   action.origin = origin;
   Motion* const reused = motion_of(action);
   Motion& motion = reused != nullptr ? *reused : action.what.emplace<Motion>();
   motion.detail.reset();
-  for (std::size_t a = 0; a < axis_count; ++a) {  // the others stay 0
+  for (std::size_t a = 0; a < axis_count; ++a) {  // the coordinates of the other axes stay 0
     motion.to[a] = position.work[a];
     motion.machine[a] = position.machine[a];
   }
@@ -50,7 +50,7 @@ Motion& Emitter::next_motion() {
 }
 
 std::uint16_t BlockContext::length_row() const {
-  const bool ends_with_its_number = def.grammar.o_words;  // LinuxCNC: G49 clears the number, and there is no sign
+  const bool ends_with_its_number = def.grammar.o_words;  // LinuxCNC: G49 clears the number of the length offset, and there is no sign
   if (modal.length_sign == 0 && !ends_with_its_number) return 0;
   return static_cast<std::uint16_t>(modal.length_number != 0 ? modal.length_number : modal.offset_number);
 }
@@ -117,8 +117,8 @@ Status Emitter::straight(MotionKind kind, const Axes& programmed, AxisMask named
   return {};
 }
 
-/// Computes the feed along a line on which an axis has its own feed (GOST 20999-83). INFERRED: the path remains a line; the axis, or
-/// the rest of the axes together, that needs the longest time determines the feed.
+/// Computes the feed along a straight motion on which an axis has its own feed (GOST 20999-83). INFERRED: the path remains straight; the
+/// axis that needs the longest time, or the group of the other axes if it needs longer, determines the feed.
 double BlockContext::feed_by_axes(const Motion& motion) const {
   double time = 0, rest = 0, all = 0;
   for (std::size_t a = 0; a < axis_count; ++a) {
@@ -296,7 +296,7 @@ void Emitter::apply_mirror() {
   for (std::size_t a = 0; a < axis_count; ++a) {
     bool on = mirror_switches[a];
     if (a == 1 && modal.plane == Plane::zx) on = false;  // 2С42 6.8: with G18 Y is not mirrored
-    if (a == 0 && modal.plane == Plane::yz) on = false;  // with G19 X is not
+    if (a == 0 && modal.plane == Plane::yz) on = false;  // with G19 X is not mirrored
     transform.mirror[a] = on ? std::int8_t{-1} : std::int8_t{1};
   }
   transform.refresh();

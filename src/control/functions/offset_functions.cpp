@@ -15,7 +15,8 @@ Result<std::uint32_t> offset_number(const BlockContext& m, char letter, std::uin
   return m.whole(letter, 0, m.def.behaviour.offsets);
 }
 
-/// Mach3 10.7.13: XY plane only, and not if already on; the number is D or the tool in the spindle; P overrides the radius.
+/// Mach3 10.7.13: only in the XY plane, and only if compensation is off; the number is D or the tool in the spindle; P overrides the
+/// radius.
 Status radius_comp(BlockContext& m, const Call& call, std::int8_t side) {
   if (m.def.behaviour.reads_arc_radius()) {
     if (m.modal.plane != Plane::xy) return fail(alarm(AlarmId::plane_wrong, call.where, call.row->code));
@@ -35,14 +36,14 @@ Status length(Emitter& m, const Call& call, std::int8_t sign) {
     const auto number = offset_number(m, 'H', 0);
     if (!number) return fail(number.error());
     m.modal.length_number = *number;
-    // Without H, Mach3 takes 0; where T0404 names a corrector, the one in force applies (spec/gost 4).
+    // Without H, Mach3 uses 0; on controls where T0404 names a corrector (offset), the corrector in force applies (spec/gost 4).
     if (*number == 0 && !(m.def.behaviour.tool_and_corrector && !m.has('H'))) m.modal.length_sign = 0;
   }
   m.change_frames();
   return {};
 }
 
-/// 2С42, note to 6.4.1: a work offset changes only on a straight motion, with G90 and G40.
+/// 2С42, note to 6.4.1: checks that the work offset changes only in a block with a straight motion, G90 and G40.
 Status check_zero_change(const BlockContext& m, Span where) {
   if (!m.def.gives(AlarmId::zero_change)) return {};
   const bool in_force = m.modal.motion == MotionMode::rapid || m.modal.motion == MotionMode::linear;
@@ -52,7 +53,7 @@ Status check_zero_change(const BlockContext& m, Span where) {
   return fail(alarm(AlarmId::zero_change, where));
 }
 
-/// Updates the tool's programmed coordinates after a new transformation; the tool does not move.
+/// Updates the tool's programmed coordinates after the transformation has changed; the tool does not move.
 void transform_changed(BlockContext& m) {
   m.transform.refresh();
   m.position.programmed = m.transform.to_programmed(m.position.work);
@@ -76,7 +77,7 @@ void store_set_position(BlockContext& m) {
   (void)m.variables.take_frames_changed();
 }
 
-/// a + sign · b
+/// Returns a + sign · b.
 Axes sum(const Axes& a, const Axes& b, double sign) {
   Axes c;
   for (std::size_t i = 0; i < max_axes; ++i) c[i] = a[i] + sign * b[i];
@@ -106,8 +107,8 @@ Status radius_comp_left(Emitter& m, const Call& call) { return radius_comp(m, ca
 Status radius_comp_right(Emitter& m, const Call& call) { return radius_comp(m, call, +1); }
 Status radius_comp_off(Emitter& m, const Call& call) { return end_contour(m, call); }
 
-/// G40 of the 2С42 ends the radius compensation; with a Z motion in its
-/// block the length compensation too (6.4.7, INFERRED for blocks without Z).
+/// G40 of the 2С42 ends the radius compensation; if its block has a Z motion, it ends the length compensation too (6.4.7, INFERRED for
+/// blocks without Z).
 Status compensation_off(Emitter& m, const Call& call) {
   KADR_TRY(end_contour(m, call));
   if (m.has('Z') && m.modal.length_sign != 0) {
@@ -151,7 +152,7 @@ Status work_zero(Emitter& m, const Call& call) {
   return {};
 }
 
-/// G54–G59, G59 P (Mach3 10.7.18); arg: the fixture number; P has priority.
+/// G54–G59, G59 P (Mach3 10.7.18); arg: the fixture number; if P is given, it is used instead of arg.
 Status fixture(Emitter& m, const Call& call) {
   if (m.modal.radius_side != 0) return fail(alarm(AlarmId::compensation_active, call.where, call.row->code));
   auto number = static_cast<std::uint32_t>(call.row->arg);
@@ -183,7 +184,7 @@ Status zero_shift(Emitter& m, const Call& call) {
   return {};
 }
 
-/// G92 of GOST (turning example, N5): the origin moves from the machine's M to the part's W by the given amounts.
+/// G92 of GOST (turning example, N5): the origin moves by the given amounts from the machine's origin M to the workpiece's origin W.
 Status part_zero(Emitter& m, const Call& call) {
   if (!m.has_axis_words()) return fail(alarm(AlarmId::no_axis_word, call.where, call.row->code));
   each_axis_word(m, [&](std::size_t a, double v) { m.zero_shift[a] = v; });
@@ -191,8 +192,8 @@ Status part_zero(Emitter& m, const Call& call) {
   return {};
 }
 
-/// G52 (Mach3 10.7.16): the origin of the work system moves by the given amounts; it shares one mechanism with G92. The amounts are
-/// scaled and rotated like other words: with X at 4 `G52 X7` makes X read -3.
+/// G52 (Mach3 10.7.16): the origin of the work system moves by the given amounts; G52 and G92 store the shift in the same variable. The
+/// amounts are scaled and rotated like other words: with X at 4 `G52 X7` makes X read -3.
 Status temporary_shift(Emitter& m, const Call& call) {
   if (!m.has_axis_words()) return fail(alarm(AlarmId::no_axis_word, call.where, call.row->code));
   if (any_nonzero(m.set_position) && !m.set_position_by_g52) return fail(alarm(AlarmId::not_together, call.where, "G52", "G92"));
@@ -208,8 +209,9 @@ Status temporary_shift(Emitter& m, const Call& call) {
   return {};
 }
 
-/// G92 (Mach3 10.7.27): the current point gets the given coordinates, as the words of the program: under G68 and G51 the origin is
-/// placed so that the tool, rotated and scaled, reads them. After G40 the current point is the tool's actual position.
+/// G92 (Mach3 10.7.27): the current point gets the given coordinates in the program's terms: under G68 and G51 the origin is placed so
+/// that the tool's position, after rotation and scaling, reads as these coordinates. After G40 the current point is the tool's actual
+/// position.
 Status set_position(Emitter& m, const Call& call) {
   if (!m.has_axis_words()) return fail(alarm(AlarmId::no_axis_word, call.where, call.row->code));
   if (any_nonzero(m.set_position) && m.set_position_by_g52) return fail(alarm(AlarmId::not_together, call.where, "G92", "G52"));
@@ -273,7 +275,8 @@ Status set_data(Emitter& m, const Call& call) {
   return {};
 }
 
-/// G51 (Mach3 10.7.15): sets the factors of the axes that have a word; other axes keep theirs. I and J must equal the factors of X and Y.
+/// G51 (Mach3 10.7.15): sets the scale factors of the axes that have a word; other axes keep their factors. I and J must equal the
+/// factors of X and Y.
 Status scale_on(Emitter& m, const Call& call) {
   if (!m.has_axis_words()) return fail(alarm(AlarmId::no_axis_word, call.where, call.row->code));
   for (std::size_t a = 0; a < m.axis_count; ++a) {
@@ -297,7 +300,7 @@ Status scale_off(Emitter& m, const Call&) {
   return {};
 }
 
-/// G68 A B R I (Mach3 10.7.20): rotation by R about (A, B); with I, R is added to the present angle.
+/// G68 A B R I (Mach3 10.7.20): rotates by R about the point (A, B); with I, R is added to the present angle.
 Status rotation_on(Emitter& m, const Call& call) {
   if (m.modal.plane != Plane::xy) return fail(alarm(AlarmId::plane_wrong, call.where, call.row->code));
   if (!m.has('R')) return fail(alarm(AlarmId::word_missing, call.where, 'R', call.row->code));

@@ -5,14 +5,14 @@
 
 namespace kadr {
 
-/// Calls subprogram or cycle nn, mm times; with only two digits, once (6.3.3).
+/// Calls subprogram or cycle nn, mm times; once if L has only two digits (6.3.3).
 ///   alarms  too_few_digits, subprogram_missing, cycle_override, cycle_peck, variable_not_set
 Status call_section(Interpreter& m, const Call& call);
 
-/// Returns the canned cycle that `L` with this number calls, or nullptr.
+/// Returns the canned cycle that `L` with this number calls, or nullptr if it calls none.
 const CycleRow* called_cycle(const ControlDef& def, std::uint32_t number);
 
-/// Restores, on return, a work offset that a subprogram has changed (last section).
+/// Restores, on return, the work offset of the caller if the subprogram has changed it (last section).
 void restore_zero(Emitter& m, const CallFrame& left);
 
 }  // namespace kadr

@@ -14,7 +14,7 @@ bool turns_spindle(const BlockContext& m) {
   return m.has_code({Function::spindle_cw, Function::spindle_ccw, Function::spindle_cw_coolant, Function::spindle_ccw_coolant});
 }
 
-/// Returns true if the dialect has commanded other spindles than the first one.
+/// Returns true if the spindle code is for spindles other than the first one; the dialect has then commanded them.
 Result<bool> is_for_others(Emitter& m, SpindleDir dir, Span where) { return m.dialect->turns_spindle(m, dir, where); }
 
 Status turn_spindle(Emitter& m, SpindleDir dir, Span where) {
@@ -49,7 +49,7 @@ Status dwell_for(Emitter& m, char letter) {
   return {};
 }
 
-/// Sets the feed of one axis: an F between the axis words.
+/// Sets the feed of one axis: F is written between the axis words.
 Status feed_of_axis(BlockContext& m, const Call& call, std::size_t axis, double feed) {
   const bool arc =
       m.has_code({Function::arc_cw, Function::arc_ccw}) ||
@@ -62,7 +62,7 @@ Status feed_of_axis(BlockContext& m, const Call& call, std::size_t axis, double 
   return {};
 }
 
-/// Checks that no other F of the block is for all axes.
+/// Checks that the block has no other F that is for all axes.
 Status only_common_feed(const BlockContext& m, const Word& f) {
   for (std::uint32_t i = 0; &m.block->words[i] != &f; ++i)
     if (m.block->words[i].address == 'F' && !m.axis_of_feed(i)) return fail(alarm(AlarmId::address_twice, f.where, 'F'));
@@ -89,8 +89,8 @@ Status common_feed(Emitter& m, Span where, double value) {
   return {};
 }
 
-/// Executes F on a control where it may belong to one axis. The feed of an axis stays in force until that axis gets another one, or until a
-/// block has a single F for all axes.
+/// Executes F on a control where F may belong to one axis. The feed of an axis stays in force until that axis gets another feed, or until
+/// a block has a single F for all axes.
 Status gost_feed(Emitter& m, const Call& call) {
   const double value = call.word->value * m.def.address('F').scale;
   const auto index = static_cast<std::uint32_t>(call.word - m.block->words.data());
@@ -130,7 +130,7 @@ Status tool_word(Emitter& m, const Call& call) {
   const auto number = m.whole('T', 0, 99'999'999);
   if (!number) return fail(number.error());
   constexpr std::uint32_t marked =
-      100;  // T112 of the 2С42: tool 12, which is in the spindle; INFERRED: for another tool the digit is an error
+      100;  // T112 of the 2С42: tool 12, and 1 means that it is in the spindle; INFERRED: for another tool the digit is an error
   if (m.def.grammar.word('T').one_more && *number >= marked) {
     if (m.modal.tool != *number % marked) return fail(alarm(AlarmId::too_many_digits, call.where, 'T', 3.0, 2.0));
     m.modal.tool_selected = m.modal.tool;
@@ -189,7 +189,7 @@ Status coolant_off(Emitter& m, const Call&) {
   return {};
 }
 
-/// Executes G4. Its table row names the word with the time: E in 0.1 s (2С42), P in s.
+/// Executes G4. Its row in the control's table names the word with the time: E in 0.1 s (2С42), P in s.
 Status dwell(Emitter& m, const Call& call) {
   for (char letter = 'A'; letter <= 'Z'; ++letter)
     if ((call.row->takes & letter_bit(letter)) != 0 && m.has(letter)) return dwell_for(m, letter);
@@ -211,7 +211,7 @@ Status program_stop(Emitter& m, const Call&) {
 Status optional_stop(Emitter& m, const Call& call) {
   stop_beside_contour(m);
   m.use.note(UseKind::optional_stop, 1, m.origin);
-  const bool always_told = call.row->arg == 1;  // the machine reads the switch, not the interpreter
+  const bool always_told = call.row->arg == 1;  // the machine's logic reads the switch, not the interpreter
   if (m.optional_stop_on || always_told) m.emit(Stop{true});
   return {};
 }

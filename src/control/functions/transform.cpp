@@ -22,7 +22,7 @@ void Transform::refresh() {
   turn_ = sincos_deg(rotation);
 }
 
-/// Rotates about the centre, in place.
+/// Rotates a point about the rotation centre, in place.
 void Transform::turn(Axes& at, SinCos by) const {
   if (rotation == 0) return;
   const Vec2 arm = Vec2{at[first], at[second]} - rotation_center;

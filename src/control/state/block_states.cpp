@@ -1,4 +1,4 @@
-// States after past blocks. Used by Control::state_of(); tested by tests/control/block_states_test.cpp.
+// Stores the states after past blocks. Used by Control::state_of(); tested by tests/control/block_states_test.cpp.
 
 #include "control/state/block_states.h"
 
@@ -7,10 +7,10 @@
 namespace kadr {
 namespace {
 
-/// Block numbers wrap around after four thousand million blocks, so that their order follows from their difference.
+/// Block numbers wrap around after 2^32 (four thousand million) blocks, so the sign of their difference gives their order.
 bool is_after(std::uint32_t a, std::uint32_t b) { return static_cast<std::int32_t>(a - b) > 0; }
 
-constexpr std::uint32_t renewed = 1u << 30;  // a state that remains valid longer is stored again, so that differences stay small
+constexpr std::uint32_t renewed = 1u << 30;  // a state valid for more blocks than this is stored again, so that differences stay small
 
 /// Compares everything but the tool position, which the motions themselves contain.
 bool same_modes(const ControlState& a, const ControlState& b) {

@@ -11,8 +11,8 @@ namespace kadr {
 struct FarAxis {
   std::size_t axis = 0;               // index in this channel
   int other = 0;                      // number of the other axis; the numbers are unique across the channels
-  AxisLink link = AxisLink::follows;  // or exchanged
-  double sign = 1;                    // direction in which the axis follows
+  AxisLink link = AxisLink::follows;  // follows the other axis, or is exchanged with it
+  double sign = 1;                    // +1 or -1: direction in which the axis follows the other axis
   friend bool operator==(const FarAxis&, const FarAxis&) = default;
 };
 

@@ -22,7 +22,7 @@ class Journal {
     if (!undos_.empty()) [[unlikely]]
       undos_.clear();
   }
-  /// Records `cell`, which is about to be written. It must not move in memory before the block is over.
+  /// Records the value of `cell`, which is about to be written. The cell must not move in memory before the block is over.
   template <class T>
   void keep(T& cell) {
     static_assert(std::is_trivially_copyable_v<T> && alignof(T) <= alignof(Change));
@@ -42,9 +42,9 @@ class Journal {
   std::uint64_t block() const { return block_; }
 
  private:
-  /// Comes after the bytes of the old value, so that the last change is found first.
+  /// The header of a change; it comes after the bytes of the old value, so that the last change is found first.
   struct Change {
-    void* cell;        // nullptr: undos_[size]
+    void* cell;        // nullptr: the change is undone by the function undos_[size]
     std::size_t size;  // bytes
   };
   static constexpr std::size_t step = alignof(Change);
@@ -68,7 +68,8 @@ class Journal {
   std::uint64_t block_ = 0;
 };
 
-/// A table's link to its journal. It belongs to the object, not to its value: a table that another one is copied into keeps its own link.
+/// A table's link to its journal. The link belongs to the table object, not to its value: a table that another table is copied into keeps
+/// its own link.
 class JournalLink {
  public:
   JournalLink() = default;
@@ -90,7 +91,7 @@ class JournalLink {
 
  private:
   Journal* journal_ = nullptr;
-  std::uint64_t seen_ = 0;  // block of the last is_first()
+  std::uint64_t seen_ = 0;  // number of the block in which is_first() was called last
 };
 
 }  // namespace kadr

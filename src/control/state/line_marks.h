@@ -8,21 +8,21 @@ namespace kadr {
 
 class LineMarks {
  public:
-  static constexpr std::uint32_t lines_a_mark = 32, marks = 1U << 15;  // a million lines have their own marks; beyond, marks are shared
+  static constexpr std::uint32_t lines_a_mark = 32, marks = 1U << 15;  // a million lines have their own marks; later lines share them
 
   void note(std::uint16_t file, std::uint32_t line) {
     const std::uint32_t mark = mark_of(file, line);
     bits_[mark / 64] |= std::uint64_t{1} << mark % 64;
     ++blocks_;
   }
-  /// Returns false if the run has certainly not reached the line.
+  /// Returns false if the run has certainly not reached the line; true if it may have.
   bool may_hold(std::uint16_t file, std::uint32_t line) const {
     const std::uint32_t mark = mark_of(file, line);
     return (bits_[mark / 64] >> mark % 64 & 1U) != 0;
   }
   /// Number of blocks recorded.
   std::uint64_t blocks() const { return blocks_; }
-  /// Adds the marks of another run.
+  /// Adds the marks of another run to these.
   void add(const LineMarks& other) {
     for (std::size_t i = 0; i < bits_.size(); ++i) bits_[i] |= other.bits_[i];
     blocks_ += other.blocks_;

@@ -25,7 +25,7 @@ struct RunLimits {
 };
 
 struct Program {
-  std::string file;  // its name, for messages
+  std::string file;  // name of the program's file, for messages
   std::unique_ptr<ByteSource> source;
   std::optional<Encoding> encoding;
 };

@@ -15,12 +15,12 @@ class BlockContext;
 enum class UseKind : std::uint8_t {
   length,         // an offset's length comes into force: by H, or by D of the 2С42
   radius,         // an offset's radius comes into force
-  work_zero,      // by the row of its table; work_systems() of config/setup_names gives the names
-  corrector,      // of an axis, or of a tool's radius
+  work_zero,      // a work offset, by the row of its table; work_systems() of config/setup_names gives the names
+  corrector,      // corrector (offset value) of an axis, or of a tool's radius
   tool,           // T
   variable,       // #n is read before anything was written to it; on a control without vacant variables only after watch()
-  parameter,      // R0 … R9, under the same condition
-  skip_switch,    // of /, /n
+  parameter,      // R0 … R9 is read before it was written; on a control without vacant variables only after watch()
+  skip_switch,    // switch of /, /n
   optional_stop,  // M1
   count
 };
@@ -28,9 +28,9 @@ enum class UseKind : std::uint8_t {
 struct Use {
   UseKind kind = UseKind::count;
   std::uint32_t number = 0;
-  Origin origin;           // of the first use
+  Origin origin;           // location of the first use
   bool zero = false;       // the value was 0 at that time
-  std::uint32_t tool = 0;  // in the spindle at that time
+  std::uint32_t tool = 0;  // number of the tool in the spindle at that time
 };
 
 class ProgramUse {
@@ -41,7 +41,7 @@ class ProgramUse {
   /// Records that a tool has come into the spindle. If this is never called, the last T counts.
   void change_to(std::uint32_t tool) { in_spindle_ = tool; }
 
-  /// Records variables and lines too, which takes time.
+  /// Also records variables and lines, which takes time.
   void watch() { watches_ = true; }
   bool watches() const { return watches_; }
   /// Records that a line of the program itself has been executed.
@@ -58,7 +58,7 @@ class ProgramUse {
 
 /// Records that a code has put a work offset in force.
 void note_work_zero(BlockContext& m, std::uint32_t row);
-/// Record that variable #`number`, or parameter R`index`, is about to be read.
+/// Records that variable #`number`, or parameter R`index`, is about to be read.
 void note_read(BlockContext& m, double number);
 void note_read_parameter(BlockContext& m, int index);
 

@@ -10,14 +10,14 @@ namespace kadr {
 
 /// What a waiting code does.
 enum class WaitingMode : std::uint8_t {
-  alarm,  // alarm channels_wait, because no other channel can come
-  meet,   // run() returns Control::State::waiting until release()
-  pass,   // it has no effect
+  alarm,  // raises the alarm channels_wait, because no other channel can arrive
+  meet,   // run() returns Control::State::waiting until release() is called
+  pass,   // the waiting code has no effect
 };
 /// A channel at a waiting code.
 struct ChannelMeeting {
-  std::uint32_t code = 0;      // M…
-  std::uint32_t channels = 0;  // channels to be synchronised; bit n: channel n
+  std::uint32_t code = 0;      // number of the waiting code: M…
+  std::uint32_t channels = 0;  // channels that must arrive at this code; bit n: channel n
   Origin origin;
 };
 

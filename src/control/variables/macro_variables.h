@@ -28,10 +28,10 @@ struct Commons {
 
 class MacroVariables {
  public:
-  /// `shared`: the common variables of all channels. They include the first `shared_100` from #100 and the first `shared_500` from #500.
+  /// `shared`: the common variables of all channels: the first `shared_100` from #100 on, and the first `shared_500` from #500 on.
   MacroVariables(std::shared_ptr<Commons> shared, int shared_100, int shared_500);
 
-  /// Reads #0, local and common variables; returns false for any other number.
+  /// Reads #0, local and common variables; returns false for every other variable number.
   bool known(double number, double& value) const {
     if (!(number >= 0 && number <= last_common)) return false;
     const int n = static_cast<int>(number);
@@ -73,14 +73,14 @@ class MacroVariables {
   void close_level() {
     if (levels_.size() > 1) levels_.pop_back();
   }
-  /// The end of the program: leaves only the main program's level, empty (23.1.3).
+  /// Called at the end of the program: only the main program's level of local variables remains, empty (23.1.3).
   void close_levels() { levels_.assign(1, no_locals()); }
   std::size_t depth() const { return levels_.size(); }
   const std::vector<Locals>& levels() const { return levels_; }
 
   /// The state in a snapshot, including the values of the shared common variables.
   struct Memory {
-    std::vector<double> commons;  // from first_common on
+    std::vector<double> commons;  // values from #first_common on
     std::vector<Locals> levels;
     std::map<std::uint32_t, double> further;
   };

@@ -1,4 +1,5 @@
-// #1 … #n of Mach3, including system variables, and R0 … R9 of the 2С42. Used by control/interpreter, control/snapshot_content.
+// The variables #1 … #n of Mach3, including system variables, and R0 … R9 of the 2С42. Used by control/interpreter,
+// control/snapshot_content.
 
 #include "control/variables/variables.h"
 
@@ -13,7 +14,7 @@ namespace {
 
 constexpr std::uint32_t first_system_variable = 1000;  // lower numbers are free for the program
 
-/// Number of parameters: R0 to R9, or a thousand per letter.
+/// Returns the number of parameters: R0 to R9, or a thousand per letter.
 std::size_t parameters_of(const Grammar& grammar) {
   constexpr std::size_t of_one_digit = 10;
   return std::max(of_one_digit, grammar.long_parameters.size() * parameters_a_letter);
@@ -56,7 +57,7 @@ Status Variables::set(double number, double value, Span where) {
 }
 
 void Variables::set_raw(std::uint32_t number, double value) {
-  if (number >= all_.values.size()) return;  // a row of the control's file may exceed its variables
+  if (number >= all_.values.size()) return;  // a row of the control's file may name a number above the highest variable
   journal_.keep(all_.values[number]);
   journal_.keep(all_.set[number]);
   all_.values[number] = value;

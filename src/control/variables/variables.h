@@ -13,7 +13,7 @@ namespace kadr {
 
 class Variables {
  public:
-  /// `journal`: records old values before a block overwrites them.
+  /// `journal`: stores old values before a block overwrites them.
   Variables(const ControlDef& def, Journal& journal);
 
   /// Returns the value of #number; 0 if it was never set (Mach3).
@@ -40,7 +40,7 @@ class Variables {
   bool parameter_set(int index) const { return all_.parameters_set[static_cast<std::size_t>(index)]; }
   double raw_parameter(int index) const { return all_.parameters[static_cast<std::size_t>(index)]; }
 
-  /// Returns the first number of the rows of this kind in their `nth` repetition; 0 if the control has none.
+  /// Returns the first number of the rows of this kind in their `nth` repetition; 0 if the control has no such rows.
   std::uint32_t first(VariableKind kind, std::uint32_t nth = 0) const;
 
   /// Returns true if a system variable was written since the last call; the frames must then be recomputed.
@@ -49,7 +49,7 @@ class Variables {
   /// Values of variables by number, and of parameters by index.
   struct Values {
     std::vector<double> values, parameters;
-    std::vector<std::uint8_t> set, parameters_set;  // written by the program or the set-up
+    std::vector<std::uint8_t> set, parameters_set;  // written by the program or by the set-up
     friend bool operator==(const Values&, const Values&) = default;
   };
   const Values& all() const { return all_; }

@@ -19,7 +19,7 @@ namespace kadr {
 
 struct Instruction {
   Op op;
-  double number = 0;  // for `number`, `scale`; for `parameter` its index
+  double number = 0;  // the operand of `number` and `scale`; for `parameter` the index of the parameter
   Span where;         // for the alarm, if the step fails
 };
 
@@ -33,18 +33,18 @@ struct Expression {
 /// Address and value. The value is in the unit of the address as written (mm or inch, degrees, …).
 struct Word {
   double value = 0;
-  double second = std::numeric_limits<double>::quiet_NaN();  // of `L2 15`
+  double second = std::numeric_limits<double>::quiet_NaN();  // the second number of `L2 15`; NaN if there is none
   Span where;
   Expression expression;   // the value is known only when the block is executed
   Expression axis;         // number of the axis in AX[n]=…
   std::int32_t code = -1;  // for G and M: ten times the number (G54.1 = 541); -1: not a code
   char address = 0;
-  std::uint8_t digits = 0;   // digits written
-  std::uint8_t counted = 0;  // number of decimals by which a number without a point was scaled down
+  std::uint8_t digits = 0;   // number of digits written
+  std::uint8_t counted = 0;  // number of decimals by which a number without a decimal point was scaled down
   bool has_point = false;
-  bool incremental = false;  // operator I
-  bool bare = false;         // without a number
-  char written = 0;          // the address as written; `address` is 0 while its expression is vacant
+  bool incremental = false;  // written with the operator I: the value is an increment
+  bool bare = false;         // written without a number
+  char written = 0;          // letter of the address as written; `address` is 0 while the value of the word is vacant
 };
 
 /// The statements of the macro language, each alone in its block (nct 23.2, 23.5).
@@ -69,7 +69,7 @@ enum class StatementKind : std::uint8_t {
 
 /// The commands of an O line (spec/linuxcnc 6.1).
 enum class OWord : std::uint8_t {
-  label,  // O100 alone
+  label,  // O100 alone in its line
   sub,
   endsub,
   call,
@@ -91,22 +91,22 @@ std::string_view name_of(OWord word);
 struct Statement {
   StatementKind kind = StatementKind::none;
   std::uint8_t loop = 0;             // m of DOm, ENDm
-  std::uint8_t condition_count = 0;  // of IF or WHILE: all must be true
+  std::uint8_t condition_count = 0;  // number of conditions of IF or WHILE: all must be true
   bool with_if = false;
   bool words_follow = false;  // words of the block follow an assignment after IF (spec/haas 2.3)
   std::array<Expression, limits::conditions> conditions{};
   Expression target;   // assign: number of the variable
-  Expression value;    // assign, go_to: N…; ports and files: n
-  Expression program;  // FOPENn P…
+  Expression value;    // assign: the value; go_to: the number N; ports and files: their number n
+  Expression program;  // number of the program in FOPENn P…
   Span where;
-  Span text;  // between the brackets of DPRNT, BPRNT; an O line's label if it is a name (else `value`); a system line
+  Span text;  // text between the brackets of DPRNT, BPRNT; the label of an O line if it is a name (a number is in `value`); a system line
   OWord o_word = OWord::label;
-  Span label_where;  // of an O line
+  Span label_where;  // location of the label of an O line
 };
 
 /// An assignment: #n = expression, or R2+50.
 struct Assignment {
-  Expression target;  // number of the variable
+  Expression target;  // number of the variable or parameter
   Expression value;
   Span where;
 };
@@ -120,16 +120,16 @@ enum class Marker : std::uint8_t {
 
 /// The addresses of a plain block in order, and its codes: blocks with the same shape call the same functions (lang/block/plain_block).
 struct BlockShape {
-  std::uint64_t first = 0, second = 0;  // the last word in the lowest bits
+  std::uint64_t first = 0, second = 0;  // letters and codes, packed; the last word is in the lowest bits
   friend bool operator==(const BlockShape&, const BlockShape&) = default;
-  /// Returns false if the block is not plain, has no words, or has too many.
+  /// Returns false if the block is not plain, has no words, or has too many words.
   explicit operator bool() const { return first != 0; }
 
-  /// `code`: for G and M; else -1.
+  /// Adds a word. `code`: the code of a G or M word; else -1.
   void add(char letter, std::int32_t code) {
     constexpr unsigned letter_bits = 7, code_bits = 17;
     const unsigned bits = code >= 0 ? letter_bits + code_bits : letter_bits;
-    if (second >> (64 - bits) != 0) return void(*this = {0, ~std::uint64_t{0}});  // too many words: remains so
+    if (second >> (64 - bits) != 0) return void(*this = {0, ~std::uint64_t{0}});  // too many words: the shape stays invalid
     const std::uint64_t item = (code >= 0 ? static_cast<std::uint64_t>(code) << letter_bits : 0) | static_cast<std::uint64_t>(letter);
     second = second << bits | first >> (64 - bits);
     first = first << bits | item;
@@ -139,35 +139,35 @@ struct BlockShape {
 struct Block {
   std::string_view text;  // UTF-8 text of its line; valid until the next block is read
   Position position;
-  Span where;         // of the whole block in `text`
-  Span number_where;  // N10
+  Span where;         // location of the whole block in `text`
+  Span number_where;  // location of the word N10
   Marker marker = Marker::none;
   bool has_number = false;
   bool main_block = false;  // ':'
   std::uint8_t number_digits = 0;
   std::uint8_t skip = 0;     // 0: not marked for skipping; else the switch, 1..9
-  std::uint32_t number = 0;  // of N, ':'
-  std::uint32_t label = 0;   // of O, of '%'
+  std::uint32_t number = 0;  // block number, written after N or ':'
+  std::uint32_t label = 0;   // number written after O or '%'
   std::uint32_t word_count = 0;
   std::uint64_t letters = 0;                      // bit (address - 'A') for each address present
-  std::array<std::uint8_t, most_addresses> at{};  // first word of each present address
+  std::array<std::uint8_t, most_addresses> at{};  // for each address that is present: index of its first word
   std::array<Word, limits::block_words> words;
   BlockShape shape;
   std::vector<Instruction> code;
   std::vector<Assignment> assignments;
-  std::vector<Expression> arguments;  // of O100 call
-  std::vector<Span> comments;         // the text in the brackets
-  std::vector<Alarm> warnings;        // look-alike letters
+  std::vector<Expression> arguments;  // arguments of O100 call [1] [2] …
+  std::vector<Span> comments;         // locations of the texts in comment brackets
+  std::vector<Alarm> warnings;        // warnings of the block, such as look-alike letters
   Statement statement;
-  Span file_name;               // between < and >
-  std::optional<Alarm> broken;  // a fault after the words, which have priority (spec/grbl 1.3)
-  bool evaluates = false;       // the value of a word is an expression
-  bool codes_vary = false;      // the number of a code is an expression
+  Span file_name;               // location of the name between < and >
+  std::optional<Alarm> broken;  // a fault after the words; faults of the words themselves are reported first (spec/grbl 1.3)
+  bool evaluates = false;       // the value of at least one word is an expression
+  bool codes_vary = false;      // the number of at least one code is an expression
   bool kept = false;            // stays in memory at its address, because a loop executes it again
-  bool no_clock = false;        // was checked and reads no clock
-  std::uint64_t checked = 0;    // addresses at the time when its words were checked and found correct
-  bool calls_macro = false;     // that check has found a call of a macro
-  bool altered = false;         // words were removed during execution: their address is 0
+  bool no_clock = false;        // was checked: none of its expressions reads a clock
+  std::uint64_t checked = 0;    // addresses of the block when its words were last checked and found correct
+  bool calls_macro = false;     // the same check has found a call of a macro
+  bool altered = false;         // words were removed during execution: the address of such a word is 0
 
   bool has(char letter) const { return (letters >> (letter - 'A') & 1u) != 0; }
   /// Returns the first word with this address, or nullptr.
@@ -178,7 +178,7 @@ struct Block {
   }
   std::string_view text_of(Span s) const { return text.substr(s.begin, s.end - s.begin); }
 
-  /// Prepares for the next block; keeps the memory of the lists.
+  /// Prepares for the next block; the lists keep their memory.
   void clear() {
     marker = Marker::none;
     has_number = main_block = evaluates = altered = codes_vary = kept = no_clock = false;
@@ -186,7 +186,7 @@ struct Block {
     file_name = {};
     broken.reset();
     if (statement.kind != StatementKind::none || statement.condition_count != 0 || statement.with_if)
-      statement = {};  // a faulty IF has no kind
+      statement = {};  // also after a faulty IF, which has no kind yet
     number_digits = skip = 0;
     number = label = word_count = 0;
     letters = 0;

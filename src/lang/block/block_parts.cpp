@@ -32,7 +32,7 @@ Status read_assignment(Cursor& cursor, const Grammar& grammar, Block& block, std
   return {};
 }
 
-/// ПС as a separate word in a comment ends the block on the tape (2С42 6.2).
+/// Checks that ПС is not a separate word in a comment, because it ends the block on the tape (2С42 6.2).
 Status no_mark_inside(std::string_view text, std::size_t begin, std::size_t end) {
   constexpr std::string_view mark = "ПС";
   const auto apart = [&](std::size_t i) { return i < begin || i >= end || is_blank(text[i]); };

@@ -45,8 +45,8 @@ std::string BlockReader::shown(std::string_view text, Span& place) const {
     if (i <= place.begin) there.begin = static_cast<std::uint32_t>(all.size());
     if (i <= place.end) there.end = static_cast<std::uint32_t>(all.size());
     if (i == text.size()) break;
-    if (encoding() == Encoding::iso7) all += static_cast<char>(text[i] & 0x7F);  // also for a row with wrong parity
-    else if (text[i] == 0 && encoding() == Encoding::eia) all += ' ';            // blank tape: later places do not shift
+    if (encoding() == Encoding::iso7) all += static_cast<char>(text[i] & 0x7F);  // the seven bits of code, also of a row with wrong parity
+    else if (text[i] == 0 && encoding() == Encoding::eia) all += ' ';  // blank tape becomes a blank, so that later offsets do not shift
     else if (!append_utf8(text.substr(i, bytes), encoding(), all)) all += '?';
   }
   place = there;
@@ -63,7 +63,7 @@ Result<BlockReader::Got> BlockReader::next(Block& block) {
   if (lie_ != TapeLie::right) [[unlikely]]
     return reversed_tape(block);
   for (;;) {
-    Position here = position_;  // kept in registers: separate stores would delay a load of the whole
+    Position here = position_;  // a copy in registers: separate stores would delay a load of the whole Position
     if (!in_line_) {
       if (!lines_.next(line_)) {
         position_ = {lines_.offset(), line_.number + 1, 0};
@@ -91,13 +91,13 @@ Result<BlockReader::Got> BlockReader::next(Block& block) {
   }
 }
 
-/// Returns true for a % after the one that starts the program (spec/fanuc 1.1).
+/// Returns true for a line with % after the % that starts the program (spec/fanuc 1.1).
 bool BlockReader::is_sign_of_end() const {
   return grammar_.percent_frames && line_.offset != frame_.sign && has_sign(line_.bytes) &&
          !(memory_.encoding && is_tape(*memory_.encoding));
 }
 
-/// Handles a tape that was read in the wrong orientation, which has no blocks: one alarm, then the end.
+/// Handles a tape that was read in the wrong orientation, in which no blocks can be read: one alarm, then the end of the program.
 Result<BlockReader::Got> BlockReader::reversed_tape(Block& block) {
   block.clear();
   block.text = {};
@@ -106,14 +106,14 @@ Result<BlockReader::Got> BlockReader::reversed_tape(Block& block) {
   return fail(alarm(AlarmId::tape_reversed, {}, name_of(lie_)));
 }
 
-/// Starts a new line; skips the blocks before number `nth` after a jump into the middle of the line.
+/// Starts a new line. After a jump into the middle of a line, skips the blocks before number `nth` of the line.
 Status BlockReader::begin_line(Block& block, std::uint32_t nth) {
   text_ = {line_.bytes.data(), line_.bytes.size()};
   rest_ = 0;
   is_text_ = false;
   if ((memory_.encoding && is_tape(*memory_.encoding)) || memory_.expects_high_bytes) {
     const Status decoded = decode_line();
-    if (!decoded && is_tape(encoding())) {  // else the damage may be in a comment: lex_line decides
+    if (!decoded && is_tape(encoding())) {  // else the damaged byte may be in a comment: lex_line decides
       block.clear();
       block.position = {line_.offset, line_.number, 0};
       block.text = text_;
@@ -144,7 +144,7 @@ Status BlockReader::lex_line(Block& block) {
       rest_ = text_.size();
       return decoded;
     }
-    if (rest_ != 0) {  // the blocks before this one were read undecoded: find the same place in the text
+    if (rest_ != 0) {  // earlier blocks of the line were read undecoded: find the same position in the text
       std::string before;
       (void)append_utf8(line_.bytes.substr(0, rest_), *memory_.encoding, before);
       rest_ = before.size();
@@ -152,7 +152,7 @@ Status BlockReader::lex_line(Block& block) {
     block.clear();
     lexed = lex_block(text_, rest_, true, grammar_, block);
   }
-  for (std::uint32_t joined = 0; lexed && lexed->open_comment; ++joined) {  // one block may contain several
+  for (std::uint32_t joined = 0; lexed && lexed->open_comment; ++joined) {  // one block may contain several such comments
     if (joined == limits::long_comments) {
       rest_ = text_.size();
       return fail(alarm(AlarmId::too_many_words, {0, 1}, double{limits::long_comments}));
@@ -167,7 +167,7 @@ Status BlockReader::lex_line(Block& block) {
     }
   }
   if (!lexed) {
-    // The words after the fault are lost up to the next end of block.
+    // The words after the fault are skipped up to the next end of block.
     const std::size_t mark = is_text_ ? text_.find(mark_in_text, lexed.error().where.end) : std::string_view::npos;
     rest_ = mark == std::string_view::npos ? text_.size() : mark + mark_in_text.size();
     return fail(lexed.error());
@@ -182,7 +182,7 @@ Status BlockReader::lex_line(Block& block) {
   return {};
 }
 
-/// Appends the next lines of an open comment, up to the one with its end; of a long comment only the start is kept.
+/// Appends the next lines of an open comment, up to the line in which the comment ends; only the start of a long comment is stored.
 Status BlockReader::join_comment(Block& block, std::size_t open) {
   const bool was_text = is_text_;
   joined_ = line_.bytes;
@@ -203,7 +203,7 @@ Status BlockReader::join_comment(Block& block, std::size_t open) {
       joined_ += '\n';
       joined_ += next.bytes;
     } else {
-      if (joined_.size() < limits::line_bytes) joined_ += '\n';  // places after the comment count lines by it
+      if (joined_.size() < limits::line_bytes) joined_ += '\n';  // locations after the comment are counted by lines
       if (closed) joined_ += next.bytes.substr(end);
     }
   }
@@ -226,7 +226,7 @@ Status BlockReader::decode_line() {
   Status status = append_utf8(line_.bytes, *memory_.encoding, decoded_);
   if (!status && status.error().id == AlarmId::parity_error) {
     Alarm named = status.error();
-    named.args[0] = AlarmArg(static_cast<double>(line_.offset) + named.args[0].number());  // counted from the start of the tape
+    named.args[0] = AlarmArg(static_cast<double>(line_.offset) + named.args[0].number());  // offset counted from the start of the tape
     return fail(named);
   }
   if (!status) return status;

@@ -22,16 +22,16 @@ class BlockReader {
 
   enum class Got : std::uint8_t { block, end };
 
-  /// Reads the next block that is not empty. On an alarm `block` has its
-  /// text, place and, if read, its number; the next call continues after it.
+  /// Reads the next block that is not empty. On an alarm, `block` has its text, location and, if it was read, its number; the next call
+  /// continues after the faulty block.
   Result<Got> next(Block& block);
   /// Continues with the block at `position`.
   void seek(Position position);
   /// Position of the next block.
   Position position() const { return position_; }
-  /// Returns the text of the last block as UTF-8, whatever its encoding; `place` is converted with it.
+  /// Returns the text of the last block as UTF-8, whatever its encoding; `place` is converted to a location in the returned text.
   std::string shown(std::string_view text, Span& place) const;
-  /// What earlier lines have shown about later ones; with the position it is all that a reader remembers.
+  /// What earlier lines have shown about later lines; with the position this is all that a reader needs to continue.
   struct Memory {
     std::optional<Encoding> encoding;
     bool guessed = false;
@@ -60,14 +60,14 @@ class BlockReader {
   PlainBlocks plain_;
   Memory memory_;
   Line line_;
-  std::string decoded_;    // the line in UTF-8, if it is in another encoding
-  std::string joined_;     // the line and the next ones that its comment spans (nct 14.3)
-  std::string_view text_;  // the line's text
-  std::size_t rest_ = 0;   // where the next block of the line starts
+  std::string decoded_;    // the line in UTF-8, if the file has another encoding
+  std::string joined_;     // the line joined with the next lines, if a comment spans them (nct 14.3)
+  std::string_view text_;  // text of the current line
+  std::size_t rest_ = 0;   // offset in the line where its next block starts
   bool in_line_ = false;
   bool is_text_ = false;  // text_ is known to be UTF-8
   TapeLie lie_ = TapeLie::right;
-  ProgramFrame frame_;  // by its signs %, on controls that look for them
+  ProgramFrame frame_;  // start and end of the program by the signs %, on controls that use these signs
   Position position_;
 };
 

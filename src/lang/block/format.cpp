@@ -13,8 +13,8 @@ namespace {
 using Failed = tl::unexpected<std::string>;
 
 constexpr std::string_view decimal_sign = "DS";
-constexpr std::string_view code_letters = "GM";    // written G0, G01, M2 whatever the format requires about zeros
-constexpr std::string_view without_point = "NGM";  // a number or a code has no fraction, even with DS
+constexpr std::string_view code_letters = "GM";    // codes: written G0, G01, M2, whatever the format requires about leading zeros
+constexpr std::string_view without_point = "NGM";  // a block number or a code has no fraction, even with DS
 
 bool holds(std::string_view letters, char letter) { return letters.find(letter) != std::string_view::npos; }
 
@@ -30,7 +30,7 @@ bool take(std::string_view& text, std::string_view piece) {
 
 bool take_sign(std::string_view& text) { return take(text, "+") || take(text, "±"); }
 
-/// Returns the number of bytes of a word's format at the start of the text: sign, star and digits.
+/// Returns the length in bytes of a word's format at the start of the text: sign, star and digits.
 std::size_t format_size(std::string_view text) {
   std::string_view rest = text;
   if (!take_sign(rest)) take(rest, "-");
@@ -39,7 +39,7 @@ std::size_t format_size(std::string_view text) {
   return text.size() - rest.size();
 }
 
-/// Reads a descriptor piece by piece into the grammar.
+/// Reads a descriptor part by part and sets the grammar accordingly.
 class Descriptor {
  public:
   Descriptor(std::string_view text, Grammar& grammar)
@@ -69,7 +69,7 @@ class Descriptor {
     return !rest_.empty();
   }
 
-  /// Reads `3G2`: count, letter, format.
+  /// Reads `3G2`: count of words, letter, format.
   tl::expected<void, std::string> apply_word() {
     const std::string_view piece = rest_.substr(0, rest_.find_first_of(" \t"));
     const bool counted = is_digit(rest_[0]);
@@ -83,13 +83,14 @@ class Descriptor {
     const std::size_t size = format_size(rest_.substr(1));
     auto format = parse_word_format(rest_.substr(1, size), point_);
     if (!format) return not_understood(piece, format.error());
-    if (letter == 'N' && format->implied) return not_understood(piece, "a block number has no fraction");  // N043G2
+    if (letter == 'N' && format->implied) return not_understood(piece, "a block number has no fraction");  // as in N043G2
     rest_.remove_prefix(1 + size);
     set(letter, *format, count);
     return {};
   }
 
-  /// Keeps what a descriptor cannot express (a second number, parameters, a count that is not written).
+  /// Sets a word's format, and keeps its properties that a descriptor cannot express (a second number, parameters, a count that is not
+  /// written).
   void set(char letter, WordFormat format, std::uint8_t count) {
     WordFormat& word = grammar_.word(letter);
     format.at_most = count > 0 ? count : word.at_most;
@@ -117,7 +118,7 @@ tl::expected<WordFormat, std::string> parse_word_format(std::string_view digits,
   format.known = true;
   format.point = point;
   format.sign = take_sign(digits);
-  const bool one_more = take(digits, "*");  // T*2 of the 2С42: "an additional digit" (6.2, the note); INFERRED: the star
+  const bool one_more = take(digits, "*");  // T*2 of the 2С42: "an additional digit" (6.2, the note); INFERRED: the star means this digit
   if (digits.starts_with('-')) return Failed("a sign is written + or ±");
   format.drop_zeros = take(digits, "0");
   if (digits.empty() || digits.size() > 2) return Failed("one or two digits say how many stand before and after the point");
@@ -131,7 +132,7 @@ tl::expected<WordFormat, std::string> parse_word_format(std::string_view digits,
 }
 
 tl::expected<void, std::string> apply_descriptor(std::string_view descriptor, Grammar& grammar) {
-  Grammar changed = grammar;  // changes are complete or none
+  Grammar changed = grammar;  // all changes of a descriptor are made, or none
   auto applied = Descriptor(descriptor, changed).apply();
   if (applied) grammar = changed;
   return applied;

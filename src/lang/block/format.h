@@ -9,12 +9,12 @@
 
 namespace kadr {
 
-/// Sets in `grammar` what a descriptor defines: known addresses, digits, signs, counts, '%', ':', '/', the end of block. Everything
-/// else remains. A count is separated from the digits before it: `N04 3G2`.
-///   returns  an error sentence that names the piece that is not understood
+/// Sets in `grammar` what a descriptor defines: known addresses, digits, signs, counts, '%', ':', '/', the end of block. All other
+/// members keep their values. A count of words is separated from the digits before it: `N04 3G2` allows three G words.
+///   returns  an error sentence that names the part of the descriptor that is not understood
 tl::expected<void, std::string> apply_descriptor(std::string_view descriptor, Grammar& grammar);
 
-/// Parses the format of one address: "+053", "04", "2", "031", "*2"; `point`: DS is in force.
+/// Parses the format of one address: "+053", "04", "2", "031", "*2". `point`: DS is in force, so that a decimal point is allowed.
 tl::expected<WordFormat, std::string> parse_word_format(std::string_view digits, bool point);
 
 }  // namespace kadr

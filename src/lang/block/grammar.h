@@ -1,6 +1,6 @@
 #pragma once
-// Grammar: how a control writes blocks and words. Only the form, never the meaning of a code.
-// Filled from the control's file (config/control_file); descriptor strings: lang/format.
+// Grammar: how a control writes blocks and words: only the form, never the meaning of a code. Filled from the control's file
+// (config/control_file); descriptor strings: lang/format.
 
 #include <array>
 #include <cstdint>
@@ -19,7 +19,7 @@ inline constexpr char comma_chamfer = '[';    // ,C
 inline constexpr char comma_rounding = '\\';  // ,R
 inline constexpr char comma_angle = ']';      // ,A
 inline constexpr char comma_vector = '^';     // ,L
-inline constexpr char indirect_axis = '_';    // AX[n]=, until the block is executed
+inline constexpr char indirect_axis = '_';    // AX[n]=: the address of the word until the block is executed
 inline constexpr char first_name = '`';       // the names in Grammar::names in their order, up to '\x7f'
 
 /// Returns the address of `,C` and similar words, or 0.
@@ -36,7 +36,7 @@ inline std::string address_written(char address) {
 
 /// A name of several characters (nct 2.2, 11.1.1).
 struct AddressName {
-  std::string text;  // upper case
+  std::string text;  // the name in upper case
   char address = first_name;
 };
 
@@ -49,7 +49,7 @@ constexpr bool is_parameter_sign(char c) { return c == '#' || c == '@' || c == '
 /// The name of a system variable: `#_ABSIO[n]` (nct 23.1.1).
 struct VariableName {
   std::string text;
-  std::uint32_t number = 0;  // number of its first index
+  std::uint32_t number = 0;  // variable number of its first index
   std::uint32_t count = 1;
   std::uint32_t first_index = 1;
   bool indexed = false;  // [n] must follow
@@ -57,19 +57,19 @@ struct VariableName {
 
 /// The format of the digits of one address (ISO 6983 / GOST 20999-83 format descriptor, spec/gost 3).
 struct WordFormat {
-  bool known = false;                // the control has this address
-  bool sign = false;                 // a sign is allowed before the digits
-  bool drop_zeros = true;            // leading zeros may be dropped; if not, every digit must be written
-  bool point = false;                // an explicit decimal point is allowed
-  std::uint8_t counted = 0;          // a number without a point is scaled down by so many decimals; not a variable's (spec/fanuc 1.3)
-  bool implied = false;              // without a point, the last `fraction_digits` digits are the fraction
-  std::uint8_t whole_digits = 0;     // maximum before the point; 0 = any number
-  std::uint8_t fraction_digits = 0;  // maximum after the point; with whole_digits 0: any number
-  std::uint8_t at_most = 1;          // maximum of words with this address in a block; 0 = any number
+  bool known = false;        // the control has this address
+  bool sign = false;         // a sign is allowed before the digits
+  bool drop_zeros = true;    // leading zeros may be dropped; if not, every digit must be written
+  bool point = false;        // an explicit decimal point is allowed
+  std::uint8_t counted = 0;  // a number without a point is scaled down by so many decimals, unless a variable gives it (spec/fanuc 1.3)
+  bool implied = false;      // if no decimal point is written, the last `fraction_digits` digits are the fraction
+  std::uint8_t whole_digits = 0;     // maximum number of digits before the decimal point; 0 = any number
+  std::uint8_t fraction_digits = 0;  // maximum number of digits after the decimal point; with whole_digits 0: any number
+  std::uint8_t at_most = 1;          // maximum number of words with this address in a block; 0 = any number
   bool code = false;                 // G and M: the number names a code (leading zeros mean nothing)
   std::uint8_t code_digits = 0;      // for a code: digits in the format; fewer give a warning; 0 = any number
   bool second_number = false;        // a second number may follow: `L2 15` (spec/correctors 1)
-  bool parameter = false;            // takes a formal parameter: `X+R1`, `Z-1200+R2` (spec/s2c42 3)
+  bool parameter = false;            // the value may be a formal parameter: `X+R1`, `Z-1200+R2` (spec/s2c42 3)
   bool increment = false;            // the operator I is allowed before the number (nct 5.1)
   bool one_more = false;             // an additional leading digit means that the tool is in the spindle: T112 (spec/s2c42 6.4.4)
   bool bare = false;                 // allowed without a number: `G17 X` (nct 10.4)
@@ -77,15 +77,15 @@ struct WordFormat {
 
 enum class EndOfBlock : std::uint8_t {
   line,       // the end of the line; a literal ПС or LF is accepted too
-  line_only,  // only the end of the line
+  line_only,  // the end of the line only
 };
 
 struct Grammar {
   std::array<WordFormat, most_addresses> words{};  // by address
   EndOfBlock end_of_block = EndOfBlock::line;
-  bool mark_everywhere = true;         // if one block of the file ends with ПС or LF, all must
+  bool mark_everywhere = true;         // if one block of the file ends with ПС or LF, all blocks must
   bool block_number_required = false;  // every block begins with N or ':' (2С42 6.2)
-  bool main_blocks = false;            // ':' + number
+  bool main_blocks = false;            // a main block, written as ':' and a number, is allowed
   bool percent_ignored = false;        // a line of '%' has no meaning (Mach3)
   bool percent_number = false;         // the program's number may follow '%'
   std::uint8_t percent_digits = 5;
@@ -95,8 +95,8 @@ struct Grammar {
   bool slash_comments = false;          // '//' to the end of the line
   std::string comment_forbidden;        // characters that are not allowed in ( )
   bool expressions = false;             // #n, [expr], #n=expr (Mach3)
-  ExpressionRules expression;           // … and what they may contain
-  bool lower_case = true;               // small letters are equal to capitals
+  ExpressionRules expression;           // … and the operators and functions that they may contain
+  bool lower_case = true;               // small letters are read as capitals
   char parameter_address = 0;           // 'R' if R0..R9 are formal parameters (2С42 6.3.7)
   std::string long_parameters;          // "RPE#": R01, P123, #12 are formal parameters if a sign or = follows (spec/correctors 3)
   char label_address = 0;               // 'O' if Onnnn starts a subprogram (Mach3)
@@ -105,43 +105,44 @@ struct Grammar {
   std::uint32_t block_length = 0;       // maximum number of characters in a block, 0 = any number
   std::uint32_t variables = 0;          // highest #n
   // ---- RS274/NGC as in LinuxCNC (spec/linuxcnc)
-  bool o_words = false;                            // O lines: O100 while […] (6)
-  bool percent_encloses = false;                   // `%` alone in its line starts the program and ends it (2.1)
-  bool code_by_rounding = false;                   // G[10*0.1]: the number may be off by a thousandth; N may have a point (2.2, 2.3)
-  std::shared_ptr<VariableNames> named_variables;  // #<name>; nullptr if the control has none
+  bool o_words = false;           // O lines: O100 while […] (6)
+  bool percent_encloses = false;  // `%` alone in its line starts the program and ends it (2.1)
+  bool code_by_rounding = false;  // G[10*0.1]: the result may differ from the code by a thousandth; N may have a decimal point (2.2, 2.3)
+  std::shared_ptr<VariableNames> named_variables;  // numbers of the names #<name>; nullptr if the control has none
   bool filtered_lines = false;                     // each line is separate, and filtered: blanks, `/`, control characters (spec/grbl 1.2)
   // ---- custom macros and names of several characters (nct)
-  bool custom_macros = false;                               // values are those of custom macros (nct 23), not of RS274/NGC: see below
-  bool operator_i = false;                                  // XI-40: the value of this word is an increment (nct 5.1)
-  bool comments_span_lines = false;                         // (…) may contain ends of line (nct 14.3)
-  bool comma_words = false;                                 // ,C ,R ,A (nct 17)
-  bool file_names = false;                                  // M98 <name> (nct 14.4.2)
-  bool short_words = false;                                 // WH[…], SI[30]: the first two letters are enough (spec/fanuc 5.4)
-  bool colon_is_label = false;                              // `:0100` is O0100 (spec/fanuc 1.1)
-  bool condition_alone = false;                             // `[#1 LT 10] M99 P10`: IF without the word (spec/haas 2.3)
-  bool conditions_are_values = true;                        // #1=[#2 EQ 3] is 1 or 0, IF[#1] is a condition (spec/fanuc 5.3, 5.4: no)
-  bool condition_words = true;                              // IF[…] G0 X1: words of a block after a condition (spec/fanuc 5.4: no)
-  bool assignment_and_words = false;                        // IF[…] THEN #7=1 S800 (spec/haas 2.3)
-  bool ports_without_number = false;                        // POPEN, PCLOS (spec/fanuc 5.9)
-  bool programs_by_label = false;                           // O… starts the next program of the file (spec/fanuc 1.1, 5.4)
-  bool percent_frames = false;                              // a program starts after the first % and ends at the next (spec/fanuc 1.1)
-  std::shared_ptr<VariableNames> given_names;               // SETVN names variables, [#NAME] (spec/fanuc 5.1); nullptr: no SETVN
-  bool rounds_in_address = false;                           // ROUND in a word's value rounds to 0.001 mm, 0.0001 in (spec/haas 2.2)
-  bool semicolon_ends = false;                              // `;` ends the block; the next one may follow it (spec/fanuc 1.2)
-  std::string least_increments;                             // addresses whose numbers without a point are in 0.001 (spec/fanuc 1.3)
-  std::vector<AddressName> names;                           // in the order of their addresses
-  std::uint32_t named = 0;                                  // bit per first letter of a name
-  std::vector<VariableName> symbols;                        // sorted by text
+  bool custom_macros = false;                  // values are those of custom macros (nct 23), not of RS274/NGC: see below
+  bool operator_i = false;                     // XI-40: the value of this word is an increment (nct 5.1)
+  bool comments_span_lines = false;            // (…) may contain ends of line (nct 14.3)
+  bool comma_words = false;                    // ,C ,R ,A are addresses (nct 17)
+  bool file_names = false;                     // M98 <name> calls a file (nct 14.4.2)
+  bool short_words = false;                    // WH[…], SI[30]: the first two letters are enough (spec/fanuc 5.4)
+  bool colon_is_label = false;                 // `:0100` is O0100 (spec/fanuc 1.1)
+  bool condition_alone = false;                // `[#1 LT 10] M99 P10`: a condition without the word IF (spec/haas 2.3)
+  bool conditions_are_values = true;           // #1=[#2 EQ 3] is 1 or 0, IF[#1] is a condition (spec/fanuc 5.3, 5.4: no)
+  bool condition_words = true;                 // IF[…] G0 X1: words of a block may follow a condition (spec/fanuc 5.4: not allowed)
+  bool assignment_and_words = false;           // IF[…] THEN #7=1 S800: words may follow an assignment (spec/haas 2.3)
+  bool ports_without_number = false;           // POPEN, PCLOS have no number (spec/fanuc 5.9)
+  bool programs_by_label = false;              // O… starts the next program of the file (spec/fanuc 1.1, 5.4)
+  bool percent_frames = false;                 // a program starts after the first % and ends at the next (spec/fanuc 1.1)
+  std::shared_ptr<VariableNames> given_names;  // SETVN names variables, [#NAME] (spec/fanuc 5.1); nullptr: no SETVN
+  bool rounds_in_address = false;              // ROUND in a word's value rounds to 0.001 mm, 0.0001 in (spec/haas 2.2)
+  bool semicolon_ends = false;                 // `;` ends the block; the next one may follow it (spec/fanuc 1.2)
+  std::string least_increments;       // addresses whose numbers are in units of 0.001 if written without a decimal point (spec/fanuc 1.3)
+  std::vector<AddressName> names;     // in the order of their addresses
+  std::uint32_t named = 0;            // bit per letter: set if a name starts with this letter
+  std::vector<VariableName> symbols;  // sorted by text
   std::array<std::uint8_t, most_addresses> axis_numbers{};  // control-wide number of each axis address, 0: not an axis
 
   // ---- features of custom macros that RS274/NGC expressions do not have
-  /// Statements: IF, WHILE, GOTO, DPRNT, …; an assignment is one too, in a block without words.
+  /// Statements: IF, WHILE, GOTO, DPRNT, …; an assignment is a statement too, and is in a block without words.
   bool has_statements() const { return custom_macros; }
   /// Each call has its own #1 to #33, and a variable may be vacant: a word with a vacant value counts as not written.
   bool has_vacant_variables() const { return custom_macros; }
   /// `#1=#2+3` is allowed; RS274/NGC requires [#2+3].
   bool sums_without_brackets() const { return custom_macros; }
-  /// A code that is written as an expression counts by its nearest whole number, where its address takes only whole ones (nct 23.1.1).
+  /// A code that is written as an expression is rounded to the nearest whole number, if its address accepts only whole numbers (nct
+  /// 23.1.1).
   bool rounds_codes_of_expressions() const { return custom_macros; }
 
   const WordFormat& word(char letter) const { return words[static_cast<std::size_t>(letter - 'A')]; }

@@ -34,7 +34,7 @@ class Lexer {
   Result<Lexed> run() {
     block_.text = cursor_.text;
     cursor_.skip_blanks();
-    const Status status = items();  // a Status is as large as an Alarm: never assigned, only returned
+    const Status status = items();  // a Status is as large as an Alarm: it is never assigned, only returned
     block_.where = span(begin_, cursor_.at);
     if (result_.needs_utf8 || result_.open_comment) return result_;
     if (!status) return fail(status.error());
@@ -81,7 +81,7 @@ class Lexer {
     }
     const bool tape_begins = cursor_.at - begin > 1;
     cursor_.skip_blanks();
-    if (tape_begins && !is_digit(cursor_.peek())) return {};  // %% alone: the tape starts, but no program yet (spec/gost 1)
+    if (tape_begins && !is_digit(cursor_.peek())) return {};  // `%%` alone: the tape starts, but no program yet (spec/gost 1)
     block_.marker = Marker::program_start;
     if (!is_digit(cursor_.peek())) return {};
     Number number;
@@ -116,7 +116,7 @@ class Lexer {
   Status item() {
     const char c = cursor_.text[cursor_.at];
     if (block_.statement.kind > StatementKind::words && !is_blank(c) && c != '(' && c != ';' && !block_.statement.words_follow)
-        [[unlikely]]  // after its comment
+        [[unlikely]]  // text after the statement's comment
       return fail(alarm(AlarmId::statement_not_alone, span(cursor_.at, cursor_.at + 1)));
     if (is_capital(c)) return word(c, 1);
     if (is_blank(c)) {
@@ -139,7 +139,7 @@ class Lexer {
     }
     if (is_high(c) || c == '\x0e') return wide();
     if (is_lower(c) && grammar_.lower_case) return word(to_upper(c), 1);
-    for (const AddressName& name : grammar_.names)  // `$`, `@`, `^`
+    for (const AddressName& name : grammar_.names)  // names that start with a sign: `$`, `@`, `^`
       if (name.text.size() == 1 && name.text[0] == c) return word_of(name.address, 1, cursor_.at);
     return words_.parameter_by_sign();
   }
@@ -162,7 +162,7 @@ class Lexer {
 
   Status o_line() { return begins() && block_.assignments.empty() ? OWordReader(cursor_, grammar_, block_).read() : unexpected(); }
 
-  /// Returns true if neither words nor IF[…] THEN have been read.
+  /// Returns true if neither words nor IF[…] THEN were read before.
   bool begins() const { return block_.word_count == 0 && block_.statement.kind == StatementKind::none; }
 
   /// Reads a word whose address is `letter`, written with `bytes` bytes.
@@ -188,7 +188,7 @@ class Lexer {
     w.expression = {};
     w.code = -1;
     w.incremental = w.bare = false;
-    w.value = 0;  // default of an unreadable word, which find() returns to code that continues after the fault
+    w.value = 0;  // value of a word that cannot be read; code that continues after the fault may find this word
     if (format.second_number) w.second = std::numeric_limits<double>::quiet_NaN();
     KADR_TRY(words_.value(w, format, begin));
     w.where = span(begin, cursor_.at);
@@ -247,7 +247,7 @@ class Lexer {
     return read_assignment(cursor_, grammar_, block_, begin);
   }
 
-  // ---- comments, ends, other characters
+  // ---- comments, ends of blocks, other characters
 
   Status comment() {
     const std::size_t begin = cursor_.at;
@@ -287,7 +287,7 @@ class Lexer {
     w.expression = {};
     w.code = -1;
     w.incremental = w.bare = false;
-    w.value = 0;  // default of an unreadable word, which find() returns to code that continues after the fault
+    w.value = 0;  // value of a word that cannot be read; code that continues after the fault may find this word
     WordFormat format = grammar_.word('A');
     format.parameter = true;
     KADR_TRY(words_.value(w, format, begin));
@@ -321,7 +321,7 @@ class Lexer {
     return word(latin, c.bytes);
   }
 
-  /// Accepts ПС with a Latin C, with a warning.
+  /// Accepts ПС whose С is a Latin C, with a warning.
   Status mark_with_latin_letter() {
     constexpr std::size_t bytes = 3;
     block_.warnings.push_back(warning(AlarmId::mark_letter, span(cursor_.at, cursor_.at + bytes)));
@@ -342,11 +342,11 @@ class Lexer {
     return {};
   }
 
-  /// Ctrl-Z is the end of a file on old systems.
+  /// Accepts Ctrl-Z, which is the end of a file on old systems.
   Status end_of_dos_file() { return passes_dos_end(cursor_) ? Status() : unexpected(); }
   Status unexpected() const { return fail(unexpected_at(cursor_.text, cursor_.at)); }
 
-  /// A surplus `]` (nct 23.2.6), or `=` after a name that the channel does not have (2.2): Z2=5.
+  /// Returns the alarm for a surplus `]` (nct 23.2.6), or for `=` after a name that the channel does not have (2.2): Z2=5.
   Status out_of_place(char c) {
     const Span where = span(cursor_.at, cursor_.at + 1);
     if (c == ']') return fail(alarm(AlarmId::expression_syntax, where, c));
@@ -355,11 +355,11 @@ class Lexer {
     return fail(alarm(AlarmId::illegal_address, last->where, block_.text_of(last->where)));
   }
 
-  /// Checks that need the whole block.
+  /// Makes the checks that need the whole block.
   Status whole_block() {
     if (grammar_.block_length != 0 && !grammar_.filtered_lines && !block_.empty()) {
       if (!is_utf8_ && cursor_.at - begin_ > grammar_.block_length && has_high(cursor_.at)) {
-        result_.needs_utf8 = true;  // bytes are not characters
+        result_.needs_utf8 = true;  // a byte above 127 is not a character
         return {};
       }
       const std::uint32_t length = characters_of(cursor_.text.substr(begin_, cursor_.at - begin_));

@@ -10,11 +10,11 @@
 namespace kadr {
 
 struct Lexed {
-  std::size_t next = 0;        // start of the next block's text; text.size() at the end of the line
+  std::size_t next = 0;        // offset where the next block's text starts; text.size() at the end of the line
   bool marked = false;         // the block ended with a literal ПС or LF
   bool open_comment = false;   // a comment continues in the next line: append that line and call again
-  std::size_t comment_at = 0;  // start of this comment
-  bool needs_utf8 = false;     // bytes above 127 outside comments in a text not known to be UTF-8: decode it and call again
+  std::size_t comment_at = 0;  // offset where this comment starts
+  bool needs_utf8 = false;     // the text has bytes above 127 outside comments and is not known to be UTF-8: decode it and call again
 };
 
 /// Reads the block that starts at `from`.

@@ -1,6 +1,6 @@
 #pragma once
-// LineWordReader: reads a separate line: filters it character by character, then reads words to its end (spec/grbl 1; protocol.c,
-// gcode.c). Used by the lexer only.
+// LineWordReader: reads a line as Grbl does: filters it character by character, then reads words up to the end of the line (spec/grbl 1;
+// protocol.c, gcode.c). Used by the lexer only.
 
 #include <cstdint>
 #include <string>
@@ -15,14 +15,14 @@ namespace kadr {
 
 /// Returns the characters that pass the filter of protocol.c, in capitals:
 /// no blanks, control characters, `/`, comments, real-time characters.
-///   place  place of each of these characters in the line
+///   place  output: the offset of each of these characters in the line
 std::string filtered(std::string_view line, std::vector<std::uint32_t>& place);
 
-/// Returns the length of a number of Grbl at the start of the text: a sign, digits, one point. 0 if there is no digit.
+/// Returns the length of a number as Grbl writes it at the start of the text: a sign, digits, one decimal point. 0 if there is no digit.
 std::size_t size_of_number(std::string_view text);
 
-/// read_float of nuts_bolts.c: only the first eight digits are used, leading
-/// zeros included; further digits before the point are read as zeros (1.3).
+/// Returns the value as read_float of nuts_bolts.c does: only the first eight digits are used, leading zeros included; further digits
+/// before the decimal point are read as zeros (1.3).
 double value_of_digits(std::string_view number);
 /// Like value_of_digits(), with each step of read_float rounded to 32 bits, as on the control.
 float single_of_digits(std::string_view number);
@@ -31,8 +31,8 @@ class LineWordReader {
  public:
   LineWordReader(Cursor& cursor, const Grammar& grammar, Block& block) : cursor_(cursor), grammar_(grammar), block_(block) {}
 
-  /// Reads the whole line. A fault after some words is stored in Block::broken, because the words have priority: unexpected_character,
-  /// number_missing, address_unknown, too_many_words.
+  /// Reads the whole line. A fault after some words is stored in Block::broken, because the control reports faults of these words first:
+  /// unexpected_character, number_missing, address_unknown, too_many_words.
   ///   alarms  block_too_long
   Status read();
 
@@ -48,7 +48,7 @@ class LineWordReader {
   const Grammar& grammar_;
   Block& block_;
   std::string kept_;                  // the characters that pass the filter, in capitals
-  std::vector<std::uint32_t> place_;  // place of each of them in the line
+  std::vector<std::uint32_t> place_;  // offset of each of these characters in the line
 };
 
 }  // namespace kadr

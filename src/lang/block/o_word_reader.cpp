@@ -12,7 +12,7 @@ struct OWordRow {
   std::string_view text;
   OWord word;
 };
-/// If one word is the start of another, the longer one comes first.
+/// The commands of O lines. If one command is the start of another, the longer one comes first.
 constexpr OWordRow o_words[] = {
     {"sub", OWord::sub},
     {"endsub", OWord::endsub},
@@ -51,7 +51,7 @@ Status OWordReader::read() {
   return ended();
 }
 
-/// Reads the label: a number, an expression, or a name between < and >.
+/// Reads the label of the line: a number, an expression, or a name between < and >.
 Status OWordReader::label() {
   Statement& s = block_.statement;
   cursor_.skip_blanks();
@@ -73,7 +73,7 @@ Status OWordReader::label() {
   return {};
 }
 
-/// Reads a number; blanks in it are ignored: `O 1 2 sub` is O12.
+/// Reads the number of the label; blanks in it are ignored: `O 1 2 sub` is O12.
 Status OWordReader::number() {
   std::string digits;
   for (; cursor_.at < cursor_.text.size(); ++cursor_.at) {
@@ -99,7 +99,7 @@ Status OWordReader::command() {
   }
   s.o_word = OWord::label;
   if (word.empty()) return {};
-  // Blanks are ignored, so that another word of the line may have been read with the command.
+  // Blanks are ignored, so the text read as the command may also contain the next word of the line.
   for (const OWordRow& row : o_words)
     if (word == row.text) s.o_word = row.word;
   if (s.o_word == OWord::label) {
@@ -134,7 +134,7 @@ Status OWordReader::arguments() {
     const std::size_t begin = cursor_.at;
     if (cursor_.peek() == '(') {  // a comment between two arguments
       const std::size_t close = cursor_.text.find(')', begin);
-      if (close == std::string_view::npos) return {};  // reported for the whole line
+      if (close == std::string_view::npos) return {};  // an unclosed comment is reported for the whole line
       cursor_.at = close + 1;
       continue;
     }

@@ -1,5 +1,5 @@
 #pragma once
-// Characters that are not part of a word: the alarm for each, and counts of them. Used by the lexer.
+// Characters that are not part of a word: the alarm for each of them, and functions that count characters. Used by the lexer.
 
 #include <algorithm>
 #include <string_view>
@@ -9,12 +9,12 @@
 
 namespace kadr {
 
-/// Returns the alarm for the character at `at`, which cannot start anything.
+/// Returns the alarm for the character at `at`, which cannot be the start of a word or comment.
 inline Alarm unexpected_at(std::string_view text, std::size_t at) {
   const auto c = static_cast<unsigned char>(text[at]);
   const Span where{static_cast<std::uint32_t>(at), static_cast<std::uint32_t>(std::min(at + 1, text.size()))};
   if (c < 0x20) return alarm(AlarmId::control_character, where, double(c));
-  if (c == '.') return alarm(AlarmId::number_damaged, where);  // a second point
+  if (c == '.') return alarm(AlarmId::number_damaged, where);  // a second decimal point in a number
   return alarm(AlarmId::unexpected_character, where, text[at]);
 }
 

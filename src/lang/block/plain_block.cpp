@@ -1,4 +1,4 @@
-// Reads blocks of plain words only: an address and a decimal number, repeated. Used by lang/block/block_reader; tested by
+// Reads plain blocks, which consist only of addresses with decimal numbers. Used by lang/block/block_reader; tested by
 // tests/lang/plain_block_test.cpp.
 
 #include "lang/block/plain_block.h"
@@ -14,14 +14,14 @@ namespace {
 
 constexpr char letter_of(char c) { return static_cast<char>(c & ~0x20); }
 
-/// A name that continues after a digit and needs no '=' cannot be distinguished from two words here (nct 2.2).
+/// Returns true for a name that continues after a digit and needs no '=': this reader cannot distinguish it from two words (nct 2.2).
 bool looks_like_words(const AddressName& name) {
   return std::any_of(name.text.begin(), name.text.end() - 1, is_digit) && !is_digit(name.text.back());
 }
 
 }  // namespace
 
-/// An unsigned number as written.
+/// An unsigned number as written: its digits and the decimal point.
 struct PlainBlocks::Digits {
   std::uint64_t mantissa = 0;
   std::size_t whole = 0, fraction = 0;
@@ -30,8 +30,8 @@ struct PlainBlocks::Digits {
 };
 
 PlainBlocks::PlainBlocks(const Grammar& grammar) : grammar_(grammar) {
-  constexpr std::size_t exact_digits = 15, number_digits = 9;     // a whole number exactly in a double; in 32 bits
-  constexpr std::size_t lone_digits = 8, lone_number_digits = 7;  // all that count, and no number too large (spec/grbl 1.3)
+  constexpr std::size_t exact_digits = 15, number_digits = 9;     // digits of whole numbers that a double, and 32 bits, hold exactly
+  constexpr std::size_t lone_digits = 8, lone_number_digits = 7;  // all digits that count; no such number is too large (spec/grbl 1.3)
   most_digits_ = grammar.filtered_lines ? lone_digits : exact_digits;
   most_number_digits_ = grammar.filtered_lines ? lone_number_digits : number_digits;
   for (const char c : {' ', '\t', '\r', '\0', '\x7f'}) kinds_[static_cast<unsigned char>(c)] = Kind::blank;
@@ -44,7 +44,7 @@ PlainBlocks::PlainBlocks(const Grammar& grammar) : grammar_(grammar) {
       if (name.text.front() == letter && looks_like_words(name)) kind = Kind::other;
     kinds_[static_cast<unsigned char>(letter)] = kind;
     if (grammar.lower_case) kinds_[static_cast<unsigned char>(letter | 0x20)] = kind;
-    // check_digits of lang/block/word_reader has nothing to check if the number of digits is free and all of them are used
+    // With any number of digits allowed and all digits used, check_digits of lang/block/word_reader has nothing to check.
     easy_[static_cast<std::size_t>(letter - 'A')] =
         !format.code && format.whole_digits == 0 && !format.implied && !format.second_number && format.counted == 0;
   }
@@ -79,7 +79,7 @@ bool PlainBlocks::read_words(std::string_view text, std::size_t from, Block& blo
   return grammar_.block_length == 0 || text.size() - from <= grammar_.block_length;
 }
 
-/// Reads digits with at most one point among them; returns the place after them.
+/// Reads digits with at most one decimal point among them; returns a pointer to the character after them.
 inline const char* PlainBlocks::digits_at(const char* at, const char* end, Digits& digits) {
   constexpr unsigned ten = 10;
   const auto digit = [](char c) { return static_cast<unsigned>(static_cast<unsigned char>(c)) - unsigned{'0'}; };
@@ -112,7 +112,7 @@ const char* PlainBlocks::block_number(const char* at, const char* end, Block& bl
   return behind;
 }
 
-/// Reads the word that starts here and returns the place after it; nullptr if it is not plain, or faulty.
+/// Reads the word that starts here and returns a pointer to the character after it; nullptr if the word is not plain, or faulty.
 const char* PlainBlocks::word(const char* at, const char* end, Block& block) const {
   const char* const begin = at;
   const char letter = letter_of(*at++);
@@ -141,7 +141,7 @@ const char* PlainBlocks::word(const char* at, const char* end, Block& block) con
     if (!digits.has_point) decimals += w.counted = format.counted;
     if (format.second_number) w.second = std::numeric_limits<double>::quiet_NaN();
   }
-  const double value = static_cast<double>(digits.mantissa) / powers_of_ten[decimals];  // both are exact: correctly rounded
+  const double value = static_cast<double>(digits.mantissa) / powers_of_ten[decimals];  // both exact: correctly rounded
   w.value = sign == '-' ? -value : value;
   w.where = {static_cast<std::uint32_t>(begin - block.text.data()), static_cast<std::uint32_t>(at - block.text.data())};
   w.expression = {};
@@ -154,7 +154,7 @@ const char* PlainBlocks::word(const char* at, const char* end, Block& block) con
   return at;
 }
 
-/// Returns true if the digits follow the format.
+/// Returns true if the number of digits and the decimal point conform to the format.
 bool PlainBlocks::follows(const WordFormat& format, const Digits& digits) {
   constexpr std::uint64_t most_code = 99'999;
   if (format.code && (digits.fraction > 1 || digits.mantissa > most_code || digits.whole < format.code_digits)) return false;

@@ -1,5 +1,5 @@
 #pragma once
-// PlainBlocks: reads blocks of plain words only: an address and a decimal number, repeated. Most blocks of a long program are plain.
+// PlainBlocks: reads plain blocks, which consist only of addresses with decimal numbers. Most blocks of a long program are plain.
 
 #include <array>
 #include <string_view>
@@ -15,9 +15,9 @@ class PlainBlocks {
  public:
   explicit PlainBlocks(const Grammar& grammar);
 
-  /// Reads the block that starts at `from` and ends with the text.
+  /// Reads the block that starts at `from` and ends at the end of the text.
   ///   block    cleared by the caller; its text, where, words and shape are set here
-  ///   returns  false if it is not plain; the block is then unchanged, except for the contents of its words
+  ///   returns  false if the block is not plain; `block` is then unchanged, except for the contents of its words
   bool read(std::string_view text, std::size_t from, Block& block) const;
 
  private:
@@ -33,9 +33,9 @@ class PlainBlocks {
 
   const Grammar& grammar_;
   std::array<Kind, 256> kinds_{};            // by character
-  std::array<bool, most_addresses> easy_{};  // any number of digits is allowed
-  std::size_t most_digits_ = 0;              // maximum digits of a value
-  std::size_t most_number_digits_ = 0;       // maximum digits of a block number
+  std::array<bool, most_addresses> easy_{};  // by address: any number of digits is allowed
+  std::size_t most_digits_ = 0;              // maximum number of digits of a value
+  std::size_t most_number_digits_ = 0;       // maximum number of digits of a block number
 };
 
 }  // namespace kadr

@@ -10,11 +10,11 @@ namespace kadr {
 
 struct ProgramFrame {
   static constexpr std::uint64_t none = ~std::uint64_t{0};
-  std::uint64_t begin = 0;    // offset of the first line that is read
-  std::uint64_t sign = none;  // offset of the line with the first %; none: there is none, or it is not before the first block
+  std::uint64_t begin = 0;    // offset of the first line of the program
+  std::uint64_t sign = none;  // offset of the line with the first %; none: the file has no %, or has it only after the first block
 };
 
-/// Analyses the start of a file. Text before the first % is skipped if it is not a block: it is a title.
+/// Analyses the start of a file. Text before the first % is skipped if it is not a block: then it is a title.
 ProgramFrame frame_of(std::string_view sample, const Grammar& grammar);
 
 /// Returns true if the line starts with %, apart from blanks.

@@ -35,14 +35,14 @@ class StatementReader {
   /// Returns the keyword at the cursor, which does not move.
   Keyword keyword_here() const;
   Keyword keyword_here(std::size_t& length) const;
-  /// Returns true if this control has the keyword; else it is read as a word.
+  /// Returns true if this control has the keyword; else the text is read as a word.
   bool knows(Keyword keyword) const { return keyword != Keyword::none && (keyword != Keyword::names || grammar_.semicolon_ends); }
   /// Reads a statement at the cursor, up to the end of the block or to a comment.
   ///   alarms  expression_syntax, terminator_wrong, while_without_do, do_number, illegal_address, statement_not_alone
   Status read(Keyword keyword);
-  /// Reads `[#NAME]=5`; or a condition without IF, if the control has that.
+  /// Reads `[#NAME]=5`; or a condition without IF, if the control allows conditions without IF.
   Status bracket();
-  /// Reads `#n=…`; the cursor is after the '#'. `begin`: place of the '#'.
+  /// Reads `#n=…`; the cursor is after the '#'. `begin`: offset of the '#'.
   Status assignment(std::size_t begin);
 
  private:

@@ -13,7 +13,7 @@
 namespace kadr {
 namespace {
 
-constexpr std::size_t least_parameter_digits = 2, most_parameter_digits = 3;  // R01, R123 (spec/correctors 3)
+constexpr std::size_t least_parameter_digits = 2, most_parameter_digits = 3;  // numbers of digits: R01, R123 (spec/correctors 3)
 
 }  // namespace
 
@@ -65,7 +65,7 @@ Status WordReader::value(Word& w, const WordFormat& format, std::size_t begin) {
   auto expression = grammar_.sums_without_brackets() ? compile_macro_value(cursor_, grammar_, block_, MacroValue::operand)
                                                      : compile_value(cursor_, grammar_, block_);
   if (!expression) return fail(expression.error());
-  if (grammar_.rounds_in_address && format.counted != 0)  // spec/haas 2.2
+  if (grammar_.rounds_in_address && format.counted != 0)  // ROUND in a word's value (spec/haas 2.2)
     for (std::size_t i = expression->begin; i < expression->end; ++i)
       if (block_.code[i].op == Op::round) block_.code[i].op = Op::round_increment;
   if (sign == '-') {
@@ -108,7 +108,7 @@ Status WordReader::number(Word& w, const WordFormat& format, char sign, std::siz
     const std::size_t end = cursor_.at;
     cursor_.skip_blanks();
     const char c = cursor_.peek();
-    const double constant = format.implied ? read.mantissa : read.value;  // raw digits, as a parameter has them
+    const double constant = format.implied ? read.mantissa : read.value;  // raw digits, because the value of a parameter is in raw digits
     if ((c == '+' || c == '-')) return parameter_sum(w, format, sign == '-' ? -constant : constant, c, begin);
     cursor_.at = end;  // blanks after the word are not part of it
   }
@@ -116,7 +116,7 @@ Status WordReader::number(Word& w, const WordFormat& format, char sign, std::siz
   return {};
 }
 
-/// RS274/NGC: blanks are ignored, even between digits (`X1 0` is X10).
+/// RS274/NGC: reads a number in which blanks are ignored, even between digits (`X1 0` is X10).
 Status WordReader::digits_apart(Number& read, const Word& w, std::size_t begin) {
   Cursor ahead = cursor_;
   ahead.skip_blanks();
@@ -134,7 +134,8 @@ Status WordReader::digits_apart(Number& read, const Word& w, std::size_t begin) 
   return {};
 }
 
-/// In the notation whose words contain blanks, `L2 15`, blanks are also allowed before the point: `Y+ 50 .` (spec/correctors 2, N008).
+/// In the notation whose words contain blanks, `L2 15`, blanks are also allowed before the decimal point: `Y+ 50 .` (spec/correctors 2,
+/// N008).
 Status WordReader::point_apart(Number& read, const Word& w, std::size_t begin) {
   Cursor ahead = cursor_;
   ahead.skip_blanks();
@@ -194,7 +195,7 @@ bool WordReader::parameter_here() const {
   return c == grammar_.parameter_address || grammar_.long_parameters.find(c) != std::string::npos;
 }
 
-/// Reads the index of the parameter whose letter is at the cursor: one digit after it, or two or three.
+/// Reads the index of the parameter whose letter is at the cursor: one digit after the letter, or two or three digits.
 Result<double> WordReader::parameter_index() {
   const std::size_t begin = cursor_.at;
   const char letter = cursor_.text[cursor_.at++];
@@ -251,7 +252,7 @@ Status WordReader::assign_parameter(double index, double value, std::size_t begi
   return {};
 }
 
-/// Reads `X+R1`, `Z-1200+R2`: the raw digits are added, then converted to the unit of the address.
+/// Reads `X+R1`, `Z-1200+R2`: the raw digits and the parameter's value are added, then converted to the unit of the address.
 Status WordReader::parameter_sum(Word& w, const WordFormat& format, double constant, char sign, std::size_t begin) {
   const std::size_t sign_at = cursor_.at;
   if (cursor_.peek() == '+' || cursor_.peek() == '-') {

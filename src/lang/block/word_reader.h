@@ -1,5 +1,6 @@
 #pragma once
-// WordReader: reads one word with a known address: converts its digits to a value by the format of the address. Used by the lexer only.
+// WordReader: reads one word with a known address and converts its digits to a value by the format of the address. Used by the lexer
+// only.
 
 #include "base/ascii.h"
 #include "base/result.h"
@@ -15,16 +16,17 @@ class WordReader {
  public:
   WordReader(Cursor& cursor, const Grammar& grammar, Block& block) : cursor_(cursor), grammar_(grammar), block_(block) {}
 
-  /// Checks that the block may have one more word with this address; the format limits their number.
+  /// Checks that the block may have one more word with this address; the format of the address limits their number.
   ///   alarms  too_many_words, address_twice, too_many_codes
   Status room_for(char letter, const WordFormat& format, std::size_t begin);
 
-  /// Reads sign, digits, point or expression after the address at the cursor. `begin`: start of the word, for alarms.
+  /// Reads sign, digits, decimal point or expression after the address at the cursor. `begin`: start of the word, for alarms.
   Status value(Word& w, const WordFormat& format, std::size_t begin);
 
   /// Reads `R2+50`, which sets R2; the sign is mandatory, INFERRED: without one it is + (2С42 6.3.7).
   Status formal_parameter(std::size_t begin);
-  /// Reads `#12+50.`, whose letter is a special sign (spec/correctors 3); anything else is unexpected.
+  /// Reads `#12+50.`, a formal parameter with a special sign as its letter (spec/correctors 3); an alarm reports anything else as
+  /// unexpected.
   Status parameter_by_sign();
 
   /// Returns true for `R01+50.`, `P123=5`: two or three digits after the letter at the cursor, then a sign or '=' (spec/correctors 3).
@@ -40,10 +42,11 @@ class WordReader {
   /// Reads AX[n]=v, the axis by its number (nct 23.2.12); the address is known only when the block is executed.
   Status axis_by_number(std::size_t begin);
 
-  /// Returns the longest name at the cursor; one that ends with a digit needs '=' after it (nct 2.2). nullptr if there is none.
+  /// Returns the longest name of several characters at the cursor; a name that ends with a digit needs '=' after it (nct 2.2). nullopt if
+  /// there is none.
   const AddressName* name_here() const;
 
-  /// Returns true if nothing at the cursor can be a value.
+  /// Returns true if the text at the cursor cannot be the start of a value.
   bool no_value_follows() const;
 
   /// Returns true if the literal `mark` at `at` ends the block.

@@ -1,5 +1,6 @@
 #pragma once
-// Symbols of Op::element that are in no table: queries about a variable number, where names have numbers too (VariableNames).
+// Numbers of symbols for Op::element that no control's table contains: queries about a variable number, where named variables have
+// numbers too (VariableNames).
 
 namespace kadr {
 

@@ -13,7 +13,7 @@
 
 namespace kadr {
 
-/// A position in the text of an expression; shared with the lexer.
+/// A position in the text of an expression; the lexer and the compiler move the same cursor.
 struct Cursor {
   std::string_view text;
   std::size_t at = 0;
@@ -21,7 +21,7 @@ struct Cursor {
   void skip_blanks();
 };
 
-/// The value of a variable that was never set, or was emptied: #0 (nct 23.1.6). No other value is a NaN.
+/// The value of a variable that was never set, or was emptied by assigning #0 (nct 23.1.6). No other value is a NaN.
 inline constexpr double vacant = std::numeric_limits<double>::quiet_NaN();
 inline bool is_vacant(double value) { return value != value; }
 
@@ -49,10 +49,10 @@ Result<Expression> compile_macro_target(Cursor& cursor, const Grammar& grammar, 
 /// Returns true if `[#NAME]` is at the cursor (spec/fanuc 5.1).
 bool given_name_follows(const Cursor& cursor);
 
-/// An unsigned number with an optional point; read_number() needs the cursor on a digit or a point.
+/// An unsigned number with an optional decimal point; read_number() needs the cursor on a digit or a decimal point.
 struct Number {
   double value = 0;
-  double mantissa = 0;  // the digits without the point, as a whole number
+  double mantissa = 0;  // the digits without the decimal point, as a whole number
   std::uint8_t whole_digits = 0;
   std::uint8_t fraction_digits = 0;
   bool has_point = false;
@@ -78,7 +78,7 @@ inline bool compare(Op op, double a, double b) {
     }
   }
   if (is_vacant(a) || is_vacant(b)) [[unlikely]] {
-    const int order = int{is_vacant(a)} - int{is_vacant(b)};  // vacant is greater than every number
+    const int order = int{is_vacant(a)} - int{is_vacant(b)};  // a vacant value is greater than every number
     switch (op) {
       case Op::equal: return order == 0;
       case Op::not_equal: return order != 0;
@@ -99,7 +99,7 @@ inline bool compare(Op op, double a, double b) {
 }
 
 /// Evaluates the instructions. `variable(double number, Span)` and `parameter(int)` return Result<double>;
-/// `known(double number, double& value)` is a fast access for variables at hand, false for others;
+/// `known(double number, double& value)` is a fast access to variables; it returns false for variables that it does not cover;
 /// `increments()` is the number of increments in one unit of the program;
 /// `control_value(number, bit, index, Span)` and `element(symbol, index, Span)` belong to custom macros.
 template <class Variables>

@@ -19,7 +19,7 @@ class Compiler : public StepWriter {
   Compiler(Cursor& cursor, const Grammar& grammar, Block& block, bool reads_parameters = false)
       : StepWriter(cursor, grammar, block), reads_parameters_(reads_parameters) {}
 
-  /// Precedence climbing: a value, then the operators of at least this priority, each with its right side.
+  /// Compiles by precedence climbing: a value, then the operators of at least this priority, each with its right operand.
   Status sum(int least_binding) {
     KADR_TRY(factor());
     for (;;) {
@@ -53,13 +53,13 @@ class Compiler : public StepWriter {
     return c == '-' ? step(Op::negate, 0, begin, 0) : Status();
   }
 
-  /// number | #value | [expression] | function operand | AXNUM[…] | PRM[…]
+  /// Compiles number | #value | [expression] | function operand | AXNUM[…] | PRM[…].
   Status value() {
     cursor_.skip_blanks();
     return cursor_.peek() == '[' ? bracket() : of_numbers([this] { return number_here(); });
   }
 
-  /// Adds a check that the number computed by the steps from `first` on is not the number of a name.
+  /// Adds a check that the number computed by the steps from `first` on is not the number of a named variable.
   Status own_number(std::size_t begin, std::size_t first) {
     if (grammar_.named_variables == nullptr && grammar_.given_names == nullptr) return {};
     const bool is_small =
@@ -101,7 +101,7 @@ class Compiler : public StepWriter {
     return constant_number ? step(Op::variable_at, number, begin, 1) : step(Op::variable, 0, begin, 0);
   }
 
-  /// `WHILE #1=5`: an assignment in the place of a condition (23.2.11).
+  /// Reports `WHILE #1=5`: an assignment in the place of a condition (23.2.11).
   Status no_assignment() {
     const std::size_t begin = cursor_.at++;
     KADR_TRY(variable(begin));
@@ -129,7 +129,7 @@ class Compiler : public StepWriter {
     return step(found->op, 0, begin, -1);
   }
 
-  /// Compiles #<name> (spec/linuxcnc 4.2). `use`: variable_at for its value, number for its number.
+  /// Compiles #<name> (spec/linuxcnc 4.2). `use`: variable_at pushes the variable's value, number pushes its number.
   Status named(std::size_t begin, Op use) {
     const std::size_t open = cursor_.at;
     const std::size_t close = cursor_.text.find('>', open);
@@ -220,7 +220,7 @@ class Compiler : public StepWriter {
     return step(Op::element, is_name ? symbol_name_exists : symbol_number_exists, begin, 0);  // the control checks whether it exists
   }
 
-  /// Compiles a function of the next operand only (nct 23.2.4), with its signs.
+  /// Compiles a function of the next operand only, with the operand's signs (nct 23.2.4).
   Status function_of_value(const ExpressionRow& row, std::size_t begin) {
     const std::size_t operand = cursor_.at;
     KADR_TRY(enter(begin));
@@ -237,7 +237,7 @@ class Compiler : public StepWriter {
   Status function_of_bracket(const ExpressionRow& row, std::size_t begin) {
     KADR_TRY(bracket());
     if (row.operand == Operand::bracket) return step(row.op, 0, begin, 0);
-    const auto other_missing = [&] {  // ATAN[y]/[x]
+    const auto other_missing = [&] {  // ATAN[y]/[x]: the second bracket is missing
       return fail(alarm(AlarmId::expression_syntax, span(begin, cursor_.at), std::string_view(row.text + "[ ]/[ ]")));
     };
     cursor_.skip_blanks();
@@ -249,7 +249,7 @@ class Compiler : public StepWriter {
     return step(row.op, 0, begin, -1);
   }
 
-  /// Warns of ATAN[a]/[b]: on a Fanuc it is a function of both, here a division (23.2.6).
+  /// Warns of ATAN[a]/[b]: on a Fanuc it is a function of both numbers, here ATAN[a] is divided by b (23.2.6).
   void warn_of_quotient(std::size_t begin, std::size_t operand) {
     if (cursor_.text[operand] != '[') return;
     Cursor ahead = cursor_;
@@ -260,7 +260,7 @@ class Compiler : public StepWriter {
     if (ahead.peek() == '[') block_.warnings.push_back(warning(AlarmId::arctangent_divides, span(begin, ahead.at)));
   }
 
-  /// Compiles PRM[n], PRM[n,bit], …/[index] (24.2); parts left out are vacant.
+  /// Compiles PRM[n], PRM[n,bit], …/[index] (24.2); an omitted bit or index is vacant.
   Status control_value(std::size_t begin) {
     cursor_.at = begin + 3;
     if (!reads_parameters_) return fail(alarm(AlarmId::illegal_address, span(begin, cursor_.at), "PRM"));  // 24.2: only in an assignment
@@ -312,15 +312,15 @@ class Compiler : public StepWriter {
     return step(Op::element, static_cast<double>(found - grammar_.symbols.begin()), begin - 1, 0);
   }
 
-  /// RS274/NGC: only ] and the end of the text may follow an operand without an operator.
+  /// RS274/NGC: checks that an operator, ] or the end of the text follows an operand.
   Status end_of_expression(std::size_t at) const {
     const char c = cursor_.peek();
     if (c == ']' || c == '\0') return {};
-    const bool is_value = c == '#' || c == '[' || c == '.' || is_digit(c);  // the operator before it is missing
+    const bool is_value = c == '#' || c == '[' || c == '.' || is_digit(c);  // a value follows: the operator before it is missing
     return fail(alarm(is_value ? AlarmId::expression_syntax : AlarmId::operator_unknown, span(at, at + 1), character_at(at)));
   }
 
-  /// RS274/NGC: any value is allowed after '#', also #-1 and ##1.
+  /// RS274/NGC: compiles the value after '#', which may be any value, also #-1 and ##1.
   Status variable_of_value(std::size_t begin) {
     const std::size_t first = block_.code.size();
     KADR_TRY(enter(begin));

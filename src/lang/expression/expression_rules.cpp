@@ -15,7 +15,7 @@ bool begins_with(std::string_view text, std::string_view word) {
          std::equal(word.begin(), word.end(), text.begin(), [](char wanted, char written) { return wanted == to_upper(written); });
 }
 
-/// Returns how many letters of the word are at the start of the text.
+/// Returns the number of first letters that the text and the word have in common.
 std::size_t alike(std::string_view text, std::string_view word) {
   std::size_t i = 0;
   while (i < text.size() && i < word.size() && to_upper(text[i]) == word[i]) ++i;

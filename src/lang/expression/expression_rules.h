@@ -14,19 +14,19 @@ namespace kadr {
 /// How the operand of a function is written.
 enum class Operand : std::uint8_t {
   bracket,  // SIN[…]
-  value,    // SIN #1, SIN[…]: the next value, with its signs
+  value,    // SIN #1, SIN[…]: the operand is the next value, with its signs
   pair,     // ATAN[…]/[…]
 };
 
 struct ExpressionRow {
-  std::string text;  // upper case
+  std::string text;  // text of the operator or function in upper case
   Op op = Op::number;
-  std::uint8_t binding = 0;            // of an operator: its priority; 0: known, but not on this control, so that an alarm names it
-  Operand operand = Operand::bracket;  // of a function
-  Op of_two = Op::number;              // for ATAN[a]/[b], if ATAN[a] is a function too; number: none
+  std::uint8_t binding = 0;  // priority of an operator; 0: the operator exists, but not on this control, so that an alarm can name it
+  Operand operand = Operand::bracket;  // how a function's operand is written
+  Op of_two = Op::number;              // operation of ATAN[a]/[b], if ATAN[a] alone is a function too; Op::number: none
 };
 
-/// Rows by text. If one text is the start of another, the longer one is matched.
+/// Operators or functions by their text. If one text is the start of another, the longer one is matched.
 class ExpressionRows {
  public:
   static constexpr std::size_t most = 64;
@@ -44,17 +44,18 @@ class ExpressionRows {
   const std::vector<ExpressionRow>& all() const { return rows_; }
   /// Returns the row whose text is at the start of `text`, whatever the letter case; nullptr if there is none.
   const ExpressionRow* find(std::string_view text) const;
-  /// Like find(), but the first two letters of a word are enough (`SI[30]`, spec/fanuc 5.4). `length`: of the text that matched.
+  /// Like find(), but the first two letters of a word are enough (`SI[30]`, spec/fanuc 5.4). Sets `length` to the length of the text that
+  /// matched.
   const ExpressionRow* find_short(std::string_view text, std::size_t& length) const;
 
  private:
-  std::vector<ExpressionRow> rows_;        // by first character, the longest texts first
-  std::array<std::uint8_t, 128> first_{};  // by first character: index of its first row, plus 1; 0: none
+  std::vector<ExpressionRow> rows_;        // sorted by first character, then the longest texts first
+  std::array<std::uint8_t, 128> first_{};  // for each first character: index of its first row, plus 1; 0: none
 };
 
 struct ExpressionRules {
   ExpressionRows operators, functions;
-  ExpressionRows relations;  // in the brackets of a condition of custom macros
+  ExpressionRows relations;  // comparisons in the brackets of a condition of custom macros
 };
 
 }  // namespace kadr

@@ -9,17 +9,17 @@
 namespace kadr {
 namespace {
 
-constexpr double least_bits = -4294967297.0;  // 23.2.3, as printed
+constexpr double least_bits = -4294967297.0;  // least operand of AND, OR, XOR, as 23.2.3 prints it
 constexpr double beyond_bits = 4294967296.0;
 
-/// Converts a logical operand: the nearest whole number modulo 2^32. INFERRED:
-/// rounding; 2^31 … 2^32−1 have the same bits as the negative numbers.
+/// Converts an operand of AND, OR, XOR to its bits: the nearest whole number modulo 2^32. INFERRED: the rounding; 2^31 … 2^32−1 have the
+/// same bits as the negative numbers.
 Result<std::uint32_t> bits_of(double v, Span where) {
   if (!(v >= least_bits && v < beyond_bits)) return fail(alarm(AlarmId::bits_out_of_range, where, v));
   return static_cast<std::uint32_t>(std::llround(v));
 }
 
-/// Converts bits back to a number, which is signed (23.2.3 item 4).
+/// Converts 32 bits back to a number, which is signed (23.2.3 item 4).
 double number_of(std::uint32_t bits) { return static_cast<std::int32_t>(bits); }
 
 Result<double> logic(Op op, double a, double b, Span where) {
@@ -37,7 +37,7 @@ Result<double> logic(Op op, double a, double b, Span where) {
 
 Result<double> tangent(double deg, Span where) {
   const SinCos at = sincos_deg(deg);
-  if (at.cos == 0) return fail(alarm(AlarmId::tangent_of_right_angle, where, deg));  // exact at (2n+1)·90°
+  if (at.cos == 0) return fail(alarm(AlarmId::tangent_of_right_angle, where, deg));  // the cosine is exactly 0 at (2n+1)·90°
   return at.sin / at.cos;
 }
 
@@ -46,7 +46,8 @@ Result<double> arc(Op op, double a, Span where) {
   return (op == Op::arc_sine ? std::asin(a) : std::acos(a)) / rad_per_deg;
 }
 
-/// Reads the digits of a number in base `from` as digits in base `to`: 25 in tens is 0x25 = 37 (spec/fanuc 5.3).
+/// Reads the digits of a number in base `from` as digits in base `to`: the decimal digits 25 read in base 16 are 0x25 = 37 (spec/fanuc
+/// 5.3).
 Result<double> digits_from_to(double a, std::uint64_t from, std::uint64_t to, Span where) {
   constexpr double most = 99'999'999;
   if (!(a >= 0 && a <= (from == 10 ? most : 4294967295.0))) return fail(alarm(AlarmId::value_limit, where, a));
@@ -62,7 +63,7 @@ Result<double> digits_from_to(double a, std::uint64_t from, std::uint64_t to, Sp
 }  // namespace
 
 double remainder_of(double a, double b) {
-  constexpr double exact = 9007199254740992;  // 2^53
+  constexpr double exact = 9007199254740992;  // 2^53: whole numbers up to here are exact in a double
   if (std::fabs(a) < exact && std::fabs(b) < exact) {
     const auto left = static_cast<std::int64_t>(a), right = static_cast<std::int64_t>(b);
     if (right != 0 && static_cast<double>(left) == a && static_cast<double>(right) == b)
@@ -75,7 +76,7 @@ Result<double> apply_macro(Op op, double a, double b, Span where) {
   switch (op) {
     case Op::remainder:
       if (b == 0) return fail(alarm(AlarmId::division_by_zero, where));
-      return remainder_of(a, b);  // INFERRED: the sign of the dividend
+      return remainder_of(a, b);  // INFERRED: the remainder has the sign of the dividend
     case Op::bit_and:
     case Op::bit_or:
     case Op::bit_xor:

@@ -6,12 +6,12 @@
 
 namespace kadr {
 
-/// Executes one step.
+/// Executes one step on the operands `a`, `b`.
 ///   alarms  division_by_zero, bits_out_of_range, root_of_negative, tangent_of_right_angle, argument_above_one,
 ///           argument_not_positive, not_a_number
 Result<double> apply_macro(Op op, double a, double b, Span where);
 
-/// std::fmod(a, b), b not 0; faster if both are whole numbers.
+/// Returns std::fmod(a, b), b not 0; faster than std::fmod if both are whole numbers.
 double remainder_of(double a, double b);
 
 }  // namespace kadr

@@ -1,5 +1,5 @@
 #pragma once
-// Op: one step of an expression. Expressions are compiled to a sequence of steps for a stack machine.
+// Op: one step of an expression. An expression is compiled to a sequence of steps for a stack machine.
 
 #include <cstdint>
 #include <optional>
@@ -10,7 +10,7 @@ namespace kadr {
 enum class Op : std::uint8_t {
   number,
   variable,
-  parameter,  // pushes a value; `variable` replaces the top by #top
+  parameter,  // pushes the value of a formal parameter; `variable` replaces the number on top of the stack by the variable's value
   add,
   subtract,
   multiply,
@@ -41,23 +41,23 @@ enum class Op : std::uint8_t {
   fup,
   ln,
   round,
-  round_increment,  // to the least increment of the active unit (spec/haas 2.2)
+  round_increment,  // rounds to the least increment of the active unit (spec/haas 2.2)
   sin,
   sqrt,
   tan,
-  scale,  // divides by `number`: from raw digits to the unit of the address
+  scale,  // divides by `number`: converts raw digits to the unit of the address
   // ---- custom macros (nct 23.2)
   remainder,
   bit_and,
   bit_or,
   bit_xor,
-  nearly_equal,  // within 1e-6 (LinuxCNC 2.9.3)
+  nearly_equal,  // equal within 1e-6 (LinuxCNC 2.9.3)
   nearly_not_equal,
   nearly_greater_equal,  // greater, or within 1e-6
   nearly_less_equal,
   bit_not,
-  truncate,        // FIX
-  away_from_zero,  // FUP
+  truncate,        // FIX: rounds towards 0
+  away_from_zero,  // FUP: rounds away from 0
   square_root,
   sine,
   cosine,
@@ -66,14 +66,14 @@ enum class Op : std::uint8_t {
   arc_cosine,
   arc_tangent,
   logarithm,
-  arc_sine_turn,  // ASIN, 270 … 90 (spec/fanuc 5.3)
-  atan_turn,      // ATAN[a]/[b], 0 … 360 (spec/fanuc 5.3)
-  to_bcd,         // 25 → 37, the digits as groups of four bits, and back
+  arc_sine_turn,  // ASIN with results 270 … 90 (spec/fanuc 5.3)
+  atan_turn,      // ATAN[a]/[b] with results 0 … 360 (spec/fanuc 5.3)
+  to_bcd,         // 25 → 37: each decimal digit becomes a group of four bits; the next operation converts back
   from_bcd,
   keep_negate,   // negates a word's value: a vacant value stays vacant
   variable_at,   // pushes the value of variable `number`
-  element,       // replaces the index on top by the number of this element of symbol `number`
-  control_value  // PRM: replaces number, bit and index on top by the value
+  element,       // replaces the index on top of the stack by the number of the variable that is this element of symbol `number`
+  control_value  // PRM: replaces number, bit and index on top of the stack by the value of the parameter
 };
 
 /// Returns the operation of an operator, function or relation by its name in control files ("add", "sine").

@@ -14,7 +14,7 @@ class StepWriter {
  public:
   StepWriter(Cursor& cursor, const Grammar& grammar, Block& block) : cursor_(cursor), grammar_(grammar), block_(block) {}
 
-  /// `pushed`: change of the stack's height.
+  /// Writes a step. `pushed`: by how many values the step changes the height of the stack.
   Status step(Op op, double number, std::size_t begin, int pushed) {
     pushed_ += pushed;
     if (block_.code.size() >= limits::expression_steps || pushed_ > static_cast<int>(limits::expression_depth))
@@ -23,7 +23,7 @@ class StepWriter {
     return {};
   }
 
-  /// Returns true if the bracket at `begin` has no partner in the rest of the block (23.2.6).
+  /// Returns true if the bracket at `begin` is not closed in the rest of the block (23.2.6).
   bool is_open(std::size_t begin) const {
     int depth = 0;
     for (std::size_t i = begin; i < cursor_.text.size() && cursor_.text[i] != '('; ++i) {
@@ -60,7 +60,7 @@ class StepWriter {
     return {};
   }
 
-  /// Compiles a part that neither is a condition nor contains one.
+  /// Compiles a part of an expression that neither is a condition nor contains one.
   template <class Compile>
   Status of_numbers(Compile compile) {
     const bool in_condition = std::exchange(in_condition_, false);
@@ -70,7 +70,7 @@ class StepWriter {
     return {};
   }
 
-  /// Reads [#NAME], the variable that SETVN has given this name (spec/fanuc 5.1).
+  /// Reads [#NAME]: the variable to which SETVN has given this name (spec/fanuc 5.1).
   Status given_name(double& number) {
     const std::size_t open = cursor_.at;
     const std::size_t name = cursor_.text.find('#', open) + 1, close = std::min(cursor_.text.find(']', open), cursor_.text.size());
@@ -123,7 +123,7 @@ class StepWriter {
     return found;
   }
 
-  /// Returns true if `/[` is after the bracket […]; the cursor then moves to the second bracket.
+  /// Returns true if `/[` follows the bracket […] that is the operand; the cursor then moves to the second bracket.
   bool divides_bracket(std::size_t operand) {
     if (cursor_.text[operand] != '[') return false;
     Cursor ahead = cursor_;
@@ -145,7 +145,7 @@ class StepWriter {
     return true;
   }
 
-  /// Returns the whole character at this place.
+  /// Returns the whole UTF-8 character at this offset of the text.
   std::string_view character_at(std::size_t at) const {
     if (at >= cursor_.text.size()) return "…";
     return cursor_.text.substr(at, std::max<std::size_t>(first_character(cursor_.text.substr(at)).size, 1));
@@ -166,8 +166,8 @@ class StepWriter {
   Block& block_;
   int depth_ = 0;
   int pushed_ = 0;
-  bool in_condition_ = false;  // where conditions are not values: a condition is allowed here …
-  bool is_condition_ = false;  // … and the part read last is a condition
+  bool in_condition_ = false;  // where conditions are not values: a condition is allowed at the cursor …
+  bool is_condition_ = false;  // … and the part of the expression read last is a condition
 };
 
 }  // namespace kadr

@@ -1,4 +1,4 @@
-// Numbers of named variables. Used by expression_compiler, o_word_reader; control/linuxcnc.
+// Gives numbers to named variables. Used by expression_compiler, o_word_reader; control/linuxcnc.
 
 #include "lang/expression/variable_names.h"
 

@@ -1,6 +1,6 @@
 #pragma once
-// Code EIA RS-244 of punched tape: tracks 1 to 4, 6 and 7 hold the character,
-// track 5 makes the number of holes odd, track 8 alone ends a block.
+// Code EIA RS-244 of punched tape: tracks 1 to 4, 6 and 7 encode the character, track 5 makes the number of punched holes odd, and a row
+// with track 8 alone ends a block.
 
 #include <cstdint>
 #include <optional>
@@ -11,12 +11,12 @@ inline constexpr std::uint8_t eia_end_of_block = 0x80;
 
 bool has_odd_parity(std::uint8_t row);
 
-/// Returns the meaning of a row with odd parity: a character ('\n' ends a block, '%' is the end of record), or 0 for rows without one
-/// (delete, back space, the shifts of a typewriter). Letters are read as capitals.
+/// Returns the meaning of a row with odd parity: a character ('\n' ends a block, '%' is the end of record), or 0 for a row without a
+/// character (delete, back space, the shifts of a typewriter). Letters are read as capitals.
 ///   returns  nullopt if the code has no such row
 std::optional<char> eia_character(std::uint8_t row);
 
-/// Returns the row of a character; nullopt if the code has none, as for ':', '=', brackets and Russian letters.
+/// Returns the row of a character; nullopt if the code has no such character: ':', '=', brackets, Russian letters.
 std::optional<std::uint8_t> eia_row(char32_t character);
 
 }  // namespace kadr

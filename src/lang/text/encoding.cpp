@@ -28,7 +28,7 @@ using HighHalf = std::array<Utf8, 128>;
 HighHalf load_high_half(const char* iconv_name) {
   HighHalf half;
   const iconv_t converter = iconv_open("UTF-8", iconv_name);
-  if (converter == reinterpret_cast<iconv_t>(-1)) return half;  // no byte has a meaning then
+  if (converter == reinterpret_cast<iconv_t>(-1)) return half;  // no byte above 127 has a meaning then
   for (std::size_t i = 0; i < half.size(); ++i) {
     char byte = static_cast<char>(128 + i);
     char* from = &byte;
@@ -50,7 +50,7 @@ const HighHalf& high_half(Encoding encoding) {
   return encoding == Encoding::cp1251 ? cp1251 : encoding == Encoding::koi8r ? koi8r : cp866;
 }
 
-/// Returns the number of ASCII bytes at the start; checks eight at a time.
+/// Returns the number of ASCII bytes at the start of `bytes`; checks eight bytes at a time.
 std::size_t ascii_run(std::string_view bytes) {
   std::size_t i = 0;
   for (std::uint64_t eight = 0; i + sizeof eight <= bytes.size(); i += sizeof eight) {
@@ -73,7 +73,7 @@ Status append_rows(std::string_view rows, std::string& text) {
   return {};
 }
 
-/// Appends the rows of a line in EIA code.
+/// Appends the characters of rows in EIA code.
 Status append_eia_rows(std::string_view rows, std::string& text) {
   for (std::size_t i = 0; i < rows.size(); ++i) {
     const auto row = static_cast<std::uint8_t>(rows[i]);
@@ -86,9 +86,9 @@ Status append_eia_rows(std::string_view rows, std::string& text) {
 
 // ---- detection: how likely the sample's Russian words are in each encoding
 
-/// Cost of a letter after another, in half bits: 'a' is 0, 'z' is 12.5 bits and more. Rows are the first letter of the pair, columns
-/// the second, а..я and the edge of a word. Counted from the words of the controls' manuals (spec/) and of the shop (СВЕРЛО, ФРЕЗА, …),
-/// each weighted by the square root of its count; ПС, which ends every block, has the weight of a frequent word.
+/// Cost of a letter after another letter, in half bits: 'a' is 0, 'z' is 12.5 bits and more. Table rows are the first letter of the pair,
+/// columns the second: а..я and the start or end of a word. Counted from the words of the controls' manuals (spec/) and of the shop
+/// (СВЕРЛО, ФРЕЗА, …), each word weighted by the square root of its count; ПС, which ends every block, has the weight of a frequent word.
 constexpr std::size_t word_edge = 32;
 constexpr std::array<std::string_view, 33> pair_cost = {
     "zlinjinjtqkiigwkkkhyznnkrlzzzvkjg",  // а
@@ -123,14 +123,14 @@ constexpr std::array<std::string_view, 33> pair_cost = {
     "ttmtjttttlggittttoctktttttttttttt",  // э
     "znzznzzzzmzuozzzunftzzzgsezzzzzzd",  // ю
     "xznrniqmzxrtjlzvmojzznnrzmzzzzkqb",  // я
-    "nlhmjpsjjzinkihejhkkmpnmotzyyozrz",  //
+    "nlhmjpsjjzinkihejhkkmpnmotzyyozrz",  // start of a word
 };
-constexpr int mixed_case_cost = 24;  // a capital after a small letter, or a small one after two capitals: wrong encoding
+constexpr int mixed_case_cost = 24;  // a capital after a small letter, or a small letter after two capitals: a sign of the wrong encoding
 constexpr int typography_cost = 20;  // №, quotes, dashes, degrees: rare, but they occur in text
-constexpr int other_sign_cost = 48;  // frames, fractions, letters of other languages
+constexpr int other_sign_cost = 48;  // box-drawing characters, fractions, letters of other languages
 
 struct Sign {
-  std::size_t letter = word_edge;  // а..я = 0..31
+  std::size_t letter = word_edge;  // а..я are 0..31
   bool capital = false;
   int cost = 0;  // cost of a character that is not a Russian letter
 };
@@ -144,13 +144,13 @@ Sign sign_of(Encoding encoding, char byte) {
   return {word_edge, false, typography.find(code) != std::u32string_view::npos ? typography_cost : other_sign_cost};
 }
 
-/// Returns the cost of the sample as text in `encoding`: the bits of its words, more for unlikely pairs of letters.
+/// Returns the cost of the sample as text in `encoding`: the sum of the costs of its characters; unlikely pairs of letters cost more.
 std::uint64_t cost_of(std::string_view sample, Encoding encoding) {
   std::array<Sign, 256> signs;
   for (std::size_t i = 0; i < signs.size(); ++i) signs[i] = sign_of(encoding, static_cast<char>(i));
   std::uint64_t cost = 0;
   Sign last;
-  std::size_t length = 0;  // letters so far in the word
+  std::size_t length = 0;  // number of letters of the word so far
   const auto add = [&](const Sign& sign) {
     const bool in_word = sign.letter != word_edge;
     if (in_word || length > 0) cost += static_cast<std::uint64_t>(pair_cost[last.letter][sign.letter] - 'a');
@@ -165,7 +165,7 @@ std::uint64_t cost_of(std::string_view sample, Encoding encoding) {
   return cost;
 }
 
-/// Checks for valid UTF-8; the last character of the sample may be cut.
+/// Checks for valid UTF-8; the last character of the sample may be incomplete.
 bool is_utf8(std::string_view sample) {
   bool any = false;
   while (!sample.empty()) {
@@ -184,7 +184,8 @@ bool is_utf8(std::string_view sample) {
   return any;
 }
 
-/// The words ход, шаг, раз in CP866 happen to be valid UTF-8, with rare Asian letters.
+/// Returns true if valid UTF-8 is more likely small letters of CP866: the words ход, шаг, раз in CP866 happen to be valid UTF-8, with
+/// rare Asian letters.
 bool is_small_cp866(std::string_view sample) {
   return std::all_of(sample.begin(), sample.end(), [](char c) {
     const int row = static_cast<unsigned char>(c) >> 4;
@@ -206,7 +207,7 @@ Character first_character(std::string_view text) {
     if ((next & 0xC0) != 0x80) return {};
     code = code << 6 | (next & 0x3Fu);
   }
-  constexpr std::array<char32_t, 5> smallest = {0, 0, 0x80, 0x800, 0x10000};  // a longer form than necessary is invalid
+  constexpr std::array<char32_t, 5> smallest = {0, 0, 0x80, 0x800, 0x10000};  // by length: smaller codes are invalid
   const bool surrogate = code >= 0xD800 && code <= 0xDFFF;
   if (code < smallest[size] || code > 0x10FFFF || surrogate) return {};
   return {code, size};
@@ -230,7 +231,7 @@ std::string_view name_of(Encoding encoding) {
 }
 
 std::optional<Encoding> encoding_named(std::string_view name) {
-  std::string plain;  // "Windows-1251" and "windows1251" are the same
+  std::string plain;  // small letters, without separators: "Windows-1251" equals "windows1251"
   for (const char c : name)
     if (c != '-' && c != '_' && c != ' ') plain += c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
   struct Name {

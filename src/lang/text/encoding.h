@@ -12,7 +12,7 @@
 namespace kadr {
 
 enum class Encoding : std::uint8_t {
-  utf8,  // and plain ASCII
+  utf8,  // UTF-8, including plain ASCII
   cp1251,
   koi8r,
   cp866,
@@ -32,20 +32,20 @@ std::optional<Encoding> detect_encoding(std::string_view sample);
 /// Returns true for tape images: one byte per row, each with its parity.
 inline bool is_tape(Encoding encoding) { return encoding == Encoding::iso7 || encoding == Encoding::eia; }
 
-/// Appends the `bytes` of one line to `text` as UTF-8; on an alarm, only what is before the fault.
-///   alarms  bad_encoding, with the byte that has no meaning; parity_error, with the row in the line, counted from 1;
-///           their Span is the place of the byte in `bytes`
+/// Appends the `bytes` of one line to `text` as UTF-8; on an alarm, appends only the text before the fault.
+///   alarms  bad_encoding, with the byte that has no meaning; parity_error, with the number of the row in the line, counted from 1;
+///           the Span of the alarm is the location of the byte in `bytes`
 ///   law     `text` remains valid UTF-8, whatever the bytes
 Status append_utf8(std::string_view bytes, Encoding encoding, std::string& text);
 
-/// One UTF-8 character; size 0 if the text does not start with a complete, valid one.
+/// One UTF-8 character; its size is 0 if the text does not start with a complete, valid character.
 struct Character {
   char32_t code = 0;
   std::size_t size = 0;
 };
 Character first_character(std::string_view text);
 
-/// Returns a byte above 127 of cp1251, koi8r or cp866 as UTF-8; empty if it has no meaning.
+/// Returns a byte above 127 of cp1251, koi8r or cp866 as UTF-8; empty if the byte has no meaning.
 std::string_view utf8_of(Encoding encoding, std::uint8_t byte);
 
 /// Returns the Latin capital that a Cyrillic letter, capital or small, looks like (Х → X), or 0.

@@ -1,4 +1,4 @@
-// Splits the bytes of a program into lines; reads a program of any length through a window, from any place. Used by
+// Splits the bytes of a program into lines; reads a program of any length through a window in memory, from any offset. Used by
 // lang/block/block_reader, lang/text/utf16; tested by tests/lang/line_reader_test.cpp.
 
 #include "lang/text/line_reader.h"
@@ -21,9 +21,10 @@ namespace kadr {
 namespace {
 
 constexpr std::size_t window_bytes = 256 * 1024;
-/// The end of a line is searched this far: blanks and CRs before it may exceed the permitted length.
+/// The end of a line is searched for within this number of bytes: with blanks and CRs before its end a line may exceed the permitted
+/// length.
 constexpr std::size_t searched_bytes = 2 * limits::line_bytes;
-constexpr std::size_t first_read = 16 * 1024;  // after a jump, because a subprogram is short; doubled with each further read
+constexpr std::size_t first_read = 16 * 1024;  // bytes; few after a jump, because a subprogram is short; doubled with each further read
 constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
 static_assert(searched_bytes < window_bytes);
 
@@ -97,7 +98,8 @@ Kept read_whole(const OpenFile& file, std::uint64_t most) {
   }
 }
 
-/// A pipe delivers its text once, but the control is guessed from it before the program is read: a second reader gets the stored text.
+/// A pipe delivers its text only once, but the control is guessed from the text before the program is read: a second reader of the pipe
+/// gets the stored text.
 class Pipes {
  public:
   static Kept known(const std::string& path) {
@@ -122,13 +124,13 @@ class Pipes {
   }
 };
 
-/// Removes CRs from the end of a line: there may be several before its LF.
+/// Removes CRs from the end of a line: there may be several CRs before its LF.
 std::string_view without_crs(std::string_view bytes) {
   while (bytes.ends_with('\r')) bytes.remove_suffix(1);
   return bytes;
 }
 
-/// Returns true if CR alone ends the lines: there is a CR and no LF. A CR as the very last byte may be half of a CR LF.
+/// Returns true if CR alone ends the lines: the sample has a CR and no LF. A CR as the very last byte may be half of a CR LF.
 bool has_bare_cr(std::string_view sample) {
   if (sample.find('\n') != std::string_view::npos) return false;
   if (sample.size() == window_bytes) sample.remove_suffix(1);
@@ -153,7 +155,7 @@ std::unique_ptr<ByteSource> open_file(const std::string& path, const FileDoor* d
     Kept text = Pipes::keep(path, read_whole(file, is_device ? limits::device_bytes : limits::piped_bytes));
     return text ? shared_source(std::move(text)) : nullptr;
   }
-  posix_fadvise(file.descriptor(), 0, 0, POSIX_FADV_SEQUENTIAL);  // advice only: the result does not matter
+  posix_fadvise(file.descriptor(), 0, 0, POSIX_FADV_SEQUENTIAL);  // only advice to the system: its result does not matter
   return std::make_unique<FileSource>(std::move(file), static_cast<std::uint64_t>(status.st_size));
 }
 
@@ -193,8 +195,8 @@ void LineReader::seek(std::uint64_t offset, std::uint32_t number) {
   next_read_ = first_read;
 }
 
-/// Reads more bytes into the window. Lines already read are removed only if the window is full, so that a loop of less than 256 KiB
-/// remains in it. Returns false at the end of the source.
+/// Reads more bytes into the window. Lines already read are removed only if the window is full, so that a loop of less than 256 KiB stays
+/// in the window. Returns false at the end of the source.
 bool LineReader::fill() {
   if (at_end_) return false;
   if (filled_ == window_.size()) {
@@ -211,7 +213,8 @@ bool LineReader::fill() {
   return got > 0;
 }
 
-/// Returns the number of bytes from the window's position to the end of the line, or `none`; fills the window as far as a line may reach.
+/// Returns the number of bytes from the window's position to the end of the line, or `none`; fills the window as far as the longest line
+/// may reach.
 std::size_t LineReader::find_end() {
   std::size_t searched = 0;
   while (true) {
@@ -224,7 +227,7 @@ std::size_t LineReader::find_end() {
   }
 }
 
-/// Skips the rest of a line longer than the window. Returns false if the file ends with it.
+/// Skips the rest of a line that is longer than the window. Returns false if the file ends with this line.
 bool LineReader::skip_rest() {
   while (true) {
     const std::size_t end = find_end();
@@ -247,7 +250,7 @@ bool LineReader::next(Line& line) {
   const std::size_t raw = end != none ? end : std::min(filled_ - position_, searched_bytes);
   const std::string_view bytes(window_.data() + position_, raw);
   line = {without_crs(bytes), offset(), line_++, true, false};
-  if (raw == searched_bytes) {  // no end within reach
+  if (raw == searched_bytes) {  // no end of line within the searched bytes
     long_line_.assign(bytes, 0, limits::line_bytes);
     line.bytes = long_line_;
     line.too_long = true;

@@ -1,5 +1,5 @@
 #pragma once
-// LineReader: splits the bytes of a program into lines. It reads a program of any length through a window, from any place.
+// LineReader: splits the bytes of a program into lines. It reads a program of any length through a window in memory, from any offset.
 
 #include <cstddef>
 #include <cstdint>
@@ -14,9 +14,9 @@
 namespace kadr {
 
 struct Line {
-  std::string_view bytes;    // without the end of line; valid until the next call
-  std::uint64_t offset = 0;  // offset of its first byte in the file
-  std::uint32_t number = 1;  // counted from 1
+  std::string_view bytes;    // bytes of the line without the end of line; valid until the next call
+  std::uint64_t offset = 0;  // offset of the line's first byte in the file
+  std::uint32_t number = 1;  // line number, counted from 1
   bool ended = true;         // false: the file ends without an end of line
   bool too_long = false;     // longer than limits::line_bytes; `bytes` is its start, the rest is skipped
 };
@@ -35,7 +35,7 @@ class ByteSource {
 /// Through a door only a regular file can be opened.
 std::unique_ptr<ByteSource> open_file(const std::string& path, const FileDoor* door = nullptr);
 std::unique_ptr<ByteSource> text_source(std::string text);
-/// A source for text that others hold too.
+/// Returns a source for a text that others also keep in memory.
 std::unique_ptr<ByteSource> shared_text_source(std::shared_ptr<const std::string> text);
 
 /// Lines end with LF or CR LF (CRs before an LF are not part of the line), or with CR alone if the sample has no LF. A UTF-8 byte order
@@ -53,7 +53,7 @@ class LineReader {
   /// The first bytes of the file (at most 256 KiB), from which encoding and control are guessed.
   std::string_view sample();
   std::uint64_t size() const;
-  /// Bytes read so far, for progress. Less than size() at the end if the file could not be read completely.
+  /// Number of bytes read so far, for progress. Less than size() at the end if the file could not be read completely.
   std::uint64_t offset() const { return window_offset_ + position_; }
 
  private:
@@ -63,14 +63,14 @@ class LineReader {
   std::size_t find_end();
   bool skip_rest();
 
-  std::shared_ptr<ByteSource> source_;  // shared with readers of other places in the file
+  std::shared_ptr<ByteSource> source_;  // shared with readers of other parts of the file
   std::string window_;
   std::string sample_;
   std::string long_line_;            // start of a line that is too long
-  std::uint64_t window_offset_ = 0;  // of window_[0] in the file
+  std::uint64_t window_offset_ = 0;  // offset of window_[0] in the file
   std::size_t position_ = 0;         // next byte in the window
   std::size_t filled_ = 0;
-  std::size_t next_read_;  // bytes to read next: few after a jump, then more
+  std::size_t next_read_;  // number of bytes to read next: few after a jump, then more
   std::uint32_t line_ = 1;
   bool at_end_ = false;
   char end_of_line_ = '\n';  // CR if lines end with CR alone

@@ -1,5 +1,5 @@
-// A tape with several programs: where each starts, and which sections of subprograms
-// belong to it (spec/gost 1, 2С42 6.2, 6.3.5). Used by cli/open_program.
+// A tape with several programs: where each program starts, and which sections of subprograms belong to it (spec/gost 1, 2С42 6.2, 6.3.5).
+// Used by cli/open_program.
 
 #include "lang/text/several_programs.h"
 
@@ -16,7 +16,7 @@ namespace {
 constexpr std::size_t most_entries = 10'000;
 constexpr std::size_t search_bytes = 64 * 1024;
 
-/// The file with some ranges blanked; ends of lines remain.
+/// A source that gives the file with some ranges blanked; ends of lines remain.
 class BlankedSource final : public ByteSource {
  public:
   BlankedSource(std::shared_ptr<ByteSource> source, std::vector<ByteRange> blank, bool tape)
@@ -60,7 +60,7 @@ class Contents {
       take(*block);
     }
     end_at(reader_.size());
-    std::size_t kept = 0;  // a sign % at the end of the file starts no program
+    std::size_t kept = 0;  // a sign % at the end of the file starts no program and is dropped
     for (std::size_t i = 0; i < contents_.programs.size(); ++i)
       if (has_words_[i]) contents_.programs[kept++] = contents_.programs[i];
     contents_.programs.resize(kept);
@@ -93,7 +93,7 @@ class Contents {
     has_words_.push_back(false);
   }
 
-  /// N02001: subprogram 02, block 001 (2С42 6.3.5); M2 ends the section.
+  /// Handles a block such as N02001: subprogram 02, block 001 (2С42 6.3.5); M2 ends the section.
   void subprogram_block(const Block& block) {
     constexpr std::uint8_t digits_of_label = 5;
     constexpr std::uint32_t blocks_a_subprogram = 1000;
@@ -122,10 +122,10 @@ class Contents {
   BlockReader reader_;
   const bool sections_, labels_, may_begin_;
   TapeContents contents_;
-  std::vector<bool> has_words_;  // per program
+  std::vector<bool> has_words_;  // for each program: it has a block with words
   In in_ = In::nothing;
-  bool open_ = false;          // a subprogram is open
-  bool behind_start_ = false;  // after the block with %
+  bool open_ = false;          // the end of a subprogram has not been reached yet
+  bool behind_start_ = false;  // the block read is the one after the block with %
 };
 
 }  // namespace

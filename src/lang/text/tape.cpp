@@ -37,7 +37,7 @@ std::uint8_t russian_code(char32_t letter) {
   return letter >= U'А' && letter <= U'я' ? codes[letter - U'А'] : std::uint8_t{0};
 }
 
-/// Writes rows, and changes the register where a letter needs it.
+/// Writes rows, and switches the register (Latin or Russian letters) where a character needs it.
 class RowWriter {
  public:
   RowWriter(std::string& rows, TapeCode code) : rows_(rows), code_(code) {}
@@ -71,7 +71,7 @@ void trim_right(std::string_view& line) {
   while (!line.empty() && is_blank(line.back())) line.remove_suffix(1);
 }
 
-/// Removes one literal mark from the end of a line, unless it is the end of a word (`SELF`, `КПС`).
+/// Removes one literal ПС or LF from the end of a line, unless it is the end of a word (`SELF`, `КПС`).
 bool remove_mark(std::string_view& line) {
   std::string_view rest = line;
   trim_right(rest);
@@ -79,7 +79,7 @@ bool remove_mark(std::string_view& line) {
     if (!rest.ends_with(mark)) continue;
     rest.remove_suffix(mark.size());
     const auto before = static_cast<unsigned char>(rest.empty() ? ' ' : rest.back());
-    if (before >= 'A' && before != '_') return false;  // a letter, or the last byte of a non-ASCII one
+    if (before >= 'A' && before != '_') return false;  // a letter before it, or the last byte of a non-ASCII letter
     trim_right(rest);
     line = rest;
     return true;
@@ -87,7 +87,7 @@ bool remove_mark(std::string_view& line) {
   return false;
 }
 
-/// Returns a line without the CRs and marks at its end, which an LF replaces.
+/// Returns a line without the CRs and without the literal ПС or LF at its end, which an LF row replaces.
 std::string_view without_end(std::string_view line) {
   while (line.ends_with('\r')) line.remove_suffix(1);
   while (remove_mark(line)) continue;

@@ -10,7 +10,7 @@
 
 namespace kadr {
 
-/// The byte of one row: seven bits of code, and the eighth track, which makes the number of holes even.
+/// Returns the byte of one row: seven bits of code, and the eighth track, which makes the number of punched holes even.
 std::uint8_t with_even_parity(std::uint8_t code);
 bool has_even_parity(std::uint8_t row);
 
@@ -19,26 +19,26 @@ enum class TapeCode : std::uint8_t {
   eia,  // EIA RS-244, odd parity in the fifth track
 };
 
-/// Converts the code of a tape to text, row by row, and remembers the register set by SO and SI. Each line starts with Latin letters,
-/// so that a line can be read alone.
+/// Converts the code of a tape to text, row by row. The register (Latin or Russian letters) that SO and SI select remains in force. Each
+/// line starts with Latin letters, so that a line can be read alone.
 class TapeLetters {
  public:
-  /// Appends the character of one row, given without its eighth track; NUL, DEL, CR, SO and SI have none.
+  /// Appends the character of one row, given without its eighth track; nothing for NUL, DEL, CR, SO and SI.
   void append(std::uint8_t code, std::string& text);
 
  private:
   bool russian_ = false;
 };
 
-/// A row that cannot be read.
+/// A row of the tape that cannot be read.
 struct TapeFault {
-  std::uint64_t row;  // counted from 1
+  std::uint64_t row;  // number of the row, counted from 1
   std::uint8_t byte;
 };
 
 struct TapeText {
   std::string text;               // UTF-8, one line per block
-  std::vector<TapeFault> faults;  // at most 1000 rows with wrong parity or without a character, which is '?' in the text
+  std::vector<TapeFault> faults;  // at most 1000 rows with wrong parity or without a character; `text` has '?' for them
 };
 
 /// Converts rows to text. NUL (blank tape), DEL (deleted row) and CR are left out; SO and SI switch to Russian letters and back.

@@ -10,18 +10,18 @@
 
 namespace kadr {
 
-/// Names of the codes: "iso", "eia".
+/// Returns the code with this name: "iso", "eia".
 std::optional<TapeCode> tape_code_named(std::string_view name);
 
 struct TapeReading {
   std::string text;               // UTF-8, one line per block; '?' for unreadable rows
   std::vector<TapeFault> faults;  // at most 1000
   TapeCode code = TapeCode::iso;
-  TapeLie lie = TapeLie::right;  // how the tape was read; the text is that of the correct orientation
+  TapeLie lie = TapeLie::right;  // how the tape was read; `text` is already that of the correct orientation
   bool looks_like_tape = false;
 };
 
-/// `said`: the code given by the user; nullopt: as detected from the rows, else ISO.
+/// Converts the rows to text. `said`: the code given by the user; nullopt: the code is detected from the rows; if that fails, ISO.
 TapeReading read_tape(std::string_view rows, std::optional<TapeCode> said);
 
 }  // namespace kadr

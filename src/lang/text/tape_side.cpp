@@ -11,10 +11,10 @@
 namespace kadr {
 namespace {
 
-constexpr double least_valid = 0.95;      // fraction of valid rows: a torn tape has some invalid ones
-constexpr std::size_t least_rows = 8;     // with fewer rows the result is chance
-constexpr std::size_t least_turned = 16;  // for a wrongly inserted tape: trying eight variants makes chance matches more likely
-constexpr double sure = 0.1;              // majority of pairs with the address before the number, as a fraction
+constexpr double least_valid = 0.95;      // minimum fraction of valid rows: a torn tape has some invalid ones
+constexpr std::size_t least_rows = 8;     // with fewer rows a match may be chance
+constexpr std::size_t least_turned = 16;  // minimum for a wrongly inserted tape: with eight variants to try, chance matches are more likely
+constexpr double sure = 0.1;              // minimum surplus of pairs with the address before the number, as a fraction of all pairs
 constexpr std::size_t looked_at = 64 * 1024;
 
 std::uint8_t mirrored(std::uint8_t row) {
@@ -23,7 +23,7 @@ std::uint8_t mirrored(std::uint8_t row) {
   return static_cast<std::uint8_t>(to);
 }
 
-/// Returns the meaning of a row in a code: a character, 0 for a row without one; nullopt if the code has no such row.
+/// Returns the meaning of a row in a code: a character, 0 for a row without a character; nullopt if the code has no such row.
 std::optional<char> character_of(TapeCode code, std::uint8_t row) {
   if (code == TapeCode::eia) return has_odd_parity(row) ? eia_character(row) : std::nullopt;
   if (!has_even_parity(row)) return std::nullopt;
@@ -33,10 +33,10 @@ std::optional<char> character_of(TapeCode code, std::uint8_t row) {
   return static_cast<char>(c);
 }
 
-/// How similar rows are to a program in a code.
+/// How similar the rows are to a program in a given code.
 struct Likeness {
   bool is_tape = false;
-  double forward = 0;  // from -1, numbers before their addresses, to 1, addresses before their numbers
+  double forward = 0;  // from -1 (numbers before their addresses) to 1 (addresses before their numbers)
 };
 
 Likeness likeness(std::string_view rows, TapeCode code, std::size_t least_count) {

@@ -1,5 +1,5 @@
 #pragma once
-// Detects the image of a punched tape, its code, and the orientation in which it was read.
+// Detects whether a file is the image of a punched tape, in which code, and in which orientation the tape was read.
 
 #include <optional>
 #include <string>
@@ -12,9 +12,9 @@ namespace kadr {
 /// The orientation in which a tape was put into the reader.
 enum class TapeLie : std::uint8_t {
   right,
-  wrong_end,   // its end first: the rows are in reverse order
+  wrong_end,   // read from its end: the rows are in reverse order
   wrong_side,  // turned over: track 1 is read as track 8
-  both,        // both
+  both,        // read from its end and turned over
 };
 
 struct TapeLook {
@@ -22,16 +22,16 @@ struct TapeLook {
   TapeLie lie = TapeLie::right;
 };
 
-/// Accepts a tape if 19 of 20 rows have the parity of the code and are codes of program text, with at least eight rows and a digit. If
-/// that leaves the orientation open, words decide: an address is before its number.
-///   returns  nullopt if it is not a tape
+/// Accepts the rows as a tape if 19 of 20 rows have the parity of the code and are codes of program text, with at least eight rows and a
+/// digit. If that leaves the orientation open, words decide: an address is before its number.
+///   returns  nullopt if the rows are not a tape
 std::optional<TapeLook> look_at_tape(std::string_view rows);
 
-/// Returns the rows as the correctly inserted tape would give them.
+/// Returns the rows in the order and with the tracks that the correctly inserted tape would give.
 ///   law  turned(turned(t, lie), lie) == t
 std::string turned(std::string_view rows, TapeLie lie);
 
-/// Names for messages: "wrong_end", …
+/// Returns the names of orientations for messages: "wrong_end", …
 std::string_view name_of(TapeLie lie);
 
 }  // namespace kadr

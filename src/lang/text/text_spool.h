@@ -1,6 +1,6 @@
 #pragma once
-// TextSpool: collects a text of any length piece by piece, so that it can be read more than once: in memory while it is short, else in
-// a temporary file without a name.
+// TextSpool: collects a text of any length piece by piece, so that the text can be read more than once. It is in memory while it is
+// short, else in a temporary file without a name.
 
 #include <cstdint>
 #include <functional>
@@ -13,8 +13,8 @@
 namespace kadr {
 
 namespace limits {
-inline constexpr std::uint64_t piped_bytes = std::uint64_t{256} << 20;  // maximum for a program from a pipe; a file may have any length
-inline constexpr std::uint64_t device_bytes = std::uint64_t{16} << 20;  // maximum length from a device: a tape reader, a terminal
+inline constexpr std::uint64_t piped_bytes = std::uint64_t{256} << 20;  // longest program from a pipe; a file may have any length
+inline constexpr std::uint64_t device_bytes = std::uint64_t{16} << 20;  // longest program from a device: a tape reader, a terminal
 }  // namespace limits
 
 class SpoolFile;
@@ -30,7 +30,7 @@ class TextSpool {
     kept_ += piece;
     if (kept_.size() >= most_in_memory_) spill();
   }
-  /// Number of bytes so far.
+  /// Returns the number of bytes appended so far.
   std::uint64_t size() const { return written_ + kept_.size(); }
   /// Returns the text; nothing may be appended afterwards.
   std::shared_ptr<ByteSource> source();
@@ -39,20 +39,20 @@ class TextSpool {
   void spill();
 
   std::size_t most_in_memory_;
-  std::string kept_;                 // the part after the text in the file
-  std::shared_ptr<SpoolFile> file_;  // nullptr: none yet
+  std::string kept_;                 // the end of the text, after the part in the file
+  std::shared_ptr<SpoolFile> file_;  // nullptr: no file created yet
   std::uint64_t written_ = 0;        // bytes in the file
 };
 
-/// A source for a text that others read too.
+/// Returns a source for a text that other readers read too.
 std::unique_ptr<ByteSource> shared_source(std::shared_ptr<ByteSource> text);
 
 /// Returns the whole text.
 std::string whole_text(ByteSource& source);
 
-/// Passes a text to `take` in order, in pieces of some hundred kilobytes, until `take` returns false. Pieces end with whole lines;
-/// pieces of a longer line end with whole characters.
-///   returns  false if `take` did
+/// Passes a text to `take` in order, in pieces of some hundred kilobytes, until `take` returns false. A piece ends at the end of a line;
+/// pieces of a line longer than that end with a whole character.
+///   returns  false if `take` has returned false
 bool each_piece(ByteSource& source, const std::function<bool(std::string_view)>& take);
 
 }  // namespace kadr

@@ -1,7 +1,7 @@
 // Reads the description of a tool in a comment: "(T1 D8 ENDMILL)", «ФРЕЗА 8», "T01 FREZA D=10 R0.5". Used by session/tool_proposals,
 // view/sheet; tested by tests/lang/tool_comment_test.cpp.
 //
-//   text ─▶ tool_comment_tokens ─▶ tool_figures: the meaning of each figure ─▶ here: which of them is the size of the tool
+//   text ─▶ tool_comment_tokens ─▶ tool_figures: the meaning of each figure (number) ─▶ here: which figure is the size of the tool
 //
 // A wrong diameter is worse than none. The sources are tried in this order, and only a step whose findings all agree gives a result: a
 // figure called diameter; a size in the name of the tool (1/2 ENDMILL, {6 mm}), the number or letter of a drill, the thread of a tap; a

@@ -10,7 +10,7 @@
 
 namespace kadr {
 
-/// The type of tool that a comment names; `mill` if it says no more than that.
+/// The type of tool that a comment names; `mill` if the comment names a tool without a more exact type.
 enum class ToolWord : std::uint8_t { none, mill, ball, drill, chamfer, taper, tap, reamer };
 
 struct ToolComment {
@@ -19,16 +19,16 @@ struct ToolComment {
   std::optional<double> corner;       // corner radius, mm
   std::optional<double> angle;        // full point angle, degrees
   ToolWord kind = ToolWord::none;
-  bool unsure = false;  // it describes a tool, but no size in it is certain
+  bool unsure = false;  // the comment describes a tool, but no size in it is certain
   bool empty() const { return !tool && !diameter && !corner; }
 };
 
-/// Returns what the comment says for certain: a size that may be something else is left out.
+/// Returns what the comment says for certain: a number that may be something other than a size is left out.
 ///   text  UTF-8
-///   inch  figures without a unit are inches; fractions always are
+///   inch  numbers without a unit are inches; fractions always are
 ToolComment read_tool_comment(std::string_view text, bool inch);
 
-/// Returns the comments of a line, in brackets or after a semicolon, UTF-8.
+/// Returns the comments of a line, written in brackets or after a semicolon, as UTF-8.
 std::vector<std::string> comments_of(std::string_view line);
 /// Returns the line without its comments and without blanks at its ends.
 std::string without_comments(std::string_view line);

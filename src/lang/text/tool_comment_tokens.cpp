@@ -1,4 +1,4 @@
-// Splits a comment into words, figures and signs. Used by lang/text/tool_comment; tested by tests/lang/tool_comment_test.cpp.
+// Splits a comment into words, figures (numbers) and signs. Used by lang/text/tool_comment; tested by tests/lang/tool_comment_test.cpp.
 
 #include "lang/text/tool_comment_tokens.h"
 
@@ -14,7 +14,7 @@ namespace {
 struct Alike {
   std::string_view written, meant;
 };
-/// Different spellings of the same thing.
+/// Different spellings of the same sign, and the spelling that replaces them.
 constexpr std::array<Alike, 17> sign_spellings = {{
     {"Ø", " DIA "},
     {"ø", " DIA "},
@@ -80,7 +80,7 @@ class Tokens {
     const bool leads_point = (c == '.' || c == ',') && is_digit(at(at_ + 1));
     const bool abbreviates =
         leads_point && c == '.' && joined_ && at(digits_from(at_ + 1)) == '.' && is_digit(at(digits_from(at_ + 1) + 1));
-    const bool comma_divides = c == ',' && joined_;  // R0,5 has one figure, but in "D8,.5" and "A,5" the comma divides
+    const bool comma_divides = c == ',' && joined_;  // R0,5 is one figure with a decimal comma; in "D8,.5" and "A,5" the comma separates
     if (is_digit(c) || (leads_point && !comma_divides && !abbreviates)) return figure();
     if (is_word_letter(c)) return word();
     ++at_;
@@ -99,7 +99,7 @@ class Tokens {
     joined_ = true, underscored_ = false;
   }
 
-  /// Reads letters; with points between single letters (E.M.), with an apostrophe between others (C'BORE).
+  /// Reads letters; also with points between single letters (E.M.), or with an apostrophe between letters (C'BORE).
   void word() {
     const std::size_t from = at_;
     const auto goes_on = [&] {
@@ -128,7 +128,7 @@ class Tokens {
       at_ = digits_from(point + 1);
       token.decimals = static_cast<std::uint8_t>(std::min<std::size_t>(at_ - point - 1, 255));
     }
-    while (is_point && at(at_) == '.' && is_digit(at(at_ + 1))) token.is_broken = true, at_ = digits_from(at_ + 1);  // 1.2.3
+    while (is_point && at(at_) == '.' && is_digit(at(at_ + 1))) token.is_broken = true, at_ = digits_from(at_ + 1);  // 1.2.3: no figure
     token.text = text_.substr(from, at_ - from);
     std::string digits = token.text;
     std::replace(digits.begin(), digits.end(), ',', '.');

@@ -1,5 +1,5 @@
 #pragma once
-// Splits a comment into words, figures and signs, in order: "T2 1-1/4" ENDMILL" is T 2 1 - 1/4 " ENDMILL.
+// Splits a comment into words, figures (numbers) and signs, in order: "T2 1-1/4" ENDMILL" is T 2 1 - 1/4 " ENDMILL.
 
 #include <cstdint>
 #include <string>
@@ -12,19 +12,19 @@ struct CommentToken {
   enum class Is : std::uint8_t { word, figure, sign };
   Is is = Is::sign;
   std::string text;          // in capitals, Russian ones too; a sign is one character
-  double value = 0;          // of a figure
+  double value = 0;          // value of a figure
   bool joined = false;       // nothing is between it and the token before
   bool underscored = false;  // only `_` is between it and the token before
-  // ---- of a figure
-  bool has_point = false;     // 6. 0.5 6,5
-  std::uint8_t decimals = 0;  // digits after the point
-  bool leads_point = false;   // .5
-  bool is_fraction = false;   // 3/8: of an inch, with a denominator found on rulers
+  // ---- properties of a figure
+  bool has_point = false;     // has a decimal point or comma: 6. 0.5 6,5
+  std::uint8_t decimals = 0;  // number of digits after the decimal point
+  bool leads_point = false;   // starts with the decimal point: .5
+  bool is_fraction = false;   // 3/8: a fraction of an inch, with a denominator found on rulers
   bool is_broken = false;     // 3/7, 3/4/21, 1.2.3: not a valid figure
 };
 
-/// `text`: UTF-8. Signs with the same meaning are unified: Ø and similar
-/// signs are the word DIA, × is X, ° is DEG, dashes are `-`, inch marks `"`.
+/// Splits a comment in UTF-8. Signs with the same meaning are unified: Ø and similar signs become the word DIA, × becomes X, ° becomes
+/// DEG, dashes become `-`, inch marks become `"`.
 std::vector<CommentToken> comment_tokens(std::string_view text);
 
 }  // namespace kadr

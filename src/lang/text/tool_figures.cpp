@@ -1,7 +1,8 @@
-// Determines the meaning of each figure in a comment. Used by lang/text/tool_comment; tested by tests/lang/tool_comment_test.cpp.
+// Determines the meaning of each figure (number) in a comment. Used by lang/text/tool_comment; tested by
+// tests/lang/tool_comment_test.cpp.
 //
-// Each pass searches the whole comment for one pattern and marks the
-// figures that it is sure of; a figure that no pass has marked stays open.
+// Each function of FigureMarker searches the whole comment for one pattern and marks the figures whose meaning is certain; a figure that
+// no function has marked stays open.
 
 #include "lang/text/tool_figures.h"
 
@@ -19,9 +20,9 @@ namespace {
 using Is = CommentToken::Is;
 using enum WordSays;
 
-constexpr double most_wholes = 6;          // inches before a fraction: 1 1/4
-constexpr std::size_t longest_size = 3;    // digits of a whole size; 1234 is a number, not a size
-constexpr std::size_t longest_number = 8;  // digits of T
+constexpr double most_wholes = 6;          // maximum number of whole inches before a fraction: 1 1/4
+constexpr std::size_t longest_size = 3;    // maximum digits of a whole size; 1234 is a number, not a size
+constexpr std::size_t longest_number = 8;  // maximum digits of T
 
 class FigureMarker {
  public:
@@ -55,10 +56,10 @@ class FigureMarker {
   bool says(std::size_t i, WordSays what) const { return has(i) && all_[i].meaning.is(what); }
   bool joined(std::size_t i) const { return has(i) && all_[i].joined; }
   static bool is_letter(const CommentPiece& p) { return p.is_word() && (p.text.size() == 1 || (p.text.size() == 2 && is_high(p.text[0]))); }
-  /// A dash between blanks.
+  /// Returns true for a dash between blanks.
   bool is_free_dash(std::size_t i) const { return is_sign(i, '-') && !joined(i) && !joined(i + 1); }
 
-  /// Returns the index after `i`, skipping signs of `between`.
+  /// Returns the index of the next piece after `i`, skipping signs in `between`.
   std::size_t behind(std::size_t i, std::string_view between) const {
     for (++i; has(i) && all_[i].is == Is::sign && between.find(all_[i].text[0]) != std::string_view::npos;) ++i;
     return i;
@@ -89,7 +90,7 @@ class FigureMarker {
   std::vector<CommentPiece> all_;
 };
 
-/// NO.17: the point belongs to the word.
+/// Merges the point of NO.17 into the word NO.
 void FigureMarker::read_abbreviations() {
   for (std::size_t i = 1; i < count(); ++i) {
     CommentPiece& f = all_[i];
@@ -104,14 +105,14 @@ void FigureMarker::read_abbreviations() {
 /// IN is a unit only where it cannot be the preposition: not in "4 IN VISE", but in "1/4 IN DRILL" and ".5IN".
 bool FigureMarker::is_unit(std::size_t figure, std::size_t at) const {
   if (!says(at, unit_mm | unit_inch)) return false;
-  if (all_[at].text == "\"") return joined(at) || !joined(at + 1);  // T5 "F" DRILL
+  if (all_[at].text == "\"") return joined(at) || !joined(at + 1);  // a quote, not inches: T5 "F" DRILL
   if (all_[at].text != "IN" || joined(at)) return true;
   const CommentPiece& f = all_[figure];
   const bool goes_on_with_tool = !has(at + 1) || all_[at + 1].is == Is::sign || says(at + 1, tool | part_of_name | describes);
   return f.is_fraction || f.has_point || goes_on_with_tool;
 }
 
-/// Merges units: 6MM, 4-INCH, {6 mm}, 1/2". A speed (250 MM/MIN) is not a length.
+/// Merges units into their figures: 6MM, 4-INCH, {6 mm}, 1/2". A speed (250 MM/MIN) is not a length.
 void FigureMarker::take_units() {
   bool braced = false;
   for (std::size_t i = 0; i < count(); ++i) {
@@ -123,14 +124,14 @@ void FigureMarker::take_units() {
     if (!is_unit(i, at)) continue;
     all_[i].unit = says(at, unit_mm) ? 1 : mm_per_inch;
     if (is_sign(at + 1, '/')) all_[i].figure = FigureIs::other;
-    const bool mm_of_fraction = all_[i].is_fraction && all_[i].unit == 1;  // 1/2MM: no such tool exists
+    const bool mm_of_fraction = all_[i].is_fraction && all_[i].unit == 1;  // 1/2MM: no tool has this size
     if (mm_of_fraction) all_[i].figure = FigureIs::other;
     all_.erase(all_.begin() + static_cast<std::ptrdiff_t>(i) + 1, all_.begin() + static_cast<std::ptrdiff_t>(at) + 1);
   }
 }
 
-/// A figure that belongs to a name: EM10, 635BIT, 1_2MM, ENDMILL001, 6061AL.
-/// A fraction or a leading point separates it from a word: DRILL.828, BAR5/8.
+/// Returns true for a figure that belongs to a name: EM10, 635BIT, 1_2MM, ENDMILL001, 6061AL. A fraction or a leading decimal point
+/// separates a figure from a word: DRILL.828, BAR5/8.
 bool FigureMarker::is_part_of_name(std::size_t i) const {
   const CommentPiece& f = all_[i];
   if (f.is_broken) return true;
@@ -146,7 +147,7 @@ bool FigureMarker::is_part_of_name(std::size_t i) const {
       f.unit == 0)
     return true;
   if (!joined(i + 1) || !all_[i + 1].is_word() || f.unit != 0) return false;
-  const bool tolerance = all_[i + 1].text == "H" || all_[i + 1].text == "Н";  // 10H7
+  const bool tolerance = all_[i + 1].text == "H" || all_[i + 1].text == "Н";  // 10H7: a tolerance
   return !tolerance && !says(i + 1, called | describes | of_tool) &&
          !(is_letter(all_[i + 1]) && (all_[i + 1].text == "F" || all_[i + 1].text == "Z"));
 }
@@ -156,7 +157,7 @@ void FigureMarker::mark_names() {
     if (is_open(i) && is_part_of_name(i)) all_[i].figure = FigureIs::other;
 }
 
-/// Accepts T1, T 1, TOOL 4, TOOL #2, TOOL - 6, TOOL -3-, but not X-T3, TOOL 1/2, TOOL 6MM.
+/// Marks tool numbers: T1, T 1, TOOL 4, TOOL #2, TOOL - 6, TOOL -3-, but not X-T3, TOOL 1/2, TOOL 6MM.
 void FigureMarker::mark_tool_numbers() {
   for (std::size_t i = 0; i < count(); ++i) {
     if (!says(i, tool_number) || !all_[i].is_word()) continue;
@@ -164,15 +165,15 @@ void FigureMarker::mark_tool_numbers() {
     const bool in_name = joined(i) && i > 0 && !all_[i - 1].is_sign('|') && !all_[i - 1].is_sign('(') && !all_[i - 1].is_sign(',');
     std::size_t at = behind(i, is_t ? "" : "-#:=.");
     if (!is_t && says(at, number)) at = behind(at, ".#");
-    const bool zeros = !is_t && joined(at) && at == i + 1 && all_[at].text.starts_with("00");  // DEFAULT TOOL001
-    const bool is_turned = says(at + 1, degrees);                                              // ENGRAVING TOOL 30 DEGREE
+    const bool zeros = !is_t && joined(at) && at == i + 1 && all_[at].text.starts_with("00");  // DEFAULT TOOL001 is a name
+    const bool is_turned = says(at + 1, degrees);                                              // ENGRAVING TOOL 30 DEGREE: an angle
     const bool is_number = !zeros && !is_turned && is_open(at) && !all_[at].has_point && !all_[at].is_fraction && all_[at].unit == 0 &&
                            all_[at].text.size() <= longest_number;
     if (!in_name && is_number) all_[at].figure = FigureIs::tool;
   }
 }
 
-/// Uses words that define the figure next to them: 4FL, LOC 1.5, S2000, ZMIN=-5.
+/// Marks figures by words that define the figure next to them: 4FL, LOC 1.5, S2000, ZMIN=-5.
 void FigureMarker::mark_beside_words() {
   for (std::size_t i = 0; i < count(); ++i)
     if (says(i, other_before | other_behind | is_numbered)) mark_by_word(i);
@@ -183,17 +184,17 @@ void FigureMarker::mark_beside_words() {
         means_diameter | means_corner | tool_number | tool | letter | number | is_numbered | times | other_behind | degrees;
     const bool is_address = is_letter(word) && !word.meaning.is(known) && word.text != "M" && word.text != "М" && word.text != "F";
     const std::size_t at = behind(i, is_address ? "=-" : "-");
-    if (is_address && is_open(at) && joined(i + 1)) all_[at].figure = FigureIs::other;  // S2000, Z-.5, H7
-    const bool is_f = word.text == "F" && i > 0 && !says(i - 1, tool);  // a feed; but SVERLO F8.5 is a diameter, in Latin letters
+    if (is_address && is_open(at) && joined(i + 1)) all_[at].figure = FigureIs::other;  // addresses: S2000, Z-.5, H7
+    const bool is_f = word.text == "F" && i > 0 && !says(i - 1, tool);                  // F is a feed; but in SVERLO F8.5 a diameter
     if (is_f && is_open(i + 1) && joined(i + 1)) all_[i + 1].figure = FigureIs::other;
-    const bool counts = (word.text == "F" || word.text == "Z") && word.joined && i > 0 && is_open(i - 1);  // 3F, 2Z
+    const bool counts = (word.text == "F" || word.text == "Z") && word.joined && i > 0 && is_open(i - 1);  // 3F, 2Z: a number of flutes
     if (counts) all_[i - 1].figure = FigureIs::other;
-    if (is_sign(i + 1, '=') && !word.meaning.is(known))  // L=75, ID=7
+    if (is_sign(i + 1, '=') && !word.meaning.is(known))  // L=75, ID=7: after an unknown word the figure is not a size
       if (const std::size_t value = behind(i, "=-+"); is_open(value)) all_[value].figure = FigureIs::other;
   }
 }
 
-/// Returns true if the word before the figure defines it: in DIA .5 LOC 1.0 the .5 does not belong to LOC.
+/// Returns true if the word before the figure already defines it: in DIA .5 LOC 1.0 the .5 does not belong to LOC.
 bool FigureMarker::is_called(std::size_t figure) const {
   std::size_t i = figure - 1;
   while (has(i) && all_[i].is == Is::sign && !is_sign(i, '|') && !is_sign(i, ',')) --i;
@@ -210,12 +211,12 @@ void FigureMarker::mark_by_word(std::size_t word) {
   }
   if (!is_open(at)) return;
   const bool whole = !all_[at].has_point && !all_[at].is_fraction;
-  const bool divided = is_sign(word + 1, ':');  // OPERATION: 1.5MM ENDMILL
+  const bool divided = is_sign(word + 1, ':');  // OPERATION: 1.5MM ENDMILL: the colon separates
   const bool is_number = all_[at].unit == 0 && (whole || !divided);
   if (says(word, other_behind) || (says(word, is_numbered) && is_number)) all_[at].figure = FigureIs::other;
 }
 
-/// 1 1/4, 1-1/4.
+/// Joins a whole number and a fraction: 1 1/4, 1-1/4.
 void FigureMarker::join_wholes_and_fractions() {
   for (std::size_t i = 0; i < count(); ++i) {
     const CommentPiece whole = all_[i];
@@ -229,12 +230,12 @@ void FigureMarker::join_wholes_and_fractions() {
   }
 }
 
-/// M8, and 1/4-20, .250-20, #8-32, NO. 6-32.
+/// Marks threads: M8, and 1/4-20, .250-20, #8-32, NO. 6-32.
 void FigureMarker::mark_threads() {
   for (std::size_t i = 0; i < count(); ++i) {
     if (!is_open(i)) continue;
     const bool is_metric = joined(i) && i > 0 && (all_[i - 1].text == "M" || all_[i - 1].text == "М") && all_[i].unit == 0;
-    const bool is_counted = i > 1 && says(i - 2, times) && i > 2 && is_figure(i - 3);  // 4 X M6
+    const bool is_counted = i > 1 && says(i - 2, times) && i > 2 && is_figure(i - 3);  // 4 X M6: 4 is a count
     if (is_metric) all_[i].figure = is_counted ? FigureIs::other : FigureIs::metric;
     else mark_inch_thread(i);
   }
@@ -244,15 +245,16 @@ void FigureMarker::mark_inch_thread(std::size_t size) {
   const bool hyphen = is_sign(size + 1, '-') && joined(size + 1) && joined(size + 2);
   const bool ends = !is_sign(size + 3, '-') || !joined(size + 3);
   if (!hyphen || !is_open(size + 2) || !ends || all_[size].unit == 1 || all_[size + 2].unit != 0) return;
-  if (is_sign(size - 1, '-') && joined(size)) return;                                                // 3-10-32
-  const bool is_inches = all_[size].is_fraction || all_[size].leads_point || !all_[size].has_point;  // not 4.00-0.7
+  if (is_sign(size - 1, '-') && joined(size)) return;                                                // 3-10-32 is not a thread
+  const bool is_inches = all_[size].is_fraction || all_[size].leads_point || !all_[size].has_point;  // 4.00-0.7 is not in inches
   if (!is_inches || all_[size + 2].is_fraction || all_[size + 2].leads_point) return;
   all_[size].figure = FigureIs::inch_thread;
   all_[size].threads = all_[size + 2].value;
   all_[size + 2].figure = FigureIs::other;
 }
 
-/// 03-0086, 2016-01-30, 10:30, A881-02 are numbers of things. A dash after a word of the tool only separates: DIA-0.5, .500-DRILL.
+/// Marks chains such as 03-0086, 2016-01-30, 10:30, A881-02, which are not sizes. A dash after a word of the tool only separates:
+/// DIA-0.5, .500-DRILL.
 void FigureMarker::mark_chains_of_numbers() {
   for (std::size_t i = 1; i + 1 < count(); ++i) {
     if (!(is_sign(i, '-') || is_sign(i, ':')) || !joined(i) || !joined(i + 1)) continue;
@@ -266,7 +268,7 @@ void FigureMarker::mark_chains_of_numbers() {
   }
 }
 
-/// -.0002, +.0005 are differences. (-1/2 is only a dash before a size.)
+/// Marks -.0002, +.0005, which are differences. (In -1/2 the sign is only a dash before a size.)
 void FigureMarker::mark_signed() {
   for (std::size_t i = 1; i < count(); ++i) {
     const bool sign = is_sign(i - 1, '+') || (is_sign(i - 1, '-') && !joined(i - 1));
@@ -274,23 +276,23 @@ void FigureMarker::mark_signed() {
   }
 }
 
-/// Returns the figure that DIA refers to: DIA 20, DIA-0.5, DIA. - .75, D=8.; else the one before it: .828 DIA.
+/// Returns the figure that DIA refers to: the one after it in DIA 20, DIA-0.5, DIA. - .75, D=8.; else the one before it: .828 DIA.
 std::size_t FigureMarker::figure_called_by(std::size_t word) const {
   const bool is_single = is_letter(all_[word]);
   const std::size_t at = behind(word, is_single ? "=:." : "=:.-");
   const bool by_sign = is_open(at) && (is_sign(at - 1, '=') || is_sign(at - 1, ':') || is_sign(at - 1, '-') || joined(at));
   const bool before_is_free = word > 0 && is_open(word - 1) && !is_single;
-  const bool in_diameter = word > 1 && all_[word - 1].text == "IN" && is_open(word - 2);  // 1" in diameter
+  const bool in_diameter = word > 1 && all_[word - 1].text == "IN" && is_open(word - 2);  // 1" in diameter: IN is a preposition
   if (by_sign || (is_open(at) && !before_is_free)) return at;
   return before_is_free ? word - 1 : in_diameter ? word - 2 : count();
 }
 
 void FigureMarker::mark_diameters() {
   for (std::size_t i = 0; i < count(); ++i) {
-    const bool is_f = all_[i].text == "F" && i > 0 && says(i - 1, tool);  // SVERLO F8.5
+    const bool is_f = all_[i].text == "F" && i > 0 && says(i - 1, tool);  // SVERLO F8.5: F is a diameter sign
     if (!says(i, means_diameter) && !is_f) continue;
     if (all_[i].text == "SIZE" && !says(i - 1, tool)) continue;
-    if (is_letter(all_[i]) && joined(i) && is_sign(i - 1, '-')) continue;  // A881-D0812
+    if (is_letter(all_[i]) && joined(i) && is_sign(i - 1, '-')) continue;  // A881-D0812 is a part of a name
     const std::size_t at = figure_called_by(i);
     if (!has(at)) continue;
     all_[at].figure = says(i - 1, no_diameter) ? FigureIs::other : FigureIs::diameter;
@@ -298,7 +300,7 @@ void FigureMarker::mark_diameters() {
   }
 }
 
-/// CR=0.5, R.06, .030R, 0.125 RAD, TIP RAD.: 4
+/// Marks corner radii: CR=0.5, R.06, .030R, 0.125 RAD, TIP RAD.: 4.
 void FigureMarker::mark_corners() {
   for (std::size_t i = 0; i < count(); ++i) {
     if (!says(i, means_corner) || !all_[i].is_word()) continue;
@@ -312,7 +314,7 @@ void FigureMarker::mark_corners() {
   }
 }
 
-/// 90 DEG, 90-DEG.
+/// Marks angles: 90 DEG, 90-DEG.
 void FigureMarker::mark_angles() {
   for (std::size_t i = 1; i < count(); ++i) {
     if (!says(i, degrees)) continue;
@@ -321,7 +323,7 @@ void FigureMarker::mark_angles() {
   }
 }
 
-/// In A X B the second figure is a length, an angle or a width. 4X is a count.
+/// Marks second sizes: in A X B the second figure is a length, an angle or a width. In 4X the figure is a count.
 void FigureMarker::mark_second_sizes() {
   for (std::size_t i = 1; i + 1 < count(); ++i) {
     if (!says(i, times) && !is_sign(i, '*')) continue;
@@ -331,14 +333,14 @@ void FigureMarker::mark_second_sizes() {
   }
 }
 
-/// #7, NO. 7, NUMBER 7; not "No. 26: …".
+/// Marks numbers of drills: #7, NO. 7, NUMBER 7; not "No. 26: …".
 void FigureMarker::mark_numbers_of_drills() {
   for (std::size_t i = 0; i < count(); ++i) {
     if (!says(i, number)) continue;
     const std::size_t at = behind(i, ".#");
     if (!is_open(at)) continue;
     const bool is_plain = !all_[at].has_point && !all_[at].is_fraction && all_[at].unit == 0 && !is_sign(at + 1, ':');
-    const bool is_of_part = i > 0 && says(i - 1, of_part | is_numbered);  // PART NO. 7
+    const bool is_of_part = i > 0 && says(i - 1, of_part | is_numbered);  // PART NO. 7 is not a drill
     all_[at].figure = is_plain && !is_of_part ? FigureIs::drill_number : FigureIs::other;
   }
 }
@@ -355,13 +357,13 @@ void FigureMarker::mark_clauses() {
   }
 }
 
-/// ENDMILLD10 is ENDMILL D10, СВЕРЛОФ8,5 is СВЕРЛО Ф8,5.
+/// Splits the last letter off a word if the rest of the word names a tool: ENDMILLD10 is ENDMILL D10, СВЕРЛОФ8,5 is СВЕРЛО Ф8,5.
 std::vector<CommentToken> with_letters_divided(std::vector<CommentToken> tokens) {
   for (std::size_t i = 0; i + 1 < tokens.size(); ++i) {
     std::string& word = tokens[i].text;
     if (tokens[i].is != Is::word || tokens[i + 1].is != Is::figure || !tokens[i + 1].joined || meaning_of(word).says != no_meaning)
       continue;
-    const std::size_t letter = is_high(word.back()) ? 2 : 1;  // bytes
+    const std::size_t letter = is_high(word.back()) ? 2 : 1;  // length of the letter in bytes
     if (word.size() <= letter || !meaning_of(word.substr(0, word.size() - letter)).is(tool)) continue;
     CommentToken last{Is::word, word.substr(word.size() - letter)};
     last.joined = true;

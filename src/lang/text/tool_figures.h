@@ -1,6 +1,6 @@
 #pragma once
-// Determines the meaning of each figure in a comment: "T2 1/2 BULL ENDMILL .06 RAD 4FL" has a tool number, an open figure that may be
-// the size, a corner radius and a count.
+// Determines the meaning of each figure (number, such as 10, 1/2 or .06) in a comment: "T2 1/2 BULL ENDMILL .06 RAD 4FL" has a tool
+// number, an open figure that may be the size of the tool, a corner radius and a count of flutes.
 
 #include <cstdint>
 #include <optional>
@@ -14,9 +14,9 @@ namespace kadr {
 
 enum class FigureIs : std::uint8_t {
   open,          // unknown: it may be the size of the tool
-  other,         // something else: a count, a length, a name, a second size, or not understood
+  other,         // not a size of the tool: a count, a length, a name, a second size, or a figure without a known meaning
   tool,          // tool number: T1
-  diameter,      // called diameter
+  diameter,      // a diameter, because the comment calls it one
   corner,        // corner radius
   angle,         //
   metric,        // M8
@@ -25,21 +25,22 @@ enum class FigureIs : std::uint8_t {
 };
 
 struct CommentPiece : CommentToken {
-  ToolWordMeaning meaning;  // for a word or sign
+  ToolWordMeaning meaning;  // meaning of a word or sign
   FigureIs figure = FigureIs::open;
   double unit = 0;           // for a figure: mm per unit if one is written next to it; else 0
   double threads = 0;        // for an inch_thread
-  bool braced = false;       // {6 mm}: the form of the size in the tool names of a Vectric library
+  bool braced = false;       // {6 mm}: as a Vectric library writes the size in its tool names
   bool named = false;        // a diameter after `=`, as CAM systems write it
-  std::uint32_t clause = 0;  // number of the part between two of | , ; : and a free dash
-  bool of_another = false;   // after FOR, WITH: it describes another thing
+  std::uint32_t clause = 0;  // number of the clause: the part of the comment between two of | , ; : and a free dash
+  bool of_another = false;   // after FOR, WITH: the piece describes another thing, not the tool
   bool is_word() const { return is == Is::word; }
   bool is_figure() const { return is == Is::figure; }
   bool is_sign(char c) const { return is == Is::sign && text[0] == c; }
   bool is_open() const { return is_figure() && figure == FigureIs::open; }
 };
 
-/// `text`: UTF-8. Units are merged into their figures; a whole number and its fraction become one figure.
+/// Splits a comment into pieces and determines their meanings. `text`: UTF-8. A unit is merged into its figure; a whole number and the
+/// fraction after it become one figure.
 std::vector<CommentPiece> comment_pieces(std::string_view text);
 
 }  // namespace kadr

@@ -1,5 +1,5 @@
 #pragma once
-// Finds the names of tools in a comment, BALL END MILL, SPOT DRILL, ФРЕЗА, and the type of tool that they mean.
+// Finds the names of tools in a comment (BALL END MILL, SPOT DRILL, ФРЕЗА) and the type of tool that each name means.
 
 #include <cstddef>
 #include <vector>
@@ -10,7 +10,7 @@ namespace kadr {
 
 /// Adjacent words that name a tool.
 struct ToolName {
-  std::size_t first = 0, last = 0;  // indices of its pieces
+  std::size_t first = 0, last = 0;  // indices of the first and last piece of the name
   ToolWord kind = ToolWord::none;
   bool is_tap_drill = false;
   bool size_behind = false, work_too = false, no_bare_size = false, only_called = false;  // as in WordSays
@@ -18,12 +18,12 @@ struct ToolName {
 
 class ToolNames {
  public:
-  /// `pieces` must outlive it. Words about another thing (after FOR, WITH) do not name a tool here.
+  /// `pieces` must outlive the ToolNames. Words about another thing (after FOR, WITH) do not name a tool here.
   explicit ToolNames(const std::vector<CommentPiece>& pieces);
 
   const std::vector<ToolName>& all() const { return all_; }
   ToolWord kind() const;
-  /// Returns true if one of the comment's words says `what` about this tool.
+  /// Returns true if a word of the comment has the meaning `what` for this tool.
   bool any(WordSays what) const;
 
  private:

@@ -1,4 +1,4 @@
-// Finds the figure of a comment that is the size of its tool. Used by lang/text/tool_comment; tested by
+// Finds the figure (number) of a comment that is the size of its tool. Used by lang/text/tool_comment; tested by
 // tests/lang/tool_comment_test.cpp.
 
 #include "lang/text/tool_size.h"
@@ -15,16 +15,16 @@ namespace {
 
 using enum WordSays;
 
-// Limits for a figure without a unit. Beyond them the other unit is meant, or something other than a size.
-constexpr double most_inches = 3, most_inches_wide = 8;  // in: of face mills and saws
-constexpr std::uint8_t decimals_of_inches = 4;           // 0.5000
+// Limits for a figure without a unit. A figure beyond them is in the other unit, or is something other than a size.
+constexpr double most_inches = 3, most_inches_wide = 8;  // in; `wide`: face mills and saws
+constexpr std::uint8_t decimals_of_inches = 4;           // 0.5000 with four decimals is in inches
 constexpr double least_mm = 0.5, most_mm = 160;          // mm; a smaller figure is mostly in inches (.375)
-constexpr double most_drill_mm = 80;                     // mm
-constexpr double least_whole_mm = 3;                     // mm; 1 END MILL is the first of them
-constexpr double most_of_any = 400;                      // mm, even with a unit
-constexpr double least_chamfer_mm = 3;                   // of a chamfer mill; a smaller figure is the size of the chamfer
+constexpr double most_drill_mm = 80;                     // mm; limit for drills
+constexpr double least_whole_mm = 3;                     // mm; below this 1 END MILL means the first end mill
+constexpr double most_of_any = 400;                      // mm; limit for all figures, even with a unit
+constexpr double least_chamfer_mm = 3;                   // mm; for a chamfer mill; a smaller figure is the size of the chamfer
 constexpr double alike_part = 0.01, alike_mm = 0.05;     // maximum difference of two sizes of one tool: 27/64 and .422
-constexpr double roughly_part = 0.1;                     // … of D10 from the size in the name, if D is not an offset
+constexpr double roughly_part = 0.1;                     // … of D10 and the size in the name; if more, D10 is an offset number
 constexpr std::size_t most_strangers = 2;                // unknown words between a size and the tool: 2" MITSUBISHI FACE MILL
 
 bool agree(double a, double b, double part) { return std::fabs(a - b) <= std::max(alike_mm, part * std::max(a, b)); }
@@ -41,7 +41,7 @@ bool is_usual_angle(double value) {
   return std::find(std::begin(angles), std::end(angles), value) != std::end(angles);
 }
 
-/// .375, 0.5000: nobody writes millimetres like this.
+/// Recognises inches by the spelling: .375, 0.5000 are not written for millimetres.
 bool looks_like_inches(const CommentPiece& f) { return f.leads_point || (f.decimals == decimals_of_inches && f.value <= most_inches); }
 
 }  // namespace
@@ -56,7 +56,7 @@ ToolSize::ToolSize(const std::vector<CommentPiece>& pieces, const ToolNames& nam
   is_disc_ = names_.any(disc);
 }
 
-/// DRILL AND TAP 1/4-20; 8-32 TAP #29 DRILL: it is unknown which of the two the tool is.
+/// Returns true for DRILL AND TAP 1/4-20; 8-32 TAP #29 DRILL: the tool may be the drill or the tap.
 bool ToolSize::names_two_works() const {
   bool drills = false, taps = false;
   for (const ToolName& name : names_.all()) drills = drills || name.kind == ToolWord::drill, taps = taps || name.kind == ToolWord::tap;
@@ -90,7 +90,7 @@ std::optional<double> ToolSize::diameter() const {
   return only_one(sizes);
 }
 
-// ---- figures called diameter
+// ---- figures that the comment calls the diameter
 
 ToolSize::Sizes ToolSize::called() const {
   Sizes sizes;
@@ -107,8 +107,8 @@ bool ToolSize::is_called(std::size_t i) const {
   return f.value >= least_mm && f.value <= most_of_any && !looks_like_inches(f);
 }
 
-/// Recognises D as an offset number, T1 H1 D1: D without `=` and point,
-/// next to the same H, or next to an H that is not the tool number either.
+/// Recognises D as an offset number, as in T1 H1 D1: D is without `=` and decimal point, and is next to an H with the same number, or
+/// next to an H that is not the tool number either.
 bool ToolSize::is_offset(std::size_t i) const {
   const CommentPiece& d = pieces_[i];
   const bool is_d = i > 0 && (pieces_[i - 1].text == "D" || pieces_[i - 1].text == "Д");
@@ -118,7 +118,7 @@ bool ToolSize::is_offset(std::size_t i) const {
   const auto tool = std::find_if(pieces_.begin(), pieces_.end(), [](const CommentPiece& p) { return p.figure == FigureIs::tool; });
   bool has_h = false;
   for (std::size_t at = 1; at < pieces_.size(); ++at) {
-    const bool is_fit = at == i + 2 && kind_ == ToolWord::reamer;  // D10 H7
+    const bool is_fit = at == i + 2 && kind_ == ToolWord::reamer;  // D10 H7: H7 is the tolerance of a reamer
     if (!pieces_[at].is_figure() || pieces_[at - 1].text != "H" || is_fit) continue;
     has_h = true;
     const bool of_tool_alone = tool != pieces_.end() && pieces_[at].value == tool->value && pieces_[at].value != d.value;
@@ -128,7 +128,7 @@ bool ToolSize::is_offset(std::size_t i) const {
   return std::any_of(sizes.begin(), sizes.end(), [&](double size) { return !agree(size, mm(d), roughly_part); });
 }
 
-/// Returns true if the figure describes the part: by a word before it in its clause, or by the word after it: DRILL .25 HOLES.
+/// Returns true if the figure describes the workpiece: by a word before it in its clause, or by the word after it: DRILL .25 HOLES.
 bool ToolSize::is_of_part(std::size_t figure) const {
   for (std::size_t i = 0; i < figure; ++i)
     if (pieces_[i].clause == pieces_[figure].clause && says(i, of_part)) return true;
@@ -139,7 +139,7 @@ bool ToolSize::is_of_part(std::size_t figure) const {
   return says(behind, of_part) && pieces_[behind].clause == pieces_[figure].clause;
 }
 
-/// Returns false for comments such as (.500 DIAMETER), (STOCK D50).
+/// Returns false for comments about something other than a tool, such as (.500 DIAMETER), (STOCK D50).
 bool ToolSize::speaks_of_tool(std::size_t figure) const {
   if (!names_.all().empty() || names_.any(of_tool)) return true;
   const bool listed = pieces_.size() > 1 && pieces_[0].is_figure() && pieces_[1].is_sign('=');  // 25 = name d=10: a library's list
@@ -153,7 +153,7 @@ bool ToolSize::speaks_of_tool(std::size_t figure) const {
   return listed || is_told || beside_number;
 }
 
-// ---- figures in the name
+// ---- figures in the name of the tool
 
 ToolSize::Sizes ToolSize::in_names() const {
   Sizes sizes;
@@ -166,7 +166,7 @@ ToolSize::Sizes ToolSize::in_names() const {
   return sizes;
 }
 
-/// Returns the next open figure before the name, across words that describe a tool and a few unknown ones.
+/// Returns the next open figure before the name, across words that describe a tool and a few unknown words.
 std::optional<std::size_t> ToolSize::before(const ToolName& name) const {
   std::size_t strangers = 0;
   for (std::size_t i = name.first; i-- > 0;) {
@@ -181,7 +181,7 @@ std::optional<std::size_t> ToolSize::before(const ToolName& name) const {
       const bool is_name = p.meaning.is(tool);
       if (p.meaning.is(ends_phrase | of_part | another) || is_name) return std::nullopt;
       const bool is_fit =
-          p.joined && pieces_[i - 1].is_figure() && has(i + 1) && pieces_[i + 1].joined && pieces_[i + 1].is_figure();  // 8H7
+          p.joined && pieces_[i - 1].is_figure() && has(i + 1) && pieces_[i + 1].joined && pieces_[i + 1].is_figure();  // 8H7: a tolerance
       if (!goes_on && !is_fit && ++strangers > most_strangers) return std::nullopt;
     } else if (std::string_view("-\"*#.]})'").find(p.text[0]) == std::string_view::npos) {
       return std::nullopt;
@@ -196,13 +196,13 @@ bool ToolSize::fits_before(std::size_t at, const ToolName& name, bool strangers)
   if (name.no_bare_size && !is_measured(f)) return false;
   if (name.is_tap_drill && (f.is_fraction || (is_whole(f) && f.unit == 0))) return false;  // 1/4 TAP DRILL: the size of the tap
   const bool of_two = says(at - 1, joins) || says(at + 1, joins) || (at > 1 && pieces_[at - 1].is_sign('/') && is(at - 2, FigureIs::open));
-  if (of_two) return false;  // 3/8 OR 1/2
+  if (of_two) return false;  // 3/8 OR 1/2: two tools
   const CommentPiece* const second = has(at + 2) && says(at + 1, times) && pieces_[at + 2].is_figure() ? &pieces_[at + 2] : nullptr;
   if (name.kind == ToolWord::chamfer && (mm(f) < least_chamfer_mm || (second != nullptr && second->value == 45))) return false;
   if (second != nullptr && is_disc_ && mm(*second) >= mm(f)) return false;  // the larger size is the diameter
   if (is_measured(f) || !is_whole(f)) return true;
   const bool angle = is_usual_angle(f.value) && (name.kind == ToolWord::drill || name.kind == ToolWord::chamfer);
-  const bool listed = has(at + 1) && (pieces_[at + 1].is_sign('-') || pieces_[at + 1].is_sign('.'));  // 3 - ENDMILL
+  const bool listed = has(at + 1) && (pieces_[at + 1].is_sign('-') || pieces_[at + 1].is_sign('.'));  // 3 - ENDMILL: a list number
   const bool after_stranger = at > 0 && pieces_[at - 1].is_word() && pieces_[at - 1].meaning.says == no_meaning;
   return !angle && !listed && !strangers && !after_stranger && name.kind != ToolWord::tap;
 }
@@ -218,7 +218,7 @@ void ToolSize::add_threads(Sizes& sizes) const {
   }
 }
 
-/// #7 DRILL, DRILL #4, LETTER F DRILL, B DRILL, DRILL Q: only in inch programs, where such drills are used.
+/// Adds the sizes of #7 DRILL, DRILL #4, LETTER F DRILL, B DRILL, DRILL Q: only in inch programs, where such drills are used.
 void ToolSize::add_named_drills(Sizes& sizes) const {
   if (!inch_ || kind_ == ToolWord::tap) return;
   for (std::size_t i = 0; i < pieces_.size(); ++i) {
@@ -230,7 +230,7 @@ void ToolSize::add_named_drills(Sizes& sizes) const {
   }
 }
 
-/// Returns true if the word DRILL is after `at` (across words that describe it), or before it at the end of a clause.
+/// Returns true if the word DRILL is after piece `at` (across words that describe a drill), or before it at the end of a clause.
 bool ToolSize::names_drill(std::size_t at) const {
   const auto is_drill = [&](std::size_t i) { return has(i) && pieces_[i].meaning.kind == ToolWord::drill && says(i, tool); };
   const bool is_letter = pieces_[at].is_word();
@@ -244,7 +244,8 @@ bool ToolSize::names_drill(std::size_t at) const {
   return ends && is_drill(before);
 }
 
-/// Letters that may mean something else next to DRILL are excluded: A the article, C centre, S spot, X and Z axes.
+/// Returns the letter of a drill. Letters that may mean something else next to DRILL are excluded: A the article, C centre, S spot, X and
+/// Z axes.
 std::optional<std::size_t> ToolSize::letter_of_drill(std::size_t at) const {
   const auto is_letter_piece = [&](std::size_t i) {
     return has(i) && pieces_[i].is_word() && pieces_[i].text.size() == 1 && is_capital(pieces_[i].text[0]);
@@ -261,7 +262,7 @@ std::optional<std::size_t> ToolSize::letter_of_drill(std::size_t at) const {
   return (quoted || plain) && !hyphen && names_drill(at) ? std::optional(at) : std::nullopt;
 }
 
-// ---- figures after the name
+// ---- figures after the name of the tool
 
 ToolSize::Sizes ToolSize::behind_names() const {
   Sizes sizes;
@@ -299,11 +300,12 @@ bool ToolSize::fits_behind(std::size_t at, const ToolName& name, bool divided) c
   if (name.no_bare_size) return false;
   const bool bare_whole = is_whole(f);
   const bool goes_on = has(at + 1) && pieces_[at + 1].is_word() && pieces_[at + 1].meaning.says == no_meaning;  // DRILL 4 CORNERS
-  const bool of_number = is(name.first - 1, FigureIs::tool) && !goes_on;  // T3 DRILL 10 is not a tenth drilling
+  const bool of_number = is(name.first - 1, FigureIs::tool) && !goes_on;  // in T3 DRILL 10 the 10 is not the number of an operation
   return !bare_whole || ((name.size_behind || of_number) && !divided);
 }
 
-/// 3MM CRB 2FL 12 LOC; TOOL NAME : Topo 16 mm: one size with its unit, among words that only tools have.
+/// Finds the size in a comment without a tool's name: 3MM CRB 2FL 12 LOC; TOOL NAME : Topo 16 mm. It is the only size with a unit, among
+/// words that only tools have.
 ToolSize::Sizes ToolSize::without_name() const {
   const bool called = std::any_of(pieces_.begin(), pieces_.end(), [](const CommentPiece& p) { return p.text == "TOOL"; }) &&
                       std::any_of(pieces_.begin(), pieces_.end(), [](const CommentPiece& p) { return p.text == "NAME"; });

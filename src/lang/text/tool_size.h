@@ -1,5 +1,5 @@
 #pragma once
-// ToolSize: finds the figure of a comment that is the size of its tool.
+// ToolSize: finds the figure (number) of a comment that is the size of its tool.
 
 #include <optional>
 #include <vector>
@@ -10,16 +10,16 @@ namespace kadr {
 
 class ToolSize {
  public:
-  /// The arguments must outlive it. `inch`: figures without a unit are inches.
+  /// The arguments must outlive the ToolSize. `inch`: figures without a unit are inches.
   ToolSize(const std::vector<CommentPiece>& pieces, const ToolNames& names, bool inch);
 
-  /// mm; nullopt if it is not certain.
+  /// Returns the diameter in mm; nullopt if it is not certain.
   std::optional<double> diameter() const;
-  /// Corner radius of a tool with this diameter, mm.
+  /// Returns the corner radius of a tool with this diameter, mm.
   std::optional<double> corner(std::optional<double> diameter) const;
 
  private:
-  using Sizes = std::vector<double>;  // mm, found in one step; they must agree
+  using Sizes = std::vector<double>;  // mm, all found by one rule; they must agree
   bool has(std::size_t i) const { return i < pieces_.size(); }
   bool says(std::size_t i, WordSays what) const { return has(i) && pieces_[i].meaning.is(what); }
   bool is(std::size_t i, FigureIs what) const { return has(i) && pieces_[i].is_figure() && pieces_[i].figure == what; }
@@ -53,9 +53,9 @@ class ToolSize {
   const ToolNames& names_;
   const bool inch_;
   const ToolWord kind_;
-  bool has_no_size_ = false;  // its name means something other than its diameter
-  bool is_wide_ = false;      // a face mill, a saw
-  bool is_disc_ = false;      // a slot mill, a key cutter
+  bool has_no_size_ = false;  // the name of the tool means something other than its diameter
+  bool is_wide_ = false;      // the tool is a face mill or a saw
+  bool is_disc_ = false;      // the tool is a slot mill or a key cutter
 };
 
 }  // namespace kadr

@@ -17,7 +17,7 @@ struct Row {
 };
 
 constexpr WordSays names_tool = tool | size_behind;
-constexpr WordSays foreign = tool | size_behind | no_bare_size;  // too uncertain for anything but a size with its unit
+constexpr WordSays foreign = tool | size_behind | no_bare_size;  // so uncertain that only a size with its unit counts
 constexpr WordSays either = other_before | other_behind;
 
 /// English, Russian, Russian in Latin letters; of other languages only the commonest names. Each word occurs once.
@@ -47,7 +47,7 @@ constexpr Row rows[] = {
     {"BOHRER ANBOHRER BROCA FORET", foreign, ToolWord::drill},
     {"GEWINDEBOHRER MACHO MACHUELO", foreign, ToolWord::tap},
     {"REIBAHLE ALESATORE", foreign, ToolWord::reamer},
-    // ---- parts of their names
+    // ---- words that are part of a tool's name
     {"END NOSE SPOT SPOTTING FLAT SQUARE FORM ROUTER DOVETAIL SLITTING V", part_of_name},
     {"FACE SHELL", part_of_name | wide},
     {"SLOT KEY KEYSEAT KEYWAY WOODRUFF TSLOT", part_of_name | disc},
@@ -69,7 +69,7 @@ constexpr Row rows[] = {
     {"КОНЦЕВАЯ КОНЦ ТОРЦЕВАЯ ТОРЦ ТОРЦОВАЯ ЧЕРНОВАЯ ЧИСТОВАЯ ДИСКОВАЯ ПАЗОВАЯ ШПОНОЧНАЯ РАДИУСНАЯ ТВЕРДОСПЛАВНАЯ ТВС ВК КОРОТКОЕ ДЛИННОЕ",
      describes},
     {"TORCEVAYA KONCEVAYA", describes},
-    // ---- units, and words for the meaning of a figure
+    // ---- units, and words that give the meaning of a figure
     {"MM ММ", unit_mm},
     {"INCH INCHES IN ДЮЙМ ДЮЙМА ДЮЙМОВ \"", unit_inch},
     {"D Д DIA DIAM DIAMETER DIAMETR DIAMETRO DIÁMETRO SIZE Ф ДИАМ ДИАМЕТР ДИАМЕТРОМ", means_diameter},
@@ -79,7 +79,7 @@ constexpr Row rows[] = {
     {"LETTER LTR LTTR LET", letter},
     {"T Т TOOL ИНСТРУМЕНТ ИНСТР ИНСТРУМЕНТА", tool_number},
     {"X Х", times},
-    // ---- words of figures that are not sizes
+    // ---- words next to figures that are not sizes
     {"FLUTE FLUTES FLT FLTS FL ПЕРА ПЕРО ПЕРЬЕВ", either | of_tool | describes},
     {"TOOTH TEETH INSERTS ЗУБА ЗУБЬЕВ ЗУБ", either | describes},
     {"LOC CUTLENGTH", either | of_tool},

@@ -1,5 +1,5 @@
-// Program text in UTF-16, as editors of Windows save it: detects it, and reads
-// it as UTF-8. Used by cli, control; tested by tests/lang/utf16_test.cpp.
+// Program text in UTF-16, as editors of Windows save it: detects the encoding, and converts the text to UTF-8. Used by cli, control;
+// tested by tests/lang/utf16_test.cpp.
 
 #include "lang/text/utf16.h"
 
@@ -10,7 +10,7 @@
 namespace kadr {
 namespace {
 
-constexpr std::size_t utf16_piece_bytes = 32 * 1024;  // minimum length of a piece in UTF-16; each piece has a mark
+constexpr std::size_t utf16_piece_bytes = 32 * 1024;  // minimum length of a piece, which has an index entry, in bytes of UTF-16
 constexpr std::size_t sample_bytes = 1024;
 constexpr std::string_view replacement = "\xEF\xBF\xBD";  // U+FFFD
 
@@ -38,13 +38,13 @@ void append_character(char32_t code, std::string& text) {
   }
 }
 
-/// Apart from tabs and ends of lines, text has no control characters; binary files and a tape's blank leader have.
+/// Returns true for a control character other than tabs and ends of lines: text has none; binary files and a tape's blank leader have.
 bool is_control(char16_t unit) {
   const bool of_text = unit == '\t' || unit == '\n' || unit == '\r' || unit == '\f';
   return (unit < 0x20 && !of_text) || (unit >= 0x7F && unit < 0xA0) || unit >= 0xFFFE;
 }
 
-/// Detects UTF-16 without a byte order mark: at least two characters, half of them ASCII.
+/// Detects UTF-16 without a byte order mark: at least two characters, half of the characters ASCII.
 bool is_plainly(std::string_view sample, ByteOrder order) {
   const std::size_t size = std::min(sample.size(), sample_bytes);
   std::size_t ascii = 0, units = 0;
@@ -62,7 +62,7 @@ std::optional<ByteOrder> order_by_mark(std::string_view sample) {
   return std::nullopt;
 }
 
-/// Reads any place of the text by converting its piece again. It has no mutable state, so threads may share it.
+/// Reads from any offset of the text by converting the piece that contains it again. It has no mutable state, so threads may share it.
 class Utf16Source final : public ByteSource {
  public:
   Utf16Source(std::unique_ptr<ByteSource> source, ByteOrder order) : source_(std::move(source)), order_(order) {
@@ -95,11 +95,11 @@ class Utf16Source final : public ByteSource {
 
  private:
   struct Mark {
-    std::uint64_t there = 0;  // offset in the file
-    std::uint64_t here = 0;   // offset in the text
+    std::uint64_t there = 0;  // offset in the file, in UTF-16
+    std::uint64_t here = 0;   // offset in the text, in UTF-8
   };
 
-  /// Converts the piece that starts at a mark; returns the number of bytes used from the file.
+  /// Converts the piece that starts at file offset `there`; returns the number of bytes used from the file.
   std::size_t piece(std::uint64_t there, std::string& text) const {
     std::string bytes(utf16_piece_bytes, '\0');
     bytes.resize(source_->read(there, bytes.data(), bytes.size()));
@@ -108,7 +108,7 @@ class Utf16Source final : public ByteSource {
 
   std::unique_ptr<ByteSource> source_;
   ByteOrder order_;
-  std::vector<Mark> marks_;  // the last mark is the end
+  std::vector<Mark> marks_;  // start of each piece; the last element is the end of the text
 };
 
 }  // namespace
@@ -121,7 +121,7 @@ std::optional<ByteOrder> look_at_utf16(std::string_view sample) {
 }
 
 bool read_encoding(std::string_view name, SaidEncoding& said) {
-  std::string plain;  // as encoding_named()
+  std::string plain;  // spelled as encoding_named() compares names
   for (const char c : name)
     if (c != '-' && c != '_' && c != ' ') plain += c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
   said = {};

@@ -1,5 +1,5 @@
 #pragma once
-// Program text in UTF-16, as editors of Windows save it: detects it, and reads it as UTF-8.
+// Program text in UTF-16, as editors of Windows save it: detects the encoding, and converts the text to UTF-8.
 
 #include <cstddef>
 #include <memory>
@@ -17,7 +17,7 @@ enum class ByteOrder : std::uint8_t { little, big };
 /// "utf-16": its byte order mark or its text shows the byte order; "utf-16le", "utf-16be".
 enum class Utf16 : std::uint8_t { any, little, big };
 
-/// The encoding that the user gives for a program: one of the two, or none.
+/// The encoding that the user gives for a program: an Encoding, a kind of UTF-16, or none.
 struct SaidEncoding {
   std::optional<Encoding> encoding;
   std::optional<Utf16> utf16;
@@ -33,21 +33,22 @@ std::optional<ByteOrder> look_at_utf16(std::string_view sample);
 /// any of them little-endian, as Windows uses it.
 ByteOrder order_of(std::string_view sample, Utf16 said);
 
-/// Appends the whole characters of `bytes` as UTF-8. Half a surrogate pair
-/// becomes U+FFFD, and so does an odd byte at the end of the text (`last`).
-///   returns  number of bytes used: a cut character is left over, unless `last`
+/// Appends the whole characters of `bytes` as UTF-8. Half a surrogate pair becomes U+FFFD, and so does an odd byte at the end of the text
+/// (`last`).
+///   returns  number of bytes used: the bytes of an incomplete character at the end are not used, unless `last`
 std::size_t append_utf16(std::string_view bytes, ByteOrder order, bool last, std::string& text);
 
 /// Converts a whole text. Returns false, with nothing changed, if it is not UTF-16.
 bool append_if_utf16(std::string_view bytes, const SaidEncoding& said, std::string& text);
 
-/// Program text for a BlockReader, with its encoding if known.
+/// The source of a program's text for a BlockReader, with the encoding if it is known.
 struct OpenedText {
   std::unique_ptr<ByteSource> source;
   std::optional<Encoding> encoding;
 };
 
-/// Opens the file itself; or, for UTF-16, a UTF-8 view of it that can be read from any place and stores a mark for each 32 KiB.
+/// Opens the file itself; or, for UTF-16, a UTF-8 view of the file, which can be read from any offset and stores an index entry for each
+/// 32 KiB.
 ///   returns  no source if the file cannot be read; the reason is in errno
 OpenedText open_text(const std::string& path, const SaidEncoding& said = {}, const FileDoor* door = nullptr);
 OpenedText as_text(std::unique_ptr<ByteSource> source, const SaidEncoding& said = {});

@@ -1,11 +1,11 @@
 #pragma once
-// Reads characters above 127 in valid UTF-8. Used by the lexer only.
+// Reads characters above code 127 in valid UTF-8. Used by the lexer only.
 
 #include <string_view>
 
 namespace kadr {
 
-/// One character above 127 of valid UTF-8.
+/// One character above code 127, read from valid UTF-8.
 struct Wide {
   char32_t code = 0;
   std::size_t bytes = 1;

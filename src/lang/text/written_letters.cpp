@@ -12,9 +12,9 @@ namespace kadr {
 namespace {
 
 constexpr std::size_t leader_rows = 100;
-constexpr std::size_t high_bytes = 128;  // number of bytes above 127
+constexpr std::size_t high_bytes = 128;  // number of byte values above 127
 
-/// GOST 7.79-2000, system B, without its marks; capitals А to Я.
+/// Latin letters for А to Я by GOST 7.79-2000, system B, without its accents and apostrophes.
 constexpr std::array<std::string_view, 32> romanized = {"A", "B",  "V",  "G",   "D", "E", "ZH", "Z", "I",  "J", "K",
                                                         "L", "M",  "N",  "O",   "P", "R", "S",  "T", "U",  "F", "X",
                                                         "C", "CH", "SH", "SHH", "",  "Y", "",   "E", "YU", "YA"};
@@ -45,7 +45,7 @@ std::string small(std::string_view capitals) {
   return text;
 }
 
-/// Returns possible replacements for a character, the closest first.
+/// Returns possible replacements for a character, the most similar first.
 std::vector<std::string> alike(char32_t code) {
   if (code == capital_yo) return {"Е", "YO"};
   if (code == small_yo) return {"е", "Е", "yo", "YO"};
@@ -63,7 +63,7 @@ std::vector<std::string> alike(char32_t code) {
   return {"?", " "};
 }
 
-/// Table of a one-byte encoding.
+/// Returns the table of a one-byte encoding: character → byte above 127.
 const std::map<char32_t, char>& bytes_above(Encoding encoding) {
   static const auto table_of = [](Encoding of) {
     std::map<char32_t, char> table;
@@ -95,7 +95,7 @@ bool has_letters(const WrittenLetters& letters, std::string_view text) {
   return true;
 }
 
-/// Remembers the replacements already found.
+/// Stores the replacements already found, so that each character is looked up once.
 class Alikes {
  public:
   explicit Alikes(const WrittenLetters& letters) : letters_(letters) {}
@@ -138,7 +138,7 @@ Transliterated transliterated(std::string_view utf8, const WrittenLetters& lette
   Alikes alikes(letters);
   made.text.reserve(utf8.size());
   for (std::size_t at = 0; at < utf8.size();) {
-    std::size_t end = at;  // end of the ASCII run
+    std::size_t end = at;  // end of the sequence of ASCII characters
     while (end < utf8.size() && static_cast<unsigned char>(utf8[end]) < first_high) ++end;
     made.text.append(utf8.substr(at, end - at));
     if (end == utf8.size()) break;
