@@ -72,8 +72,8 @@ class Checker {
     return {};
   }
 
-  /// Refuses the letter of an axis that the machine lacks (1.1), such as U, V, W if no ini file is given. In the profile of a turning cycle
-  /// A, C, U, W are no axis words; U and W are increments (interp_g7x: switch_settings).
+  /// Refuses the letter of an axis that the machine lacks (1.1), such as U, V, W if neither set-up nor ini file names the axes. Blocks of a
+  /// turning profile may have A, C, U, W, of which U and W are increments (interp_g7x: switch_settings).
   Status axis_there(const Word& w) const {
     const std::size_t axis = axis_letters.find(w.address);
     if (axis == std::string_view::npos || (control_.axes >> axis & 1U) != 0) return {};

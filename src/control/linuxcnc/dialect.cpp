@@ -152,7 +152,7 @@ bool LinuxCnc::end_program(Interpreter& m) {
   return false;
 }
 
-/// Saves the parameter file after an alarm, as LinuxCNC does (Interp::synch). The faulty block has changed no parameter.
+/// Saves the parameter file and the tool table after an alarm, as LinuxCNC does (Interp::synch). An alarm leaves parameters unchanged.
 void LinuxCnc::failed(Emitter& m) {
   save_parameters(m, false);
   save_tools(m);

@@ -46,7 +46,7 @@ bool LinuxCnc::shapes_lines(const BlockContext& m) const {
   return false;
 }
 
-/// Moves straight, with the special handling of wrapped axes, and of G53 on an axis whose tool offset G53 does not cancel.
+/// Moves straight in a block with G53 that names a rotary axis whose tool offset G53 does not cancel: adds that offset and warns.
 Status LinuxCnc::straight(Emitter& m, const kadr::Call& call, MotionKind kind) {
   if (kind == MotionKind::feed) KADR_TRY(m.feed_known(call.where));
   Axes to = m.position.machine;
