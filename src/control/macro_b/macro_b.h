@@ -83,7 +83,7 @@ class MacroB : public Dialect, public MachineSide, public Memory {
   Result<double> number_of_element(const BlockContext& m, double symbol, double index, Span where) const override;
   Result<double> control_value(BlockContext& m, double number, double bit, double index, Span where) const override;
 
-  // ---- provided by the derived controls
+  // ---- functions that the derived dialects provide
   /// The tool's position after all transformations, in work coordinates; in polar interpolation in the coordinates of the virtual plane.
   virtual Axes before_transform(const BlockContext& m) const = 0;
   /// Saves the data of the canned cycles in force when an interrupt macro starts; bring_cycles_back() restores the data when it ends.

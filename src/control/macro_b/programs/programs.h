@@ -25,7 +25,7 @@ struct ProgramPlace {
 /// Which folder is searched for a called program: that of the calling program, or that of the main program.
 enum class Beside : std::uint8_t { caller, main_program };
 
-/// Finds programs, and remembers those found.
+/// Finds called programs. A program that has been found is not searched again.
 class Programs {
  public:
   /// Finds the program that M98 P, G65 P … call by number. It tries, in this order: a file `Onnnn` or `Onnnnnnnn` with the caller's

@@ -61,7 +61,7 @@ class Endless {
   /// The record of one jump back.
   struct Watch {
     std::uint64_t target = ~std::uint64_t{0};
-    std::uint64_t from = 0;  // offset of the block that jumps
+    std::uint64_t from = 0;  // offset in the file of the block that jumps
     std::uint64_t passes = 0, next_look = 1;
     std::uint64_t arrived = 0;  // blocks executed when the jump was last made
     std::uint64_t seen = 0;     // value of `passes` when the snapshot was taken

@@ -146,7 +146,7 @@ class ParameterStore {
 
   std::span<const ParameterRow> rows_;
   Context context_;
-  std::vector<std::size_t> first_;  // slot of each row's first index
+  std::vector<std::size_t> first_;  // for each row, the slot in Memory::values of its first index
   std::map<ParameterKey, Given> given_;
   Memory now_;
   JournalLink journal_;
