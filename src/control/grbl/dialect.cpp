@@ -1,4 +1,4 @@
-// Implements for Grbl what the interpreter calls of a dialect (control/dialect.h).
+// The functions of the Grbl dialect that the interpreter calls (control/dialect.h).
 
 #include <algorithm>
 #include <cmath>
