@@ -169,7 +169,7 @@ class Reader {
     hole_.clear = m_.modal.retract_initial ? old_z : hole_.level;
     hole_.peck = memory.peck;
     hole_.dwell = memory.dwell;
-    const double of_xyz[] = {memory.i, memory.j, memory.k};  // along X, Y, Z or U, V, W
+    const double of_xyz[] = {memory.i, memory.j, memory.k};  // I, J, K: increments along X, Y, Z or U, V, W
     const auto along = [&](std::size_t axis) { return of_xyz[axis % 3]; };
     hole_.i = along(hole_.first);
     hole_.j = along(hole_.second);

@@ -1,4 +1,4 @@
-// Implements for LinuxCNC what the interpreter calls of a dialect (control/dialect.h).
+// The functions of the LinuxCNC dialect that the interpreter calls (control/dialect.h).
 
 #include <algorithm>
 #include <cmath>

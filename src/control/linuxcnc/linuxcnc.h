@@ -79,7 +79,7 @@ struct State {
   bool shift_on = false;  // the shift of G92 is in force, #5210
   Axes length{};          // tool length offsets of G43
   std::uint32_t system_number = 1;
-  int active_spindle = 0;                            // the spindle that leads G33, G76
+  int active_spindle = 0;                            // number of the spindle with which G33, G76 synchronise
   std::array<OtherSpindle, most_spindles> others{};  // by spindle number; entry 0 is unused, the modal state has the first spindle
   double css_most = 0;                               // greatest speed under G96, word D, rev/min; 0: no limit
   bool cycle_began = false;                          // a canned cycle has run, and another one may continue it

@@ -92,7 +92,7 @@ Status LinuxCnc::write_variable(BlockContext& m, double number, double value, Sp
     return {};
   }
   m.variables.set_raw(static_cast<std::uint32_t>(n), value);
-  (void)m.variables.take_frames_changed();  // the table changes, not the offset in force
+  (void)m.variables.take_frames_changed();  // writing the parameter of a work offset does not change the offset in force
   return {};
 }
 

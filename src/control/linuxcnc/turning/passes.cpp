@@ -12,7 +12,7 @@ namespace {
 constexpr std::size_t most_moves = 1'000'000;
 constexpr std::uint64_t most_looks = 20'000'000;  // limit of the search, which in LinuxCNC never ends for some profiles
 constexpr double below_all = -1e9;
-constexpr double same_end = 1e-3;  // a shorter arc is skipped
+constexpr double same_end = 1e-3;  // an arc whose end points are closer than this is skipped
 using Pieces = std::list<Piece>;
 
 class Cutting {
