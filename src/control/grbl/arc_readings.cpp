@@ -1,4 +1,4 @@
-// Compares the two readings of an arc. Used by control/grbl/block_check; tested by tests/grbl_arcs.py.
+// Compares the exact arc with the arc that Grbl computes in 32 bits. Used by control/grbl/block_check; tested by tests/grbl_arcs.py.
 
 #include "control/grbl/arc_readings.h"
 
@@ -11,11 +11,11 @@
 namespace kadr::grbl {
 namespace {
 
-constexpr double parts_at = 0.01;                                                       // mm: paths further apart than this give a warning
-constexpr double arc_error = 0.005, arc_error_most = 0.5, arc_error_of_radius = 0.001;  // mm, mm, part of the radius (5.2)
+constexpr double parts_at = 0.01;  // mm: a warning is given if the two arcs are further apart
+constexpr double arc_error = 0.005, arc_error_most = 0.5, arc_error_of_radius = 0.001;  // mm, mm, fraction of the radius (5.2)
 constexpr double any_difference = 1e7;  // mm: no tolerance, as the radii have been checked already
 
-/// One reading of an arc: an alarm, an arc, or a straight line (neither is set).
+/// The result of computing an arc from its words: an alarm, an arc, or a straight line (neither is set).
 struct Reading {
   std::optional<Alarm> refused;
   std::optional<PlaneArc> arc;
@@ -37,7 +37,7 @@ Reading exact_reading(const ArcWords& w) {
   const double radius = length(w.offset), end_radius = length(w.to - w.from - w.offset), error = std::fabs(end_radius - radius);
   if (error > arc_error && (error > arc_error_most || error > arc_error_of_radius * radius))
     return {alarm(AlarmId::radius_mismatch, w.where, radius, end_radius), {}};
-  if (2 * radius <= double{w.tolerance}) return {};  // Grbl makes a line of a circle within $12, not segments (5.4)
+  if (2 * radius <= double{w.tolerance}) return {};  // Grbl moves straight if the circle's diameter is at most the arc tolerance $12 (5.4)
   return of_arc(arc_around(w.from, w.to, w.from + w.offset, w.turn, any_difference));
 }
 
@@ -46,7 +46,8 @@ SingleArc single_arc(const ArcWords& w) {
                      : single_arc_by_center(w.single_from, w.single_to, w.single_offset, w.turn, w.tolerance);
 }
 
-/// Changes Grbl's arc so that it ends at the end point, to which Grbl's last line goes anyway; the number of whole revolutions stays.
+/// Changes Grbl's arc so that it ends at the programmed end point, where Grbl's last segment ends anyway. The number of whole revolutions
+/// does not change.
 PlaneArc closed(const ArcWords& w, const PlaneArc& single) {
   const auto around = arc_around(w.from, w.to, single.center, w.turn, any_difference);
   if (!around) return single;
@@ -72,7 +73,7 @@ Vec2 point(const ArcWords& w, const Reading& reading, double part) {
   return reading.arc->center + rotated(w.from - reading.arc->center, whole * reading.arc->turns * part);
 }
 
-/// The exact reading as Grbl would execute it: a straight line if the arc is too short for segments.
+/// Returns the exact arc as Grbl would execute it: a straight line if the arc is too short to be divided into segments.
 Reading in_segments(const ArcWords& w, Reading exact) {
   if (!exact.arc) return exact;
   const double tolerance = double{w.tolerance}, radius = length(w.from - exact.arc->center), turn = 2 * std::numbers::pi;
@@ -85,7 +86,7 @@ double turned(const Reading& reading) { return reading.arc ? reading.arc->turns 
 
 double rounded(double value) { return std::round(value * 1000) / 1000; }
 
-/// The warning of how the readings differ; nullopt if they agree.
+/// Returns a warning that says how the exact arc and Grbl's arc differ; nullopt if they agree.
 std::optional<Alarm> parting(const ArcWords& w, const Reading& exact, const Reading& single) {
   if (single.refused && exact.refused) return std::nullopt;
   if (single.refused) return warning(AlarmId::single_arc_refused, w.where);

@@ -1,4 +1,4 @@
-// Steps 2 and 3 of gc_execute_line in gcode.c of Grbl 1.1: reads and checks the words of a line.
+// Reads and checks the words of a block: steps 2 and 3 of gc_execute_line in gcode.c of Grbl 1.1.
 
 #include "control/grbl/block_check.h"
 
@@ -26,7 +26,7 @@ constexpr std::uint64_t bits(std::string_view letters) {
   return all;
 }
 
-/// int_value and mantissa of gcode.c. The whole number is a byte; the excess of a larger one stays in the fraction (G257: error:23).
+/// A code number as int_value and mantissa of gcode.c. The whole part is one byte; what exceeds it is in the fraction (G257: error:23).
 struct CodeNumber {
   std::int32_t whole = 0;
   std::int32_t hundredths = 0;  // 0 to 65535
@@ -70,7 +70,7 @@ class BlockCheck {
   }
 
  private:
-  // ---- the words, in the order of the line (1.3, 3)
+  // ---- checks of single words, in the order of the block (1.3, 3)
 
   Status word(const Word& w) {
     if (w.address == 'G') return g_code(w);
@@ -89,7 +89,7 @@ class BlockCheck {
     return fail(alarm(AlarmId::not_together, w.where, axis_code_, block_.text_of(w.where)));
   }
 
-  /// Claims the axis words for a code: G10, G28 … and motion codes conflict, as both need them. G28.1 does not.
+  /// Records that a code uses the axis words: G10, G28 … and motion codes conflict, as both need axis words. G28.1 needs none.
   Status takes_axes(const Word& w, AxisCommand command) {
     if (all_.axis_command != AxisCommand::none) return two_commands(w);
     all_.axis_command = command;
@@ -184,7 +184,7 @@ class BlockCheck {
     return {};
   }
 
-  /// The code of the same group that comes before the word.
+  /// Returns the code of the same modal group that comes before the word in the block.
   std::string code_of_group(const Word& w) const {
     const auto group = [&](const Word& of) {
       const std::int32_t row = of.code < 0 ? -1 : m_.def.row_of(of.address, of.code);
@@ -195,13 +195,13 @@ class BlockCheck {
     return {};
   }
 
-  // ---- the block (4)
+  // ---- checks of the block as a whole (4)
 
   bool has(std::string_view letters) const { return (values_ & bits(letters)) != 0; }
   void use(std::string_view letters) { values_ &= ~bits(letters); }
   double value(char letter) const { return m_.has(letter) ? m_.word(letter)->value : 0; }
   double unit() const { return all_.inch ? mm_per_inch : 1; }
-  /// The value in mm, in Grbl's 32 bits.
+  /// Returns the value of a word in mm, as Grbl's 32-bit number.
   float single_value(char letter) const {
     constexpr auto mm = static_cast<float>(mm_per_inch);
     if (!m_.has(letter)) return 0;
@@ -212,7 +212,7 @@ class BlockCheck {
   bool is_probe() const { return all_.motion > 38_g && all_.motion < 39_g; }
   tl::unexpected<Alarm> no_feed() const { return fail(alarm(AlarmId::feed_missing, block_.where)); }
 
-  /// Finds the feed. In G93 each motion needs its own F, and so does the first block after the return to G94 (4.2).
+  /// Determines the feed. In G93 each motion block needs an F word, and so does the first block after the return to G94 (4.2).
   Status feed() {
     if (is_jog_) {
       if (!has("F")) return no_feed();
@@ -226,7 +226,7 @@ class BlockCheck {
     return {};
   }
 
-  /// Sets the start position in the work system that the block selects.
+  /// Sets the start position, in coordinates of the work system that the block selects.
   void take_start() {
     all_.start = m_.position.programmed;
     const std::size_t system = work_system();
@@ -353,7 +353,7 @@ class BlockCheck {
 
   // ---- the end of the check
 
-  /// Refuses words that nothing has used (4.10). Any axis command uses the axis words.
+  /// Refuses words that no code of the block uses (4.10). Any axis command uses the axis words.
   Status words_used() {
     use(is_jog_ ? "FN" : "FNST");
     if (all_.axis_command != AxisCommand::none) use("XYZ");
@@ -375,9 +375,9 @@ class BlockCheck {
   const bool is_jog_;
   std::optional<Alarm>& parted_;
   CheckedBlock all_;
-  std::string axis_code_;  // the code that claims the axis words
+  std::string axis_code_;  // the code that uses the axis words
   std::uint64_t groups_ = 0;
-  std::uint64_t values_ = 0;  // words not used yet, by letter
+  std::uint64_t values_ = 0;  // bits of the letters whose words no code has used yet
   double feed_ = 0;
   bool leaves_inverse_ = false, length_by_word_ = false;
   const Word* jog_fault_ = nullptr;

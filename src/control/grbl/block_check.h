@@ -1,5 +1,6 @@
 #pragma once
-// Checks a line's words as a whole, in the order of gcode.c (spec/grbl 1.3, 3, 4): the first fault in that order is the one reported.
+// Checks all words of a block before any is executed, in the order of Grbl's source gcode.c (spec/grbl 1.3, 3, 4): the first fault in that
+// order is reported.
 
 #include <cstdint>
 #include <optional>
@@ -21,35 +22,35 @@ class Grbl;
 /// The kind of code that uses the axis words (3).
 enum class AxisCommand : std::uint8_t { none, offsets, motion, length };
 
-/// The meaning of a line before any part of it is executed. Codes are in tenths; -1: none.
+/// The meaning of a block, determined before any part of the block is executed. Codes are in tenths (G28.1 is 281); -1: none.
 struct CheckedBlock {
-  std::int32_t non_modal = -1;  // of G4 G10 G28 G28.1 G30 G30.1 G53 G92 G92.1
-  std::int32_t motion = -1;     // coded, else in force; G80: no motion
+  std::int32_t non_modal = -1;  // the block's code among G4 G10 G28 G28.1 G30 G30.1 G53 G92 G92.1
+  std::int32_t motion = -1;     // motion code of the block, else the one in force; G80: no motion
   AxisCommand axis_command = AxisCommand::none;
   bool has_axis = false;
   bool moves = false;  // the motion code moves the tool
   bool inch = false, absolute = true, inverse_time = false;
   std::int32_t plane = 17_g;
-  std::int32_t system = -1;     // G54 … of the block
+  std::int32_t system = -1;     // code G54 … G59 in the block
   Axes start{};                 // programmed coordinates in the block's work system
-  Axes target{};                // programmed coordinates; machine ones with G53
-  std::optional<PlaneArc> arc;  // of G2, G3; nullopt: a line, as Grbl makes no segments of the arc
-  int segments = 0;             // of the arc
-  Single3 single_target{};      // the target in Grbl's 32 bits: machine coordinates
+  Axes target{};                // programmed coordinates; machine coordinates with G53
+  std::optional<PlaneArc> arc;  // arc of G2, G3; nullopt: Grbl moves straight, as the arc is too short to be divided into segments
+  int segments = 0;             // number of straight segments into which Grbl divides the arc
+  Single3 single_target{};      // the target as Grbl's 32-bit numbers, in machine coordinates
 };
 
-/// A number as gcode.c keeps it in a byte: of G, M, L, P of G10.
+/// Returns the whole part of a number modulo 256, as gcode.c stores it in one byte: used for G, M, L, and P of G10.
 inline std::int32_t byte_of(double value) { return static_cast<std::uint8_t>(static_cast<std::int64_t>(value)); }
 
-/// Checks the interpreter's block. `is_jog`: it holds the words of `$J=` (9). `parted`: receives the warning of an arc whose exact reading
-/// differs, whether the block is valid or not.
+/// Checks the interpreter's block. `is_jog`: the block consists of the words of a `$J=` line (9). `parted`: receives the warning that the
+/// exact arc differs from Grbl's 32-bit arc, even if the block is not valid.
 ///   alarms  those of the reader; code_unknown, word_not_integer, group_conflict, not_together, address_twice, value_below_zero,
 ///           tool_number_large, block_number_large, feed_missing, word_missing, length_axis_wrong, no_axis_word, system_number_large,
 ///           illegal_address, machine_motion_mode, no_motion_mode, arc_without_plane_word, full_circle_by_radius, radius_too_small,
 ///           center_missing, radius_mismatch, probe_too_close, word_unused, jog_code, limit_exceeded
 Result<CheckedBlock> check(const BlockContext& m, const Grbl& control, bool is_jog, std::optional<Alarm>& parted);
 
-/// Checks that every segment of the motion ends within the travel, if $20 is on (8).
+/// Checks that every segment of the motion ends within the travel of the axes, if soft limits ($20) are on (8).
 ///   alarms  limit_exceeded; jog_target for a jog
 Status within_travel(const BlockContext& m, const Grbl& control, const CheckedBlock& block, bool is_jog);
 

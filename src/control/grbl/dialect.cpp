@@ -1,4 +1,4 @@
-// Implements for Grbl what the interpreter calls of a dialect (control/dialect.h).
+// The functions of the Grbl dialect that the interpreter calls (control/dialect.h).
 
 #include <algorithm>
 #include <cmath>
@@ -34,7 +34,7 @@ AxisMask named_in(const BlockContext& m) {
 
 Grbl& grbl_of(const BlockContext& m) { return static_cast<Grbl&>(*m.dialect); }
 
-/// Takes the settings of the set-up; the others have the values of the generic build (10).
+/// Reads Grbl's settings from the set-up; settings that it does not give have the values of Grbl's generic build (10).
 Grbl::Grbl(const Setup& setup) {
   constexpr double usual_travel = 200;
   for (std::size_t a = 0; a < axes; ++a) state.settings.travel[a] = usual_travel;
@@ -53,7 +53,7 @@ Status Grbl::restore(BlockContext&, const DialectState& from) {
   return {};
 }
 
-/// Sets the codes in force at power-on one by one: they could not be in one line, as G49 and G0 both claim the axis words.
+/// Sets the codes in force at power-on one by one: they could not be in one block, as G49 and G0 both use the axis words.
 bool Grbl::start(Interpreter& m, const Setup&) {
   for (std::size_t g = 0; g < m.def.groups.size(); ++g)
     if (m.def.groups[g].power_on >= 0) m.modal.rows[g] = static_cast<std::int16_t>(m.def.groups[g].power_on);
@@ -76,7 +76,7 @@ Status Grbl::jog(Emitter& m) {
   m.modal.inch = jog->inch;
   m.modal.feed = m.length_value('F');
   m.modal.feed_known = true;
-  if (!jog->has_axis) {  // gcode.c leaves the target at machine zero
+  if (!jog->has_axis) {  // without axis words the target in gcode.c is machine zero
     const Status moved = m.to_machine(MotionKind::feed, Axes{}, (AxisMask{1} << axes) - 1, m.modal.feed);
     m.modal = before;
     return moved;
@@ -96,7 +96,7 @@ Result<bool> Grbl::takes_block(Interpreter& m) {
   if (parted) m.warn(*parted);
   if (!all) return fail(all.error());
   checked = *all;
-  if (m.has('T')) {  // 1.3: Grbl keeps it in a byte
+  if (m.has('T')) {  // 1.3: Grbl stores the tool number in one byte
     double& tool = m.block->words[m.block->at['T' - 'A']].value;
     tool = byte_of(tool);
   }
@@ -105,7 +105,7 @@ Result<bool> Grbl::takes_block(Interpreter& m) {
   return false;
 }
 
-/// Warns of an S beyond $30 and $31, within which the spindle turns (4.17): once per speed. S itself stays as it is written.
+/// Warns, once per speed, of an S outside the speed range $31 to $30 of the spindle (4.17). The value of S is not changed.
 void Grbl::watch_speed(Emitter& m) {
   const Settings& s = state.settings;
   const double speed = m.value('S'), turned = std::clamp(speed, std::min(s.speed_least, s.speed_most), s.speed_most);
@@ -126,7 +126,7 @@ BlockChanges Grbl::changes_of(const BlockContext&, const Plan&) const { return B
 /// After G80 there is no motion row.
 std::int16_t Grbl::motion_row(const BlockContext& m) const { return checked.moves ? m.modal.motion_row : std::int16_t{-1}; }
 
-/// M2, M30 put G1 in force, but the words of the block do not move anything.
+/// M2 and M30 put G1 in force, but axis words in their block move nothing.
 bool Grbl::end_program(Interpreter& m) {
   m.block_axes_taken = true;
   checked.motion = 1_g;
@@ -135,7 +135,7 @@ bool Grbl::end_program(Interpreter& m) {
 }
 
 Status Grbl::after_block(Interpreter& m) {
-  if (feed_at_end_ >= 0) {  // 7: F stays, whatever feed mode it was given in
+  if (feed_at_end_ >= 0) {  // 7: F remains in force, whatever the feed mode in which it was given
     m.modal.feed = std::exchange(feed_at_end_, -1);
     m.modal.feed_known = m.modal.feed > 0;
   }
@@ -155,7 +155,7 @@ bool Grbl::lines_follow(const BlockContext& m) const {
 
 void Grbl::note_line(BlockContext& m) { state.singles.note_line(m); }
 
-/// Grbl's arcs are checked one by one.
+/// Returns a rule that checks each arc on its own, as Grbl does.
 ArcRule Grbl::arc_rule(const BlockContext& m) const {
   ArcRule rule = m.plain_arc_rule();
   rule.by_words = false;

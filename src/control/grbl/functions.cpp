@@ -36,7 +36,7 @@ Status machine_block(Emitter& m, const Call&) {
   return {};
 }
 
-/// G10 L2, L20: sets a work offset directly in machine coordinates (L2), or so that the present point has the coordinates given (L20).
+/// G10 L2, L20: sets a work offset directly in machine coordinates (L2), or so that the present position has the given coordinates (L20).
 Status stored_offsets(Emitter& m, const Call&) {
   const auto number = static_cast<std::size_t>(grbl::byte_of(m.value('P')));
   Axes& zero = to_write(m, m.tables.zeros[number == 0 ? m.modal.work_zero : number]);
@@ -47,7 +47,8 @@ Status stored_offsets(Emitter& m, const Call&) {
   return {};
 }
 
-/// G28, G30 (arg 1, 2): moves the axes of the words through their point; without words all axes move straight to the stored position.
+/// G28, G30 (arg 1, 2): moves the axes that have words through the point of these words to the stored position; without axis words all axes
+/// move straight to the stored position.
 Status stored_move(Emitter& m, const Call& call) {
   const Axes stored = m.tables.reference[static_cast<std::size_t>(call.row->arg)];
   AxisMask named = 0;
@@ -58,7 +59,7 @@ Status stored_move(Emitter& m, const Call& call) {
   return m.to_machine(MotionKind::rapid, stored, named, 0, call.row->arg == 2 ? EndGiven::reference_2 : EndGiven::reference_1);
 }
 
-/// G28.1, G30.1 (arg 1, 2).
+/// G28.1, G30.1 (arg 1, 2): stores the present position.
 Status stored_position(Emitter& m, const Call& call) {
   to_write(m, m.tables.reference[static_cast<std::size_t>(call.row->arg)]) = m.position.machine;
   return {};

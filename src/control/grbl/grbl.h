@@ -1,6 +1,6 @@
 #pragma once
-// The dialect of Grbl 1.1 (spec/grbl; gcode.c, protocol.c, jog.c). A line is checked as a whole in the order of Grbl's source; then it is
-// executed completely, or not at all.
+// The dialect of Grbl 1.1 (spec/grbl; gcode.c, protocol.c, jog.c of Grbl's source). A block is checked as a whole, in the order of Grbl's
+// source; then it is executed completely, or not at all.
 
 #include <array>
 #include <cstdint>
@@ -11,19 +11,19 @@
 
 namespace kadr::grbl {
 
-/// The settings $x that the meaning of a program depends on (10).
+/// The settings $x of Grbl that change what a program does (10).
 struct Settings {
   bool soft_limits = false;      // $20
   bool homing = false;           // $22
-  double speed_most = 1000;      // $30, rev/min
-  double speed_least = 0;        // $31
+  double speed_most = 1000;      // $30: greatest spindle speed, rev/min
+  double speed_least = 0;        // $31: least spindle speed, rev/min
   double arc_tolerance = 0.002;  // $12, mm
   Axes travel{};                 // $130 to $132, mm
 };
 
 /// The state that a block changes and an alarm in the block restores.
 struct State {
-  double length = 0;  // G43.1, mm
+  double length = 0;  // tool length set by G43.1, mm
   Settings settings;
   Singles singles;
 };
@@ -54,20 +54,20 @@ class Grbl final : public Dialect {
   Status machine_code(Interpreter& m, const Call& call) override;
 
   State state;
-  CheckedBlock checked;  // of the block being executed
+  CheckedBlock checked;  // result of checking the block being executed
 
  private:
   Status jog(Emitter& m);
   void watch_speed(Emitter& m);
   State before_;
-  double told_speed_ = 0;    // speed of the last warning
-  double feed_at_end_ = -1;  // the feed of a block with M2 or M30; -1: none
+  double told_speed_ = 0;    // speed in the last warning of watch_speed()
+  double feed_at_end_ = -1;  // feed to restore after a block with M2 or M30; -1: no such block
 };
 
 Grbl& grbl_of(const BlockContext& m);
 
 /// Executes `$x=v`, a setting in the program (10).
-///   returns  false: the setting has no meaning for Kadr
+///   returns  false: Kadr does not use this setting
 ///   alarms  value_below_zero, step_pulse_short, soft_limits_need_homing
 Result<bool> set(Settings& settings, int number, double value, Span where);
 

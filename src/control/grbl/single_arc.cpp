@@ -11,14 +11,15 @@ namespace {
 
 constexpr float travel_epsilon = 5e-7F;  // rad, ARC_ANGULAR_TRAVEL_EPSILON
 constexpr float whole_turn = 2 * std::numbers::pi_v<float>;
-constexpr float error_least = 0.005F, error_most = 0.5F, error_of_radius = 0.001F;  // mm, mm, part of the radius (5.2)
+constexpr float error_least = 0.005F, error_most = 0.5F, error_of_radius = 0.001F;  // mm, mm, fraction of the radius (5.2)
 
 float length_of(float x, float y) { return std::sqrt(x * x + y * y); }
 
-/// Uses the arc tangent of a double: every library gives the same result when it is rounded to a float, so all machines agree.
+/// Returns the angle of a vector. The arc tangent is computed as a double and rounded to a float, so that it is the same with every
+/// library.
 float angle_of(float y, float x) { return static_cast<float>(std::atan2(double{y}, double{x})); }
 
-/// The number of lines that Grbl makes of the arc, counted in 16 bits: a count above 65535 wraps around to 0.
+/// Returns the number of lines into which Grbl divides the arc. Grbl counts in 16 bits: the number wraps around to 0 above 65535.
 int segments_of(float angle, float radius, float tolerance) {
   constexpr float counts = 65536;
   const float chord = std::sqrt(tolerance * (2 * radius - tolerance));
@@ -26,7 +27,7 @@ int segments_of(float angle, float radius, float tolerance) {
   return std::isfinite(count) ? static_cast<int>(std::fmod(count, counts)) : 0;
 }
 
-/// mc_arc of the source.
+/// Computes angle and segments of an arc, as mc_arc of Grbl's source does.
 SingleArc led(Single2 from, Single2 to, Single2 offset, float radius, Turn turn, float tolerance) {
   const Single2 center{from[0] + offset[0], from[1] + offset[1]};
   const Single2 first{-offset[0], -offset[1]}, last{to[0] - center[0], to[1] - center[1]};
@@ -67,7 +68,8 @@ SingleArc single_arc_by_radius(Single2 from, Single2 to, float radius, Turn turn
     arc.other = length_of(x, y) / 2;
     return arc;
   }
-  float height = -std::sqrt(four_height_sq) / length_of(x, y);  // twice the height of the centre above the chord, divided by its length
+  float height =
+      -std::sqrt(four_height_sq) / length_of(x, y);  // twice the distance of the centre from the chord, divided by the chord length
   if (turn == Turn::ccw) height = -height;
   if (radius < 0) height = -height;
   return led(from, to, {0.5F * (x - y * height), 0.5F * (y + x * height)}, std::fabs(radius), turn, tolerance);

@@ -1,10 +1,11 @@
 #pragma once
-// Computes an arc as Grbl does: each step is rounded to 32 bits, as in the C of an AVR, whose double is a float (spec/grbl 5.2 to 5.4;
-// gcode.c, mc_arc). The rounding shows in three cases:
+// Computes an arc as Grbl does: the result of each operation is rounded to 32 bits, as by the C compiler of the AVR processor, where a
+// double is a float (spec/grbl 5.2 to 5.4; gcode.c, mc_arc). The rounding has visible effects in three cases:
 //
-//   R far from machine zero: 4R² − x² − y² is a difference of rounded squares, and the centre depends on its root
-//   a short part of a large circle: its angle is computed as less than 5e-7 rad, and a whole revolution is added
-//   a full circle: its angle is computed as more than 5e-7 rad on the wrong side, and nothing is added
+//   an arc with R far from machine zero: with the chord (x, y), the centre depends on the square root of 4R² − x² − y², which is a
+//     difference of rounded squares
+//   a short arc of a large circle: its angle is computed as less than 5e-7 rad, so Grbl adds a whole revolution
+//   a full circle: its angle is computed as more than 5e-7 rad in the arc's direction, so Grbl adds no revolution and hardly moves
 
 #include <array>
 #include <cstdint>
@@ -14,23 +15,23 @@
 
 namespace kadr::grbl {
 
-/// A point of the plane in machine coordinates, mm.
+/// A point of the active plane in machine coordinates, mm.
 using Single2 = std::array<float, 2>;
 
 struct SingleArc {
-  enum class Answer : std::uint8_t { moves, radius_small, radius_wrong };  // error:34, error:33
+  enum class Answer : std::uint8_t { moves, radius_small, radius_wrong };  // radius_small is Grbl's error:34, radius_wrong its error:33
   Answer answer = Answer::moves;
   Vec2 offset;       // from the start to the rounded centre, mm
   double turns = 0;  // swept angle / 360, positive
-  int segments = 0;  // 0: straight to the end point
-  float radius = 0;  // mm, the radius used to count segments
-  float other = 0;   // mm: radius at the end; half of the chord if R is too small
+  int segments = 0;  // number of segments; 0: a straight line to the end point
+  float radius = 0;  // mm, the radius from which the number of segments is computed
+  float other = 0;   // for the alarm, mm: radius at the end point (radius_wrong), or half the chord (radius_small)
 };
 
-/// The arc given by I, J, K. `tolerance`: $12, mm.
+/// Computes the arc given by I, J, K. `tolerance`: setting $12, mm.
 SingleArc single_arc_by_center(Single2 from, Single2 to, Single2 offset, Turn turn, float tolerance);
 
-/// The arc given by R; if R is negative, the longer of the two.
+/// Computes the arc given by R. If R is negative, the result is the longer of the two possible arcs.
 SingleArc single_arc_by_radius(Single2 from, Single2 to, float radius, Turn turn, float tolerance);
 
 }  // namespace kadr::grbl

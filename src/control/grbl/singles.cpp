@@ -1,4 +1,5 @@
-// Carries Grbl's 32-bit values from block to block, in the order of its own sums (gcode.c, steps 19 and 20). Used by control/grbl/dialect.
+// Updates Grbl's 32-bit values from block to block, adding numbers in the order in which Grbl adds them (gcode.c, steps 19 and 20). Used by
+// control/grbl/dialect.
 
 #include "control/grbl/singles.h"
 
@@ -29,7 +30,7 @@ void SinglePoint::take(std::size_t axis, double now, float by_words) {
   single[axis] = by_words;
 }
 
-/// Reads the word's own text, which nearly always is the plain number; blanks and comments inside it are filtered out.
+/// Converts the text of a word, which nearly always is the letter and a number; blanks and comments inside the word are filtered out.
 float single_of(const Block& block, const Word& word) {
   const std::string_view text = block.text_of(word.where).substr(1);
   if (size_of_number(text) == text.size()) return single_of_digits(text);

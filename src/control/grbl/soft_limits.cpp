@@ -25,7 +25,7 @@ Status point_within(const BlockContext& m, const Grbl& control, const Axes& mach
 }  // namespace
 
 Status within_travel(const BlockContext& m, const Grbl& control, const CheckedBlock& block, bool is_jog) {
-  const bool by_stored = block.non_modal == 280 || block.non_modal == 300;  // G28, G30: through a point, or straight to the position
+  const bool by_stored = block.non_modal == 280 || block.non_modal == 300;  // G28, G30: via a point, or straight to the stored position
   if (!control.state.settings.soft_limits || !(block.moves || by_stored || (is_jog && block.has_axis))) return {};
   const auto system = block.system < 0 ? std::size_t{m.modal.work_zero} : static_cast<std::size_t>((block.system - 530) / 10);
   Axes zero{}, end{};

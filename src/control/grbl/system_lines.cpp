@@ -35,7 +35,7 @@ Result<Assigned> assigned(const std::string& line, Span where) {
   return Assigned{byte_of(number), value_of_digits(value.substr(0, value_size))};
 }
 
-/// True for a line to which Grbl answers `ok`, but which does nothing for a program: it shows, stores or restores something.
+/// True for a `$` line to which Grbl answers `ok`, but which does not affect the program: it only shows, stores or restores settings.
 bool is_form_of_line(const std::string& line) {
   if (line.size() == 1) return true;
   const bool alone = line.size() == 2;
@@ -85,7 +85,7 @@ Result<bool> set(Settings& settings, int number, double value, Span where) {
   }
 }
 
-/// Executes a jog, homing, or a setting that Kadr uses; skips other lines with a note.
+/// Executes a `$` line with a jog, homing, or a setting that Kadr uses; skips other `$` lines and reports a note.
 Result<bool> Grbl::statement(Interpreter& m) {
   std::vector<std::uint32_t> place;
   const std::string line = filtered(m.block->text_of(m.block->statement.text), place);

@@ -1,5 +1,5 @@
-// Reads and checks the codes of a block by their groups (spec/linuxcnc 2.3, 2.5, 2.7; read_g, read_m, enhance_block of the source), and its
-// words (2.8: check_g_codes, check_m_codes, check_other_codes).
+// Reads and checks the codes of a block by their modal groups (spec/linuxcnc 2.3, 2.5, 2.7; read_g, read_m, enhance_block of the source),
+// and the words of the block (2.8: check_g_codes, check_m_codes, check_other_codes).
 
 #include "control/linuxcnc/block_codes.h"
 
@@ -72,8 +72,8 @@ class Checker {
     return {};
   }
 
-  /// Refuses a letter of an axis that the machine lacks (1.1), such as U, V, W on the machine that is assumed. In a profile A, C, U, W are
-  /// words of its blocks, U and W as increments (interp_g7x: switch_settings).
+  /// Refuses the letter of an axis that the machine lacks (1.1), such as U, V, W if neither set-up nor ini file names the axes. Blocks of a
+  /// turning profile may have A, C, U, W, of which U and W are increments (interp_g7x: switch_settings).
   Status axis_there(const Word& w) const {
     const std::size_t axis = axis_letters.find(w.address);
     if (axis == std::string_view::npos || (control_.axes >> axis & 1U) != 0) return {};
@@ -100,7 +100,7 @@ class Checker {
     return {};
   }
 
-  /// Checks that LinuxCNC makes as soon as a word is read (2.3).
+  /// Makes the checks of a value that LinuxCNC makes as soon as it has read the word (2.3).
   Status value(const Word& w) const {
     const auto negative = [&](const char* text) -> Status {
       return w.value < 0 ? Status(wrong(AlarmId::rs274_words, w.where, text)) : Status();
@@ -120,7 +120,7 @@ class Checker {
     return wrong(AlarmId::rs274_words, w.where, "Non integer value for integer");
   }
 
-  /// Checks polar words. The plane is the one in force before the block.
+  /// Checks the polar words @ and ^. They use the plane that is in force before the block.
   Status polar() const {
     if (!codes_.has_polar) return {};
     const auto no = [&](const char* text) { return wrong(AlarmId::rs274_motion, m_.block->where, text); };
@@ -197,7 +197,7 @@ class Checker {
       return wrong(AlarmId::rs274_data, at, "Line with G10 does not have L0, L1, L10, L11, L2, or L20");
     if (l == 0) return {};
     const double p = m_.has('P') ? m_.word('P')->value : -1;
-    const bool broken = p + 0.0001 - std::round(p) > 0.0002;  // as the source has it: 1.5 to 1.99 pass as 2
+    const bool broken = p + 0.0001 - std::round(p) > 0.0002;  // as in LinuxCNC's source: P1.5 to P1.99 are accepted as P2
     if (l == 2 || l == 20) {
       if (broken) return wrong(AlarmId::rs274_data, at, "P value not an integer with G10");
       if (std::round(p) < 0 || std::round(p) > 9)
@@ -269,7 +269,7 @@ Status Checker::letters_of_cycles() const {
   return {};
 }
 
-/// The texts and their order are the control's.
+/// Checks words that no code uses. The texts of the faults and the order of the checks are LinuxCNC's.
 Status Checker::words() const {
   KADR_TRY(letters_of_cycles());
   const bool thread = moves({33_g, 33.1_g});

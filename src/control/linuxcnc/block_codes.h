@@ -1,6 +1,6 @@
 #pragma once
-// Reads the codes of a block by their modal groups, decides which of them moves, and checks the block as a whole before anything is
-// executed (spec/linuxcnc 2.5, 2.7, 2.8).
+// Sorts the codes of a block by modal group, decides which code commands the motion, and checks the block as a whole before any part of the
+// block is executed (spec/linuxcnc 2.5, 2.7, 2.8).
 
 #include <array>
 #include <cstdint>
@@ -19,11 +19,11 @@ class LinuxCnc;
 
 /// The codes of a block in tenths: G0 is 0, G38.2 is 382; -1 means none.
 struct BlockCodes {
-  std::array<std::int32_t, g_groups> g{};  // by the number of the modal group
+  std::array<std::int32_t, g_groups> g{};  // the block's G code of each modal group
   std::array<std::int32_t, m_groups> m{};
-  std::int32_t motion = -1;  // the motion of the block, coded or in force; -1: none
-  bool has_axis = false;     // X … W
-  bool has_polar = false;    // @ ^
+  std::int32_t motion = -1;  // the motion code of the block, else the one in force; -1: the block does not move
+  bool has_axis = false;     // the block has an axis word, X … W
+  bool has_polar = false;    // the block has a polar word, @ or ^
   bool axes_for_group0 = false;
 
   std::int32_t g1() const { return g[1]; }

@@ -25,7 +25,7 @@ Status leave_sub(Interpreter& m, Span where) {
   LinuxCnc& control = linuxcnc_of(m);
   const auto left = m.flow.end_subprogram(where);
   if (!left) return fail(left.error());
-  if (*left == nullptr) return {};  // it repeats
+  if (*left == nullptr) return {};  // the subprogram repeats
   if (!control.flow.by_m98.back() && control.levels().size() > 1) control.levels().pop_back();
   control.flow.calls.pop_back();
   control.flow.by_m98.pop_back();
@@ -54,7 +54,7 @@ Status call_numbered(Interpreter& m, const Call& call) {
   const linuxcnc::OFile& file = linuxcnc_of(m).flow.of(m);
   for (const linuxcnc::OLine& line : file.lines) {
     if (line.at.offset < m.block->position.offset || line.label != label) continue;
-    if (line.word == OWord::sub) {  // the fault is reported at that line
+    if (line.word == OWord::sub) {  // the fault is reported at the `sub` line
       linuxcnc_of(m).flow.refused = "'O.... sub' subroutine must be called with 'O.... call'";
       m.flow.jump(line.at);
       return {};
@@ -77,7 +77,7 @@ Status call_numbered(Interpreter& m, const Call& call) {
                        fmt::format("EOF in file:{} seeking o-word: o<{}> from line: {}", m.program().file(), text, m.block->position.line));
 }
 
-/// M99: returns; in the main program it restarts at the first line (6.5).
+/// M99: returns from a subprogram; in the main program it restarts the program at the first line (6.5).
 Status return_numbered(Interpreter& m, const Call& call) {
   const linuxcnc::LinuxCnc& control = linuxcnc_of(m);
   if (!control.machine.fanuc_subprograms)

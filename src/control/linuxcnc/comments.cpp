@@ -15,7 +15,7 @@ namespace {
 
 constexpr double shown_as_zero = 1e-4;
 
-/// The last ( ) comment of the block; nullopt if it has none. A `;` comment is never active.
+/// Returns the last ( ) comment of the block; nullopt if the block has none. A `;` comment is never active.
 std::optional<std::string_view> last_comment(const Block& block) {
   std::optional<std::string_view> last;
   for (const Span comment : block.comments)
@@ -34,7 +34,7 @@ bool takes(std::string_view text, std::string_view word, std::string_view& rest)
   return true;
 }
 
-/// Fills the values of parameters into a text (convert_param_comment).
+/// Replaces the parameters in the text of a comment by their values (convert_param_comment of the source).
 class Filled {
  public:
   Filled(Emitter& m, std::string_view text) : m_(m), text_(text) {}
@@ -53,7 +53,7 @@ class Filled {
   }
 
  private:
-  /// %d, %f, %.2f: the format of all parameters to its right.
+  /// Reads a format %d, %f or %.2f, which applies to all parameters to the right of the format.
   bool format() {
     const std::string_view rest = text_.substr(at_ + 1);
     if (rest.starts_with('d')) {
@@ -74,8 +74,8 @@ class Filled {
     return false;
   }
 
-  /// For #5420 … under cutter compensation returns the number of #<_x> …: an expression may not read #5420 …, but a comment shows the
-  /// values of #<_x> … (the source reads its table directly).
+  /// Under cutter compensation, replaces the numbers #5420 … by the numbers of #<_x> …: an expression may not read #5420 … then, but a
+  /// comment shows the values of #<_x> … (LinuxCNC's source reads the parameter table directly).
   double beside_contour(double number) const {
     constexpr std::string_view letters = "xyzabcuvw";
     constexpr double first = 5420;
@@ -116,7 +116,7 @@ class Filled {
   int decimals_ = 6;
 };
 
-/// Adds the location of the block to an alarm of the file.
+/// Adds the location of the block to an alarm of an output file.
 Status placed_at(const Status& status, Span where) {
   if (status) return {};
   Alarm alarm = status.error();
@@ -126,7 +126,7 @@ Status placed_at(const Status& status, Span where) {
 
 std::string_view without_front(std::string_view text) { return text.substr(std::min(text.find_first_not_of(" \t"), text.size())); }
 
-/// The running program's path relative to the program memory.
+/// Returns the running program's path relative to the program memory.
 std::string running_program(const BlockContext& m) {
   namespace fs = std::filesystem;
   std::error_code error;

@@ -12,11 +12,12 @@
 namespace kadr::functions {
 namespace {
 
-constexpr std::uint8_t unknown_nose = 10;  // in no table: the nose centre is guided, with an approach of its own before an arc
+constexpr std::uint8_t unknown_nose =
+    10;  // a tool orientation in no table: the nose centre follows the path, with its own approach before an arc
 
 }  // namespace
 
-/// arg: 41, 42 use the tool table; 411, 421 use D as a diameter.
+/// Starts cutter compensation. arg: 41, 42 (G41, G42) use the tool table; 411, 421 (G41.1, G42.1) use the word D as a diameter.
 Status tool_side(Emitter& m, const Call& call) {
   const linuxcnc::LinuxCnc& control = linuxcnc::linuxcnc_of(m);
   const int code = call.row->arg;

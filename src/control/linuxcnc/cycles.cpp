@@ -22,7 +22,7 @@ constexpr double same_level = 1e-9;
 constexpr double most_pecks = 1e6;
 constexpr double most_repeats = 1e8;
 
-/// Turns words into levels, with the checks in the order of the source.
+/// Computes the levels of a canned cycle from its words, with the checks in the order of LinuxCNC's source.
 class Reader {
  public:
   Reader(Emitter& m, const kadr::Call& call) : m_(m), call_(call), control_(linuxcnc_of(m)) {}
@@ -60,7 +60,7 @@ class Reader {
  private:
   tl::unexpected<Alarm> wrong(std::string text) const { return control_.fault(AlarmId::rs274_cycle, call_.where, std::move(text)); }
 
-  /// The letter as the control's texts write it: `z` in plane `xy`, but `W` in plane `UV`.
+  /// Returns the letter of the drilling axis as LinuxCNC's fault texts have it: `z` in plane `xy`, but `W` in plane `UV`.
   char drill_letter() const {
     const char letter = m_.letters.axis_letter[hole_.drill];
     return of_uvw_ ? letter : static_cast<char>(letter | 0x20);
@@ -104,7 +104,7 @@ class Reader {
     return axes_of_plane(same);
   }
 
-  /// Records a fault that a single cycle finds only at its hole.
+  /// Records a fault that the cycle reports only after the tool has moved to the drilling position.
   void at_hole(AlarmId id, std::string text) {
     if (hole_.fault != no_alarm) return;
     hole_.fault = id;
@@ -112,7 +112,7 @@ class Reader {
     hole_.where = call_.where;
   }
 
-  /// Reads `$` where the code does; the text is the source's, mistakes included.
+  /// Reads the spindle number `$` at the point where LinuxCNC's source reads it; the fault text is LinuxCNC's, mistakes included.
   void choose_spindle() {
     const bool taps = hole_.code == 84_g || hole_.code == 74_g;
     const bool in_uw = of_uvw_ && hole_.plane == Plane::zx;
@@ -169,15 +169,15 @@ class Reader {
     hole_.clear = m_.modal.retract_initial ? old_z : hole_.level;
     hole_.peck = memory.peck;
     hole_.dwell = memory.dwell;
-    const double of_xyz[] = {memory.i, memory.j, memory.k};  // along X, Y, Z or U, V, W
+    const double of_xyz[] = {memory.i, memory.j, memory.k};  // I, J, K: increments along X, Y, Z or U, V, W
     const auto along = [&](std::size_t axis) { return of_xyz[axis % 3]; };
     hole_.i = along(hole_.first);
     hole_.j = along(hole_.second);
     hole_.back = along(hole_.drill) + (m_.modal.absolute ? 0 : hole_.bottom);
   }
 
-  /// Checks the words that a code needs, given or sticky. A fault is reported when the tool has risen to R. P and Q of -1 count as missing
-  /// (2.2).
+  /// Checks the words that a cycle needs, in the block or kept from an earlier block. A fault is reported when the tool has risen to R. P
+  /// and Q of -1 count as missing (2.2).
   Status of_code(bool same) {
     const auto wants = [&](char letter, const char* text) {
       const bool there = m_.has(letter) && !((letter == 'P' || letter == 'Q') && m_.value(letter) == -1);
@@ -207,7 +207,7 @@ class Reader {
     KADR_TRY(m_.target(to, named));
     hole_.at_first = to[hole_.first];
     hole_.at_second = to[hole_.second];
-    if (!m_.modal.absolute) {  // each repetition advances, the first one too
+    if (!m_.modal.absolute) {  // each repetition advances by the words, the first repetition too
       hole_.step_first = to[hole_.first] - m_.position.programmed[hole_.first];
       hole_.step_second = to[hole_.second] - m_.position.programmed[hole_.second];
       hole_.at_first = m_.position.programmed[hole_.first];

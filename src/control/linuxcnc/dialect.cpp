@@ -1,4 +1,4 @@
-// Implements for LinuxCNC what the interpreter calls of a dialect (control/dialect.h).
+// The functions of the LinuxCNC dialect that the interpreter calls (control/dialect.h).
 
 #include <algorithm>
 #include <cmath>
@@ -51,7 +51,7 @@ struct LinuxCnc::Remembered : DialectState {
   ProgramFiles::Memory outputs;
 };
 
-/// Takes tools from tool.tbl of the program memory, else from the set-up (1.1).
+/// Reads the tools from tool.tbl in the program memory; if that file is missing, from the set-up (1.1).
 LinuxCnc::LinuxCnc(BlockContext& m, const Setup& setup, const RunLimits& limits)
     : groups(m.def),
       outputs({.root = limits.files,
@@ -92,7 +92,7 @@ std::pair<double, double> LinuxCnc::limits_by_file(std::size_t axis) const {
   return machine.known && axis < machine.limits.size() ? machine.limits[axis] : Dialect::limits_by_file(axis);
 }
 
-/// The feed applies to X Y Z if they move, else to U V W, else to A B C (7.2).
+/// Sets the axes to which the feed applies: X Y Z if they move, else U V W, else A B C (7.2).
 void LinuxCnc::note_motion(Emitter& m, Motion& motion) {
   motion.along = FeedAlong::xyz;
   if (m.modal.axes.first >= axis_u) {  // a plane of U, V, W has no arcs and no compensation
@@ -126,7 +126,7 @@ void LinuxCnc::started(Emitter&) {
   before_ = state;
 }
 
-/// Switches the shift of G92 off and clears its parameters (DISABLE_G92_PERSISTENCE).
+/// Switches the shift of G92 off and clears the parameters of the shift (DISABLE_G92_PERSISTENCE).
 void LinuxCnc::forget_shift(Emitter& m) {
   for (std::uint32_t n = shift_on_number; n < first_shift + axes_of_tables; ++n) m.variables.set_raw(n, 0);
   (void)m.variables.take_frames_changed();
@@ -135,7 +135,7 @@ void LinuxCnc::forget_shift(Emitter& m) {
   m.change_frames();
 }
 
-/// M2, M30 (7.9). Whatever else they reset is listed as codes in the control file.
+/// Ends the program at M2, M30 (7.9). The modes that M2, M30 reset are listed in the control file.
 bool LinuxCnc::end_program(Interpreter& m) {
   m.modal.feed = 0;
   m.modal.feed_known = false;
@@ -152,7 +152,7 @@ bool LinuxCnc::end_program(Interpreter& m) {
   return false;
 }
 
-/// Saves the parameters, which an alarm leaves unchanged: the machine makes the interpreter do so (Interp::synch).
+/// Saves the parameter file and the tool table after an alarm, as LinuxCNC does (Interp::synch). An alarm leaves parameters unchanged.
 void LinuxCnc::failed(Emitter& m) {
   save_parameters(m, false);
   save_tools(m);
@@ -194,7 +194,7 @@ Status LinuxCnc::restore(BlockContext&, const DialectState& from) {
 
 namespace {
 
-/// Refuses a byte order mark. The control sees three characters and reports the first; our line reader has already skipped them.
+/// Refuses a byte order mark. LinuxCNC sees it as three characters and reports the first; Kadr's line reader has already skipped the mark.
 Status no_byte_order_mark(const BlockContext& m) {
   constexpr std::uint64_t size_of_mark = 3;
   if (m.block->position.line != 1 || m.block->position.offset != size_of_mark) return {};
@@ -210,7 +210,7 @@ Result<bool> LinuxCnc::statement(Interpreter& m) {
   return true;
 }
 
-/// `%` alone: as the first line that is not blank it starts the file, the next one ends it (2.1).
+/// Handles a line with only `%`: as the first line that is not blank it starts the program, the next `%` line ends the program (2.1).
 Result<bool> LinuxCnc::sign_of_file(Interpreter& m) {
   KADR_TRY(no_byte_order_mark(m));
   if (!state.began && !state.percent) {
@@ -247,7 +247,7 @@ void LinuxCnc::begin_block(Emitter&) {
 
 namespace {
 
-/// Checks the feed. LinuxCNC finds a feed of 0 when the block is executed, after its F and its feed mode (7.2).
+/// Checks that the feed is not 0, when the block is executed, after its F and its feed mode have been set, as LinuxCNC does (7.2).
 Status feed_known(const BlockContext& m, const LinuxCnc& control) {
   const std::int32_t motion = control.codes.motion;
   if (motion != 1_g) return {};
@@ -266,7 +266,7 @@ Status feed_known(const BlockContext& m, const LinuxCnc& control) {
   return {};
 }
 
-/// Refuses what is not allowed while cutter compensation is on (7.5).
+/// Refuses codes and words that are not allowed while cutter compensation is on (7.5).
 Status compensation_allows(const BlockContext& m, const LinuxCnc& control) {
   if (m.modal.radius_side == 0) return {};
   const BlockCodes& codes = control.codes;
@@ -357,7 +357,7 @@ void LinuxCnc::note_line(BlockContext& m) {
   state.cycle_began = state.arc_not_allowed = false;
 }
 
-/// LinuxCNC's arcs are checked one by one.
+/// Returns a rule that checks each arc on its own, as LinuxCNC does.
 ArcRule LinuxCnc::arc_rule(const BlockContext& m) const {
   ArcRule rule = m.plain_arc_rule();
   rule.by_words = false;

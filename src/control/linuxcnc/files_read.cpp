@@ -24,7 +24,7 @@ void LinuxCnc::read_machine_file(BlockContext& m, const Setup& setup, const RunL
   else m.start_fault = {"ini", text.error(), text.error()};
 }
 
-/// Reads the file that the ini file names; it need not exist (4.4).
+/// Reads the parameter file that the ini file names; the parameter file need not exist (4.4).
 void LinuxCnc::read_parameter_file(BlockContext& m, const RunLimits& limits) {
   if (machine.parameter_file.empty()) return;
   writes_parameters_ = limits.writes_files;
@@ -39,7 +39,7 @@ void LinuxCnc::read_parameter_file(BlockContext& m, const RunLimits& limits) {
   parameters_before_ = *text;
 }
 
-/// Takes the parameters of the file. Values of the set-up have precedence.
+/// Sets the parameters to the values of the parameter file. Values of the set-up have precedence.
 void LinuxCnc::take_parameters(BlockContext& m) {
   for (const auto& [n, value] : stored_) {
     if (n <= most_arguments) levels_.front().arguments[n] = value;
@@ -69,7 +69,7 @@ void LinuxCnc::read_tool_file(const RunLimits& limits) {
   }
 }
 
-/// Writes the table that the ini file names, if G10 has changed it.
+/// Writes the tool table to the file that the ini file names, if G10 has changed the table.
 void LinuxCnc::save_tools(Emitter& m) {
   if (!writes_tools_ || !tools_changed) return;
   const Status saved = outputs.replace(ProgramFiles::Which::tools, machine.tool_table, tools_before_, tools_text(tools, machine.unit));

@@ -20,13 +20,13 @@ Status run_o_line(Interpreter& m);
 
 inline constexpr std::size_t most_calls_of_program = 9;  // 6.2
 
-/// Records that a subprogram has been called. `level`: its arguments; nullopt if it uses those of the caller (M98).
+/// Records that a subprogram has been called. `level`: the arguments of the call; nullopt if the subprogram uses the caller's (M98).
 void enter_sub(BlockContext& m, Label label, std::optional<Level> level, bool by_m98);
 /// Calls a subprogram without arguments, as `O… call` does.
 Status call_sub(Interpreter& m, const std::string& label, Span where);
 /// Ends a subprogram: repeats it, or returns to the caller.
 Status leave_sub(Interpreter& m, Span where);
-/// Restores the modes that M73 has kept (8).
+/// Restores, at the end of a subprogram, the modes that M73 saved in it (8).
 Status restore_at_end(Interpreter& m);
 
 }  // namespace kadr::linuxcnc

@@ -1,6 +1,6 @@
 #pragma once
-// The O lines of the files of a run, each file read once, and the labels in use (spec/linuxcnc 6). Labels are numbers here, so that each
-// text is compared only once.
+// The O lines (flow control and calls, `o10 call`) of the files of a run, each file read once, and the labels in use (spec/linuxcnc 6).
+// Each label text gets a number, so that later only numbers are compared.
 
 #include <cstdint>
 #include <map>
@@ -22,23 +22,23 @@ class ProgramFile;
 
 namespace kadr::linuxcnc {
 
-/// The number of a label's text; numbers are given in the order in which the texts are first met.
+/// The number of a label's text. Texts are numbered in the order in which they first occur.
 using Label = std::int32_t;
 inline constexpr Label no_label = -1;
 
-/// The text under which a number is compared as a label.
+/// Returns the label text of a number, such as the value of O[#1+1].
 std::string label_of_number(double number);
 
 /// One O line.
 struct OLine {
-  Position at, behind;     // the line; the line after it
+  Position at, behind;     // position of the O line; position of the line after it
   Label label = no_label;  // no_label if the label is computed from `expression`
-  std::string expression;  // text of O[…], O#…
+  std::string expression;  // text of a computed label, O[…] or O#…
   OWord word = OWord::label;
-  std::int32_t sub = -1;   // the line that starts the enclosing subprogram; -1: none
-  std::int32_t next = -1;  // the next line with the same label in the same subprogram; -1: none
-  Label mark_of = -2;      // the subprogram for which `mark` is valid; -2: not resolved yet
-  std::uint32_t mark = 0;
+  std::int32_t sub = -1;   // index of the O line that starts the enclosing subprogram; -1: none
+  std::int32_t next = -1;  // index of the next O line with the same label in the same subprogram; -1: none
+  Label mark_of = -2;      // label of the subprogram for which `mark` is valid; -2: `mark` is not determined yet
+  std::uint32_t mark = 0;  // index of the label's Mark
 };
 
 /// The O lines of one file.
@@ -49,17 +49,17 @@ struct OFile {
   bool closed = false;  // a line with nothing but % ends the file (2.1)
 };
 
-/// What a label in use stands for, and how far its loop or branch has run.
+/// What a label in use marks (a loop or a branch), and how far that loop or branch has been executed.
 struct Mark {
   bool used = false;
   OWord word = OWord::label;
-  Position at;  // its line
+  Position at;  // position of the O line that starts the loop or branch
   std::uint16_t reader = 0;
   double left = 0;     // remaining passes of a repeat loop
   bool taken = false;  // a branch of the `if` has been executed
 };
 
-/// The line of a subprogram whose definition has been passed or found.
+/// The line at which a subprogram is defined, once the run has passed the definition or a call has found it.
 struct PassedSub {
   bool known = false;
   std::uint16_t reader = 0;
@@ -68,9 +68,9 @@ struct PassedSub {
 
 class FlowTable {
  public:
-  static constexpr std::size_t most_lines = 200'000;  // of a file
+  static constexpr std::size_t most_lines = 200'000;  // greatest number of O lines kept of a file
 
-  /// The O lines of the file being read; the file is scanned at the first call.
+  /// Returns the O lines of the file being read; the file is scanned at the first call.
   OFile& of(BlockContext& m);
   OFile& of(BlockContext& m, std::uint16_t reader);
 
@@ -78,22 +78,22 @@ class FlowTable {
   Label label_of(std::string_view text);
   const std::string& text_of(Label label) const { return texts_[static_cast<std::size_t>(label)]; }
 
-  /// The index of the mark of a label in a subprogram (no_label: the main program).
+  /// Returns the index of the Mark of a label within a subprogram (`sub` is no_label in the main program).
   std::uint32_t mark_of(Label sub, Label label);
   Mark& mark(std::uint32_t place) { return marks_[place]; }
   PassedSub& passed(Label label) { return passed_[static_cast<std::size_t>(label)]; }
 
-  Label defining = no_label;  // label of the definition being skipped
-  std::string refused;        // fault to be reported at the line that was jumped to
+  Label defining = no_label;  // label of the subprogram whose definition is being skipped
+  std::string refused;        // text of a fault to be reported at the line to which a call has just jumped
   std::vector<Label> calls;   // labels of the open subprograms
   std::vector<bool> by_m98;   // for each of `calls`: it was called by M98
 
-  // Flags left set by `continue` of a do loop and `break` of a while loop: the next loop that ends acts on them as its own (a fault of
-  // LinuxCNC 2.9, doing_continue and doing_break of the source).
+  // `continue` in a do loop and `break` in a while loop leave these flags set: the next loop that ends acts as if the flag were its own (a
+  // fault of LinuxCNC 2.9, doing_continue and doing_break of the source).
   bool continue_left = false, break_left = false;
-  bool told_again = false, told_early = false;  // warned of that already
+  bool told_again = false, told_early = false;  // the warning of a flag left set has been reported already
 
-  // ---- what a snapshot holds: texts, as another run numbers its labels differently
+  // ---- the part of a snapshot; labels are stored as texts, as another run numbers them differently
   struct Memory {
     std::map<std::pair<std::string, std::string>, Mark> marks;  // {subprogram, label}
     std::map<std::string, PassedSub> passed;

@@ -36,7 +36,7 @@ void each_word(const BlockContext& m, Use use) {
 
 void set(BlockContext& m, std::uint32_t number, double value) { m.variables.set_raw(number, value); }
 
-/// `at` rotated by `degrees` about Z.
+/// Returns the position `at` rotated by `degrees` about Z.
 Axes turned_by(const Axes& at, double degrees) {
   if (degrees == 0) return at;
   const SinCos by = sincos_deg(degrees);
@@ -116,7 +116,7 @@ void take_length(Emitter& m, const Axes& length) {
   m.change_frames();
 }
 
-/// The length of the tool of G43, G43.2: tool H, else the one in the spindle.
+/// Returns the length offsets for G43 or G43.2: those of tool H or, without H, those of the tool in the spindle.
 Result<Axes> length_of_tool(BlockContext& m, Span where) {
   LinuxCnc& control = linuxcnc_of(m);
   const double number = m.has('H') && std::round(m.value('H')) != 0 ? std::round(m.value('H')) : m.modal.tool;
@@ -169,7 +169,7 @@ void LinuxCnc::store_axis(BlockContext& m, std::uint32_t first, std::size_t axis
   m.variables.set_raw(first + static_cast<std::uint32_t>(axis), value / table_unit(axis));
 }
 
-/// Takes work offsets with their rotations, and reference points, in mm and degrees; the parameters are in the machine's unit.
+/// Copies work offsets with their rotations, and reference points, from the set-up (mm, degrees) to the parameters (machine's unit).
 void LinuxCnc::take_tables(BlockContext& m, const Setup& setup) {
   const auto store = [&](std::uint32_t first, const AxisValues& values) {
     for (std::size_t a = 0; a < m.axis_count; ++a)
@@ -219,7 +219,8 @@ void LinuxCnc::store_shift(BlockContext& m) {
   (void)m.variables.take_frames_changed();
 }
 
-/// machine = R·(work + shift) + system + length (7.8).
+/// Computes the frames: machine position = R·(work position + shift of G92) + work offset + tool length, where R is the rotation about Z
+/// (7.8).
 void LinuxCnc::refresh_frames(Emitter& m) {
   m.frames.length = state.length;
   if (state.rotation == 0) {
@@ -246,7 +247,7 @@ using linuxcnc::linuxcnc_of;
 Status table_data(Emitter& m, const Call& call) {
   const int kind = static_cast<int>(std::round(m.value('L')));
   if (kind == 2 || kind == 20) return linuxcnc::write_system(m, call, kind == 20);
-  if (kind == 0) return {};  // the table is already that of the set-up
+  if (kind == 0) return {};  // G10 L0 has nothing to do: the tool table is already that of the set-up
   return linuxcnc::write_tool(m, kind);
 }
 
@@ -304,7 +305,7 @@ Status reference_move(Emitter& m, const Call& call) {
     KADR_TRY(m.target(through, named));
     KADR_TRY(m.straight(MotionKind::rapid, through, named));
   }
-  if (named == 0) {  // the control makes a motion of no length first
+  if (named == 0) {  // LinuxCNC makes a motion of zero length first
     named = (AxisMask{1} << m.axis_count) - 1;
     KADR_TRY(m.straight(MotionKind::rapid, m.position.programmed, named));
   }

@@ -24,7 +24,7 @@ class Drilling final : public RunningValue<Drilling> {
     for (std::size_t i = 0; i < batch_size / 8; ++i) {
       if (done_ == h_.repeats) return false;
       KADR_TRY(emit_of_cycle(*m.batch, [&] { return go_on(m); }));
-      if (m.each_block) break;  // a caller watches each hole
+      if (m.each_block) break;  // the caller of the interpreter needs the state after each drilled hole
     }
     return done_ < h_.repeats;
   }
@@ -94,7 +94,7 @@ class Drilling final : public RunningValue<Drilling> {
         turn_spindle(m, SpindleDir::stop);
         m.emit(Stop{false});
         turn_spindle(m, h_.spindle);
-        m.position.programmed[h_.drill] = h_.clear;  // the control assumes it: the operator has withdrawn the tool
+        m.position.programmed[h_.drill] = h_.clear;  // LinuxCNC assumes that the operator has withdrawn the tool
         m.place_plainly(AxisMask{1} << h_.drill);
         return {};
       case 89_g:
@@ -108,7 +108,8 @@ class Drilling final : public RunningValue<Drilling> {
     }
   }
 
-  /// Taps. A fault of the control: in G18, G19 both strokes move the wrong axes. Kadr does the same, after a warning.
+  /// Executes the strokes of a tapping cycle. In G18, G19 LinuxCNC moves the wrong axes, which is a fault of LinuxCNC; Kadr does the same,
+  /// after a warning.
   Status tap(Emitter& m) {
     const SpindleDir in = h_.code == 84_g ? SpindleDir::cw : SpindleDir::ccw;
     KADR_TRY(emit_in_hole(*m.batch, HoleWork::taps, [&] { return stroke(m, h_.bottom); }));
@@ -122,7 +123,7 @@ class Drilling final : public RunningValue<Drilling> {
     return {};
   }
 
-  /// Sets the position after strokes along the wrong axes: the control assumes that the tool is where it should have ended.
+  /// Sets the position after strokes along the wrong axes: LinuxCNC assumes that the tool is where the cycle should have ended.
   void stand(Emitter& m) const {
     Axes to = m.position.programmed;
     to[h_.first] = h_.at_first;
@@ -185,7 +186,7 @@ class Drilling final : public RunningValue<Drilling> {
   AxisMask axes() const { return AxisMask{1} << h_.first | AxisMask{1} << h_.second | AxisMask{1} << h_.drill; }
 
   void dwell(Emitter& m) const {
-    m.emit(Dwell{h_.dwell});  // also with no time, as the control does
+    m.emit(Dwell{h_.dwell});  // also if the time is 0, as LinuxCNC does
   }
   void turn_spindle(Emitter& m, SpindleDir dir) const {
     const bool turns = dir == SpindleDir::cw || dir == SpindleDir::ccw;

@@ -1,5 +1,6 @@
 #pragma once
-// The data of one or several holes of a canned cycle (spec/linuxcnc 7.6): cycles.cpp reads them from the words, hole.cpp executes them.
+// The data of a canned cycle at one position, or at several positions with L (spec/linuxcnc 7.6): cycles.cpp reads the data from the words,
+// hole.cpp executes the motions.
 
 #include <cstddef>
 #include <cstdint>
@@ -14,17 +15,17 @@ namespace kadr::linuxcnc {
 
 struct Hole {
   std::int32_t code = 81_g;
-  std::size_t first = 0, second = 1, drill = 2;  // indices of the axes
+  std::size_t first = 0, second = 1, drill = 2;  // indices of the two axes of the plane, and of the drilling axis
   double at_first = 0, at_second = 0;
-  double step_first = 0, step_second = 0;  // G91: distance between repetitions
+  double step_first = 0, step_second = 0;  // in G91: distance between repetitions along the axes of the plane
   double level = 0, bottom = 0, clear = 0, present = 0;
   double peck = 0, dwell = 0, i = 0, j = 0, back = 0;
   std::uint32_t repeats = 1;
-  bool up_first = false;  // the cycle starts below R and rises to R first
-  bool polar = false;     // G91 with @ ^: each repetition adds polar_radius and polar_angle
+  bool up_first = false;  // the cycle starts below the R level and rises to it first
+  bool polar = false;     // polar words @ ^ in G91: each repetition adds polar_radius and polar_angle
   double polar_radius = 0, polar_angle = 0;
-  AlarmId fault = no_alarm;  // fault that the control finds only at the hole, after the approach
-  bool fault_above = false;  // the fault is found already at R, after rising there if necessary
+  AlarmId fault = no_alarm;  // fault that the control finds only after the tool has moved to the drilling position
+  bool fault_above = false;  // the control finds the fault already at the R level, after rising to it if necessary
   std::string fault_text;
   Span where;
   SpindleDir spindle = SpindleDir::stop;
@@ -33,7 +34,7 @@ struct Hole {
   Plane plane = Plane::xy;
 };
 
-/// Starts drilling. The cycle then runs a few actions at a time.
+/// Starts the canned cycle. The interpreter then executes it a few actions at a time.
 void begin_drilling(Emitter& m, const Hole& hole);
 
 }  // namespace kadr::linuxcnc

@@ -1,6 +1,6 @@
 #pragma once
-// The dialect of LinuxCNC (spec/linuxcnc; its source: src/emc/rs274ngc): the behaviour that no row of the control file can express. Where
-// LinuxCNC's manual and its code differ, the code counts.
+// The dialect of LinuxCNC (spec/linuxcnc; LinuxCNC's source is src/emc/rs274ngc): the behaviour that no row of the control file can
+// express. Where LinuxCNC's manual and its source differ, the source decides.
 
 #include <array>
 #include <map>
@@ -31,13 +31,14 @@ struct Call;
 
 namespace kadr::linuxcnc {
 
-/// Numbers of parameters (spec/linuxcnc 4.1): whether G92 is in force, its shift, the number of the work system.
+/// Numbers of parameters (spec/linuxcnc 4.1): whether the shift of G92 is in force, the shift (from 5211 on, one per axis), and the number
+/// of the work coordinate system.
 inline constexpr std::uint32_t shift_on_number = 5210, first_shift = 5211, system_number = 5220;
 
-inline constexpr std::size_t most_arguments = 30;  // #1 … #30
+inline constexpr std::size_t most_arguments = 30;  // arguments of a call: #1 … #30
 inline constexpr std::size_t most_spindles = 8;
 inline constexpr double whole_within = 1e-4;                   // tolerance of a value that must be an integer (2.3)
-inline constexpr std::string_view axis_letters = "XYZABCUVW";  // in the order of the tables and of the control's axes
+inline constexpr std::string_view axis_letters = "XYZABCUVW";  // in the order of the axes in tables and in the control
 inline constexpr std::size_t axes_of_tables = axis_letters.size(), usual_axes = 6, axis_u = 6;
 inline bool is_rotary_place(std::size_t axis) { return axis >= 3 && axis < axis_u; }  // A B C
 
@@ -45,8 +46,8 @@ inline bool is_rotary_place(std::size_t axis) { return axis >= 3 && axis < axis_
 struct Tool {
   Axes offset{};
   double diameter = 0;
-  double front = 0, back = 0;  // I J
-  double orientation = 0;      // Q
+  double front = 0, back = 0;  // front and back angle of a lathe tool, words I and J of the table
+  double orientation = 0;      // orientation of a lathe tool, word Q of the table
   int pocket = 0;
   std::string remark;  // text after `;` in the file
 };
@@ -60,37 +61,37 @@ struct Level {
 /// Modes saved by M70 or M73 (8).
 struct KeptModes {
   Modal modal;
-  bool restore_at_end = false;  // M73
+  bool restore_at_end = false;  // saved by M73: restored when the subprogram ends
 };
 
 /// A spindle other than the first one.
 struct OtherSpindle {
   SpindleDir dir = SpindleDir::stop;
   double rpm = 0;
-  bool surface = false;  // G96
+  bool surface = false;  // constant surface speed, G96
 };
 
 /// The state that a block changes and an alarm in the block restores.
 struct State {
   Axes system{};          // offset of the work system in force, machine coordinates
-  double rotation = 0;    // degrees, of the work system about Z
-  Axes shift{};           // of G92, G52; rotated with the work system
-  bool shift_on = false;  // #5210
-  Axes length{};          // of G43
+  double rotation = 0;    // rotation of the work system about Z, degrees
+  Axes shift{};           // shift by G92 or G52, in coordinates that rotate with the work system
+  bool shift_on = false;  // the shift of G92 is in force, #5210
+  Axes length{};          // tool length offsets of G43
   std::uint32_t system_number = 1;
-  int active_spindle = 0;                            // the spindle that leads G33, G76
-  std::array<OtherSpindle, most_spindles> others{};  // by number; entry 0 is unused, the first spindle is in the modal state
-  double css_most = 0;                               // rev/min, D of G96; 0: no limit
+  int active_spindle = 0;                            // number of the spindle with which G33, G76 synchronise
+  std::array<OtherSpindle, most_spindles> others{};  // by spindle number; entry 0 is unused, the modal state has the first spindle
+  double css_most = 0;                               // greatest speed under G96, word D, rev/min; 0: no limit
   bool cycle_began = false;                          // a canned cycle has run, and another one may continue it
   double old_z = 0;                                  // initial level of canned cycles (7.6)
-  std::int32_t motion = 80_g;                        // code in force, tenths; -1: none (G5.3)
+  std::int32_t motion = 80_g;                        // motion code in force, in tenths; -1: none, after G5.3
   bool polar_step = false;                           // the block has @ ^ in G91: each repetition of a canned cycle adds them
   double polar_radius = 0, polar_angle = 0;
   bool arc_not_allowed = false;  // cutter compensation has ended: the next motion must be straight (7.3)
   std::array<bool, 2> spindle_known{};
   std::vector<ControlPoint> nurbs;  // control points of G5.2, until G5.3
-  std::size_t nurbs_order = 3;      // its degree + 1
-  double value = 0;                 // value of the last O return (6.3)
+  std::size_t nurbs_order = 3;      // order of the spline of G5.2: its degree + 1
+  double value = 0;                 // value that the last O return or endsub returned (6.3)
   bool value_returned = false;
   bool percent = false;  // the file starts with a % line
   bool began = false;    // a line that is not blank has been read
@@ -100,7 +101,7 @@ class LinuxCnc final : public Dialect {
  public:
   LinuxCnc(BlockContext& m, const Setup& setup, const RunLimits& limits);
 
-  // ---- dialect.cpp, files_read.cpp and others
+  // ---- overrides of Dialect, defined in dialect.cpp, files_read.cpp and others
   bool start(Interpreter& m, const Setup& setup) override;
   void note_motion(Emitter& m, Motion& motion) override;
   void take_setup(Emitter& m, const Setup& setup) override;
@@ -149,16 +150,16 @@ class LinuxCnc final : public Dialect {
   Result<double> number_of_element(const BlockContext& m, double symbol, double index, Span where) const override;
 
   // ---- faults
-  /// Makes an alarm in the control's own wording, and keeps the text for the report.
+  /// Creates an alarm in the control's own wording, and stores the text for the report.
   tl::unexpected<Alarm> fault(AlarmId id, Span where, std::string text) const;
 
   // ---- tables
   const Tool* tool(double number) const;
-  /// The tool for writing; an alarm restores its old values.
+  /// Returns a tool whose table row the caller may change; an alarm restores the old values.
   Tool& tool_to_write(BlockContext& m, int number);
   void retain_length(Emitter& m);
   Axes system_offset(const BlockContext& m, std::uint32_t number) const;
-  /// Reads the parameters from number `first` on, one per axis, that hold a position. They are stored in the machine's unit (1.1); the
+  /// Reads a position from the parameters that start at number `first`, one per axis. The parameters are in the machine's unit (1.1); the
   /// result is in mm and degrees.
   Axes stored_axes(const BlockContext& m, std::uint32_t first) const;
   void store_axis(BlockContext& m, std::uint32_t first, std::size_t axis, double value) const;
@@ -166,7 +167,7 @@ class LinuxCnc final : public Dialect {
   void take_system(Emitter& m, std::uint32_t number);
   void store_shift(BlockContext& m);
 
-  /// Tenths of the G code in force of the group with that number; -1 if there is none.
+  /// Returns the G code in force, in tenths, of the modal group with number `group`; -1 if no code of the group is in force.
   std::int32_t code_in_force(const BlockContext& m, std::size_t group) const;
 
   // ---- parameters
@@ -176,21 +177,21 @@ class LinuxCnc final : public Dialect {
 
   const ModalGroups groups;
   State state;
-  BlockCodes codes;  // of the block being executed
+  BlockCodes codes;  // codes of the block being executed
   FlowTable flow;
   MachineFile machine;                  // contents of the ini file
-  std::optional<TurningCycle> turning;  // set while its profile is being read
+  std::optional<TurningCycle> turning;  // the cycle G70 to G72 whose profile is being read
   ProgramFiles outputs;
   char spindle_address = 0;  // address of `$` in the reader
-  AxisMask axes = 0;         // axes that the machine has (1.1); other letters are no words
+  AxisMask axes = 0;         // axes that the machine has (1.1); a word of any other axis is an alarm
   std::map<int, Tool> tools;
-  std::vector<Word> written_words;                    // the block's words as written, while X and Y replace its @ and ^
-  bool tools_changed = false;                         // by G10: the file must be written
-  bool table_is_known = false;                        // false: any tool exists, but nothing is known about it
-  std::vector<std::vector<KeptModes>> kept_modes{1};  // by call depth
+  std::vector<Word> written_words;                    // the block's words as written, while X and Y replace the polar words @ and ^
+  bool tools_changed = false;                         // G10 has changed the tool table: its file must be written
+  bool table_is_known = false;                        // a tool table is given; false: every tool number is valid, but has no data
+  std::vector<std::vector<KeptModes>> kept_modes{1};  // modes saved by M70 and M73, by call depth
   Axes probed{};                                      // #5061 …, mm
   bool probe_tripped = false;
-  int probe_kind = 2;  // of G38.n
+  int probe_kind = 2;  // n of the last G38.n
 
  private:
   void forget_shift(Emitter& m);
@@ -205,16 +206,16 @@ class LinuxCnc final : public Dialect {
   void read_tool_file(const RunLimits& limits);
   void read_machine_file(BlockContext& m, const Setup& setup, const RunLimits& limits);
   struct Remembered;
-  /// own: predefined by the control (4.3); common: #<_name>; local: of a call.
+  /// Kinds of named parameters. own: predefined by the control (4.3); common: #<_name>; local: #<name>, which belongs to one call.
   enum class NameKind : std::uint8_t { unknown, own, common, local };
   NameKind kind_of(const BlockContext& m, double number) const;
   std::string parameters_before_, tools_before_;  // contents of the files as they were read
   StoredParameters stored_;
   bool writes_parameters_ = false, writes_tools_ = false;
   std::vector<Level> levels_{1};
-  std::map<double, double> globals_;  // #<_name>
+  std::map<double, double> globals_;  // values of the common parameters #<_name>, by the number of the name
   State before_;
-  mutable std::vector<NameKind> name_kinds_;  // by number
+  mutable std::vector<NameKind> name_kinds_;  // kinds of named parameters, by the number of the name
   mutable std::string fault_text_;
   friend class Parameters;
 
@@ -225,7 +226,7 @@ class LinuxCnc final : public Dialect {
 
 LinuxCnc& linuxcnc_of(const BlockContext& m);
 
-/// True if the plane in force is one of U, V, W: G17.1, G18.1, G19.1.
+/// True if the plane in force is one of the axes U, V, W: G17.1, G18.1, G19.1.
 bool is_plane_of_uvw(const BlockContext& m);
 
 }  // namespace kadr::linuxcnc

@@ -29,8 +29,8 @@ tl::unexpected<Alarm> wrong_word(const BlockContext& m, Span where, std::string 
 
 namespace {
 
-/// Emits M7, M8, M9 only where a switch differs (write_m_codes, gen_m_codes), so that of two that are on one alone cannot be switched off.
-/// `mist`, `flood`: their present state.
+/// Restores coolant by M7, M8 or M9 only where mist or flood differs (write_m_codes, gen_m_codes). If both are on, one of them alone cannot
+/// be switched off. `mist`, `flood`: the present state.
 void restore_coolant(Emitter& m, bool mist, bool flood) {
   Modal& modal = m.modal;
   if (!modal.mist && !modal.flood) {
@@ -43,8 +43,8 @@ void restore_coolant(Emitter& m, bool mist, bool flood) {
   modal.flood = modal.flood || flood;
 }
 
-/// Restores modes: the codes in the groups are set, and actions report the changes to the machine (8). The control itself executes a line
-/// of codes, in which F has one decimal and S none.
+/// Restores saved modes: sets the codes of the modal groups, and emits actions for the changes (8). LinuxCNC executes a block of codes
+/// instead, in which F has one decimal and S none.
 Status restore_modes(Interpreter& m, const Modal& to) {
   Modal& modal = m.modal;
   const Modal before = modal;
@@ -58,7 +58,7 @@ Status restore_modes(Interpreter& m, const Modal& to) {
   for (std::size_t g = 1; g < m.def.groups.size(); ++g)
     if (g != linuxcnc_of(m).groups.index_of_g(1)) next.rows[g] = to.rows[g];
   next.feed_known = to.feed_known;
-  next.feed = std::round(to.feed * 10) / 10;  // written with one decimal
+  next.feed = std::round(to.feed * 10) / 10;  // LinuxCNC writes F with one decimal
   if (to.inch) next.feed = std::round(to.feed / mm_per_inch * 10) / 10 * mm_per_inch;
   next.tool = before.tool;
   next.tool_selected = before.tool_selected;
@@ -172,7 +172,7 @@ Status analog_output(Emitter& m, const Call& call) {
                                                      : "Cannot set auxiliary analog output with cutter radius compensation on"));
   if (!m.has('E') || std::round(m.value('E')) < 0)
     return linuxcnc::wrong_word(m, call.where, fmt::format("Invalid analog index with M{}", code));
-  emit_output(m, code, m.value('E'), m.has('Q') ? m.value('Q') : -1);  // the source has -1 for a missing one
+  emit_output(m, code, m.value('E'), m.has('Q') ? m.value('Q') : -1);  // in LinuxCNC's source a missing Q is -1
   return {};
 }
 
@@ -212,7 +212,8 @@ Status orient_to(Emitter& m, const Call& call) {
   return {};
 }
 
-/// M50 to M53 P. In M51 `$` can only name one of the other spindles: the source refuses the number of the first one by mistake.
+/// M50 to M53 P: override switches. In M51 `$` can only select a spindle other than the first: LinuxCNC refuses the number of the first
+/// spindle by mistake.
 Status override_switch(Emitter& m, const Call& call) {
   const bool on = !m.has('P') || m.value('P') != 0;
   KADR_TRY(linuxcnc::compensation_forbids(

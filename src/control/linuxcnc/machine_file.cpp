@@ -22,13 +22,13 @@ std::string_view without_blanks(std::string_view text) {
   return text.substr(from, text.find_last_not_of(ini_blanks) - from + 1);
 }
 
-/// A tolerance, if it is within the bounds that the control accepts.
+/// Reads an arc tolerance; returns nullopt if it is outside the bounds that LinuxCNC accepts.
 std::optional<double> tolerance_in(const Ini& ini, const std::string& key, double least, double most) {
   const auto value = ini.number("RS274NGC", key);
   return value && *value >= least && *value <= most ? value : std::nullopt;
 }
 
-/// Length of a unit in mm, by the words of emcTrajLinearUnits; any other word, or none, is mm.
+/// Returns a unit of length in mm from its name, with the names of emcTrajLinearUnits in LinuxCNC; any other name, or none, means mm.
 double unit_of(std::string_view word) {
   std::string small(word);
   for (char& c : small) c = to_lower(c);

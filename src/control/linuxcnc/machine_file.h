@@ -13,14 +13,14 @@
 
 namespace kadr::linuxcnc {
 
-/// Parses lines [SECTION] and KEY = value, and skips lines that start with # or ;. If a key occurs twice, the first one counts.
+/// Parses an ini file: lines [SECTION] and KEY = value; lines that start with # or ; are skipped. If a key occurs twice, the first counts.
 class Ini {
  public:
   Ini() = default;
   explicit Ini(std::string_view text);
 
   const std::string* find(const std::string& section, const std::string& key) const;
-  /// The value as a number. Returns nullopt if it is missing or not a number.
+  /// Returns the value of a key as a number; nullopt if the key is missing or its value is not a number.
   std::optional<double> number(const std::string& section, const std::string& key) const;
   bool is_on(const std::string& section, const std::string& key, bool otherwise) const;
 
@@ -29,30 +29,30 @@ class Ini {
 };
 
 struct MachineFile {
-  bool known = false;  // an ini file is named
+  bool known = false;  // the set-up names an ini file
   Ini ini;
-  std::string axes;                                   // [TRAJ]COORDINATES: letters; empty: not given
-  double unit = 1;                                    // mm; unit of lengths in tables and of limits: [TRAJ]LINEAR_UNITS
-  std::array<std::pair<double, double>, 9> limits{};  // [AXIS_…]MIN_LIMIT, MAX_LIMIT by axis, mm, degrees; ±1e300: none
+  std::string axes;                                   // [TRAJ]COORDINATES: letters of the axes; empty if not given
+  double unit = 1;                                    // [TRAJ]LINEAR_UNITS: unit of lengths in tables and of limits, in mm
+  std::array<std::pair<double, double>, 9> limits{};  // [AXIS_…]MIN_LIMIT, MAX_LIMIT by axis, mm, degrees; ±1e300: no limit
   int spindles = 1;
-  double orient_offset = 0;  // degrees, M19
+  double orient_offset = 0;  // degrees, added to the angle of M19
   std::optional<double> arc_tolerance_mm, arc_tolerance_inch;
-  bool argument_count = false;                  // OWORD_NARGS: #<n_args>
+  bool argument_count = false;                  // OWORD_NARGS: #<n_args> is the number of arguments of a call
   bool parameters_of_ini = true;                // INI_VARS
   bool keeps_shift = true;                      // not DISABLE_G92_PERSISTENCE
   bool fanuc_subprograms = true;                // not DISABLE_FANUC_STYLE_SUB
   bool random_changer = false;                  // T0 is a tool like any other
   bool spindle_turns_in_change = false;         // TOOL_CHANGE_WITH_SPINDLE_ON
   bool keeps_length = false;                    // RETAIN_G43: a tool change applies the new tool's length
-  std::array<bool, 3> wrapped{};                // A B C: one revolution, the sign is the direction
-  std::array<bool, 3> indexed{};                // A B C: locked except in a G0 of their own
+  std::array<bool, 3> wrapped{};                // A B C: the axis counts one revolution; the sign of a word is the direction
+  std::array<bool, 3> indexed{};                // A B C: the axis is an indexer, locked except in a G0 of its own
   std::string startup;                          // RS274NGC_STARTUP_CODE
   std::string parameter_file;                   // PARAMETER_FILE
   std::string tool_table;                       // TOOL_TABLE
   std::vector<std::string> subprogram_folders;  // PROGRAM_PREFIX, SUBROUTINE_PATH; relative to the program memory
 };
 
-/// True if a rotary axis does more than move to the value of its word.
+/// True if a rotary axis is wrapped or an indexer, so that it does more than move to the value of its word.
 inline bool has_rotary_rules(const MachineFile& machine) {
   constexpr std::array<bool, 3> none{};
   return machine.wrapped != none || machine.indexed != none;

@@ -1,5 +1,6 @@
 #pragma once
-// ModalGroups: maps the modal groups of the control file to their numbers. Their names are read once, when the control is created.
+// ModalGroups: maps the modal groups of the control file to their numbers. The names of the groups are read once, when the control is
+// created.
 
 #include <array>
 #include <cstddef>
@@ -12,16 +13,16 @@ struct ControlDef;
 
 namespace kadr::linuxcnc {
 
-inline constexpr std::size_t g_groups = 17, m_groups = 11;  // 0 to 16, 0 to 10 (spec/linuxcnc 3)
+inline constexpr std::size_t g_groups = 17, m_groups = 11;  // groups of G codes 0 to 16, of M codes 0 to 10 (spec/linuxcnc 3)
 
 class ModalGroups {
  public:
   explicit ModalGroups(const ControlDef& def);
 
-  /// The number of the group at an index in ControlDef::groups: "12" is 12, "M7" is 7; 0 for a group with another name (a user's own file).
+  /// Returns the number of the group at an index in ControlDef::groups: 12 for the name "12", 7 for "M7"; 0 for any other name, which only
+  /// a user's own control file can have.
   std::size_t number(std::size_t index) const { return numbers_[index]; }
-  /// The index in ControlDef::groups of the group of G codes with that number; 0, which is no group, if the control has
-  /// none.
+  /// Returns the index in ControlDef::groups of the group of G codes with number `number`; 0, which is no group, if the control lacks it.
   std::size_t index_of_g(std::size_t number) const { return of_g_[number]; }
 
  private:

@@ -56,7 +56,7 @@ class Arc {
     return about(from, to, center, end, named);
   }
 
-  /// Moves to a point, about a centre, both computed by a canned cycle.
+  /// Moves along an arc whose end point and centre a canned cycle has computed.
   Status through(const Axes& end, Vec2 center, AxisMask named) {
     KADR_TRY(feed());
     return about({m_.position.programmed[axes_.first], m_.position.programmed[axes_.second]}, {end[axes_.first], end[axes_.second]}, center,
@@ -160,7 +160,8 @@ Status arc_to(Emitter& m, Span where, Turn turn, const Axes& to, Vec2 center, Ax
 
 Status LinuxCnc::arc(Emitter& m, const kadr::Call& call, Turn turn) { return Arc(m, call, turn).run(); }
 
-/// Writes XYZABCUVW in the unit of the program; axes that the machine lacks are 0 (2.4).
+/// Writes a probed position to the file of probed points: X Y Z A B C U V W in the unit of the program; axes that the machine lacks are 0
+/// (2.4).
 Status LinuxCnc::write_probed(const BlockContext& m) {
   std::string line;
   for (std::size_t a = 0; a < axes_of_tables; ++a) {
@@ -213,7 +214,7 @@ Status probe_move(Emitter& m, const Call& call) {
   return m.straight(MotionKind::probe, to, named);
 }
 
-/// G33 K: cuts to the point; G33.1 (arg 1): and back.
+/// G33 K: cuts a thread to the programmed point; G33.1 (arg 1) taps to the point and returns.
 Status thread_by_spindle(Emitter& m, const Call& call) {
   linuxcnc::LinuxCnc& control = linuxcnc_of(m);
   const bool back = call.row->arg == 1;

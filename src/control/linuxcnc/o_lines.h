@@ -1,5 +1,6 @@
 #pragma once
-// OLines executes one O line (spec/linuxcnc 6; interp_o_word.cc of the source). Subprograms: flow.cpp; loops and branches: loops.cpp.
+// OLines executes one O line, a block of flow control (spec/linuxcnc 6; interp_o_word.cc of LinuxCNC's source). flow.cpp has the
+// subprograms, loops.cpp the loops and branches.
 
 #include <fmt/format.h>
 
@@ -27,10 +28,10 @@ class OLines {
  private:
   tl::unexpected<Alarm> wrong(std::string text) const { return control_.fault(AlarmId::rs274_flow, s_.where, std::move(text)); }
   std::uint32_t line() const { return m_.block->position.line; }
-  /// The label of the subprogram that runs; no_label in the main program.
+  /// Returns the label of the subprogram being executed; no_label in the main program.
   Label where() const { return flow_.calls.empty() ? no_label : flow_.calls.back(); }
   const std::string& text() const { return flow_.text_of(label_); }
-  /// The name under which the source keeps a label that belongs to a subprogram.
+  /// Returns the name under which LinuxCNC's source stores a label of a subprogram: "subprogram#label".
   std::string local_name() const { return (where() == no_label ? std::string() : flow_.text_of(where())) + "#" + text(); }
   std::string_view line_text() const;
 
@@ -38,7 +39,7 @@ class OLines {
 
   Result<double> value_of(Expression e) { return evaluate(*m_.block, e, Reading{m_}); }
 
-  // ---- where O lines are
+  // ---- positions of O lines
 
   std::int32_t index_of(const Position& at) const;
 
@@ -46,23 +47,24 @@ class OLines {
 
   Label label_of(const OLine& row) const;
 
-  /// The next line after this one with the same label, in the same subprogram, whose word is one of `words`; -1 if there is none.
+  /// Returns the index of the next O line after this one that has the same label, is in the same subprogram, and has one of `words`; -1 if
+  /// there is no such line.
   std::int32_t next_of(std::initializer_list<OWord> words);
 
-  /// The fault if the file ends before the line looked for (2.1; read_text and read of the source). `sought`: a call looks for a
-  /// subprogram; else lines are skipped on the way to an O line. `of_all`: the text names the label without its subprogram.
+  /// Returns the fault that the file ends before the line that is searched (2.1; read_text and read of the source). `sought`: a call
+  /// searches a subprogram; else lines are skipped up to an O line. `of_all`: the text has the label without the name of its subprogram.
   tl::unexpected<Alarm> end_of_file_seeking(bool sought = false, bool of_all = false) const;
 
   Status jump_to(const Position& at);
 
   // ---- labels
 
-  /// What the label stands for in the subprogram that runs.
+  /// Returns the Mark of this line's label in the subprogram being executed.
   Mark& place();
   Mark* mark() { return place().used ? &place() : nullptr; }
   void forget_mark() { place() = {}; }
 
-  /// Marks the label as starting something at this line. It may start again here, but nowhere else.
+  /// Marks the label as starting a loop or branch at this line. The label may start it again at this line, but at no other line.
   Result<Mark*> take_mark(OWord word, bool of_branch = false);
 
   tl::unexpected<Alarm> undefined() const { return wrong(fmt::format("{}: undefined O-word label: '{}'", line(), line_text())); }
@@ -70,10 +72,11 @@ class OLines {
 
   // ---- subprograms
 
-  /// Executes a line while a definition is skipped: only its end counts, and no other definition may start.
+  /// Handles an O line while the definition of a subprogram is skipped: only the end of the definition has an effect, and no other
+  /// definition may start.
   Status define();
 
-  /// Skips the definition of a subprogram, and records its label.
+  /// Starts to skip the definition of a subprogram, and records the subprogram's label.
   Status begin_sub();
 
   Status end_sub();
@@ -84,10 +87,11 @@ class OLines {
     bool fanuc = false;
   };
 
-  /// Finds the subprogram of a call (6.2): one already passed, then a file of that name, then a definition further on in this file.
+  /// Finds the subprogram of a call (6.2): a definition that the run has passed, then a file with the name of the label, then a definition
+  /// further on in this file.
   Result<Place> find_sub();
 
-  /// Records the definition, and returns the location of its body.
+  /// Records the definition of a subprogram, and returns the location of its first block.
   Place found_at(std::uint16_t reader, const OLine& line);
 
   Result<Place> place_of(std::uint16_t reader, Position at);
@@ -117,7 +121,7 @@ class OLines {
   FlowTable& flow_;
   const Statement& s_;
   OFile* file_ = nullptr;   // O lines of the file being read
-  std::int32_t here_ = -1;  // index of the line among them
+  std::int32_t here_ = -1;  // index of the line being executed among the O lines of the file
   Label label_ = no_label;
 };
 

@@ -1,4 +1,4 @@
-// #1 … #5601 and #<names> (spec/linuxcnc 4).
+// Reads and writes parameters: numbered #1 … #5601 and named #<name> (spec/linuxcnc 4).
 
 #include <fmt/format.h>
 
@@ -20,13 +20,13 @@ constexpr int last_parameter = 5601;
 
 double per_unit(const BlockContext& m) { return m.modal.inch ? mm_per_inch : 1; }
 
-/// A work position, #5420 …, in the unit of the program.
+/// Returns a coordinate of the work position, #5420 …, in the unit of the program.
 double position(const BlockContext& m, const Axes& of, std::size_t axis) {
   if (axis >= m.axis_count) return 0;
   return is_rotary_place(axis) ? of[axis] : of[axis] / per_unit(m);
 }
 
-/// #5400 … #5413: the tool in the spindle.
+/// Returns the parameters #5400 … #5413, the data of the tool in the spindle.
 double of_tool(const BlockContext& m, const LinuxCnc& control, int n) {
   if (n == 0) return m.modal.tool;
   const Tool* const tool = control.tool(m.modal.tool);
@@ -92,11 +92,11 @@ Status LinuxCnc::write_variable(BlockContext& m, double number, double value, Sp
     return {};
   }
   m.variables.set_raw(static_cast<std::uint32_t>(n), value);
-  (void)m.variables.take_frames_changed();  // the table changes, not the offset in force
+  (void)m.variables.take_frames_changed();  // writing the parameter of a work offset does not change the offset in force
   return {};
 }
 
-/// Determined once for each name, as it compares the name's text.
+/// Returns the kind of a named parameter. The kind is determined once per name and stored, because comparing texts takes time.
 LinuxCnc::NameKind LinuxCnc::kind_of(const BlockContext& m, double number) const {
   const auto index = static_cast<std::size_t>(number - first_named_variable);
   if (index >= name_kinds_.size()) name_kinds_.resize(index + 1, NameKind::unknown);
@@ -117,7 +117,7 @@ Result<double> LinuxCnc::number_of_element(const BlockContext& m, double symbol,
 
 namespace {
 
-/// Values of modes by predefined names (4.3).
+/// Returns the value of a predefined named parameter that shows a mode (4.3).
 // NOLINTNEXTLINE(readability-function-size): a table
 std::optional<double> mode_named(const BlockContext& m, const LinuxCnc& control, std::string_view name) {
   const Modal& modal = m.modal;
@@ -152,7 +152,7 @@ std::optional<double> mode_named(const BlockContext& m, const LinuxCnc& control,
   return std::nullopt;
 }
 
-/// The position that the control assumes: under cutter compensation it is offset from the programmed point (current_x of the source).
+/// Returns the position that LinuxCNC assumes: under cutter compensation it is offset from the programmed point (current_x of the source).
 Axes current_point(const BlockContext& m, Axes at) {
   if (m.modal.contour == ContourPhase::following) {
     at[m.modal.contour_axes.first] += m.modal.contour_vector.x;
@@ -180,7 +180,7 @@ std::optional<double> place_named(const BlockContext& m, const LinuxCnc& control
   return std::nullopt;
 }
 
-/// `_ini[section]key`: the names have lost their case; the file has both in capitals.
+/// Returns an ini value by the name `_ini[section]key`. The name no longer has its case; section and key are searched in capitals.
 std::optional<double> of_ini(const Ini& ini, std::string_view name) {
   const std::size_t close = name.find(']');
   if (close == std::string_view::npos) return std::nullopt;

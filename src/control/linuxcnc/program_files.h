@@ -1,6 +1,6 @@
 #pragma once
-// The files that a program writes: the log, the file of probed points (spec/linuxcnc 2.4), and at its end the parameter file (4.4) and the
-// tool table (9). At most one of each is open, in the program memory.
+// The files that a program writes: the log, the file of probed points (spec/linuxcnc 2.4), and at the end of the program the parameter file
+// (4.4) and the tool table (9). At most one file of each kind is open, in the program memory.
 
 #include <string>
 #include <string_view>
@@ -18,15 +18,15 @@ class ProgramFiles {
 
   explicit ProgramFiles(const files::OutputOptions& options) : log_(options), probe_(options), parameters_(options), tools_(options) {}
 
-  /// Opens a file, emptied or for appending; closes one of the same kind first.
-  ///   name     parts separated by `/`, from the folder of the program memory
+  /// Opens a file. An existing file is emptied, or appended to if `appends` is set. An open file of the same kind is closed first.
+  ///   name     path from the folder of the program memory, separated by `/`
   ///   running  path of the running program
   ///   alarms   file_name, file_outside, file_write, file_already_open
   Status open(Which which, std::string_view name, bool appends, const std::string& running);
   Status close(Which which);
-  /// Writes the whole file, and its former contents as `name.bak`.
+  /// Replaces the contents of a file by `text`, and saves its former contents `before` as `name.bak`.
   Status replace(Which which, const std::string& name, const std::string& before, const std::string& text);
-  /// Writes a line, if the file is open.
+  /// Writes a line to the file of that kind, if it is open.
   Status write(Which which, std::string_view line);
 
   const WrittenFiles& written() const { return written_; }

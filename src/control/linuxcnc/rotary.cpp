@@ -17,7 +17,8 @@ namespace {
 constexpr char rotary_letters[] = {'A', 'B', 'C'};
 constexpr double one_turn = 360;
 
-/// The angle |value| within the present revolution, reached in the direction of the sign; -0 goes backwards.
+/// Returns the angle |value| as a position that a wrapped axis reaches from `here` in the direction of the sign of `value`; -0 is
+/// backwards.
 double unwrapped(double value, double here) {
   double to = std::fabs(value) + std::floor(here / one_turn) * one_turn;
   const bool backwards = std::signbit(value);
@@ -26,8 +27,8 @@ double unwrapped(double value, double here) {
   return to;
 }
 
-/// True if G53 leaves the tool's offset in that rotary axis on, as it does unless the axis is wrapped (find_ends, up to 2.9.10: a fault
-/// of the control).
+/// True if G53 does not cancel the tool offset of a rotary axis, which is so unless the axis is wrapped (find_ends, up to 2.9.10: a fault
+/// of LinuxCNC).
 bool keeps_offset(const BlockContext& m, std::size_t axis) {
   const LinuxCnc& control = linuxcnc_of(m);
   for (std::size_t i = 0; i < control.machine.wrapped.size(); ++i)
@@ -45,7 +46,7 @@ bool LinuxCnc::shapes_lines(const BlockContext& m) const {
   return false;
 }
 
-/// Moves by G53 if such an axis is among its words.
+/// Moves straight in a block with G53 that names a rotary axis whose tool offset G53 does not cancel: adds that offset and warns.
 Status LinuxCnc::straight(Emitter& m, const kadr::Call& call, MotionKind kind) {
   if (kind == MotionKind::feed) KADR_TRY(m.feed_known(call.where));
   Axes to = m.position.machine;

@@ -1,5 +1,5 @@
 #pragma once
-// Wrapped rotary axes (one revolution) and indexers (spec/linuxcnc 10.2).
+// Wrapped rotary axes, which count one revolution only, and indexers, which move only by G0 (spec/linuxcnc 10.2).
 
 #include "base/result.h"
 
@@ -9,7 +9,7 @@ class BlockContext;
 
 namespace kadr::linuxcnc {
 
-/// Checks that an indexer moves only by G0, and alone.
+/// Checks that an indexer moves only by G0, and with no other axis.
 Status indexers_allow(const BlockContext& m);
 
 }  // namespace kadr::linuxcnc

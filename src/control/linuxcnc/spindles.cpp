@@ -17,7 +17,7 @@ namespace {
 
 constexpr int all_spindles = -1;
 
-/// The number in the word, without its decimals; nullopt if there is no such word.
+/// Returns the spindle number in the word `$`, without decimals; nullopt if the block has no `$`.
 std::optional<int> spindle_word(const BlockContext& m) {
   const char address = linuxcnc_of(m).spindle_address;
   if (address == 0 || !m.has(address)) return std::nullopt;
@@ -27,7 +27,7 @@ std::optional<int> spindle_word(const BlockContext& m) {
 
 bool is_spindle(const LinuxCnc& control, int number) { return number >= 0 && number < control.machine.spindles; }
 
-/// Calls `use` for each spindle that the number means.
+/// Calls `use` for each spindle that the number selects: one spindle, or all.
 template <class Use>
 void each_spindle(const LinuxCnc& control, int number, Use use) {
   for (int i = 0; i < control.machine.spindles; ++i)
@@ -79,7 +79,7 @@ Status spindle_of_modes(BlockContext& m) {
   const Status taken = take_spindle(
       m, of_speed ? "Invalid spindle ($) number in Spindle Mode command" : "Invalid spindle ($) number in Spindle Feed command",
       m.block->where);
-  if (taken && of_feed) m.modal.main_spindle = machine_number(control.state.active_spindle);  // G95 counts its revolutions
+  if (taken && of_feed) m.modal.main_spindle = machine_number(control.state.active_spindle);  // G95 uses the revolutions of this spindle
   return taken;
 }
 

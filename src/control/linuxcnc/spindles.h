@@ -1,5 +1,5 @@
 #pragma once
-// Several spindles, chosen by `$` (spec/linuxcnc 2.8, 8). The first one is the spindle of the modal state.
+// Several spindles, selected by the word `$` (spec/linuxcnc 2.8, 8). The modal state of the interpreter has the first spindle.
 
 #include "action/action.h"
 #include "base/result.h"
@@ -11,19 +11,20 @@ class Emitter;
 
 namespace kadr::linuxcnc {
 
-/// The number of a spindle on the machine, which counts from 1; `$` counts from 0.
+/// Converts a number of the word `$`, which counts spindles from 0, to the machine's number, which counts from 1.
 std::uint8_t machine_number(int number);
-/// Direction and speed of a spindle, as commanded.
+/// Return the commanded direction and speed of a spindle.
 SpindleDir direction_of(const BlockContext& m, int number);
 double rpm_of(const BlockContext& m, int number);
 
-/// Lets `$` choose the spindle that leads G33, G33.1, G76 or a canned cycle; `text`: the alarm if there is no spindle of that number.
+/// Selects by the word `$` the spindle with which G33, G33.1, G76 or a canned cycle synchronises. `text`: text of the alarm if the machine
+/// has no spindle of that number.
 Status take_spindle(BlockContext& m, const char* text, Span where);
-/// True if the spindle chosen last turns.
+/// True if the spindle that take_spindle() selected last is turning.
 bool active_spindle_turns(const BlockContext& m);
-/// The speed of a spindle, from S of this block or an earlier one.
+/// Returns the speed of a spindle: S of this block if it applies to the spindle, else the speed from an earlier block.
 double speed_of_block(const BlockContext& m, int number);
-/// Lets G94 to G97 choose the spindle too: the first one without `$`.
+/// Selects the spindle in a block with G94 to G97: the spindle of the word `$`, or the first spindle if there is no `$`.
 Status spindle_of_modes(BlockContext& m);
 /// Stops all spindles except the first (M2, M30).
 void stop_other_spindles(Emitter& m);

@@ -62,8 +62,8 @@ Result<Vec2> end_in_xy(BlockContext& m, Span where) {
 
 Vec2 words_of(const BlockContext& m, char x, char y) { return {m.length_value(x), m.length_value(y)}; }
 
-/// The weight P of a point. If P is missing or not above 0 in the first block with X and Y, LinuxCNC uses it as it is (-1 if missing), and
-/// the curve runs to infinity; Kadr warns and uses 1.
+/// Returns the weight P of a control point. If P is missing or not above 0 in the first block with X and Y, LinuxCNC uses that value (-1 if
+/// missing), and the curve runs to infinity; Kadr warns and uses 1.
 double weight_of(Emitter& m, Span where) {
   const double weight = m.has('P') ? m.value('P') : -1;
   if (weight > 0) return weight;
@@ -96,7 +96,8 @@ namespace kadr::functions {
 
 using linuxcnc::linuxcnc_of;
 
-/// G5: a curve of third degree. Its tangent at the start is given by I J, or continues the curve before; at the end it is given by P Q.
+/// G5: a curve of third degree. I J give its tangent at the start, without I J it continues the curve before; P Q give the tangent at the
+/// end.
 Status cubic_spline(Emitter& m, const Call& call) {
   auto end = linuxcnc::end_in_xy(m, call.where);
   if (!end) return fail(end.error());
@@ -147,7 +148,7 @@ Status nurbs_point(Emitter& m, const Call& call) {
   return {};
 }
 
-/// G5.3: moves along the curve of the points.
+/// G5.3: moves along the curve that the control points of G5.2 define.
 Status nurbs_end(Emitter& m, const Call& call) {
   linuxcnc::LinuxCnc& control = linuxcnc_of(m);
   linuxcnc::State& state = control.state;

@@ -14,7 +14,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// True if the path, with links followed, is in that folder.
+/// True if the path, with links followed, is in the folder or below it.
 bool lies_in(const fs::path& path, const fs::path& folder) {
   std::error_code error, other;
   const fs::path real = fs::canonical(path, error);

@@ -1,5 +1,5 @@
 #pragma once
-// Finds the files of subprograms: `label.ngc` (spec/linuxcnc 1.1; find_ngc_file of the source).
+// Finds the file of a subprogram, `label.ngc` (spec/linuxcnc 1.1; find_ngc_file of LinuxCNC's source).
 
 #include <cstdint>
 #include <optional>
@@ -13,8 +13,9 @@ namespace kadr::linuxcnc {
 
 class LinuxCnc;
 
-/// Searches the program's folder, the program memory, then the folders of the ini file inside it, and nothing else.
-///   returns  number of the file in `flow`; nullopt if there is none
+/// Searches the folder of the program, then the program memory, then those folders named by the ini file that are inside the program
+/// memory; no others.
+///   returns  number of the opened file in `flow`; nullopt if no file is found
 std::optional<std::uint16_t> file_of_label(Flow& flow, const LinuxCnc& control, const std::string& label);
 
 }  // namespace kadr::linuxcnc

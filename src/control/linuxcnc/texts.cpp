@@ -1,5 +1,5 @@
-// LinuxCNC's own texts for faults that the reader and shared functions find (spec/linuxcnc 2 to 5, 11). There the English text identifies
-// the alarm.
+// LinuxCNC's own texts for faults that the reader and shared functions find (spec/linuxcnc 2 to 5, 11). In LinuxCNC an alarm has no number:
+// its English text identifies it.
 
 #include <fmt/format.h>
 
@@ -28,7 +28,7 @@ bool begins(std::string_view text, std::string_view word) {
 
 char small(char c) { return is_capital(c) ? static_cast<char>(c | 0x20) : c; }
 
-/// The text of the line from the alarm's location on.
+/// Returns the text of the line from the alarm's location to the end.
 std::string_view there(const AlarmReport& report) {
   const Span at = report.alarm.where;
   const std::string_view line = report.line_text;
@@ -47,19 +47,20 @@ Words bad_character(const AlarmReport& report) {
   return {AlarmId::rs274_form, fmt::format("Bad character '{}' used", small(c))};
 }
 
-/// The text for a missing value (2.3).
+/// Returns LinuxCNC's text for a word without a value (2.3).
 Words no_value(const AlarmReport& report) {
   const std::string letter = argument(report, 0);
   if (letter == "N") return {AlarmId::rs274_form, "Bad format unsigned integer"};
   const std::string_view at = there(report);
-  const std::size_t letter_bytes = std::max<std::size_t>(first_character(at).size, 1);  // a Russian look-alike has two
+  const std::size_t letter_bytes =
+      std::max<std::size_t>(first_character(at).size, 1);  // a Russian letter that looks like a Latin one has two bytes
   const std::size_t behind = at.find_first_not_of(" \t", letter_bytes);
   if (behind == std::string_view::npos || at[behind] == '(' || at[behind] == ';')
     return {AlarmId::rs274_form, "No characters found in reading real value"};
   return {AlarmId::rs274_form, fmt::format("bad number format (conversion failed) parsing '{}'", at.substr(behind))};
 }
 
-/// The sequence of digits, points and signs at the alarm's location, or ending there.
+/// Returns the number as written (digits, decimal points, signs) that starts or ends at the alarm's location.
 std::string_view number_there(const AlarmReport& report) {
   constexpr std::string_view of_numbers = "0123456789.+-";
   const std::string_view line = report.line_text;

@@ -16,7 +16,7 @@ namespace {
 
 constexpr std::size_t most_tools = 1000;
 
-/// The number of a word; nullopt if the text is none.
+/// Returns the number in the text of a word; nullopt if the text is not a number.
 std::optional<double> number_in(const std::string& text) {
   char* end = nullptr;
   const double value = std::strtod(text.c_str(), &end);

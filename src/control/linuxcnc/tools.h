@@ -9,11 +9,11 @@
 
 namespace kadr::linuxcnc {
 
-/// Reads lines such as `T1 P1 Z50 D10 ; end mill`; skips what cannot be read. `unit`: mm, of the lengths in the file.
+/// Reads lines such as `T1 P1 Z50 D10 ; end mill`; skips lines that cannot be read. `unit`: unit of the lengths in the file, in mm.
 std::map<int, Tool> read_tools(std::string_view text, double unit);
 
-/// Writes the lines as LinuxCNC does.
-///   law  read_tools() of the result gives the same tools, to six decimals of the unit
+/// Returns the text of the tool table file in LinuxCNC's format. `unit`: unit of the lengths in the file, in mm.
+///   law  read_tools() of the result returns the same tools, to six decimals of the unit
 std::string tools_text(const std::map<int, Tool>& tools, double unit);
 
 }  // namespace kadr::linuxcnc

@@ -1,7 +1,7 @@
 #pragma once
 // Custom macros B, as Fanuc, Haas and NCT have them (spec/nct/23, spec/fanuc 5, 9): calls, variables, statements, output. There is one
-// object per channel; its state is a plain value (memory.h). The controls derived from it provide canned cycles, frames and tools through
-// the virtual functions at the end of the class.
+// MacroB object per channel; its state is a plain value (memory.h). The dialects derived from MacroB provide canned cycles, frames and
+// tools through the virtual functions at the end of the public part.
 
 #include <memory>
 #include <optional>
@@ -32,18 +32,18 @@ class MacroB : public Dialect, public MachineSide, public Memory {
   ~MacroB() override;
 
   // ---- parameters and the settings derived from them
-  /// Derives the settings again if a parameter has changed.
+  /// Derives the macro settings from the parameters again if a parameter has changed.
   void refresh_settings(BlockContext& m);
   Status parameter_line(BlockContext& m);
   void close_data() { state.data_mode = DataMode::none; }
 
   /// Ends an interrupt macro (23.4).
-  ///   restore  plain M99: the modal state of the interrupted block is restored
+  ///   restore  true for M99 without P: the modal state of the interrupted block is restored
   void end_interrupt(Emitter& m, bool restore);
 
-  // ---- what an alarm takes back
+  // ---- state that an alarm restores
   void begin_block(Emitter& m) override;
-  /// Saves the state, so that an alarm can restore it: call it before a block changes more than the position.
+  /// Saves the macro state, so that an alarm in the block can restore it. Call keep_all() before a block changes more than the position.
   virtual void keep_all();
   void keep(BlockContext&) override { keep_all(); }
   void take_back(BlockContext& m) override;
@@ -63,7 +63,7 @@ class MacroB : public Dialect, public MachineSide, public Memory {
   // ---- what the interpreter calls
   bool starts_code_by_code() const override { return true; }
   bool start(Interpreter& m, const Setup& setup) override;
-  /// Assigns the variables that the set-up gives.
+  /// Assigns the values that the set-up gives to variables.
   void take_setup(Emitter& m, const Setup& setup) override;
   bool lose_power(Interpreter& m) override;
   void add_variables(Emitter& m, Ending& ending, const std::vector<std::string>& watch) override;
@@ -83,19 +83,19 @@ class MacroB : public Dialect, public MachineSide, public Memory {
   Result<double> number_of_element(const BlockContext& m, double symbol, double index, Span where) const override;
   Result<double> control_value(BlockContext& m, double number, double bit, double index, Span where) const override;
 
-  // ---- provided by the derived controls
-  /// The tool's position after the transformations, in work coordinates; in polar interpolation the virtual ones.
+  // ---- functions that the derived dialects provide
+  /// The tool's position after all transformations, in work coordinates; in polar interpolation in the coordinates of the virtual plane.
   virtual Axes before_transform(const BlockContext& m) const = 0;
-  /// Saves the data of the canned cycles in force; bring_cycles_back() restores them at the end of an interrupt macro.
+  /// Saves the data of the canned cycles in force when an interrupt macro starts; bring_cycles_back() restores the data when it ends.
   virtual void keep_cycles() = 0;
   virtual void bring_cycles_back() = 0;
-  /// The number of program contours that canned cycles are executing.
+  /// The number of contours in the program that canned cycles are executing at the moment.
   virtual std::size_t open_contours() const = 0;
   /// Returns true if a table has been written since the last call.
   virtual bool take_touched_tables() = 0;
-  /// Reads a system variable that belongs to no macro: positions, offsets, work offsets, tools. Returns nullopt if it is another variable.
+  /// Reads a system variable of a table or position: positions, tool offsets, work offsets, tools. Returns nullopt for any other variable.
   virtual std::optional<double> table_value(Emitter& m, const FoundVariable& variable) const = 0;
-  /// Writes such a variable. Returns false if it is another variable. alarms value_limit, magazine_number
+  /// Writes a variable that table_value() reads. Returns false for any other variable. alarms value_limit, magazine_number
   virtual Result<bool> write_table(Emitter& m, const FoundVariable& variable, double value, Span where) = 0;
 
   MacroVariables variables;
@@ -105,9 +105,10 @@ class MacroB : public Dialect, public MachineSide, public Memory {
  protected:
   /// Derives the settings from the parameters.
   virtual void read_parameters(BlockContext& m);
-  /// Resets what the program has set to its state at power-on (3.4).
+  /// Resets everything that the program has set to its state at power-on (3.4).
   void reset_macros();
-  /// True if no macro reads the words of a block like the one before: Dialect::lines_follow.
+  /// True if macros need no check of a block that gives only an end point, an arc centre and a feed, so that it may be executed like the
+  /// block before it (MotionDialect::lines_follow).
   bool words_follow() const {
     return !settings.binds_codes && pending.empty() && state.data_mode == DataMode::none && state.active_modal_calls == 0 &&
            !single_block && !watches_blocks() && !interrupted.active;
@@ -116,7 +117,7 @@ class MacroB : public Dialect, public MachineSide, public Memory {
   bool keeps_nothing() const { return !before_.all; }
 
  private:
-  /// What keep_all() saves; tables and variables are in the interpreter's journal.
+  /// The state that keep_all() saves; old values of tables and variables are in the interpreter's journal.
   struct Before {
     bool all = false;
     Volatile state;
@@ -124,7 +125,7 @@ class MacroB : public Dialect, public MachineSide, public Memory {
   };
 
   Before before_;
-  std::vector<double> clocks_;  // numbers of the clock variables
+  std::vector<double> clocks_;  // numbers of the system variables that show the time
 };
 
 /// The part of a snapshot that belongs to custom macros.

@@ -1,6 +1,6 @@
 #pragma once
 // What a control with custom macros remembers between blocks: settings from parameters, modal calls, modal words, the state of statements.
-// All of it is plain values, so that a snapshot and an alarm can copy it.
+// All of this is plain values, so that a snapshot can copy the state, and an alarm can restore a copy.
 
 #include <array>
 #include <map>
@@ -31,7 +31,7 @@ struct ModalCall {
   Locals arguments;
 };
 
-/// Values of the words last programmed, and related data, as #4101 … show them (23.1.14).
+/// The values that system variables from #4101 on return: the words last programmed, and related data (23.1.14).
 struct ModalWords {
   std::array<double, 3> aux{};
   double d = 0, e = 0, f = 0, h = 0, m = 0, n = 0, o = 0, s = 0, t = 0;
@@ -40,20 +40,20 @@ struct ModalWords {
 
 enum class DataMode : std::uint8_t { none, parameters, tools };
 
-/// Macro state besides ControlState. An alarm restores it as one value.
+/// The macro state that a block can change, in addition to ControlState. An alarm restores it as one value.
 struct Volatile {
   ModalWords words;
   std::vector<ModalCall> modal_calls;
-  std::uint8_t active_modal_calls = 0;  // how many of modal_calls act on the blocks being executed
+  std::uint8_t active_modal_calls = 0;  // number of entries of modal_calls in force for the blocks being executed
   DataMode data_mode = DataMode::none;
-  std::optional<ProgramPlace> interrupt_program;  // M96
+  std::optional<ProgramPlace> interrupt_program;  // interrupt macro enabled by M96
   double parts_done = 0;
 };
 
 inline constexpr std::string_view interrupt_signal = "CP_MINT";
 inline constexpr std::size_t basic_systems = 6;  // number of basic work offsets: G54 … G59
 
-/// A word that calls a subprogram after its block: T, S, A, B, C, M or an ASCII letter (23.3.6–23.3.8).
+/// A word that calls a subprogram after the block it is in: T, S, A, B, C, M or a letter bound by a parameter (23.3.6–23.3.8).
 struct PendingCall {
   int program = 0;
   char letter = 0;
@@ -61,7 +61,7 @@ struct PendingCall {
   Span where;
 };
 
-/// What the end of an interrupt macro restores (23.4): the modal state and the modal calls of G66.
+/// The state that the end of an interrupt macro restores (23.4): the modal state and the modal calls of G66.
 struct Interrupted {
   bool active = false;
   Modal modal;
@@ -76,29 +76,29 @@ struct Memory {
   Settings settings;
   Volatile state;
   Programs programs;
-  std::vector<std::pair<std::size_t, Locals>> repeated_arguments;  // by depth of the call; only calls that repeat
+  std::vector<std::pair<std::size_t, Locals>> repeated_arguments;  // {call depth, arguments} of the open calls that repeat (L > 1)
   Interrupted interrupted;
-  bool signal_rose = false;               // CP_MINT has risen since it was last read
-  std::map<std::string, double> signals;  // set by the machine's logic
-  bool single_block = false;              // the operator's switch
-  std::uint8_t stop_group = 0;            // modal group of G61 … G64
-  std::int16_t inhibiting = -1;           // row of G63, which inhibits single-block stops
-  // ---- of the block being executed
-  bool was_hidden = false;     // the block is in a program that is not listed (23.3.9)
+  bool signal_rose = false;               // signal CP_MINT has changed from 0 to 1 since it was last read
+  std::map<std::string, double> signals;  // signals set by the machine logic (PLC), by name
+  bool single_block = false;              // the operator's single-block switch is on
+  std::uint8_t stop_group = 0;            // index of the modal group of G61 … G64
+  std::int16_t inhibiting = -1;           // table row of G63, which inhibits single-block stops
+  // ---- flags of the block being executed
+  bool was_hidden = false;     // the block is in a program 8000–9999 whose blocks single-block operation does not stop at (23.3.9)
   bool moved = false;          // the block commanded a movement
   bool stops_reading = false;  // the block empties the look-ahead buffer
   std::vector<PendingCall> pending;
-  // ---- what system variables show
+  // ---- values that system variables show
   std::array<double, 32> plc_in{}, plc_out{};
   std::array<double, 4> plc_in_word{}, plc_out_word{};
   std::uint32_t control_1 = 0, control_2 = 0;  // #3003, #3004
-  double answer = 0;                           // #3107
+  double answer = 0;                           // the operator's answer to the question of #3107
   double parts_required = 0;
   double cutting_ms = 0, clock_offset_ms = 0;
   double now_ms = 0;                        // virtual time since power-on
   std::string clock;                        // "2014-05-18T15:32:41"
-  std::map<double, double> variable_names;  // set by SETVN: number of the name → number of the variable (spec/fanuc 5.1)
-  Changes changes;                          // for the state file
+  std::map<double, double> variable_names;  // names set by SETVN: internal number of the name → variable number (spec/fanuc 5.1)
+  Changes changes;                          // values that must be saved to the state file
   Endless endless;
   std::uint64_t parameters_seen = 0;  // version of the parameters that `settings` was read from, plus 1
 };

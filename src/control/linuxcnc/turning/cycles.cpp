@@ -1,4 +1,4 @@
-// G70, G71, G71.1, G71.2, G72, G72.1, G72.2: reads their words and the profile, and runs the motions.
+// Turning cycles G70, G71, G71.1, G71.2, G72, G72.1, G72.2: reads their words and the profile, and executes the motions.
 
 #include "control/linuxcnc/turning/cycles.h"
 
@@ -27,7 +27,7 @@ tl::unexpected<Alarm> wrong_turning(const BlockContext& m, Span where, std::stri
   return linuxcnc_of(m).fault(AlarmId::rs274_cycle, where, std::move(text));
 }
 
-/// The value of a word in the unit of the program; X as a radius.
+/// Returns the value of a word in the unit of the program; the value of X as a radius.
 double radius_or_length(const BlockContext& m, char letter) {
   const bool diameter = letter == 'X' && (m.modal.diameter & 1U) != 0;
   return m.value(letter) * (diameter ? 0.5 : 1);
@@ -42,7 +42,8 @@ void set_motion(BlockContext& m, std::int32_t tenths) {
   if (row >= 0) m.modal.rows[m.def.codes[static_cast<std::size_t>(row)].group] = row;
 }
 
-/// Takes cutter compensation off the last motion: those to the start of G70, of the cycle and of each pass are never compensated (2.9.4).
+/// Removes cutter compensation from the last motion: motions to the start of G70, of the cycle and of each pass are never compensated
+/// (2.9.4).
 void leave_uncompensated(Emitter& m) {
   if (m.batch->empty()) return;
   auto* const way = std::get_if<Motion>(&m.batch->back().what);
@@ -51,7 +52,7 @@ void leave_uncompensated(Emitter& m) {
   way->side_step = SideStep::none;
 }
 
-/// Executes the motions, some at a time.
+/// Executes the motions of the cycle, a few at a time.
 class Turning final : public RunningValue<Turning> {
  public:
   /// `done`: the result to report after these motions.
@@ -251,7 +252,7 @@ Status profile_cycle(Interpreter& m, const Call& call) {
   const Status aimed = m.target(to, named);
   m.modal.absolute = cycle.absolute;
   KADR_TRY(aimed);
-  if (named == 0) named = 1U | 1U << linuxcnc::z_axis;  // a motion of no length, as the control makes one
+  if (named == 0) named = 1U | 1U << linuxcnc::z_axis;  // a motion of zero length, as LinuxCNC makes it
   KADR_TRY(m.straight(MotionKind::rapid, to, named));
   linuxcnc::leave_uncompensated(m);
   linuxcnc::set_motion(m, 0);

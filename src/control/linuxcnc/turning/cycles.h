@@ -1,6 +1,6 @@
 #pragma once
-// G70 to G72: the profile is in a subprogram, whose words are read without moving; then the cycle runs (spec/linuxcnc 7.2; convert_g7x of
-// the source).
+// Turning cycles G70 to G72: the profile is in a subprogram, whose blocks are read without moving the tool; then the cycle is executed
+// (spec/linuxcnc 7.2; convert_g7x of the source).
 
 #include <cstddef>
 #include <cstdint>
@@ -15,19 +15,19 @@ class Emitter;
 
 namespace kadr::linuxcnc {
 
-/// A cycle whose profile is being read.
+/// A turning cycle whose profile is being read.
 struct TurningCycle {
-  std::int32_t code = 0;  // tenths: 711
-  std::size_t depth = 0;  // number of open calls at the cycle's block
+  std::int32_t code = 0;  // G code in tenths: 711 is G71.1
+  std::size_t depth = 0;  // number of open calls at the block with the cycle
   bool absolute = true, centers_absolute = false;
   TurningWords words;
   Profile profile;
-  Point at;  // end of the profile so far
+  Point at;  // end point of the profile read so far
   std::int32_t motion = 0;
   Span where;
 };
 
-/// Adds a block of the subprogram to the profile.
+/// Adds the present block of the subprogram to the profile.
 Status take_profile_block(BlockContext& m);
 /// Computes the motions after the profile is complete, and starts them.
 Status run_turning(Emitter& m);

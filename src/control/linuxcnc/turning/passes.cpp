@@ -10,9 +10,9 @@ namespace kadr::linuxcnc {
 namespace {
 
 constexpr std::size_t most_moves = 1'000'000;
-constexpr std::uint64_t most_looks = 20'000'000;  // for some profiles the control's search never ends
+constexpr std::uint64_t most_looks = 20'000'000;  // limit of the search, which in LinuxCNC never ends for some profiles
 constexpr double below_all = -1e9;
-constexpr double same_end = 1e-3;  // a shorter arc is skipped
+constexpr double same_end = 1e-3;  // an arc whose end points are closer than this is skipped
 using Pieces = std::list<Piece>;
 
 class Cutting {
@@ -55,7 +55,7 @@ class Cutting {
   double x_ = 0, depth_ = 1;
 };
 
-/// Moves down along a piece to X, or to its end; `rises`: the piece does not lead down.
+/// Moves down along a piece to the level `x`, or to the end of the piece; the result `rises` means that the piece does not lead down.
 tl::expected<Cutting::Found, std::string> Cutting::dive(Pieces::iterator at, double x) {
   if (at->is_arc()) return dive_arc(*at, x);
   return dive_line(*at, x, is_first(at));
@@ -89,7 +89,7 @@ Cutting::Found Cutting::dive_arc(const Piece& piece, double x) {
     if (!at.empty() && at.back() <= middle) to = Point(at.back(), x);
   } else {
     if (here_.real() <= middle) return Found::rises;
-    if (!at.empty() && at.front() < middle) return Found::below;  // only the far side is met: X must be lower first
+    if (!at.empty() && at.front() < middle) return Found::below;  // only the far side of the arc is met: X must be lower first
     if (!at.empty()) to = Point(at.front(), x);
   }
   arc(piece.ccw, piece.center, to);
@@ -97,7 +97,7 @@ Cutting::Found Cutting::dive_arc(const Piece& piece, double x) {
   return Found::below;
 }
 
-/// Moves up along a piece. Returns true if it leads down again: a pocket starts there.
+/// Moves up along a piece. Returns true if the piece leads down again: a pocket starts at that point.
 tl::expected<bool, std::string> Cutting::climb(const Piece& piece) {
   if (!piece.is_arc()) {
     if (piece.end.imag() + same_point < piece.start.imag()) return true;
@@ -115,7 +115,7 @@ tl::expected<bool, std::string> Cutting::climb(const Piece& piece) {
   return piece.ccw;
 }
 
-/// Moves up along the part of a piece that is above, skipping pockets.
+/// Moves up along the part of a piece above the present X, skipping pockets.
 void Cutting::climb_rising(const Piece& piece) {
   if (!piece.is_arc() && piece.end.imag() < piece.start.imag()) return;
   const auto at = piece.crossings(here_.imag());
@@ -190,7 +190,7 @@ Turned Cutting::rough(Pockets pockets, double depth, double retract) {
   here_ = profile_.pieces.front().start;
   tops_.assign(1, here_);
   auto at = profile_.pieces.begin();
-  if (pockets == Pockets::only) {  // the descent of the first cut, which G71.1 has made
+  if (pockets == Pockets::only) {  // skips the descent of the first cut, which G71.1 has made
     for (; at != end(); ++at) {
       const auto found = dive(at, below_all);
       if (!found) return tl::unexpected(found.error());
@@ -217,7 +217,7 @@ Turned Cutting::rough(Pockets pockets, double depth, double retract) {
   return {};
 }
 
-/// Orients the profile so that Z falls along it; it is rotated if only X falls along it.
+/// Orients the profile so that Z decreases along it; the profile is rotated by 90° if only X is monotonic along it.
 Turned face(Profile& profile, Point start) {
   profile.pieces.front().start = start;
   Profile without_way = profile;
@@ -253,8 +253,8 @@ Turned finish_profile(const Profile& given, const TurningWords& words, std::vect
   return {};
 }
 
-/// Closes a profile that leads away from the start of the cycle and whose last piece advances along the cuts: adds a line to the level of
-/// the start (2.9.4).
+/// Closes a profile that leads away from the start of the cycle and whose last piece advances in the direction of the cuts: adds a line to
+/// the level of the cycle's start (2.9.4).
 void close_profile(Profile& profile, Point start, bool across) {
   const Point first = profile.pieces.front().end - profile.pieces.front().start;
   const Piece& back = profile.pieces.back();

@@ -1,5 +1,5 @@
 #pragma once
-// Computes the motions of G70 to G72 over a profile (spec/linuxcnc 7.2; interp_g7x.cc).
+// Computes the motions of the turning cycles G70 to G72 for a profile (spec/linuxcnc 7.2; interp_g7x.cc of LinuxCNC's source).
 
 #include <cstdint>
 #include <vector>
@@ -13,25 +13,25 @@ struct TurningMove {
   Kind kind = Kind::rapid;
   Point to;
   Point center{};
-  bool to_start = false;  // rapid to the start of a pass of G70
+  bool to_start = false;  // the move is the rapid to the start of a pass of G70
 };
 
 /// The words of the cycle, in the unit of the program; X as a radius.
 struct TurningWords {
   Point start;           // start point of the cycle
-  double distance = 0;   // D: distance from the profile; for G70 that of the first pass
-  double last = 0;       // E: for G70 the distance of the last pass
-  double passes = 1;     // P
+  double distance = 0;   // D: distance of the cuts from the profile; in G70 the distance of the first pass
+  double last = 0;       // E: in G70 the distance of the last pass from the profile
+  double passes = 1;     // P: number of passes of G70
   double depth = 1;      // I: depth of a cut
-  double retract = 0.5;  // R
+  double retract = 0.5;  // R: distance of the retract after a cut
 };
 
-/// Which pockets are cut (the digit after the point of the code).
+/// Which pockets (hollows of the profile) are cut: the digit after the decimal point of the G code.
 enum class Pockets : std::uint8_t { all, none, only };
 
-/// G70: follows the profile in passes that come closer to it.
+/// Computes the motions of G70, which follows the profile in passes, each closer to the profile.
 Turned finish_profile(const Profile& profile, const TurningWords& words, std::vector<TurningMove>& moves);
-/// G71 (`across`: G72): cuts along Z (X) down to the profile.
+/// Computes the motions of G71, which cuts along Z down to the profile; if `across`, those of G72, which cuts along X.
 Turned rough_profile(Profile profile, const TurningWords& words, Pockets pockets, bool across, std::vector<TurningMove>& moves);
 
 }  // namespace kadr::linuxcnc

@@ -11,7 +11,7 @@ namespace kadr::linuxcnc {
 namespace {
 
 constexpr Point quarter{0, 1};
-constexpr double corner_within = 1e-2;  // how far the offset pieces of a corner may overlap
+constexpr double corner_within = 1e-2;  // greatest overlap of the offset pieces at a corner
 
 /// True if a point of the circle is within the arc: after its start and before its end.
 bool is_on(const Piece& arc, Point p) {

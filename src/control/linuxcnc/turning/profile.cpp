@@ -1,4 +1,4 @@
-// Orients the profile of a turning cycle, places its corners, offsets it.
+// Orients the profile of a turning cycle, inserts its fillets and chamfers, and offsets the profile.
 
 #include "control/linuxcnc/turning/profile.h"
 
@@ -10,7 +10,7 @@ namespace kadr::linuxcnc {
 namespace {
 
 constexpr double gap = 1e-2;         // offset pieces further apart than this get an arc between them
-constexpr int most_steps = 100'000;  // of an offset: each step is at most half the smallest piece
+constexpr int most_steps = 100'000;  // greatest number of steps of an offset; each step is at most half the smallest piece
 
 tl::unexpected<std::string> endless() { return tl::unexpected(std::string()); }
 
@@ -47,7 +47,7 @@ Turned Profile::place_corners() {
   return pieces.empty() ? Turned(endless()) : Turned();
 }
 
-/// Makes one step of an offset, so small that it turns no piece inside out.
+/// Makes one step of an offset. The step is so small that no piece is reversed.
 Turned Profile::offset_step(double distance) {
   for (Piece& piece : pieces) piece.offset(distance);
   pieces.remove_if([](const Piece& piece) { return piece.size() < least_piece; });

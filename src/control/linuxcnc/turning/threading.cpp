@@ -23,10 +23,10 @@ constexpr double most_thread_passes = 100'000;
 struct Thread {
   double x = 0, z = 0;                       // start point of the cycle
   double side = -1;                          // direction in X of the infeed: +1 for an inside thread
-  double crest = 0;                          // |I|
+  double crest = 0;                          // |I|, distance of the thread crest from the drive line
   double first = 0;                          // |J|, depth of the first pass below the crest
-  double height = 0;                         // |K|
-  double degression = 1;                     // R
+  double height = 0;                         // |K|, full depth of the thread below the crest
+  double degression = 1;                     // R, degression of the depth of the passes
   double slope = 0;                          // tangent of the compound angle, Q
   double pitch = 0;                          // P
   double taper = 0;                          // E, with the sign of the travel in Z
@@ -38,7 +38,7 @@ struct Thread {
   Span where;
 };
 
-/// Executes the passes one by one.
+/// Executes the passes of the thread one by one.
 class Threading final : public RunningValue<Threading> {
  public:
   explicit Threading(const Thread& thread) : t_(thread) {}
@@ -108,7 +108,7 @@ Thread thread_of(const BlockContext& m, const Axes& end) {
   t.height = std::fabs(k);
   t.pitch = m.length_value('P');
   const double way = end[thread_axis] > t.z ? -1 : 1;
-  const double angle = m.has('Q') && m.value('Q') != -1 ? m.value('Q') : 0;  // -1 is the control's mark for a missing Q
+  const double angle = m.has('Q') && m.value('Q') != -1 ? m.value('Q') : 0;  // in LinuxCNC -1 means a missing Q
   t.slope = std::tan(way * angle * pi / half_turn);
   t.spring = m.has('H') ? static_cast<int>(std::round(m.value('H'))) : 0;
   t.degression = m.has('R') ? std::max(1.0, m.value('R')) : 1;

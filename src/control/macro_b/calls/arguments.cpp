@@ -1,4 +1,5 @@
-// Converts the words of a block into #1 … #33 (spec/nct/23 23.3, types 1 and 2 mixed, in the order of writing).
+// Converts the words of a block into the macro arguments #1 … #33 (spec/nct/23 23.3; argument assignments of types 1 and 2 may be mixed, in
+// the order in which the words are written).
 
 #include <string_view>
 
@@ -8,7 +9,7 @@
 namespace kadr::macro_b {
 namespace {
 
-/// The variable of each letter, type 1.
+/// The number of the variable that each letter A to Z assigns, by argument assignment of type 1.
 constexpr std::array<std::uint8_t, 26> variable_of_letter = {1,  2,  3,  7,  8,  9,  10, 11, 4,  5,  6,  12, 13,
                                                              14, 15, 16, 17, 18, 19, 20, 21, 22, 23, 24, 25, 26};
 constexpr std::size_t type_2_step = 3;
@@ -21,7 +22,7 @@ class Assigner {
     const char letter = w.written;
     if (letter < 'A' || letter > 'Z' || w.incremental || w.bare) return illegal(w);
     std::size_t number = variable_of_letter[static_cast<std::size_t>(letter - 'A')];
-    if (letter >= 'I' && letter <= 'K') {  // the next free variable of the letter's own row
+    if (letter >= 'I' && letter <= 'K') {  // the next I, J or K of type 2 goes to the next variable of its letter
       std::size_t& written = written_[static_cast<std::size_t>(letter - 'I')];
       if (later_counts_) number += type_2_step * written++;
       else
@@ -31,7 +32,7 @@ class Assigner {
       return illegal(w);
     }
     occupied_[number] = true;
-    locals_[number] = w.address == 0 ? vacant : w.value;  // an empty variable as value leaves the local empty
+    locals_[number] = w.address == 0 ? vacant : w.value;  // a value from an empty variable leaves the argument empty
     return {};
   }
 
@@ -41,7 +42,7 @@ class Assigner {
   Locals& locals_;
   bool later_counts_;
   std::array<bool, most_locals + 1> occupied_{};
-  std::array<std::size_t, 3> written_{};  // how many I, J, K so far
+  std::array<std::size_t, 3> written_{};  // number of words I, J and K read so far
 };
 
 }  // namespace
@@ -51,7 +52,7 @@ Status arguments_of(const BlockContext& m, std::uint32_t caller, Locals& to) {
   Assigner assigner(to, later_counts);
   for (std::uint32_t i = 0; i < m.block->word_count; ++i) {
     const Word& w = m.block->words[i];
-    if (i == caller && w.written != 'G') continue;  // a G code is an argument too: #10 = 65; a calling M is not
+    if (i == caller && w.written != 'G') continue;  // the calling G code is an argument too: #10 = 65; a calling M code is not
     if (later_counts && std::string_view("GLNOP").find(w.written) != std::string_view::npos) continue;
     KADR_TRY(assigner.take(w));
   }

@@ -15,7 +15,7 @@ constexpr int letter_variables = 195;  // #195 … #199
 constexpr int ascii_variables = 191;   // #191 … #194
 constexpr std::string_view letters_in_order = "ABCST";
 
-/// The program that a code of this value calls; -1 if it calls none.
+/// Returns the number of the program that a code of this value calls; -1 if it calls no program.
 int program_of(const std::vector<CodeRun>& runs, double value, const CodeRun** run = nullptr) {
   for (const CodeRun& r : runs) {
     const double k = std::round((value - r.start) / r.step);
@@ -26,8 +26,9 @@ int program_of(const std::vector<CodeRun>& runs, double value, const CodeRun** r
   return -1;
 }
 
-/// True if a word with that address and code may call here. It never calls inside its own call (13.1, 23.3.4 … 23.3.7); inside another
-/// call only if N1755 #1 ENC allows it. ENC does not govern one G code inside another (23.3.4).
+/// True if a word with that address and code may call its program at this point. A word never calls inside the program that it has called
+/// (13.1, 23.3.4 … 23.3.7); inside the program of another bound word it calls only if N1755 #1 ENC allows it. ENC does not apply to a G
+/// code inside the macro of another G code (23.3.4).
 bool may_call(const Interpreter& m, char address, std::int32_t code) {
   bool others = false;
   for (const CallFrame& frame : m.flow.frames()) {
@@ -41,7 +42,7 @@ bool may_call(const Interpreter& m, char address, std::int32_t code) {
 Status macro_by_code(Interpreter& m, const Word& w, int program, const CodeRun& run) {
   const Word* const first = m.block->words.data();
   if (w.written == 'M' && &w != first)
-    return fail(alarm(AlarmId::illegal_address, first->where, first->written));  // 23.3.5: only N may come before it
+    return fail(alarm(AlarmId::illegal_address, first->where, first->written));  // 23.3.5: only N may come before the calling M word
   CallRequest request;
   const auto place = macro_b_of(m).programs.system(m, static_cast<std::uint32_t>(program), w.where);
   if (!place) return fail(place.error());
@@ -69,7 +70,8 @@ void pend(BlockContext& m, Word& w, int program) {
   m.block->altered = true;
 }
 
-/// A, B, C, S, T and the four ASCII letters: stores the value in a variable; a subprogram follows (23.3.7, 23.3.8).
+/// Executes a word A, B, C, S, T or one of the four letters bound by parameters: stores its value in a common variable, and requests the
+/// call of its subprogram after the block (23.3.7, 23.3.8).
 bool letter_calls(Interpreter& m, Word& w) {
   const Settings& s = macro_b_of(m).settings;
   if (w.written > 'Z') return false;
@@ -95,7 +97,8 @@ bool letter_calls(Interpreter& m, Word& w) {
 
 Result<bool> call_by_code(Interpreter& m) {
   const Settings& s = macro_b_of(m).settings;
-  if (!s.binds_codes || m.has_code({Function::macro_call, Function::macro_modal})) return false;  // there the codes are arguments
+  if (!s.binds_codes || m.has_code({Function::macro_call, Function::macro_modal}))
+    return false;  // in blocks with G65, G66 the other codes are arguments
   for (std::uint32_t i = 0; i < m.block->word_count; ++i) {
     Word& w = m.block->words[i];
     if (w.address == 0 || w.bare || (w.written != 'G' && w.written != 'M')) continue;
@@ -116,7 +119,8 @@ Result<bool> call_by_code(Interpreter& m) {
   return false;
 }
 
-/// Enters the last call first, so that the others run before it. INFERRED: they run in the order of writing.
+/// Enters the subprogram of the last word first, so that those of the earlier words run before it. INFERRED: the subprograms run in the
+/// order in which their words are written.
 Status call_pending(Interpreter& m) {
   MacroB& macros = macro_b_of(m);
   for (; !macros.pending.empty(); macros.pending.pop_back()) {

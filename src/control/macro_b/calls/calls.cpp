@@ -18,11 +18,11 @@ namespace {
 
 constexpr std::uint32_t most_repeats = 99'999'999;
 
-/// Finds the program that P or <name> of the block gives.
+/// Finds the program that the word P or the <name> of the block names.
 Result<CallRequest> named_program(Interpreter& m, const Call& code, bool name_allowed) {
   CallRequest request;
   if (m.block->file_name.end != 0) {
-    if (!name_allowed) return fail(alarm(AlarmId::word_missing, code.where, 'P', code.row->code));  // 23.3: a file name with G65 only
+    if (!name_allowed) return fail(alarm(AlarmId::word_missing, code.where, 'P', code.row->code));  // 23.3: only G65 accepts a file name
     const auto place = macro_b_of(m).programs.by_name(m, m.block->text_of(m.block->file_name), m.block->file_name);
     if (!place) return fail(place.error());
     request.place = *place;
@@ -47,7 +47,7 @@ Result<CallRequest> named_program(Interpreter& m, const Call& code, bool name_al
 
 std::uint32_t index_of(const BlockContext& m, const Word* word) { return static_cast<std::uint32_t>(word - m.block->words.data()); }
 
-/// Discards what belonged to a call that has ended: its level of locals, its arguments, its modal calls.
+/// Discards the data of a call that has ended: its level of local variables, its saved arguments, its modal calls.
 void close_call(MacroB& macros, const CallFrame& frame, std::size_t depth) {
   if (frame.kind == CallFrame::Kind::macro || (frame.kind == CallFrame::Kind::interrupt && frame.opened_level))
     macros.variables.close_level();
@@ -105,7 +105,7 @@ Status call_modal(Interpreter& m, const Locals& arguments) {
   request.called_by = modal.called_by;
   request.called_code = modal.called_code;
   KADR_TRY(call(m, request, arguments, m.block->where));
-  --macros.state.active_modal_calls;  // inside the macro only the modal calls programmed before this one act
+  --macros.state.active_modal_calls;  // inside the macro only the modal calls programmed before this modal call are in force
   return {};
 }
 
@@ -121,7 +121,7 @@ Status return_from(Interpreter& m, const Call& code) {
     return m.begin_again(code.where);
   }
   std::uint32_t passes = top->left;
-  if (m.has('L')) {  // INFERRED: k passes more than the first (14.4.3)
+  if (m.has('L')) {  // INFERRED: L is the number of executions after the first (14.4.3)
     const auto k = m.whole('L', 0, most_repeats);
     if (!k) return fail(k.error());
     const std::uint32_t total = *k + 1;
@@ -138,7 +138,7 @@ Status return_from(Interpreter& m, const Call& code) {
   const std::size_t depth = m.program().depth();
   const auto left = m.flow.end_subprogram(code.where);
   if (!left) return fail(left.error());
-  if (!*left) {  // it repeats
+  if (!*left) {  // the subprogram repeats
     if (opened_level && !m.def.behaviour.repeats_keep_locals) macros.variables.locals() = macros.repeated_arguments.back().second;
     return {};
   }
@@ -168,7 +168,7 @@ Status macro_call(Interpreter& m, const Call& call) {
   return macro_b::call(m, *request, arguments, call.where);
 }
 
-/// G66 P L arguments: calls after each movement. G66.1: calls with each block, this one included (23.3.2, 23.3.3).
+/// G66 P L arguments: calls the macro after each movement. G66.1: calls it with each block, including the G66.1 block (23.3.2, 23.3.3).
 Status macro_modal(Interpreter& m, const Call& call) {
   constexpr std::size_t most_modal_calls = 16;
   auto request = macro_b::named_program(m, call, false);
@@ -179,14 +179,14 @@ Status macro_modal(Interpreter& m, const Call& call) {
   KADR_TRY(macro_b::arguments_of(m, macro_b::index_of(m, call.word), arguments));
   macro_b::MacroB& macros = macro_b_of(m);
   if (macros.state.modal_calls.size() >= most_modal_calls) return fail(alarm(AlarmId::call_too_deep, call.where, double{most_modal_calls}));
-  macros.state.modal_calls.resize(macros.state.active_modal_calls);  // INFERRED: inside a call the modal calls inactive there are lost
+  macros.state.modal_calls.resize(macros.state.active_modal_calls);  // INFERRED: modal calls that are not in force here are lost
   macros.state.modal_calls.push_back(
       {request->place.reader, request->place.start, *times, request->name, call.row->arg == 66.1_g, 0, -1, arguments});
   ++macros.state.active_modal_calls;
   return call.row->arg == 66.1_g ? macro_b::call_modal(m, arguments) : Status();
 }
 
-/// G67: ends the last modal call.
+/// G67: cancels the modal call that was programmed last.
 Status macro_modal_off(Emitter& m, const Call& call) {
   macro_b::MacroB& macros = macro_b_of(m);
   if (!macros.state.modal_calls.empty()) macros.state.modal_calls.pop_back();

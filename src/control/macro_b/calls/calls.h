@@ -14,26 +14,27 @@ struct CallRequest {
   std::uint32_t name = 0;  // program number, for messages
   std::uint32_t times = 1;
   bool macro = false;  // opens a level of locals
-  char called_by = 0;  // the address bound to the program; 0: M98, G65 …
+  char called_by = 0;  // address of the word bound to the program; 0 for M98, G65 …
   std::int32_t called_code = -1;
 };
 
-/// Executes the call: the next block read is the program's first.
+/// Executes the call: the next block to be read is the first block of the called program.
 ///   alarms  call_too_deep
 Status call(Interpreter& m, const CallRequest& request, const Locals& arguments, Span where);
-/// Executes the innermost modal call that acts: after a block that moved, or with a block's words as arguments.
+/// Executes the innermost modal call in force: G66 after a block that moved, G66.1 with the block's words as arguments.
 Status call_modal(Interpreter& m, const Locals& arguments);
-/// The L word of a call; 1 if missing. alarms word_not_integer, value_out_of_range
+/// Returns the L word of a call, the number of repetitions; 1 if L is missing. alarms word_not_integer, value_out_of_range
 Result<std::uint32_t> repeats_of(const BlockContext& m);
-/// Converts the block's words into arguments (23.3, "Argument assignment"). `skip`: index of the word that calls.
+/// Converts the block's words into macro arguments (23.3, "Argument assignment"). `skip`: index of the word that makes the call, which is
+/// no argument.
 ///   alarms  illegal_address (2017)
 Status arguments_of(const BlockContext& m, std::uint32_t skip, Locals& to);
 /// M99: ends a subprogram or macro (14.4.3, 14.4.4, 23.4).
 Status return_from(Interpreter& m, const Call& code);
-/// Continues after the innermost call although its M99 is missing or faulty, so that one fault gives one alarm.
+/// Leaves the innermost called program although its M99 is missing or faulty, so that one fault gives one alarm.
 void leave_call(Interpreter& m);
-/// Executes a call by a G, M, T, S, A, B, C word or a letter of N1747… that is bound to a program.
-///   returns  true: the block's words were arguments of the call
+/// Executes a call by a word that parameters bind to a program: G, M, T, S, A, B, C, or a letter of N1747….
+///   returns  true: the block's words were the arguments of the call, so nothing of the block remains to be executed
 Result<bool> call_by_code(Interpreter& m);
 /// Calls the subprograms that words of this block are bound to, after the block (23.3.6–23.3.8).
 Status call_pending(Interpreter& m);

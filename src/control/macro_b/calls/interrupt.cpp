@@ -21,12 +21,12 @@ bool asked(MacroB& macros) {
   return macros.settings.interrupt_edge ? rose : signal_on(macros);
 }
 
-/// True if the code is left to the machine: N1758 #0 USD=0, or #4 MCD assigns other codes to the interrupt.
+/// True if M96 or M97 is an ordinary M code for the machine: N1758 #0 USD=0, or #4 MCD assigns other codes to the interrupt macro.
 bool is_free(const MacroB& macros, int code, int own) {
   return !macros.settings.interrupts || (macros.settings.interrupt_own_codes && code != own);
 }
 
-/// Aborts a running interrupt macro (13.1). INFERRED: as M99 does, including the calls that it made.
+/// Aborts a running interrupt macro (13.1). INFERRED: the macro ends as with M99, and so do the programs that it has called.
 Status abort_interrupt(Interpreter& m, const Call& call) {
   MacroB& macros = macro_b_of(m);
   while (macros.interrupted.active && m.program().depth() != 0) {
@@ -66,10 +66,10 @@ Result<bool> call_interrupt(Interpreter& m, BlockMoment moment) {
   return true;
 }
 
-/// Plain M99 restores the modal state, which is in force again (23.4). M99 P does not.
+/// M99 without P restores the modal state of the interrupted block (23.4); M99 P does not.
 void MacroB::end_interrupt(Emitter& m, bool restore) {
   interrupted.active = false;
-  signal_rose = false;  // an edge during the macro does not count
+  signal_rose = false;  // a signal edge of CP_MINT during the macro has no effect
   if (!restore) return;
   m.modal = interrupted.modal;
   state.words = interrupted.words;
@@ -85,13 +85,13 @@ void MacroB::end_interrupt(Emitter& m, bool restore) {
 
 namespace kadr::functions {
 
-/// M96 P, M96 <file>: from now on the signal calls that program. With N1758 #5 SYM = 0 it is looked up next to the main program, wherever
-/// M96 is written (23.4).
+/// M96 P, M96 <file>: from now on the signal CP_MINT calls that program. With N1758 #5 SYM = 0 the program is searched in the folder of the
+/// main program, even if M96 is in a subprogram in another folder (23.4).
 Status interrupt_on(Interpreter& m, const Call& call) {
   macro_b::MacroB& macros = macro_b_of(m);
   if (macro_b::is_free(macros, call.word->code / 10, macros.settings.interrupt_on)) return m.dialect->machine_code(m, call);
   if (m.def.tells_of_ends()) m.tell_machine(call.word->code);
-  macros.signal_rose = false;  // INFERRED: an edge before M96 does not count
+  macros.signal_rose = false;  // INFERRED: a signal edge of CP_MINT before M96 has no effect
   if (m.block->file_name.end != 0) {
     const auto place = macros.programs.by_name(m, m.block->text_of(m.block->file_name), m.block->file_name, macro_b::Beside::main_program);
     if (!place) return fail(place.error());

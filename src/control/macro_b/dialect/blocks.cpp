@@ -1,5 +1,5 @@
-// What a control with macros does before and after the common plan of a block: calls macros instead of executing the block, stops after
-// single blocks, runs pending calls (spec/nct/23 23.3, 23.5). Used by control/fanuc/dialect/blocks.
+// What a control with macros does before and after the execution of a block that all controls share: it calls macros instead of executing
+// the block, makes single-block stops, and executes pending calls (spec/nct/23 23.3, 23.5). Used by control/fanuc/dialect/blocks.
 
 #include "control/macro_b/dialect/blocks.h"
 
@@ -12,7 +12,7 @@
 namespace kadr::macro_b {
 namespace {
 
-/// Restores the words that an earlier run of the same block removed.
+/// Restores the words that an earlier execution of the same block removed.
 void give_back(BlockContext& m) {
   if (!m.block->altered) return;
   for (std::uint32_t i = 0; i < m.block->word_count; ++i)
@@ -21,19 +21,19 @@ void give_back(BlockContext& m) {
   m.note_addresses();
 }
 
-/// G66.1: the block's words become the arguments of a call (23.3.3). Returns false if the block is not such a call.
+/// Calls the macro of G66.1 with the block's words as arguments (23.3.3). Returns false if no G66.1 is in force for the block.
 Result<bool> call_with_block(Interpreter& m) {
   MacroB& macros = macro_b_of(m);
   if (macros.state.active_modal_calls == 0 || !macros.state.modal_calls[macros.state.active_modal_calls - 1u].each_block) return false;
   if (m.block->word_count == 0 || m.has_code({Function::macro_modal_off, Function::return_program, Function::macro_modal})) return false;
   Locals arguments;
-  KADR_TRY(arguments_of(m, limits::block_words, arguments));  // every word is an argument: no code calls here
+  KADR_TRY(arguments_of(m, limits::block_words, arguments));  // every word is an argument, as no word of this block makes the call
   KADR_TRY(call_modal(m, arguments));
   return true;
 }
 
-/// True inside programs 8000–8999 and 9000–9999: a single-block stop counts their blocks as one with the call, unless a parameter lists
-/// them (23.3.9).
+/// True inside programs 8000–8999 and 9000–9999: single-block operation executes such a program and its call as one block, unless a
+/// parameter makes the blocks of these programs stop (23.3.9).
 bool hidden(const BlockContext& m) {
   const std::uint32_t number = number_of_file(m.program().file());
   const Settings& s = macro_b_of(m).settings;
@@ -47,7 +47,8 @@ bool may_stop(const BlockContext& m) {
          m.modal.rows[macros.stop_group] != macros.inhibiting;
 }
 
-/// Single block: stops after NC blocks. INFERRED: macro blocks run together with the next NC block (23.5). A canned cycle stops by itself.
+/// Single-block operation: stops after each NC block. INFERRED: macro blocks run together with the next NC block (23.5). Canned cycles emit
+/// their own stops.
 void stop_single_block(Emitter& m, bool was_hidden) {
   if (!may_stop(m) || m.block->word_count == 0 || m.cycle_run.active() || m.cycling()) return;
   const bool returned = m.has_code({Function::return_program});

@@ -1,6 +1,6 @@
 #pragma once
-// What a control with macros does around the common plan of a block: executes statements, calls macros instead of executing the block,
-// and acts after the block (spec/nct/23 23.3, 23.5).
+// What a control with macros adds to the execution of a block that all controls share: it executes macro statements, calls macros instead
+// of executing the block, and acts after the block (spec/nct/23 23.3, 23.5).
 
 #include "base/result.h"
 
@@ -11,25 +11,26 @@ class Interpreter;
 
 namespace kadr::macro_b {
 
-/// Executes the block's macro statement, and evaluates the block's words only where the statement needs them.
-///   returns  false: the condition of IF … THEN holds, and the words after THEN are still to be executed (23.2.10)
+/// Executes the block's macro statement. The block's words are evaluated only if the statement needs their values.
+///   returns  false: the condition of IF … THEN is true, and the words after THEN are still to be executed (23.2.10)
 Result<bool> run_statement(Interpreter& m);
-/// Checks the values of an NC block against their ranges, after rounding those of expressions to the last digit of their address (23.1.1).
-/// Not for the arguments of a macro, which may be any number (23.3).
+/// Checks the values of an NC block against the ranges of their addresses, after rounding the values of expressions to the last digit of
+/// their address (23.1.1). Not used for the arguments of a macro, which may be any number (23.3).
 Status check_values(BlockContext& m);
-/// Starts a block of words: clears what was known of the last block, and restores words that an earlier run of this block removed.
+/// Starts a block of words: clears the flags of the last block, and restores words that an earlier execution of this block removed.
 void begin_words(BlockContext& m);
 /// Calls a macro with the block's words as arguments: by G66.1, or by a code that is bound to a macro.
 ///   returns  true: a macro was called
 Result<bool> call_with_words(Interpreter& m);
-/// Checks that the block has a single G: G is no argument of G65, G66, G66.1, and #10 holds their own number (23.3). alarms illegal_address
+/// Checks that a block with G65, G66 or G66.1 has no further G word: G cannot be an argument, as #10 receives the number of the calling
+/// G code (23.3). alarms illegal_address
 Status one_g(const BlockContext& m);
 /// Records the block's words for #4101 … (23.1.14).
 void note_words(BlockContext& m);
-/// True if single-block operation stops at this block: the switch is on, no lock, no G63, not inside a program that counts as one block
-/// (23.1.10, 23.3.9, 6.3.4).
+/// True if single-block operation stops after this block: the switch is on, neither #3003 or #3004 nor G63 suppresses the stop, and the
+/// block is not inside a program that counts as one block (23.1.10, 23.3.9, 6.3.4).
 bool stops_each_block(const BlockContext& m);
-/// Acts after a block of words: the single-block stop, subprograms that its words call, modal macros.
+/// Acts after a block of words: makes the single-block stop, calls the subprograms bound to its words, and calls modal macros.
 Status end_words(Interpreter& m);
 
 }  // namespace kadr::macro_b

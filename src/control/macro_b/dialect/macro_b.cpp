@@ -1,4 +1,4 @@
-// Custom macros B: power-on, set-up and reset, what an alarm takes back, snapshots, and the functions that the interpreter calls
+// Custom macros B: power-on, set-up and reset, state that an alarm restores, snapshots, and the functions that the interpreter calls
 // (spec/nct/03, 23). Used by control/fanuc/dialect.
 
 #include "control/macro_b/macro_b.h"
@@ -85,7 +85,7 @@ void MacroB::take_setup(Emitter& m, const Setup& setup) {
   }
 }
 
-/// Power off and on (23.5).
+/// Simulates switching the control off and on (23.5).
 bool MacroB::lose_power(Interpreter&) {
   variables.power_off();
   clock_offset_ms = now_ms;
@@ -106,13 +106,13 @@ void MacroB::reset_macros() {
   interrupted.active = false;
 }
 
-/// Takes over the parameters of another channel (24.1).
+/// Copies the parameters of another channel (24.1).
 void MacroB::take_common(BlockContext& m, const Dialect& from) {
   parameters.take(static_cast<const MacroB&>(from).parameters);
   refresh_settings(m);
 }
 
-// ---- what an alarm takes back; Interpreter::take_back does the same for the state that all controls have
+// ---- state that an alarm restores; Interpreter::take_back restores the state that all controls have
 
 void MacroB::begin_block(Emitter& m) {
   m.journal.keep(state.words);
@@ -144,7 +144,7 @@ Status MacroB::restore(BlockContext&, const DialectState& from) {
   static_cast<Memory&>(*this) = then.memory;
   parameters.remember(then.parameters);
   variables.remember(then.variables);
-  changes = Changes();  // so that the state file gets all rows again
+  changes = Changes();  // empty, so that all rows are written to the state file again
   before_ = {};
   return {};
 }
@@ -159,15 +159,15 @@ void MacroB::set_signal(const std::string& name, double value) {
 
 void MacroB::set_time(double at_ms, double cut_ms) {
   now_ms = at_ms;
-  cutting_ms += cut_ms;  // added, as the program may have set it
+  cutting_ms += cut_ms;  // the time is added, as the program may have assigned the timer
 }
 
 // ---- what the interpreter calls
 
 void MacroB::add_variables(Emitter& m, Ending& ending, const std::vector<std::string>& watch) { macro_b::add_variables(m, ending, watch); }
 
-/// Returns true if the block has a clock variable, a variable with a computed number, or a text with variables (23.1.9). A clock must show
-/// the time of that moment: all actions before the block are passed on first, and after it the actions of each block.
+/// Returns true if the block may read a clock variable: it has one, a variable with a computed number, or a text with variables (23.1.9).
+/// The clock must show the time at the block: all earlier actions are executed first, and afterwards the actions of each block are.
 bool MacroB::reads_clock(const Block& block) const {
   const StatementKind kind = block.statement.kind;
   if (kind == StatementKind::message || kind >= StatementKind::open_port) return true;
@@ -202,7 +202,7 @@ Result<double> MacroB::control_value(BlockContext& m, double number, double bit,
   return read_parameter(m, number, bit, index, where);
 }
 
-/// A line between G10 L52 and G11 (24.1).
+/// Executes a block between G10 L52 and G11, which writes parameters (24.1).
 Status MacroB::parameter_line(BlockContext& m) {
   ParameterStore::Write write;
   write.block = m.block->where;

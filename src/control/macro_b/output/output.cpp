@@ -1,5 +1,5 @@
-// POPEN, FOPEN, DPRNT, BPRNT, PCLOS, FCLOS (spec/nct/23 23.2.13): turns statements into calls of the file being written. Used by
-// control/macro_b/statements/statements, control/macro_b/statements/messages.
+// Executes the output statements POPEN, FOPEN, DPRNT, BPRNT, PCLOS, FCLOS (spec/nct/23 23.2.13): each becomes a call of the OutputFile.
+// Used by control/macro_b/statements/statements, control/macro_b/statements/messages.
 
 #include "control/macro_b/output/output.h"
 
@@ -17,11 +17,11 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The running program's path relative to the program memory. INFERRED: a program outside the program memory counts as if it were in
-/// its top folder.
+/// Returns the running program's path relative to the program memory. INFERRED: a program outside the program memory counts as if it were
+/// in the top folder of the program memory.
 std::string program_path(const BlockContext& m) {
   const auto whole = [](const std::string& path) {
-    std::error_code error;  // without a working directory the path stays as it is
+    std::error_code error;  // if there is no working directory, the path remains relative
     return fs::absolute(path, error).lexically_normal();
   };
   const fs::path main = whole(m.program().main_file()), root = whole(macro_b_of(m).output.root() + "/").parent_path();
@@ -30,7 +30,7 @@ std::string program_path(const BlockContext& m) {
   return whole(m.program().file()).lexically_relative(inside ? root : main.parent_path()).generic_string();
 }
 
-/// Adds the location in the program to an alarm of the file.
+/// Adds the location in the program to an alarm that the output file reports.
 Status placed(const Status& status, Span where) {
   if (status) return {};
   Alarm alarm = status.error();

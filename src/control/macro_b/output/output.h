@@ -1,5 +1,5 @@
 #pragma once
-// POPEN, FOPEN, DPRNT, BPRNT, PCLOS, FCLOS (spec/nct/23 23.2.13): turns statements into calls of the file being written.
+// Executes the output statements POPEN, FOPEN, DPRNT, BPRNT, PCLOS, FCLOS (spec/nct/23 23.2.13): each becomes a call of the OutputFile.
 
 #include <string>
 
@@ -13,7 +13,8 @@ class Emitter;
 namespace kadr::macro_b {
 
 Status output(Emitter& m, const Statement& s);
-/// Replaces `#v[cd]` in a message by values, and `\n` by line ends (23.1.8).
+/// Replaces each `#v[cd]` in a message by the value of variable v with c digits before and d after the point, and `\n` by a line break
+/// (23.1.8).
 Result<std::string> embedded_values(Emitter& m, const std::string& text, Span where);
 
 }  // namespace kadr::macro_b

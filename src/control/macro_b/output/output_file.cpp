@@ -1,4 +1,4 @@
-// Names, opens, prints and closes the files that a program writes. The writing itself is in control/files/file_writer.
+// Names, opens, prints to and closes the files that a program writes. control/files/file_writer writes the bytes.
 
 #include "control/macro_b/output/output_file.h"
 
@@ -47,7 +47,7 @@ std::optional<std::size_t> count_characters(std::string_view text) {
   return count;
 }
 
-/// ".nct" of "sub/part.nct"; empty if there is none.
+/// Returns the extension of a path: ".nct" for "sub/part.nct"; empty if the path has none.
 std::string_view extension_of(std::string_view program) {
   const std::size_t slash = program.rfind('/');
   const std::string_view file = slash == std::string_view::npos ? program : program.substr(slash + 1);
@@ -162,7 +162,7 @@ Status OutputFile::open_named(double mode, std::string_view name, std::string_vi
   return open(named_file(*path, name), static_cast<int>(mode), program);
 }
 
-/// Opens the file in this mode and remembers it as the open one.
+/// Opens the file in a mode of FOPEN (1 to 5), and records it as the open file.
 Status OutputFile::open(files::Wanted wanted, int mode, std::string_view program) {
   wanted.rule = modes[mode - 1];
   wanted.running = program;
@@ -187,7 +187,8 @@ Status OutputFile::name_device_file(std::string_view line, PrintKind kind) {
   const std::string file = name + std::string(extension_of(program_));
   const Result<std::string> path = path_in_root(file, program_);
   KADR_TRY(path);
-  if (!writer_.has_room(percent)) return fail(alarm(AlarmId::file_write, {}, std::string_view(file)));  // before it is emptied
+  if (!writer_.has_room(percent))
+    return fail(alarm(AlarmId::file_write, {}, std::string_view(file)));  // checked before the existing file is emptied
   KADR_TRY(open(named_file(*path, file), 2, program_));
   const Status begun = writer_.write(percent);
   if (!begun) {

@@ -1,5 +1,5 @@
-// Formats what DPRNT and BPRNT send, and variables inside the text of #3107 (nct 23.2.13, 23.1.8). Used by control/macro_b/output/output,
-// control/macro_b/output/output_file; tested by tests/control/macro_b/print_test.cpp.
+// Formats the text that DPRNT and BPRNT print, and variables inside the text of #3107 (nct 23.2.13, 23.1.8). Used by
+// control/macro_b/output/output, control/macro_b/output/output_file; tested by tests/control/macro_b/print_test.cpp.
 
 #include "control/macro_b/output/print.h"
 
@@ -28,7 +28,7 @@ std::size_t past_blanks(std::string_view text, std::size_t at) {
   return at;
 }
 
-/// The format `[53]` after a variable: two digits, or one.
+/// The format after a variable in a print statement, one or two digits in brackets: `[53]` is 5 digits before the decimal point, 3 after.
 struct Format {
   int first = 0;
   std::optional<int> second;
@@ -44,7 +44,7 @@ std::optional<Format> read_format(std::string_view text) {
   return Format{digits[0], count == 2 ? std::optional<int>(digits[1]) : std::nullopt, at + 1};
 }
 
-/// The piece for a value. Returns nullopt if the format does not suit the kind.
+/// Creates the piece that prints a value. Returns nullopt if the format is not valid for DPRNT or BPRNT (`kind`).
 std::optional<PrintPiece> value_piece(const std::optional<Format>& format, PrintKind kind, std::size_t slot) {
   if (!format) return std::nullopt;
   const int second = format->second.value_or(0);
@@ -66,15 +66,15 @@ void add_text(std::vector<PrintPiece>& pieces, std::string_view text) {
   pieces.back().text += text;
 }
 
-/// The end of the format that starts at `at`, for an alarm.
+/// Returns the end of the format that starts at `at`, so that an alarm can quote the format.
 std::size_t format_end(std::string_view text, std::size_t at) {
   const std::size_t close = text.find(']', at);
   return close == std::string_view::npos ? text.size() : close + 1;
 }
 
-/// The digits of |value| rounded to `after` decimals, half up, without the point: at least after + 1 of them.
-/// The decimal expansion decides; a product with a power of ten would round by itself. If a double is no tie at 15 decimals or fewer, its
-/// first 60 decimals always show on which side it is.
+/// Returns the digits of |value| rounded to `after` decimals, ties upwards, without the decimal point: at least after + 1 digits.
+/// The digits of the exact decimal expansion are rounded, because multiplying by a power of ten would add a rounding error. A double that
+/// is no tie at 15 decimals or fewer always differs from the tie within its first 60 decimals.
 std::string rounded_digits(double value, int after) {
   constexpr int shown = 60;
   char buffer[std::numeric_limits<double>::max_exponent10 + shown + 8];

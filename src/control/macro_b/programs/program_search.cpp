@@ -28,7 +28,7 @@ std::string in_capitals(std::string text) {
   return text;
 }
 
-/// The number of digits after the O of a file's name, if they are that number; 0 for any other name.
+/// Returns the number of digits after the O of a file's name if the digits are the given program number; 0 for any other name.
 std::size_t digits_of(const fs::path& file, std::uint32_t number) {
   const std::string stem = in_capitals(file.stem().string());
   const std::size_t digits = stem.size() - 1;
@@ -55,7 +55,7 @@ Files files_that(const Files& files, const std::function<bool(const fs::path&)>&
   return some;
 }
 
-/// The program's O number or <NAME>, from the first block of a file that has more than a comment.
+/// The O number or <NAME> of the program in a file, read from the first block that has more than a comment.
 struct FirstWord {
   std::optional<std::uint32_t> number;
   std::string name;
@@ -78,7 +78,7 @@ FirstWord first_word(const fs::path& file, const Grammar& grammar, const FileDoo
   }
 }
 
-/// Returns the only file, or nullopt if there is none.
+/// Returns the only file in `files`, or nullopt if `files` is empty. More than one file is an alarm.
 ///   alarms  programs_alike
 Result<std::optional<fs::path>> only_one(const Files& files, std::string_view shown, Span where) {
   if (files.empty()) return std::optional<fs::path>();
@@ -89,7 +89,7 @@ Result<std::optional<fs::path>> only_one(const Files& files, std::string_view sh
   return fail(alarm(AlarmId::programs_alike, where, shown, std::string_view(names)));
 }
 
-/// Searches by file name. Files with the caller's extension come first; on a Haas those of five digits, then those of four.
+/// Searches a program by file name. Files with the caller's extension come first; on a Haas names of five digits come before names of four.
 Result<std::optional<fs::path>> by_file_name(const BlockContext& m, const Files& files, std::uint32_t number, Span where) {
   const std::string extension = in_capitals(fs::path(m.program().file()).extension().string());
   const std::string shown = "O" + std::to_string(number);
@@ -131,7 +131,7 @@ Result<std::optional<ProgramPlace>> Programs::in_own_file(Interpreter& m, std::u
     return fail(alarm(AlarmId::programs_alike, where, std::string_view(shown), std::string_view(lines)));
   }
   if (places.empty()) return std::optional<ProgramPlace>();
-  if (m.program().reader() == 0) (void)m.flow.label_of(number);  // marks it as called
+  if (m.program().reader() == 0) (void)m.flow.label_of(number);  // marks the program as called
   return std::optional(ProgramPlace{m.program().reader(), places.front()});
 }
 

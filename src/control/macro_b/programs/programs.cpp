@@ -30,7 +30,7 @@ bool alike(std::string a, std::string b) {
   return a == b;
 }
 
-/// The file of that name in the folder. INFERRED: capital and small letters are equal.
+/// Returns the file with a name in a folder. INFERRED: capital and small letters in names are equal.
 std::optional<fs::path> in_folder(const fs::path& folder, const std::string& name) {
   std::error_code error;
   if (fs::is_regular_file(folder / name, error)) return folder / name;
@@ -69,7 +69,7 @@ std::size_t characters(std::string_view text) {
       std::count_if(text.begin(), text.end(), [](char c) { return (static_cast<unsigned char>(c) & 0xC0) != 0x80; }));
 }
 
-/// Turns "\subs\x.prg" or " ..\x.prg" into a path relative to the folder.
+/// Converts a file name written in a program, such as "\subs\x.prg" or " ..\x.prg", to a path relative to the caller's folder.
 fs::path path_of(std::string_view name) {
   std::string text(name);
   std::replace(text.begin(), text.end(), '\\', '/');
@@ -85,14 +85,14 @@ std::optional<std::uint32_t> number_in(std::string_view text) {
   return static_cast<std::uint32_t>(std::stoul(std::string(text)));
 }
 
-/// True for the NCT's own extensions, whose file names follow 14.4.1 (O1, O01234 are invalid). Files of other shops, `.nc`, may have any
-/// name.
+/// True for the extensions of the NCT, .nct and .prg: names of such files must follow 14.4.1 (O1, O01234 are invalid). Files with another
+/// extension, such as `.nc` of another shop, may have any name.
 bool names_are_strict(const std::string& extension) { return alike(extension, ".nct") || alike(extension, ".prg"); }
 
-/// The start of a file: the number after `O` or `:`. A line of % and empty lines may come before it.
+/// The program number at the start of a file, after `O` or `:`. A line of % and empty lines may come before the number.
 struct Heading {
   std::uint32_t number = 0;
-  Position start;  // of the program; after a line with `:`, which this control does not read
+  Position start;  // start of the program; after the first line if that has `:`, which this control does not read
 };
 
 std::optional<Heading> heading_of(const fs::path& path, const FileDoor* door) {
@@ -120,8 +120,8 @@ bool begins_with(const fs::path& path, std::uint32_t number, const FileDoor* doo
   return heading && heading->number == number;
 }
 
-/// Finds a file of that number in another form, or (`by_word`) a file that starts with the number: in the caller's folder, then in that of
-/// --files.
+/// Finds a file whose name is the program number in another form ("0020" or "O00020" for 20) or, if `by_word`, whose first word is the
+/// number. Searches the caller's folder, then the folder of --files.
 ///   returns  "" if there is none
 ///   alarms  label_twice
 Result<std::string> other_file(BlockContext& m, std::uint32_t number, const fs::path& caller, bool by_word, Span where) {
@@ -136,7 +136,7 @@ Result<std::string> other_file(BlockContext& m, std::uint32_t number, const fs::
     for (const auto& entry : fs::directory_iterator(folder, fs::directory_options::skip_permission_denied, error)) {
       if (left-- == 0) break;
       const fs::path& path = entry.path();
-      const bool of_name = number_of_file(path.filename().string()) != 0;  // 14.4.1: such a name is itself the number
+      const bool of_name = number_of_file(path.filename().string()) != 0;  // 14.4.1: a file with such a name has the number of its name
       if (by_word ? of_name : number_in(path.stem().string()) != number || !alike(path.extension().string(), extension)) continue;
       if (!entry.is_regular_file(error) || (by_word && !begins_with(path, number, m.program().limits().door)) || !is_inside(m, path))
         continue;

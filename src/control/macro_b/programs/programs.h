@@ -16,25 +16,26 @@ class Interpreter;
 
 namespace kadr::macro_b {
 
-/// The location at which a called program starts: the open file and the position in it.
+/// The location at which a called program starts: the number of the open file, and the position of the program in that file.
 struct ProgramPlace {
   std::uint16_t reader = 0;
   Position start;
 };
 
-/// Whose folder is searched for a program.
+/// Which folder is searched for a called program: that of the calling program, or that of the main program.
 enum class Beside : std::uint8_t { caller, main_program };
 
-/// Finds programs, and remembers those found.
+/// Finds called programs. A program that has been found is not searched again.
 class Programs {
  public:
-  /// Finds the program of M98 P, G65 P …: `Onnnn` or `Onnnnnnnn` with the caller's extension in the caller's folder (14.4.2). INFERRED:
-  /// else the program after `Onnnn` in the main file itself (a tape with several programs). Ours, for files of other shops: else a file
-  /// whose name is that number in another form (not .nct, .prg), in the caller's folder or in that of --files; else the control's own
-  /// program; else a file that starts with `O` or `:` and the number.
+  /// Finds the program that M98 P, G65 P … call by number. It tries, in this order: a file `Onnnn` or `Onnnnnnnn` with the caller's
+  /// extension in the caller's folder (14.4.2). INFERRED: the program that starts with `Onnnn` in the main file itself (a tape with several
+  /// programs). Our choice, for files of other shops: a file whose name is the number in another form (not .nct, .prg), in the caller's
+  /// folder or in the folder of --files; the control's built-in program; a file that starts with `O` or `:` and the number.
   ///   alarms  program_missing (2147), label_twice, file_outside, file_missing
   Result<ProgramPlace> by_number(Interpreter& m, std::uint32_t number, Span where, Beside beside = Beside::caller);
-  /// Finds the program of M98 <path\\name.ext>, relative to the caller's folder, inside the main program's folder or that of --files.
+  /// Finds the program that M98 <path\\name.ext> calls. The path is relative to the caller's folder; the file must be inside the main
+  /// program's folder or the folder of --files.
   ///   alarms  file_missing (2132), file_name, file_outside
   Result<ProgramPlace> by_name(Interpreter& m, std::string_view name, Span where, Beside beside = Beside::caller);
   /// Finds a system macro or subprogram: SystemMacros/Channel1/Onnnn.nct (23.3). alarms program_missing
@@ -44,18 +45,18 @@ class Programs {
   /// Searches in the steps of spec/fanuc 9.2 (program_search.cpp). alarms program_missing, programs_alike, file_outside, file_missing
   Result<ProgramPlace> by_steps(Interpreter& m, std::uint32_t number, Span where);
   static Result<std::optional<ProgramPlace>> in_own_file(Interpreter& m, std::uint32_t number, Span where);
-  /// Finds a file whose program starts with <name>.
+  /// Finds a file in which the program starts with the word <name>.
   static Result<std::optional<ProgramPlace>> by_heading(Interpreter& m, std::string_view name, Span where);
   /// Opens a file of the program memory. alarms file_outside, file_missing
   static Result<ProgramPlace> opened(Interpreter& m, const std::string& path, Span where);
 
-  std::map<std::pair<std::uint32_t, std::uint32_t>, ProgramPlace> numbers_;  // {reader of the caller, number}
+  std::map<std::pair<std::uint32_t, std::uint32_t>, ProgramPlace> numbers_;  // programs found, by {calling file, program number}
   std::map<std::uint32_t, ProgramPlace> systems_;
 };
 
-/// The name of a program: "O0012"; numbers above 9999 have eight digits.
+/// Returns the name of a program: "O0012" for 12; numbers above 9999 are written with eight digits.
 std::string program_name(std::uint32_t number);
-/// The number of a program from its file's name, O and at most eight digits; 0 for any other name (23.1.13).
+/// Returns the program number in a file name that consists of O and at most eight digits; 0 for any other name (23.1.13).
 std::uint32_t number_of_file(const std::string& path);
 
 }  // namespace kadr::macro_b

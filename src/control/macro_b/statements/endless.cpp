@@ -11,7 +11,7 @@
 namespace kadr::macro_b {
 
 struct Moment {
-  std::uint64_t blocks = 0;  // executed so far
+  std::uint64_t blocks = 0;  // number of blocks executed so far
   std::vector<CallFrame> frames;
   std::vector<Locals> levels;
   std::array<double, last_common + 1> commons{};
@@ -21,7 +21,7 @@ struct Moment {
   std::uint8_t active_modal_calls = 0;
   std::size_t finishing = 0;
   std::uint64_t parameters = 0;
-  // ---- what system variables show
+  // ---- values that system variables show
   std::uint64_t readings = 0, changes = 0;
   ProgramPosition position;
   ModalWords words;
@@ -30,8 +30,9 @@ struct Moment {
 
 namespace {
 
-constexpr std::uint64_t compared_passes = 8;                                        // after a snapshot
-constexpr std::uint64_t jumps_behind_fault = 20'000, blocks_behind_fault = 50'000;  // in passes of loops; beyond these every loop is left
+constexpr std::uint64_t compared_passes = 8;  // number of passes after a snapshot that are compared with it
+// After a fault: greatest number of jumps back, and of blocks in passes of loops; beyond these every loop is left.
+constexpr std::uint64_t jumps_behind_fault = 20'000, blocks_behind_fault = 50'000;
 constexpr std::size_t most_faults = 1000;
 
 /// Compares bit by bit, so that vacant equals vacant.
@@ -95,7 +96,7 @@ bool same_calls(const BlockContext& m, const Moment& then) {
                     then.modal_arguments.end(), [](const ModalCall& a, const Locals& b) { return same(a.arguments, b); });
 }
 
-/// Compares what system variables show, as far as a program can change it.
+/// Compares the values that system variables show, as far as a program can change them.
 bool same_surroundings(const BlockContext& m, const Moment& then) {
   const MacroB& macros = macro_b_of(m);
   const ProgramPosition &a = m.position, &b = then.position;
@@ -111,7 +112,7 @@ bool same(const BlockContext& m, const Moment& then) {
          (macros.endless.readings() == then.readings || same_surroundings(m, then));
 }
 
-/// True if the machine's logic, its operator or another channel may end the loop.
+/// True if the machine logic, the operator or another channel may end the loop.
 bool others_act(const Emitter& m) { return (m.on_block != nullptr && *m.on_block) || m.waiting.known != 0; }
 
 }  // namespace
@@ -133,13 +134,14 @@ void Endless::note_fault(const BlockContext& m, bool may_steer) {
   if (may_steer && faults_.size() < most_faults) faults_.push_back({m.block->position.offset, m.program().blocks(), m.program().reader()});
 }
 
-/// True if a faulty block that may steer is between the target and the jump.
+/// True if the loop, from the target to the jump, has a faulty block that would have written a variable, called or jumped.
 bool Endless::holds_fault(const Watch& w) const {
   return std::any_of(faults_.begin(), faults_.end(),
                      [&](const Fault& f) { return f.reader == w.reader && f.offset >= w.target && f.offset <= w.from; });
 }
 
-/// After a fault a loop may run for long although no pass equals another. Returns true when a check has spent enough on such loops.
+/// After a fault a loop may run for long although no two passes are equal. Returns true when `kadr check` has executed the greatest number
+/// of jumps or blocks that it allows for such loops.
 bool Endless::took_too_long(const BlockContext& m, const Watch& w) {
   const auto nth = static_cast<std::size_t>(&w - watches_.data());
   if (looked_ == nth) looped_ += m.program().blocks() - looked_at_;
@@ -148,7 +150,7 @@ bool Endless::took_too_long(const BlockContext& m, const Watch& w) {
   return ++looks_ > jumps_behind_fault || looped_ > blocks_behind_fault;
 }
 
-/// True if another loop around this one was passed since the snapshot: the outer loop is then the one that does not end.
+/// True if a loop around this loop has jumped back since the snapshot: then the outer loop is the one that never ends.
 bool Endless::is_inside_another(const Watch& w) const {
   return std::any_of(watches_.begin(), watches_.end(), [&](const Watch& other) {
     if (&other == &w || other.target == ~std::uint64_t{0} || other.arrived <= w.snapshot->blocks) return false;

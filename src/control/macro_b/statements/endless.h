@@ -1,12 +1,13 @@
 #pragma once
-// Finds loops that never end (GOTO back, END to its DO; spec/nct/23 23.2.8, 23.2.11) without running them for long.
+// Finds loops that never end (a GOTO backwards, or END back to its DO; spec/nct/23 23.2.8, 23.2.11) without running them for long.
 //
-// A pass depends on the position in the program, the variables, the open calls and, if the pass read one, the values of system
-// variables. If a jump back is made twice with all of these equal, the loop never ends. A snapshot is taken at passes 1, 2, 4, 8 … and
-// the few passes after each are compared with it, so a loop of a million passes costs almost nothing.
+// A pass is one execution of the blocks of a loop. It depends on the position in the program, the variables, the open calls and, if the
+// pass reads a system variable, on the values of system variables. If the same jump back is made twice and all of these are equal, the loop
+// never ends. A snapshot of these values is taken at passes 1, 2, 4, 8 …; only the few passes after a snapshot are compared with the
+// snapshot, so the check of a loop of a million passes costs almost nothing.
 //
-// `kadr check` continues after faults. It leaves a loop after one pass if a faulty block in it would have written a variable or jumped, or
-// if an earlier fault keeps the loop from ending: one fault gives one alarm.
+// `kadr check` continues after a fault. It leaves a loop after one pass if a faulty block in the loop would have written a variable or
+// jumped, or if an earlier fault keeps the loop from ending: one fault gives one alarm.
 
 #include <array>
 #include <cstdint>
@@ -23,16 +24,16 @@ class Emitter;
 
 namespace kadr::macro_b {
 
-struct Moment;  // the state that a pass depends on
+struct Moment;  // snapshot of the values that a pass of a loop depends on
 
 class Endless {
  public:
   enum class Verdict : std::uint8_t {
-    go,       // nothing shows that the loop is endless
+    go,       // the jump is made: nothing shows that the loop is endless
     endless,  // the loop would never end
     leave,    // after a fault: the program continues after the loop
   };
-  /// Judges a jump back to `target`, in the file being read, before it is made.
+  /// Decides, before a jump back to `target` in the file being read is made, whether the loop that it closes would never end.
   Verdict look(const Emitter& m, Position target, std::uint16_t reader, std::uint64_t blocks) {
     Watch& w = watches_[(target.offset ^ reader * 17u) % watches_.size()];
     if (w.target != target.offset || w.reader != reader) [[unlikely]]
@@ -45,30 +46,32 @@ class Endless {
 
   /// Records that a system variable has been read: from now on the values of system variables are compared too.
   void note_reading() { ++readings_; }
-  /// Records a change of something that only system variables show.
+  /// Records that the program has changed a value that only system variables show.
   void note_change() { ++changes_; }
-  /// Records that the current block was faulty and the run continues. `may_steer`: it would have written a variable, called or jumped.
+  /// Records that the current block was faulty and the run continues. `may_steer`: without the fault the block would have written a
+  /// variable, called a program or jumped.
   void note_fault(const BlockContext& m, bool may_steer);
-  /// Forgets all passes: another pass of the whole program starts.
+  /// Clears all records of loops, because the whole program starts again.
   void forget();
 
   std::uint64_t readings() const { return readings_; }
   std::uint64_t changes() const { return changes_; }
 
  private:
+  /// The record of one jump back.
   struct Watch {
     std::uint64_t target = ~std::uint64_t{0};
-    std::uint64_t from = 0;  // offset of the block that jumps
+    std::uint64_t from = 0;  // offset in the file of the block that jumps
     std::uint64_t passes = 0, next_look = 1;
     std::uint64_t arrived = 0;  // blocks executed when the jump was last made
-    std::uint64_t seen = 0;     // passes when the snapshot was taken
+    std::uint64_t seen = 0;     // value of `passes` when the snapshot was taken
     std::size_t depth = 0;      // number of open calls
     std::uint16_t reader = 0;
     std::shared_ptr<const Moment> snapshot;
   };
   struct Fault {
     std::uint64_t offset = 0;
-    std::uint64_t blocks = 0;  // executed when the fault was found
+    std::uint64_t blocks = 0;  // number of blocks executed when the fault was found
     std::uint16_t reader = 0;
   };
   void start(Watch& w, Position target, std::uint16_t reader);
@@ -78,9 +81,9 @@ class Endless {
   bool holds_fault(const Watch& w) const;
 
   std::array<Watch, 64> watches_;
-  std::vector<Fault> faults_;  // only those that may steer
+  std::vector<Fault> faults_;  // faulty blocks that would have written a variable, called or jumped
   bool any_fault_ = false;
-  // after a fault: jumps examined, blocks in successive passes of one loop, blocks() at the last examination
+  // Counts after a fault: jumps examined; blocks executed in successive passes of one loop; blocks() when a jump was last examined
   std::uint64_t looks_ = 0, looped_ = 0, looked_at_ = 0;
   std::size_t looked_ = ~std::size_t{0};  // index in watches_ of the jump examined last
   std::uint64_t readings_ = 0, changes_ = 0;

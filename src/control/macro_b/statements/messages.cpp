@@ -1,4 +1,4 @@
-// The messages of #3000, #3006, #3106, #3107 (spec/nct/23 23.1.8). Used by control/macro_b/calls/calls,
+// Messages that a program shows by assigning #3000, #3006, #3106 or #3107 (spec/nct/23 23.1.8). Used by control/macro_b/calls/calls,
 // control/macro_b/statements/statements.
 
 #include "control/macro_b/statements/messages.h"
@@ -23,7 +23,7 @@ std::string text_of(BlockContext& m) {
   return m.program().shown(m.block->text_of(m.block->comments.front()), all);
 }
 
-/// The number before the text: at most three digits; 0 if there is none.
+/// Returns the message number before the text, at most three digits; 0 if the statement has no number.
 Result<int> number_of(Emitter& m, const Statement& s) {
   if (!s.value) return 0;
   const auto value = evaluate(*m.block, s.value, Reading{m});
@@ -41,7 +41,7 @@ Status program_alarm(BlockContext& m, const Statement& s, int number) {
   return fail(alarm(AlarmId::program_alarm, s.where, std::string_view(code), double(alarm_base + number), std::string_view(text)));
 }
 
-/// #3107: a question. Its answer is read from #3107 (an event of the set-up, else OK or Yes).
+/// #3107 shows a question to the operator. The program reads the answer from #3107; an event of the set-up gives it, else it is OK or Yes.
 Status question(Emitter& m, const Statement& s, int number) {
   if (number < 100 || number > 299) return fail(alarm(AlarmId::message_number, s.where, double(number)));
   auto text = embedded_values(m, text_of(m), s.where);

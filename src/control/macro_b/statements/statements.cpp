@@ -16,14 +16,14 @@ namespace {
 
 Result<double> value_of(Emitter& m, Expression expression) { return evaluate(*m.block, expression, Reading{m}); }
 
-/// The number of the variable to be written; usually a constant.
+/// Returns the number of the variable that an assignment writes; usually a constant.
 Result<double> target_of(Emitter& m, const Statement& s) {
   const Instruction& first = m.block->code[s.target.begin];
   if (s.target.end - s.target.begin == 1 && first.op == Op::number) return first.number;
   return value_of(m, s.target);
 }
 
-/// Lets an alarm in the words after the assignment take the assignment back too.
+/// Saves the old value of the variable, so that an alarm in the words after the assignment restores it.
 void keep_target(BlockContext& m, double target) {
   MacroB& macros = macro_b_of(m);
   const auto n = static_cast<int>(target);
@@ -44,7 +44,7 @@ Status assign(Emitter& m, const Statement& s) {
 
 Status faulty(const Loop& loop, Span where) { return fail(alarm(loop.fault, where, double(loop.number))); }
 
-/// Jumps, unless the jump back would never end.
+/// Jumps to `target`, unless it is a jump back that would close a loop that never ends.
 Status jump_to(Interpreter& m, Position target, Span where) {
   if (target.offset <= m.block->position.offset) {
     switch (macro_b_of(m).endless.look(m, target, m.program().reader(), m.program().blocks())) {
@@ -57,7 +57,7 @@ Status jump_to(Interpreter& m, Position target, Span where) {
   return {};
 }
 
-/// WHILE[…] DOm, DOm: continues with the body, or after the END (23.2.11).
+/// Executes WHILE[…] DOm or DOm: continues with the first block of the loop, or after its END (23.2.11).
 Status loop(Interpreter& m, const Statement& s, bool holds) {
   ProgramFile& file = m.flow.program_file();
   const Loop* const found = file.loop_from(m.block->position);
@@ -67,7 +67,8 @@ Status loop(Interpreter& m, const Statement& s, bool holds) {
   return {};
 }
 
-/// ENDm: jumps back to its DOm, which is found by the text, as a jump may enter a loop.
+/// Executes ENDm: jumps back to its DOm. The DOm is searched in the program text, because a GOTO may have entered the loop without
+/// executing the DOm.
 Status loop_end(Interpreter& m, const Statement& s) {
   const Loop* const found = m.flow.program_file().loop_to(m.block->position);
   if (found == nullptr) return fail(alarm(AlarmId::end_without_do, s.where, double(s.loop)));

@@ -1,5 +1,5 @@
-// Finds what must survive power-off and has changed, as rows for the state file (spec/nct/09, 12.3, 23.1.4, 23.1.9, 24.1). Used by
-// control/macro_b/memory.
+// Finds the values that have changed and must survive power-off, and returns them as rows for the state file (spec/nct/09, 12.3, 23.1.4,
+// 23.1.9, 24.1). Used by control/macro_b/memory.
 
 #include "control/macro_b/variables/changes.h"
 
@@ -14,7 +14,7 @@ constexpr double cutting_step_ms = 1000;  // the cutting time is saved in steps 
 
 using Rows = std::map<std::pair<StateTable, std::string>, StateValue>;
 
-/// The rows of all tables, except the variables, as they are now.
+/// Returns the present rows of all tables except the variables.
 Rows rows_now(Emitter& m) {
   Setup tables = macro_b_of(m).run_state(m).tables;
   tables.variables.clear();

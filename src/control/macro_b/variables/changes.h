@@ -1,5 +1,6 @@
 #pragma once
-// Finds what must survive power-off and has changed, as rows for the state file (spec/nct/09, 12.3, 23.1.4, 23.1.9, 24.1).
+// Finds the values that have changed and must survive power-off, and returns them as rows for the state file (spec/nct/09, 12.3, 23.1.4,
+// 23.1.9, 24.1).
 
 #include <map>
 #include <string>
@@ -12,11 +13,11 @@ class Emitter;
 
 namespace kadr::macro_b {
 
-/// Remembers what was last saved; the changes of a block are the difference from it.
+/// Remembers the values that were last saved; the changes of a block are the differences from the saved values.
 class Changes {
  public:
-  /// Returns what has changed since the last call. The first call returns everything, as a set-up may have replaced tables of the
-  /// state file.
+  /// Returns the values that have changed since the last call. The first call returns all values, because the set-up may have replaced
+  /// tables of the state file.
   StateChanges take(Emitter& m);
 
  private:

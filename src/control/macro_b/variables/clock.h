@@ -7,7 +7,7 @@ namespace kadr::macro_b {
 
 /// "2014-05-18T15:32:41" → 20140518. Without a clock it is 2000-01-01, so that the same input gives the same output.
 double date_number(const std::string& clock);
-/// "2014-05-18T15:32:41" → 153241, then `ms` milliseconds later (within the day).
+/// Converts "2014-05-18T15:32:41" to 153241, after adding `ms` milliseconds (the time wraps around at midnight).
 double time_number(const std::string& clock, double ms);
 
 }  // namespace kadr::macro_b

@@ -15,10 +15,10 @@ namespace {
 constexpr double ms_of_hour = 3'600'000;
 constexpr double ms_of_second = 1000;
 
-/// What a timer measures: `arg` of its row.
+/// The quantity that a timer measures: key `arg` of the variable's row in the control file.
 enum class TimerOf { power_on = 20, cycle_start = 21, feed = 22, this_part = 23 };
 
-/// `arg` of a row of switches; the others (pallet, single block, dry run) are off.
+/// Key `arg` of the rows of operator switches that the set-up has; all other switches (pallet, single block, dry run) are off.
 constexpr int block_delete = 32, stop_at_m1 = 33;
 
 }  // namespace
@@ -70,7 +70,7 @@ double cutting_unit(const ControlDef& def) {
   return 1;
 }
 
-/// INFERRED: the run is both the cycle and the part, and no part came before it.
+/// INFERRED: a run is one machining cycle and one part, and no part was made before the run.
 double timer(const BlockContext& m, const VariableRow& row) {
   switch (static_cast<TimerOf>(row.arg)) {
     case TimerOf::power_on:

@@ -18,13 +18,14 @@ namespace kadr::macro_b {
 /// SETVN n[NAME,NAME]: names the variables #n, #n+1 …
 ///   alarms  too_many_words: more names than can be kept
 Status name_variables(BlockContext& m, const Statement& statement);
-/// Returns the number of a variable that the program writes as [#NAME], and any other number unchanged.
+/// Returns the variable number that belongs to a name written as [#NAME]. `number` is the internal number of such a name; any other number
+/// is returned unchanged.
 ///   alarms  variable_unknown: no SETVN has given that name
 Result<double> number_meant(const BlockContext& m, double number, Span where);
 
-/// The cell of a common variable beyond #999. further_variable() returns nullopt for another kind of variable.
+/// Where the value of a common variable beyond #999 is stored. further_variable() returns nullopt for any other kind of variable.
 struct FurtherVariable {
-  bool own = false;  // a cell of its own, besides #1 to #999; else the cell of #number
+  bool own = false;  // true: the value is stored apart from #1 to #999; false: it is the value of #number
   std::uint32_t number = 0;
 };
 std::optional<FurtherVariable> further_variable(const VariableRow& row, std::uint32_t number, std::uint32_t index);
@@ -34,9 +35,10 @@ void write_further(BlockContext& m, FurtherVariable variable, double value);
 /// Milliseconds in one unit of #3002: 1, or 3,600,000 if the unit is an hour.
 double cutting_unit(const VariableRow& row);
 double cutting_unit(const ControlDef& def);
-/// #3020 to #3025 (spec/haas 2.4), in seconds.
+/// Returns the value of the timers #3020 to #3025 (spec/haas 2.4), in seconds.
 double timer(const BlockContext& m, const VariableRow& row);
-/// #3028, #3030 to #3033 (spec/haas 2.4): block delete and optional stop as the set-up has them, 1 or 0; the others are 0 during a run.
+/// Returns the operator's switches #3028, #3030 to #3033 (spec/haas 2.4), 1 or 0: block delete and optional stop are as in the set-up, all
+/// other switches are off during a run.
 double operator_switch(const BlockContext& m, const VariableRow& row);
 
 }  // namespace kadr::macro_b

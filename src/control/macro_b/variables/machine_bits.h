@@ -11,9 +11,9 @@ namespace kadr::macro_b {
 class MacroB;
 
 double bits_to_word(const std::array<double, 32>& bits);
-/// One bit for each mirrored axis; bit 0 is the axis with control-wide number 1.
+/// Returns a mask with one bit for each mirrored axis; bit 0 is the axis with number 1 among the axes of all channels.
 double mirror_bits(const BlockContext& m);
-/// #_CNTBS (23.1.11): one of its three bits, or all three as a mask if `bit` is negative.
+/// Returns the block search variable #_CNTBS (23.1.11): one of its three bits, or all three as a mask if `bit` is negative.
 double search_bits(const MacroB& n, int bit);
 
 }  // namespace kadr::macro_b

@@ -1,6 +1,7 @@
 #pragma once
-// #4001 … #4530: modal codes and words (spec/nct/23 23.1.14). Families: 0 buffered, 1 executing, 2 interrupted. The interpreter
-// executes each block before it reads the next, so the first two are equal.
+// System variables #4001 … #4530: modal codes and words (spec/nct/23 23.1.14). `family` selects the block: 0 the block in the look-ahead
+// buffer, 1 the block being executed, 2 the interrupted block. The interpreter executes each block before it reads the next, so families
+// 0 and 1 are equal.
 
 #include <cstdint>
 
@@ -10,9 +11,9 @@ class BlockContext;
 
 namespace kadr::macro_b {
 
-/// The code in force of a modal group: 100·decimal + whole part; 0 if there is none.
+/// Returns the G code in force of a modal group as 100·decimal + whole part; 0 if no code of the group is in force.
 double modal_group(const BlockContext& m, int family, std::uint32_t group);
-/// The value of a word by its letter; `arg` = 1000·family + letter (controls/nct.toml).
+/// Returns the value of a modal word. `arg` = 1000·family + character code of the word's letter (controls/nct.toml).
 double modal_word(const BlockContext& m, int arg);
 
 }  // namespace kadr::macro_b

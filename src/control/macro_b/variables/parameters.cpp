@@ -1,4 +1,4 @@
-// The parameters of the control: the set-up gives them, PRM reads them (nct 24.2), G10 L52 writes them (24.1). Used by
+// The parameters of the control: the set-up gives their values, PRM reads them (nct 24.2), G10 L52 writes them (24.1). Used by
 // control/macro_b/macro_b; tested by tests/control/macro_b/parameters_test.cpp.
 
 #include "control/macro_b/variables/parameters.h"
@@ -14,9 +14,9 @@ namespace {
 
 constexpr double most_number = 9999;  // 24
 constexpr int bits_with_number = 8;   // Q0 to Q7 (24.1)
-constexpr int whole_value = -1;       // instead of a bit number
+constexpr int whole_value = -1;       // stands in place of a bit number
 
-/// How many values a parameter of this scope has (24.0).
+/// Returns the number of values of a parameter, by its scope: global, or per channel, axis or spindle (24.0).
 int count_of(ParameterScope scope) {
   switch (scope) {
     case ParameterScope::global: return 1;
@@ -33,7 +33,7 @@ bool is_whole(double value) { return value == std::floor(value); }
 
 bool is_name_character(char c) { return is_capital(c) || is_digit(c); }
 
-/// The value as an int. Returns nullopt if it is not whole or out of range.
+/// Returns the value as an int; nullopt if the value is not whole or is out of range.
 std::optional<int> whole_within(double value, double least, double most) {
   if (!(value >= least && value <= most) || !is_whole(value)) return std::nullopt;
   return static_cast<int>(value);
@@ -44,7 +44,7 @@ std::optional<int> digits(std::string_view text) {
   return std::stoi(std::string(text));
 }
 
-/// True if the row, or one bit of it, may have the value.
+/// True if the value is valid for the parameter of the row, or for one bit of the parameter.
 bool fits(const ParameterRow& row, int bit, double value) {
   if (!std::isfinite(value)) return false;
   if (bit != whole_value) return value == 0 || value == 1;
@@ -60,7 +60,7 @@ bool fits(const ParameterRow& row, int bit, double value) {
   return false;
 }
 
-/// "N0107": the spelling of the manual and the set-up.
+/// Returns a parameter name as the manual and the set-up write it: "N0107" for "0107".
 std::string spelled(const std::string& name) { return (name.empty() || name[0] < '0' || name[0] > '9' ? "" : "N") + name; }
 
 std::string spelled(const ParameterKey& key) {
@@ -96,7 +96,7 @@ void ParameterStore::take(const ParameterStore& from) {
   ++now_.version;
 }
 
-/// Records a value of the set-up if its key and value are valid, else describes the error.
+/// Records a value of the set-up if key and value are valid, else describes the error in error().
 void ParameterStore::give(const ParameterKey& key, const ParameterValue& value) {
   const auto wrong = [&](const std::string& sentence) {
     error_ += (error_.empty() ? "" : "; ") + ("setup key 'parameters." + spelled(key) + "': " + sentence);
@@ -141,7 +141,7 @@ void ParameterStore::assign(std::size_t at, int bit, double value) {
   now_.values[at] = static_cast<double>(value != 0 ? others | one : others);
 }
 
-/// The index that "X" or "4" means; 0 for "", which means all.
+/// Converts an index of a set-up key, an axis name "X" or a number "4"; 0 for "", which means all channels, axes or spindles.
 std::optional<int> ParameterStore::index_of(const ParameterRow& of, const std::string& index) const {
   if (index.empty()) return 0;
   if (of.scope == ParameterScope::axis) {
@@ -234,18 +234,18 @@ using Write = ParameterStore::Write;
 Alarm missing(const Write& w, char letter) { return alarm(AlarmId::word_missing, w.block, letter, "G10 L52"); }
 Alarm beyond(char letter, const ParameterStore::Word& word) { return alarm(AlarmId::value_out_of_range, word.where, letter, word.value); }
 
-/// P of the block as an index; 0 if the parameter is global.
+/// Returns the word P of the block as the index of a channel, axis or spindle; 0 if the parameter is global.
 Result<int> index_of(const Write& w, ParameterScope scope, int own_channel) {
   if (!w.p) {
     if (needs_index(scope)) return fail(missing(w, 'P'));  // 24.1, inferred
     return scope == ParameterScope::channel ? own_channel : 0;
   }
   const auto index = whole_within(w.p->value, 1, count_of(scope));
-  if (!index || scope == ParameterScope::global) return fail(beyond('P', *w.p));  // for a global one, ours: the manual is silent
+  if (!index || scope == ParameterScope::global) return fail(beyond('P', *w.p));  // for a global parameter our choice: the manual is silent
   return *index;
 }
 
-/// Q of the block as a bit number; whole_value for a parameter without bits.
+/// Returns the word Q of the block as a bit number; whole_value for a parameter without bits.
 Result<int> bit_of(const Write& w, ParameterType type) {
   if (type != ParameterType::bits) {
     if (w.q) return fail(beyond('Q', *w.q));  // ours: the manual is silent

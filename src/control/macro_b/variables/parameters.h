@@ -1,6 +1,7 @@
 #pragma once
-// The parameters of the control: the set-up gives them, PRM reads them (nct 24.2), G10 L52 writes them (24.1).
-// A value is identified by a row and an index. Rows are looked up once, at load; a read is then an array access.
+// The parameters of the control: the set-up gives their values, PRM reads them (nct 24.2), G10 L52 writes them (24.1). A value is
+// identified by a row of the control's parameter table and an index (channel, axis or spindle). Rows are looked up once, when the control
+// is loaded; a read is then an array access.
 
 #include <cstdint>
 #include <map>
@@ -24,50 +25,52 @@ enum class ParameterId : std::int16_t { none = -1 };
 class ParameterStore {
  public:
   struct Context {
-    std::vector<std::string> axes;  // names by control-wide number, starting with number 1
-    int channel = 1;                // the channel of this store
+    std::vector<std::string> axes;  // names of the axes of all channels, starting with axis number 1
+    int channel = 1;                // the channel that this store belongs to
   };
 
-  /// Takes all values from the table, then those of the set-up. A value of the set-up without an index applies to all channels, axes or
-  /// spindles; a value with an index overrides it.
-  ///   rows  sorted by number (ControlDef::parameters); they must live as long as the store
+  /// Reads the default values from the parameter table, then the values of the set-up. A set-up value without an index applies to all
+  /// channels, axes or spindles; a set-up value with an index overrides it for that channel, axis or spindle.
+  ///   rows   sorted by number (ControlDef::parameters); the rows must live as long as the store
+  ///   given  the values of the set-up
   ParameterStore(std::span<const ParameterRow> rows, const Parameters& given, Context context);
 
-  /// Describes the invalid keys and values of the set-up; empty if there are none.
+  /// Describes the invalid parameter keys and values of the set-up; empty if all are valid.
   const std::string& error() const { return error_; }
 
-  /// The row of a number, or none.
+  /// Returns the row with a parameter number, or ParameterId::none.
   ParameterId find(int number) const;
-  /// The row of a name: "0107", "107", "CLRG".
+  /// Returns the row with a parameter name: "0107", "107", "CLRG".
   ParameterId named(std::string_view name) const;
-  /// The row, and its bit or -1, that the table of a control other than the NCT assigns to a name of the engine (`as` of the row).
+  /// The row, and the bit or -1, that the parameter table of a control other than the NCT assigns to a name used by Kadr (key `as` of the
+  /// row).
   struct Meaning {
     ParameterId row = ParameterId::none;
     int bit = -1;
   };
   Meaning meaning(std::string_view name) const;
-  /// The number of a bit by its name, or -1. It is 0 to 7, or from 8 on where the manual gives only the name.
+  /// Returns the number of the bit with that name, or -1. Bits are 0 to 7; bits that the manual names without a number count from 8 on.
   int bit_named(ParameterId id, std::string_view name) const;
 
-  /// The value in force; for bits all of them as a whole number, for a text the code of its first character.
-  ///   index  channel, axis or spindle, from 1; 0: the own channel, or the only value of a global parameter
+  /// Returns the value in force; for a parameter of bits all bits as a whole number, for a text the code of its first character.
+  ///   index  number of the channel, axis or spindle, from 1; 0: the store's own channel, or the only value of a global parameter
   double value(ParameterId id, int index = 0) const;
   bool bit(ParameterId id, int bit, int index = 0) const;
-  /// The character or name of a text parameter; empty if it is 0.
+  /// Returns the character or name that a text parameter contains; empty if the parameter is 0.
   std::string text(ParameterId id, int index = 0) const;
 
-  /// Reads PRM[number,bit]/[index]; a vacant argument counts as missing.
+  /// Reads PRM[number,bit]/[index]; an argument that is an empty variable counts as missing.
   ///   alarms  parameter_unknown: no such parameter; value_out_of_range Q: no such bit, P: no such channel, axis, spindle (inferred);
   ///           parameter_argument 2: the bit is missing, 3: the axis or spindle is missing
   ///   manual  NCT 24.2
   Result<double> read(double number, std::optional<double> bit, std::optional<double> index, Span where) const;
 
-  /// A word of a block of parameters.
+  /// A word of a block between G10 L52 and G11, which writes parameters.
   struct Word {
     double value = 0;
     Span where;
   };
-  /// The words N P Q R; with `increment` R is added to the present value (`RI`).
+  /// The words N P Q R of a block that writes a parameter; if `increment` is set (`RI`), R is added to the present value.
   struct Write {
     std::optional<Word> n, p, q, r;
     bool increment = false;
@@ -82,33 +85,34 @@ class ParameterStore {
   ///   manual  NCT 24.1
   Status write(const Write& w);
 
-  /// Rises with each change; values derived from them must then be computed again.
+  /// Increases with each change of a parameter; values derived from parameters must then be computed again.
   std::uint64_t version() const { return now_.version; }
 
-  /// Takes over the values of another channel's store (24.1: one indexed set for all channels). Called between two blocks.
+  /// Copies the parameter values of another channel's store (24.1: one indexed set for all channels). Called between two blocks.
   void take(const ParameterStore& from);
 
-  /// Identifies a value or a bit of it: index 0 means all channels, axes or spindles; bit -1 the whole value.
+  /// Identifies a parameter value, or one bit of the value. Index 0 means all channels, axes or spindles; bit -1 means the whole value.
   struct Place {
     int row = 0;
     int index = 0;
     int bit = -1;
     friend auto operator<=>(const Place&, const Place&) = default;  // NOLINT(modernize-use-nullptr): none here
   };
-  /// What a snapshot holds: the values in force, and which of them were written.
+  /// The part of a snapshot that belongs to the parameters: the values in force, and which of the values were written.
   struct Memory {
-    std::vector<double> values;                // by slot
-    std::map<std::size_t, std::string> texts;  // by slot: names of more than one character
+    std::vector<double> values;                // values by slot; slot() computes the slot from row and index
+    std::map<std::size_t, std::string> texts;  // text parameters of more than one character, by slot
     std::set<Place> written;
     std::uint64_t version = 0;
   };
   const Memory& memory() const { return now_; }
   void remember(const Memory& memory) { now_ = memory; }
-  /// Lets the journal take writes back. This object must not move from here on.
+  /// Connects the store to the journal, which undoes writes after an alarm. From now on the store must not be moved in memory.
   void keep_in(Journal& journal) { journal_.lead_to(journal); }
 
-  /// What the set-up gave, under its keys, and everything else that was written, by number: the parameters of a next set-up.
-  ///   law  a store made from it reads the same
+  /// Returns the parameters for a next set-up: those that the set-up gave, under the same keys, and all others that were written, by
+  /// number.
+  ///   law  a store made from the result has the same values
   Parameters written() const;
 
  private:
@@ -120,10 +124,10 @@ class ParameterStore {
     std::size_t slot = 0;
     double value = 0;
     std::string text;
-    std::optional<Place> place;  // if it was new in Memory::written
+    std::optional<Place> place;  // set if the write added this place to Memory::written
   };
 
-  /// True if an axis of any channel has that number.
+  /// True if an axis with that number exists in any channel.
   bool has_axis(int number) const {
     const auto n = static_cast<std::size_t>(number);
     return n >= 1 && n <= context_.axes.size() && !context_.axes[n - 1].empty();
@@ -142,7 +146,7 @@ class ParameterStore {
 
   std::span<const ParameterRow> rows_;
   Context context_;
-  std::vector<std::size_t> first_;  // slot of each row's first index
+  std::vector<std::size_t> first_;  // for each row, the slot in Memory::values of its first index
   std::map<ParameterKey, Given> given_;
   Memory now_;
   JournalLink journal_;

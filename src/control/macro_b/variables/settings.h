@@ -1,6 +1,6 @@
 #pragma once
-// The settings of macros, derived from the parameters in the form the interpreter works with; derived again after a parameter was written
-// (spec/nct/23, its parameter tables).
+// The settings of custom macros, derived from the parameters of the control (spec/nct/23, its parameter tables) in the form that the
+// interpreter uses. They are derived again after a parameter was written.
 
 #include <array>
 #include <functional>
@@ -10,21 +10,21 @@
 
 namespace kadr::macro_b {
 
-/// A series of codes bound to programs: code start + k·step calls program + k.
+/// A series of G or M codes bound to programs: for k = 0 … count − 1, code number start + k·step calls program number program + k.
 struct CodeRun {
   double start = 0;
   double step = 1;
   int program = 0;
   int count = 0;
-  bool modal = false;  // a negative start (23.3.4)
+  bool modal = false;  // the call is modal: the parameter of the start is negative (23.3.4)
 };
 
 struct Settings {
-  bool common_cleared = false;            // spec/fanuc 2.5: 6001#6 is 0: M2, M30 empty #100 to #199
-  int protect_low = 0, protect_high = 0;  // N1702, N1703
-  int shared_100 = 0, shared_500 = 0;     // N1700, N1701
+  bool common_cleared = false;            // M2 and M30 empty #100 to #199: parameter 6001#6 is 0 (spec/fanuc 2.5)
+  int protect_low = 0, protect_high = 0;  // first and last write-protected variable: N1702, N1703
+  int shared_100 = 0, shared_500 = 0;     // numbers of variables from #100, #500 on that all channels share: N1700, N1701
   std::vector<CodeRun> g_macros, m_macros, m_programs;
-  bool binds_codes = false;                     // any of these, or of the letters below
+  bool binds_codes = false;                     // at least one G or M code or letter is bound to a program
   std::array<bool, 5> letters_call{};           // N1746: A, B, C, S, T
   std::array<char, 4> ascii{};                  // N1747 …
   std::array<int, 4> ascii_programs{};          // N1751 …
@@ -37,18 +37,19 @@ struct Settings {
   int interrupt_on = 96, interrupt_off = 97;                                                                  // N1759, N1760
 };
 
-/// Gives access to parameters. `index`: axis, spindle or channel number from 1; 0: the own channel, or none.
+/// Functions that read parameters. `index`: number of the axis, spindle or channel, from 1; 0: the own channel, or a global parameter.
 struct ParameterSource {
-  std::function<bool(const char* meaning)> has;  // the control has a parameter with that name of the engine
+  std::function<bool(const char* meaning)> has;  // true if the control has a parameter that Kadr knows by this name
   std::function<double(const char* name, int index)> value;
   std::function<bool(const char* name, const char* bit, int index)> bit;
-  std::function<char(const char* name, int index)> letter;  // 0: none
+  std::function<char(const char* name, int index)> letter;  // value of a text parameter of one letter; 0 if it is empty
 };
 
-/// The source that reads a store: it finds rows by their names, or by the engine's name that another control's table gives them (`as`).
+/// Returns a source that reads a ParameterStore. It finds a row by its name, or by Kadr's name for the parameter, which the tables of other
+/// controls give in the key `as`.
 ParameterSource source_of(const ParameterStore& store);
 
-/// The value as a whole number; 0 if it is out of range.
+/// Converts a parameter value to an int; returns 0 if the value is out of range.
 int whole_parameter(double value);
 
 Settings read_settings(const ParameterSource& source);

@@ -62,7 +62,7 @@ double read_plain(const BlockContext& m, const FoundVariable& f) {
   }
 }
 
-/// The value as a bit: 0, else 1 for any value up to 1 (23.2.1).
+/// Converts a value to a bit: 0 remains 0, any other value up to 1 becomes 1 (23.2.1).
 Result<bool> bit_value(double value, Span where) {
   if (!(value >= 0 && value <= 1)) return fail(alarm(AlarmId::value_limit, where, value));
   return value > 0;

@@ -17,7 +17,7 @@ struct Ending;
 
 namespace kadr::macro_b {
 
-/// A variable number resolved in the control's table.
+/// A variable number resolved in the control's table of system variables.
 struct FoundVariable {
   const VariableRow* row = nullptr;
   std::uint32_t index = 0;   // counted from the row's first index
@@ -25,21 +25,22 @@ struct FoundVariable {
   std::uint32_t number = 0;
 };
 
-/// Reads #number; vacant if it is empty.
+/// Reads variable #number; returns `vacant` if the variable is empty.
 ///   alarms  variable_unknown, variable_write_only, not_available
 Result<double> read_variable(Emitter& m, double number, Span where);
 /// Writes #number.
 ///   alarms  variable_unknown, variable_read_only (2161), value_limit (2092)
 Status write_variable(Emitter& m, double number, double value, Span where);
-/// Like write_variable(), for the set-up: N1702, N1703 do not protect variables from it, and PLC inputs can be given.
+/// Like write_variable(), but for values of the set-up: the write protection of N1702 and N1703 does not apply, and the set-up can give
+/// PLC inputs.
 Status set_start_value(Emitter& m, double number, double value);
-/// Returns the number of #_NAME[index]. alarms value_out_of_range
+/// Returns the variable number of #_NAME[index]. `symbol` is the internal number of NAME. alarms value_out_of_range
 Result<double> number_of_element(const BlockContext& m, double symbol, double index, Span where);
-/// Returns the number of "ALM" or "ABSIO[3]"; -1 if unknown.
+/// Returns the variable number of a symbolic name such as "ALM" or "ABSIO[3]"; -1 if the name is unknown.
 double number_of_symbol(const BlockContext& m, const std::string& name);
-/// Adds the variables that hold a value, and those in `watch` ("#5061", "#_ALM").
+/// Adds to `ending` all variables that are not empty, and those named in `watch` ("#5061", "#_ALM").
 void add_variables(Emitter& m, Ending& ending, const std::vector<std::string>& watch);
-/// Reads PRM[number, bit]/[index]; a vacant argument counts as missing.
+/// Reads PRM[number, bit]/[index]; an argument that is an empty variable counts as missing.
 Result<double> read_parameter(BlockContext& m, double number, double bit, double index, Span where);
 
 }  // namespace kadr::macro_b
