@@ -249,7 +249,7 @@ void PanelMachine::stand_beside(const PanelBeside& channel) {
   lane.go_on();
 }
 
-/// True if the other channels have executed as many blocks as at the restart position, and those that wait do so at the same code.
+/// True if the other channels have executed as many blocks as at the restart position, and those that wait are at the same axis positions.
 bool PanelMachine::stand_as_in(const PanelPlace& place) const {
   for (const PanelBeside& channel : place.beside) {
     const PanelLane& lane = *lanes_[channel.channel];
