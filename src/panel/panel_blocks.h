@@ -1,6 +1,6 @@
 #pragma once
-// PanelBlocks: the motions that the control has executed and the machine has not yet. Finds the block that an instant of the servo clock
-// belongs to, and what is in force then.
+// PanelBlocks: the queue of motions that the control has executed and the machine has not. Finds the block to which an instant of the
+// servo clock belongs, and the modes, tool and spindle in force at that block.
 
 #include <deque>
 #include <memory>
@@ -11,7 +11,7 @@
 
 namespace kadr {
 
-/// What is in force after a block.
+/// The modes, tool and spindle in force after a block.
 struct PanelModes {
   std::vector<InForce> in_force;
   std::vector<AlarmReport::Call> calls;
@@ -20,16 +20,16 @@ struct PanelModes {
 /// A motion that the machine executes.
 struct PanelBlock {
   Origin origin;
-  std::uint64_t motion = 0;  // numbered by AxisMotion from 1 in each stretch; 0: none
-  Axes work{}, machine{};    // coordinates at its end
-  Placement placement;       // of the work coordinate system
-  double feed = 0;           // as programmed, mm/min; 0 at rapid
-  bool by_turn = false;      // the feed is per revolution of the spindle
-  std::uint32_t number = 0;  // of the block in the run, not counting lines of the operator; 0: not of the program
-  bool entered = false;      // from a line of the operator, which is in no file
+  std::uint64_t motion = 0;  // number of the motion, counted by AxisMotion from 1 in each stretch of motion; 0: no motion
+  Axes work{}, machine{};    // coordinates at the end of the motion
+  Placement placement;       // position of the work coordinate system
+  double feed = 0;           // programmed feed, mm/min; 0 at rapid
+  bool by_turn = false;      // the feed was programmed per revolution of the spindle
+  std::uint32_t number = 0;  // number of the block in the run, lines of the operator not counted; 0: the motion is not from the program
+  bool entered = false;      // the motion comes from a line that the operator entered, which is in no file
   std::shared_ptr<const PanelModes> modes;
 
-  /// Work coordinates during the motion, at machine position `at`.
+  /// Work coordinates at the machine position `at`, during this motion.
   Axes work_of(const Axes& at) const {
     if (!placement.is_plain()) return placement.work_of(at);
     Axes now = work;
@@ -42,7 +42,7 @@ class PanelBlocks {
  public:
   void clear() { blocks_.clear(); }
   void add(PanelBlock block) { blocks_.push_back(std::move(block)); }
-  /// The block of the motion; earlier blocks are forgotten. Returns nullptr if it is not known.
+  /// Returns the block of the motion with this number and drops the blocks before it. Returns nullptr if no block has this number.
   const PanelBlock* at(std::uint64_t motion) {
     while (blocks_.size() > 1 && blocks_[1].motion <= motion) blocks_.pop_front();
     return blocks_.empty() || motion == 0 ? nullptr : &blocks_.front();

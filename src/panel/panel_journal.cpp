@@ -12,8 +12,8 @@ namespace {
 constexpr const char* control = "panel";  // the control that the state file belongs to
 const std::string log_ = "log:";
 
-/// Renames the log of a server that was killed after its file had been deleted: the log belongs to nothing any more and would prevent a
-/// new file from being created. It is kept under another name in case somebody needs it.
+/// Renames the log file that remains if the server was killed after its state file had been deleted. That log would prevent a new state
+/// file from being created; it is kept under another name in case somebody needs it.
 void put_left_log_aside(const std::string& path) {
   std::error_code none;
   if (!path.empty() && !std::filesystem::exists(path, none) && std::filesystem::exists(path + "-wal", none))

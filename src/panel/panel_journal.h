@@ -1,8 +1,10 @@
 #pragma once
-// PanelJournal: the data of panel machines that outlive the server (--state FILE), and the log of the shift. It is one state file
-// (config/state_file) of the control "panel", with one key per item; the writer of an item chooses its format.
+// PanelJournal: the data of panel machines that outlive the server (--state FILE), and the log of the shift. All data are in one state
+// file (config/state_file) of the control "panel". Each item has its own key; the code that saves an item chooses the format of its
+// value.
 //
-//   "machine:part.nc" how it was switched on · "tables:part.nc" edited tables · "spot:part.nc" its location · "log:part.nc:17" log entry
+//   "machine:part.nc" how the machine was switched on · "tables:part.nc" edited tables · "spot:part.nc" location · "log:part.nc:17" log
+//   entry
 
 #include <cstdint>
 #include <map>
@@ -19,10 +21,10 @@ namespace kadr {
 
 class PanelJournal {
  public:
-  static constexpr std::size_t most_logged = 10'000;  // entries per machine; the oldest is dropped
+  static constexpr std::size_t most_logged = 10'000;  // log entries per machine; beyond this number the oldest is dropped
   using Done = tl::expected<void, std::string>;
 
-  /// Keeps everything in memory only.
+  /// Creates a journal without a file: all data are in memory only.
   PanelJournal() = default;
   /// Opens a state file, or creates it.
   ///   returns  an error sentence with the name of the file
@@ -31,26 +33,26 @@ class PanelJournal {
   // All functions below may be called from any thread.
   bool lasts() const { return file_ != nullptr; }
   std::optional<std::string> value(const std::string& what, const std::string& machine) const;
-  /// Saves a value. It is safe on return, even if the process is killed then.
-  ///   returns  an error sentence: the value is kept in memory, but not in the file
+  /// Saves a value. When the function returns, the value is on the disk and survives even a kill of the process.
+  ///   returns  an error sentence if the file cannot be written; the value is then in memory only
   Done keep(const std::string& what, const std::string& machine, std::string value);
-  /// Machines with saved data.
+  /// Names of the machines with saved data.
   std::vector<std::string> machines() const;
-  /// Deletes everything of the machine except its log.
+  /// Deletes all data of the machine except its log.
   Done forget(const std::string& machine);
   Done log(const std::string& machine, std::string entry);
-  /// Oldest entry first.
+  /// Log entries of the machine, oldest first.
   std::vector<std::string> log_of(const std::string& machine) const;
 
  private:
-  /// Saves the rows, and those that could not be saved before.
+  /// Writes the rows to the file, and also the rows that an earlier call could not write.
   Done save(const std::vector<StateRow>& rows);
 
   mutable std::mutex lock_;
-  std::unique_ptr<StateFile> file_;  // nullptr: memory only
+  std::unique_ptr<StateFile> file_;  // nullptr: all data are in memory only
   std::vector<StateRow> unsaved_;
   std::map<std::string, std::string> all_;
-  std::map<std::string, std::map<std::uint64_t, std::string>> logs_;  // by machine, in order
+  std::map<std::string, std::map<std::uint64_t, std::string>> logs_;  // log entries by machine, then by entry number
 };
 
 }  // namespace kadr

@@ -12,9 +12,9 @@ namespace {
 using Failed = tl::unexpected<std::string>;
 
 constexpr double same_place = 1e-9;  // mm, degrees
-constexpr double beside = 1e-6;      // mm, degrees: distance from the programmed position that counts as off it
+constexpr double beside = 1e-6;      // mm, degrees: an axis farther than this from the programmed position is off the programmed path
 
-/// `now` without the changes by tool use, which are not the operator's data.
+/// Returns the set-up `now` without the changes caused by tool use (they are not edits of the operator).
 Setup by_hand(const Setup& before, Setup now) {
   for (auto& [number, row] : now.tool_table) {
     const auto then = before.tool_table.find(number);
@@ -32,7 +32,7 @@ bool are_same(const Setup& a, const Setup& b) {
 
 bool is_same(const PanelSpot& a, const PanelSpot& b) {
   if (a.mode != b.mode || a.number != b.number || a.line != b.line || a.file != b.file) return false;
-  if (a.mode == PanelMode::running) return true;  // one save per block is enough
+  if (a.mode == PanelMode::running) return true;  // one save per block is enough while the program runs
   const auto are_near = [](const Axes& one, const Axes& other) {
     return std::equal(one.begin(), one.end(), other.begin(), [](double x, double y) { return std::abs(x - y) <= same_place; });
   };
@@ -45,7 +45,7 @@ void PanelMachine::tell(const char* kind, const std::string& text, std::uint32_t
   if (keeper_.event) keeper_.event(kind, text, line);
 }
 
-/// Saves the block that the machine is on, or is held before, or moves to.
+/// Saves the block that the machine is executing, or is held before, or moves to for a restart.
 void PanelMachine::keep_spot(const PanelState& now) {
   if (!keeper_.spot) return;
   const bool runs = stretch_ && stretch_->of == Stretch::Of::program;
@@ -53,10 +53,12 @@ void PanelMachine::keep_spot(const PanelState& now) {
   spot.mode = now.mode;
   spot.machine = now.sample.machine;
   for (const PanelChannel& channel : now.channels) spot.stands.push_back(channel.sample.machine);
-  const bool leads_elsewhere = stretch_ && stretch_->of == Stretch::Of::line;  // the location of the program does not change
+  // a line of the operator does not change the location in the program
+  const bool leads_elsewhere = stretch_ && stretch_->of == Stretch::Of::line;
   if (runs) spot.number = lane_->on.number;
   else if (stepping_->next()) spot.number = stepping_->next()->number - std::uint32_t(entered_);
-  if (leads_elsewhere || (runs && spot.number == 0)) spot.number = kept_spot_.number;  // a block without a motion
+  // a block without a motion keeps the number saved before
+  if (leads_elsewhere || (runs && spot.number == 0)) spot.number = kept_spot_.number;
   spot.line = now.line.number, spot.text = now.line.text;
   const std::uint16_t file = going_              ? going_->place->restart.at.file
                              : runs              ? lane_->on.origin.file
@@ -76,7 +78,7 @@ void PanelMachine::keep_spot(const PanelState& now) {
   kept_spot_ = std::move(spot);
 }
 
-/// Attributes variables that have changed since the last call to that line; 0: not changed by the program.
+/// Finds the variables that have changed since the last call, and records `line` as the line that set them; 0: not the program.
 void PanelMachine::note_variables(std::uint32_t line) {
   std::map<std::string, double> now;
   for (auto& [name, value] : session_->control().ending().variables) now.emplace(std::move(name), value);
@@ -96,11 +98,11 @@ void PanelMachine::keep_tables(const Setup& before) {
   const Setup now = by_hand(before, session_->control().tables_now());
   if (are_same(before, now)) return;
   if (const std::string fault = keeper_.tables(before, now); !fault.empty()) kept_.told = fault;
-  begin_search();  // a search must start with these tables
+  begin_search();  // the search must use the changed tables
 }
 
 tl::expected<PanelTables, std::string> PanelMachine::tables() {
-  const auto tables = std::make_shared<PanelTables>();  // shared: the answer may come when nobody waits any more
+  const auto tables = std::make_shared<PanelTables>();  // shared: the request may time out before the function runs
   const Answer answer = ask([this, tables]() -> Answer {
     if (!stretch_) note_variables(last_line_);
     tables->state = session_->control().run_state();
@@ -127,7 +129,8 @@ tl::expected<std::vector<PanelWatch>, std::string> PanelMachine::watch_values(co
   return std::move(*values);
 }
 
-/// True if the machine is not where its control is: motions of a compensated contour are held back, or have an offset from it.
+/// True if the machine is not at the control's position, because motions of a compensated contour are kept back or are offset from the
+/// contour.
 bool PanelMachine::is_in_contour() const {
   for (std::size_t i = 0; i < lanes_.size(); ++i) {
     const Axes stand = session_->stand(i).machine, programmed = session_->channels()[i].control->tool_position().machine;

@@ -8,7 +8,7 @@
 namespace kadr {
 namespace {
 
-constexpr double planned_each = 1;  // s of motion: so the first long motions start at once
+constexpr double planned_each = 1;  // s of motion planned at a time, so that a program with long motions starts at once
 
 }  // namespace
 
@@ -67,7 +67,7 @@ double PanelLane::ahead() const {
   return seconds - (playing_ != nullptr && at.plays ? at.played : 0);
 }
 
-/// Offers playback the cells that were planned next. Returns false if not all of them fit.
+/// Offers the first stored cells of the leg's plan to its playback. Returns false if not all of them fit.
 bool PanelLane::offer_first(Leg& leg) {
   const TimedCells& cells = leg.to_come.front();
   leg.offered += leg.playback.offer(cells, leg.offered);
@@ -112,7 +112,8 @@ void PanelLane::note_block() {
   if (const PanelBlock* const block = legs_.front().blocks.at(clock.sample().motion)) on = *block;
 }
 
-/// Sets the share for the motion that the axes are on: some thousandths of a second late at a change from rapid to feed.
+/// Sets the speed share that applies to the present motion, feed or rapid. After a change from rapid to feed it is some thousandths of a
+/// second late.
 void PanelLane::set_share(const PanelShares& shares, bool stands) {
   const double spindle = on.by_turn ? std::min(1.0, shares.spindle) : 1;
   const double share = on.feed > 0 ? shares.feed * spindle : std::min(shares.rapid, shares.feed > 0 ? 1.0 : 0.0);

@@ -15,11 +15,12 @@ namespace {
 
 using Failed = tl::unexpected<std::string>;
 
-constexpr auto look_every = std::chrono::milliseconds(4);    // interval of checking the current stretch
-constexpr double seen_share = 1e-6;                          // of the planned speed
-constexpr auto seen_within = std::chrono::milliseconds(20);  // limit for axes that can hardly brake
-constexpr auto answers_within = std::chrono::seconds(2);     // else it is busy, and the request is dropped
-constexpr auto done_within = std::chrono::seconds(60);       // for a request that has started
+constexpr auto look_every = std::chrono::milliseconds(4);    // interval at which the present stretch of motion is checked
+constexpr double seen_share = 1e-6;                          // share of the planned speed: a smaller change of the speed is not waited for
+constexpr auto seen_within = std::chrono::milliseconds(20);  // time limit for the change, since some axes can hardly brake
+// time limit for starting a request; if it expires, the machine is busy and the request is dropped
+constexpr auto answers_within = std::chrono::seconds(2);
+constexpr auto done_within = std::chrono::seconds(60);  // time limit for completing a request that has started
 
 /// Waits briefly, so that the caller's next query of the state shows the effect.
 template <class Is>
@@ -39,7 +40,8 @@ void PanelMachine::switch_off() {
   thread_.wait();
 }
 
-/// There are three outcomes: the request is done, with its result; it is refused and will not happen; it has started and continues.
+/// Lets the machine's thread execute a request. It returns the result; or an error if the request was dropped; or that it has started and
+/// continues.
 PanelMachine::Answer PanelMachine::ask(std::function<Answer()> what) {
   std::future<Answer> answer;
   std::uint64_t number = 0;
@@ -47,7 +49,7 @@ PanelMachine::Answer PanelMachine::ask(std::function<Answer()> what) {
     const std::lock_guard hold(lock_);
     if (ends_) return Failed(told("the machine is off", "станок выключен"));
     asked_.push_back({[what = std::move(what), lang = told_lang()] {
-                        tell_here_in(lang);  // the caller's language
+                        tell_here_in(lang);  // messages of this request are in the caller's language
                         return what();
                       },
                       {},
@@ -86,7 +88,7 @@ void PanelMachine::carry_out_asked() {
   }
 }
 
-/// Does what is due now, then waits.
+/// Performs what is due now in the machine's thread, then waits for the next event.
 ///   returns  false if the machine is switched off
 bool PanelMachine::look_round() {
   if (!ends_ && must_stop()) stand_still();
@@ -135,7 +137,7 @@ void PanelMachine::look_after_stretch() {
   show();
 }
 
-/// The line of the block that the machine is on, if it is one of the program; else of the next block.
+/// Returns the line of the block that the machine is executing, if the block is from the program; else the line of the next block.
 AlarmReport::Line PanelMachine::line_of(const ServoSample& sample) const {
   const bool runs = stretch_ && stretch_->of == Stretch::Of::program;
   if (!runs && stepping_->next()) return stepping_->line();
@@ -202,7 +204,7 @@ void PanelMachine::set_share() {
   for (const auto& lane : lanes_) lane->set_share(kept_.shares, holds_ || resets_);
 }
 
-/// After a feed hold it answers only when the axes move again.
+/// After a feed hold the function returns only when the axes move again.
 PanelMachine::Answer PanelMachine::run(std::optional<Stepping::How> how) {
   const Answer runs = ask([this, how]() -> Answer {
     if (stretch_) {
@@ -239,7 +241,7 @@ PanelMachine::Answer PanelMachine::answer(double answer) {
   });
 }
 
-/// Answers only when the axes are slower, so that the caller's next query of the state shows that.
+/// Returns only when the axes have slowed down, so that the caller's next query of the state shows it.
 PanelMachine::Answer PanelMachine::hold() {
   const double share = lane_->clock.sample().share;
   const Answer held = ask([this]() -> Answer {
@@ -256,7 +258,7 @@ PanelMachine::Answer PanelMachine::hold() {
 }
 
 PanelMachine::Answer PanelMachine::reset() {
-  stops_ = true;  // ends a block that never ends
+  stops_ = true;  // interrupts a block that never ends
   return ask([this]() -> Answer {
     kept_.told.clear(), kept_.why.clear();
     for (const auto& lane : lanes_) lane->clock.release();
@@ -271,7 +273,7 @@ PanelMachine::Answer PanelMachine::reset() {
 void PanelMachine::stop_at_once() {
   for (const auto& lane : lanes_) lane->clock.stop_at_once();
   stops_ = true;
-  const std::lock_guard hold(lock_);  // the thread is waiting, or will check again before it waits
+  const std::lock_guard hold(lock_);  // with the lock held, the thread is either waiting or will check the flag before it waits
   wakes_.notify_all();
 }
 
@@ -372,7 +374,7 @@ PanelMachine::Answer PanelMachine::jog(const std::string& axis, double way, doub
 }
 
 tl::expected<std::size_t, std::string> PanelMachine::add_stop(StopPoint point) {
-  const auto number = std::make_shared<std::size_t>(0);  // shared: the answer may come when nobody waits any more
+  const auto number = std::make_shared<std::size_t>(0);  // shared: the request may time out before the function runs
   const Answer answer = ask([this, number, point = std::move(point)]() -> Answer {
     if (kept_.stops.size() == most_stops) return Failed(told("too many stop points", "слишком много точек останова"));
     if (!point.condition.empty())

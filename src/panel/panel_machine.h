@@ -1,12 +1,12 @@
 #pragma once
-// PanelMachine: a machine with its control, as an operator uses it: it runs a program, section by section, in real time. It has its own
-// thread and runs with or without clients; operator requests may come from any thread.
+// PanelMachine: a machine with its control, as an operator uses it. It runs a program in real time, one stretch of motion after the
+// other. It has its own thread and continues whether or not a page is connected; operator requests may come from any thread.
 //
 //   ask(PanelCommand) ──▶ its thread: Stepping, Session ──cells──▶ Playback ──▶ ServoClock ──▶ state(): a sample of the clock,
 //                                                                                              and the block it belongs to
 //
-// A stretch starts where the axes are at rest and ends at their next rest: at the end of the program, before a block that holds, or after
-// an entered line. The plan is that of the selected machine: the same code could drive another one.
+// A stretch is the motion from where the axes are at rest to where they stop next: at the end of the program, before a block where the
+// program is held, or after a line that the operator entered. The motion is planned with the limits of the selected machine.
 
 #include <condition_variable>
 #include <deque>
@@ -29,61 +29,62 @@
 namespace kadr {
 
 enum class PanelMode : std::uint8_t {
-  standing,  // before a block, or after an entered line
+  standing,  // at rest before a block, or after a line of the operator
   running,
-  held,       // by a feed hold: slowing down, or at rest
-  ended,      // the program is over
-  alarm,      // stopped by an alarm
-  emergency,  // emergency stop; reset() ends it
+  held,       // feed hold: the axes slow down, or are at rest
+  ended,      // the program has ended
+  alarm,      // an alarm has stopped the program
+  emergency,  // emergency stop; only reset() ends this mode
 };
 
-/// One of several channels.
+/// State of one channel, on a machine with several.
 struct PanelChannel {
   int number = 1;
   std::vector<std::string> axes;
   ServoSample sample;
-  PanelBlock block;                   // that it is on, or was on last
-  AlarmReport::Line line;             // of that block
-  std::optional<PanelMeeting> waits;  // set once its axes have arrived
+  PanelBlock block;                   // the block that the channel's axes are executing, or executed last
+  AlarmReport::Line line;             // text and location of that block
+  std::optional<PanelMeeting> waits;  // the meeting where this channel waits, from when its axes have arrived there
 };
 
 /// Everything that an operator sees.
 struct PanelState {
   PanelMode mode = PanelMode::standing;
   ServoSample sample;
-  PanelShares shares;      // as set by the operator
-  PanelBlock block;        // that the machine is on, or was on last
-  AlarmReport::Line line;  // while the program runs, of that block; else of the next one
+  PanelShares shares;      // overrides set by the operator
+  PanelBlock block;        // the block that the machine is executing, or executed last
+  AlarmReport::Line line;  // text and location of that block while the program runs; else of the next block
   bool entered = false;    // a line of the operator is being executed
   bool single = false, optional_stop = false;
   std::set<int> skip;
   std::map<std::size_t, StopPoint> stops;
-  std::size_t hit = 0;        // the stop point that holds it; 0: none
-  std::string told;           // a message of the program
-  std::string why;            // the reason for a stop: "M0", "M1", "restart"; empty: another reason
-  bool asks = false;          // it waits for answer()
+  std::size_t hit = 0;        // number of the stop point that holds the program; 0: no stop point
+  std::string told;           // the message that the program displays
+  std::string why;            // the reason for the stop: "M0", "M1", "restart"; empty: another reason
+  bool asks = false;          // the program waits for the operator's answer(), to the question in `told`
   bool takes_tables = false;  // edited tables are being applied
-  std::string not_kept;       // why events are not being saved; empty: they are
-  bool goes_there = false;    // it moves to the block where the program is to continue
+  std::string not_kept;       // error sentence: why the machine's data cannot be saved; empty: they are saved
+  bool goes_there = false;    // a restart in mid program: the axes move to the block where the program is to continue
   std::optional<AlarmReport> alarm;
-  std::size_t can_undo = 0;            // number of entered lines
-  std::optional<PanelLimit> limit;     // what limits the speed now
-  std::uint64_t blocks = 0;            // executed by the control, ahead of the machine
-  std::vector<PanelChannel> channels;  // all, if there are several; the members above are of the program's own
+  std::size_t can_undo = 0;         // number of entered lines that undo() can revert
+  std::optional<PanelLimit> limit;  // what limits the speed now
+  std::uint64_t blocks = 0;         // number of blocks executed by the control, which is ahead of the machine
+  // every channel, if the machine has several; the members above describe the program's own channel
+  std::vector<PanelChannel> channels;
 };
 
 /// Location of a machine in its program.
 struct PanelSpot {
   PanelMode mode = PanelMode::standing;
   Axes machine{};
-  std::uint32_t number = 0;  // PanelBlock::number of the current block, or of the next one; 0: none
+  std::uint32_t number = 0;  // PanelBlock::number of the current block, or of the next one; 0: no block of the program
   std::uint32_t line = 0;
-  std::string file{};          // file of the line; empty: the program itself
-  std::string text{};          // of the line
-  std::vector<Axes> stands{};  // position of each channel, by index, if there are several
+  std::string file{};          // the file that `line` is in; empty: the main program
+  std::string text{};          // text of the line
+  std::vector<Axes> stands{};  // machine position of each channel, by index; empty if there is only one channel
 };
 
-/// Saves events of the machine. Called in the machine's thread.
+/// Saves the machine's data. The functions are called in the machine's thread.
 struct PanelKeeper {
   /// Called at each block.
   ///   returns  an error sentence if the location cannot be saved
@@ -91,15 +92,15 @@ struct PanelKeeper {
   /// For the log of the shift: "run" "hold" "reset" "emergency" "override" "line" "restart" "stopped" "ended".
   std::function<void(const char* kind, const std::string& text, std::uint32_t line)> event;
   std::function<void(const AlarmReport&)> alarm;
-  /// A line of the operator has changed tables of the control: later sessions must start with the changed tables.
+  /// Called when a line of the operator has changed tables of the control, so that later sessions start with the changed tables.
   ///   returns  an error sentence if they cannot be saved
   std::function<std::string(const Setup& before, const Setup& after)> tables;
-  /// The program is about to start again. From now until the next call the program is the text that is on the disk now, whatever is saved
-  /// meanwhile.
+  /// Called when the program is about to start from its beginning. The program file is read from the disk then; changes of the file have
+  /// no effect until the next call.
   std::function<void()> begins;
 };
 
-/// A variable with a value.
+/// A variable of the program and its value.
 struct PanelVariable {
   std::string name;
   double value = 0;
@@ -108,53 +109,53 @@ struct PanelVariable {
 
 /// The present tables of the control.
 struct PanelTables {
-  std::optional<RunState> state;  // nullopt: the control does not show them
+  std::optional<RunState> state;  // nullopt: the tables of this control cannot be displayed
   std::vector<PanelVariable> variables;
 };
 
 /// A watched expression and its present value.
 struct PanelWatch {
   std::string text;
-  std::optional<double> value;  // nullopt: not understood, or vacant
+  std::optional<double> value;  // nullopt: the expression is invalid, or its value is vacant
 };
 
-/// Motion from one rest of the axes to the next.
+/// The motion from where the axes are at rest to where they stop next.
 struct PanelStretch {
   enum class Of : std::uint8_t { program, line, hand };
   Of of = Of::program;
-  std::size_t channel = 0;           // for a line: the index of its channel
-  std::unique_ptr<Planned> by_hand;  // for motion by hand
+  std::size_t channel = 0;           // index of the channel in which an entered line runs; only for Of::line
+  std::unique_ptr<Planned> by_hand;  // the planner of a motion by hand; only for Of::hand
   bool planned_all = false;
   Session::State came_to = Session::State::running;
 };
 
-/// The path of one channel.
+/// A path that one channel travels to its restart position.
 struct PanelWay {
-  std::size_t channel = 0;  // its index
+  std::size_t channel = 0;  // index of the channel
   std::vector<WayPoint> way;
 };
 
-/// State while the machine moves to the block where the program is to continue.
+/// State of a restart while the machine moves to the block where the program is to continue.
 struct PanelGoing {
   struct Line {
     std::size_t channel;
     std::string text;
   };
   std::shared_ptr<const PanelPlace> place;
-  std::deque<Line> before;    // to be executed before the paths
-  std::deque<PanelWay> ways;  // to be travelled one after the other
-  std::deque<Line> after;     // to be executed after the paths
+  std::deque<Line> before;    // lines to execute before the paths are travelled
+  std::deque<PanelWay> ways;  // paths to travel, one after the other
+  std::deque<Line> after;     // lines to execute after the paths
   bool is_there = false;
 };
 
 class PanelMachine {
  public:
-  static constexpr double rate = 1000;  // Hz, of the servo clock
+  static constexpr double rate = 1000;  // rate of the servo clock, Hz
   static constexpr std::size_t most_entered = 1000, most_undone = 50, most_stops = 100;
 
   ///   returns  an error sentence
-  ///   start    machine coordinates of the axes; nullopt: from the set-up
-  ///   stands   the same for each of several channels; empty: from the set-up
+  ///   start    machine coordinates of the axes; nullopt: the set-up states the start position
+  ///   stands   start position of each of several channels, by index; empty: the set-up states them
   static tl::expected<std::unique_ptr<PanelMachine>, std::string> make(PanelOpens opens, PanelKeeper keeper = {},
                                                                        const std::optional<Axes>& start = {},
                                                                        std::vector<Axes> stands = {});
@@ -162,22 +163,22 @@ class PanelMachine {
   PanelMachine(const PanelMachine&) = delete;
   PanelMachine& operator=(const PanelMachine&) = delete;
 
-  /// Stops the axes; nothing is saved or reported any more, and requests are refused.
+  /// Stops the axes. From now on nothing is saved or reported, and all requests are refused.
   void switch_off();
 
-  using Answer = tl::expected<void, std::string>;  // an error sentence: why not
-  /// Continues the program from where it is held, or from a feed hold.
-  ///   how  nullopt: one block, or up to the next stop, by the single block switch
+  using Answer = tl::expected<void, std::string>;  // the error sentence says why a request was refused
+  /// Continues the program from the block where it is held, or resumes after a feed hold.
+  ///   how  how far to run; nullopt: one block or to the next stop, depending on the single block switch
   Answer run(std::optional<Stepping::How> how = {});
   /// Feed hold: the axes slow down and stop on their path.
   Answer hold();
-  /// Returns the program to its beginning; the axes stay where they are. Ends an alarm and an emergency stop.
+  /// Returns the program to its beginning, without moving the axes. Ends an alarm and an emergency stop.
   Answer reset();
-  /// Emergency stop: the axes stop within one instant of the clock, wherever they are.
+  /// Emergency stop: the axes stop within one instant of the servo clock, even in the middle of a motion.
   void stop_at_once();
   /// Single block: each run() executes one block.
   Answer set_single(bool on);
-  /// Optional stop: M1 holds.
+  /// Optional stop: if on, M1 holds the program.
   Answer set_optional_stop(bool on);
   Answer set_skip(int number, bool on);
   Answer set_shares(const PanelShares& shares);
@@ -185,46 +186,47 @@ class PanelMachine {
   Answer answer(double answer);
   /// Executes a line of the operator (MDI) at once.
   Answer enter(const std::string& line);
-  /// Restores control and virtual machine to the state before the last entered line: not possible on a real machine.
+  /// Restores the control and the virtual machine to their state before the last entered line. A real machine could not do this.
   Answer undo();
-  /// Moves an axis by hand, relative, in machine coordinates: `way` in mm or degrees, `feed` in mm/min or degrees/min; 0: as fast as
-  /// possible.
-  ///   channel  its number; 0: the program's own
+  /// Moves an axis by hand. `way`: distance in machine coordinates, mm or degrees. `feed`: mm/min or degrees/min; 0: at the highest
+  /// speed.
+  ///   channel  number of the axis' channel; 0: the program's own channel
   Answer jog(const std::string& axis, double way, double feed, int channel = 0);
-  /// Moves the axes of the program's own channel by hand, motion by motion.
+  /// Moves the axes of the program's own channel by hand, one motion after the other.
   Answer lead(const std::vector<WayPoint>& way);
   ///   returns  the number of the stop point
   tl::expected<std::size_t, std::string> add_stop(StopPoint point);
   Answer remove_stop(std::size_t number);
 
-  /// Evaluates expressions as the program would write them.
+  /// Evaluates expressions written in the syntax of the program.
   tl::expected<std::vector<PanelWatch>, std::string> watch_values(const std::vector<std::string>& expressions);
   tl::expected<PanelTables, std::string> tables();
-  /// Succeeds if the machine is at rest, so that take_tables() can be called.
+  /// Checks that the machine is at rest, which take_tables() requires.
   Answer may_take_tables();
-  /// PanelOpens returns a changed set-up: it applies from here on, wherever the program is.
+  /// Applies edited tables at the current block. PanelOpens must already return sessions with the changed set-up.
   Answer take_tables();
 
-  /// Searches for a block where the program could continue. Returns what is found so far.
+  /// Searches for a block where the program could continue. Returns what the search has found so far.
   PanelSearch::Answer find(const PanelSearch::Wish& wish) {
-    if (state().takes_tables) return {};  // a search for the tables is in progress
+    if (state().takes_tables) return {};  // the tables are being applied with a search of their own
     return search_->find(wish);
   }
-  /// What restores the state of that place, starting from the present state of the machine.
-  ///   returns  the sheet of the program's own channel, then the sheets of the channels in PanelPlace::beside, in their order
+  /// Computes what restores the state at the restart position, starting from the present state of the machine.
+  ///   returns  the sheet of the program's own channel, then one sheet per channel of PanelPlace::beside, in the same order
   tl::expected<std::vector<PanelSheet>, std::string> sheets(const std::shared_ptr<const PanelPlace>& place, const WayRules& rules);
-  /// Moves the machine to the place, and holds it before the block as if the program had run to there.
-  ///   left  keys (key_of; for other channels with their number as a prefix: "2/tool:") of items that keep their present value
-  ///   ways  of the sheets, or others with the same ends, one after the other; a channel without a path is in place already
+  /// Moves the machine to the restart position and holds it before the block, as if the program had run up to there.
+  ///   left  keys of items that keep their present value: key_of(), for other channels preceded by the channel number: "2/tool:"
+  ///   ways  the paths to travel, one after the other: those of the sheets, or others that end at the same positions.
+  ///         A channel without a path must already be at its position
   Answer go_there(std::shared_ptr<const PanelPlace> place, const std::set<std::string>& left, std::vector<PanelWay> ways);
 
-  /// Called in the machine's thread with each step that the control executes, of program, lines and motion by hand, in order and ahead of
-  /// the machine. Set it before the first run().
+  /// Sets an observer. The machine's thread calls it with each step that the control executes (program, entered lines, motion by hand),
+  /// in order and ahead of the machine. Set it before the first run().
   void watch(std::function<void(const Step&)> look) { looks_on_ = std::move(look); }
 
   PanelState state();
   const std::vector<std::string>& axes() const { return lane_->axes; }
-  /// Axes of the channel with this index; valid as long as the machine is on.
+  /// Names of the axes of the channel with this index. The reference is valid as long as the machine is on.
   const std::vector<std::string>& axes(std::size_t channel) const { return lanes_[channel]->axes; }
   std::size_t channel_count() const { return lanes_.size(); }
   int number_of(std::size_t channel) const { return lanes_[channel]->number; }
@@ -233,7 +235,7 @@ class PanelMachine {
 
  private:
   using Stretch = PanelStretch;
-  /// The state before a line was entered.
+  /// The state before a line of the operator, for undo().
   struct Before {
     Stepping::Memory stepping;
     Axes machine;
@@ -248,13 +250,13 @@ class PanelMachine {
 
   PanelMachine(PanelOpens opens, PanelKeeper keeper, std::vector<Axes> stands)
       : opens_(std::move(opens)), keeper_(std::move(keeper)), stands_(std::move(stands)) {}
-  // panel_machine.cpp: its thread, and the requests
+  // the functions in panel_machine.cpp: the thread, and the requests
   Answer ask(std::function<Answer()> what);
   void live();
   bool look_round();
   void carry_out_asked();
   void look_after_stretch();
-  /// True after an emergency stop that the machine's thread has not handled yet.
+  /// True if an emergency stop was requested and the machine's thread has not handled it yet.
   bool must_stop() const { return lane_->clock.was_stopped() && kept_.mode != PanelMode::emergency; }
   void stand_still();
   Answer may_begin() const;
@@ -262,7 +264,7 @@ class PanelMachine {
   void show_channels(PanelState& now) const;
   bool is_alone() const { return lanes_.size() == 1; }
   void show();
-  // panel_opening.cpp
+  // the functions in panel_opening.cpp
   Answer make_lanes();
   Answer begin_session(const std::optional<Axes>& start);
   void obey_switches();
@@ -270,7 +272,7 @@ class PanelMachine {
   Answer start_over();
   void begin_search();
   void stand_here();
-  // panel_keeping.cpp
+  // the functions in panel_keeping.cpp
   void keep_spot(const PanelState& now);
   void tell(const char* kind, const std::string& text = {}, std::uint32_t line = 0) const;
   void note_variables(std::uint32_t line);
@@ -279,7 +281,7 @@ class PanelMachine {
   bool is_in_contour() const;
   Answer may_take_tables_now() const;
   AlarmReport::Line line_of(const ServoSample& sample) const;
-  // panel_stretch.cpp
+  // the functions in panel_stretch.cpp
   void look(PanelLane& lane, Control& control, const Step& step);
   void begin_leg(std::size_t channel);
   void watch_channels();
@@ -296,7 +298,7 @@ class PanelMachine {
   ToolPosition standing_plainly(std::size_t channel) const;
   void begin_by_hand(PanelLane& lane, const std::vector<Motion>& motions);
   Answer move_by_hand(std::size_t channel, const std::string& axis, double way, double feed);
-  // panel_restart.cpp
+  // the functions in panel_restart.cpp
   Answer may_go_there() const;
   tl::expected<Axes, std::string> end_of(const PanelWay& way) const;
   Answer lead_to(const std::vector<PanelWay>& ways, const PanelPlace& place) const;
@@ -315,35 +317,37 @@ class PanelMachine {
   const PanelKeeper keeper_;
   std::function<void(const Step&)> looks_on_;
   std::unique_ptr<PanelSearch> search_;
-  std::vector<std::unique_ptr<PanelLane>> lanes_;  // of all channels; never replaced
-  PanelLane* lane_ = nullptr;                      // of the program's own channel, for use by its thread
+  std::vector<std::unique_ptr<PanelLane>> lanes_;  // one lane per channel; the objects are never replaced
+  PanelLane* lane_ = nullptr;                      // the lane of the program's own channel, for the machine's thread only
   std::size_t own_ = 0;
 
-  // used by its thread only, except for stops_
-  std::atomic<bool> stops_{false};  // stops the session; set by any thread
-  std::optional<Axes> start_;       // of the run: PanelStart
-  std::vector<Axes> stands_;        // likewise
+  // the members below are used by the machine's thread only, except for stops_
+  std::atomic<bool> stops_{false};  // stops the session; any thread may set it
+  std::optional<Axes> start_;       // machine coordinates at the start of the run: PanelStart::axes
+  std::vector<Axes> stands_;        // the start of each channel: PanelStart::stands
   std::unique_ptr<Session> session_;
   std::unique_ptr<Stepping> stepping_;
   std::optional<Stretch> stretch_;
-  std::optional<Stepping::How> how_;  // for the stretch that run() starts; nullopt: by the switch
-  bool holds_ = false;                // by a feed hold
-  bool resets_ = false;               // reset as soon as the axes are at rest
+  std::optional<Stepping::How> how_;  // how far the stretch started by run() goes; nullopt: as the single block switch says
+  bool holds_ = false;                // a feed hold is active
+  bool resets_ = false;               // reset() was requested: to be done as soon as the axes are at rest
   bool goes_on_ = false;              // the program has not ended: a block of one of its channels is held
-  Control* asks_ = nullptr;           // the control whose program asks a question
+  Control* asks_ = nullptr;           // the control whose program waits for an answer to its question
   std::vector<Before> before_;
   std::optional<PanelGoing> going_;
-  std::uint64_t entered_ = 0, entering_from_ = 0;  // blocks in lines of the operator; blocks executed before the current line
-  std::optional<PanelSearch::Wish> retables_;      // the present location, searched again with other tables
-  std::optional<Setup> tables_before_;             // before the line of the operator that is being executed
+  // number of blocks in lines of the operator; number of blocks executed before the current line
+  std::uint64_t entered_ = 0, entering_from_ = 0;
+  // edited tables: the search for the present location in a run with these tables; nullopt: no search
+  std::optional<PanelSearch::Wish> retables_;
+  std::optional<Setup> tables_before_;  // the tables before the line of the operator that is being executed
   PanelSpot kept_spot_;
-  bool has_moved_ = false;  // false: the saved location is that of switching on
+  bool has_moved_ = false;  // false: no motion has started since the machine was switched on
   std::map<std::string, double> variables_;
-  std::map<std::string, std::uint32_t> set_by_;  // by variable: the program line that set it last
-  std::uint32_t last_line_ = 0;                  // of the current block
-  PanelState kept_;                              // the lasting part of the state: switches, stop points, message
+  std::map<std::string, std::uint32_t> set_by_;  // program line that set each variable last, by name of the variable
+  std::uint32_t last_line_ = 0;                  // line of the current block
+  PanelState kept_;                              // the part of the state that changes only by requests: switches, stop points, message
 
-  // shared between threads
+  // the members below are shared between threads and protected by this lock
   std::mutex lock_;
   std::condition_variable wakes_;
   std::deque<Asked> asked_;

@@ -61,7 +61,7 @@ PanelMachine::Answer PanelMachine::begin_session(const std::optional<Axes>& star
     kept_.skip.insert(session_->setup().skip.begin(), session_->setup().skip.end()), kept_.optional_stop = session_->setup().optional_stop;
   start_ = start;
   Control& control = session_->control();
-  control.hand_over_each_block();  // so a stop holds before the very next block
+  control.hand_over_each_block();  // so that a stop request can hold before the very next block
   control.watch_calls();
   stepping_ = std::make_unique<Stepping>(*session_);
   stepping_->keep(kept_.stops);
@@ -107,7 +107,7 @@ PanelMachine::Answer PanelMachine::open(const std::optional<Axes>& start) {
     if (i != own_) session_->stand_at(i, stands_.back());
   }
   if (search_) begin_search();
-  session_->alone(session_->own());  // the others start with the first run()
+  session_->alone(session_->own());  // the other channels start with the first run()
   const Session::State state = stepping_->go(Stepping::How::block);
   kept_.asks = false;
   stand_here();
@@ -117,17 +117,18 @@ PanelMachine::Answer PanelMachine::open(const std::optional<Axes>& start) {
   return {};
 }
 
-/// If the program can no longer be read, it is over: alarm and emergency stop end all the same, so that the axes can be moved by hand.
+/// Returns the program to its beginning. If its file can no longer be read, the program counts as ended; alarm and emergency stop end all
+/// the same, so that the axes can be moved by hand.
 PanelMachine::Answer PanelMachine::start_over() {
   Answer opened = open(lane_->clock.sample().machine);
   if (!opened) kept_.mode = PanelMode::ended, kept_.alarm.reset();
   return opened;
 }
 
-/// Makes this run the one that searches use.
+/// Makes the search use the start position and switches of this run.
 void PanelMachine::begin_search() { search_->begin({start_, stands_, kept_.skip, kept_.optional_stop}); }
 
-/// Sets what is displayed before anything has moved.
+/// Sets the displayed position and modes before anything has moved.
 void PanelMachine::stand_here() {
   for (std::size_t i = 0; i < lanes_.size(); ++i) {
     const Control& control = *session_->channels()[i].control;

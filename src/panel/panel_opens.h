@@ -1,5 +1,5 @@
 #pragma once
-// What a panel machine starts with: a session of its program, and the operator's settings.
+// The start of a panel machine: the function that opens a session of its program, and the operator's switches.
 
 #include <functional>
 #include <memory>
@@ -12,16 +12,16 @@
 
 namespace kadr {
 
-/// Opens a session of the program at its beginning, with the axes at `start` in machine coordinates (nullopt: as the set-up states). May be
-/// called from any thread.
+/// Opens a session of the program at its beginning, with the axes at `start` in machine coordinates (nullopt: the start position of the
+/// set-up). May be called from any thread.
 ///   returns  an error sentence
 using PanelOpens =
     std::function<tl::expected<std::unique_ptr<Session>, std::string>(const std::optional<Axes>& start, const StopToken& stop)>;
 
-/// The start of a run.
+/// The start position and the switches of a run.
 struct PanelStart {
-  std::optional<Axes> axes;    // machine coordinates; nullopt: from the set-up
-  std::vector<Axes> stands{};  // of each channel, by index; the program's own uses `axes`. Empty: from the set-up
+  std::optional<Axes> axes;    // machine coordinates of the axes; nullopt: the set-up states them
+  std::vector<Axes> stands{};  // start of each channel, by index (the program's own channel uses `axes`); empty: the set-up states them
   std::set<int> skip;
   bool optional_stop = false;
   friend bool operator==(const PanelStart&, const PanelStart&) = default;

@@ -17,7 +17,7 @@ using Failed = tl::unexpected<std::string>;
 
 std::string no_room() { return told("a value has no room in a word of this control", "значение не помещается в слово этой системы"); }
 
-constexpr double nowhere = -1e9;   // mm: a clearance so low that the path does not rise
+constexpr double nowhere = -1e9;   // mm: a clearance so low that the path to the block does not rise
 constexpr double at_place = 1e-3;  // mm, degrees: tolerance, since the user has seen the path rounded to thousandths
 
 }  // namespace
@@ -43,11 +43,11 @@ tl::expected<PanelSheet, std::string> PanelMachine::sheet_of_channel(std::size_t
 
 tl::expected<std::vector<PanelSheet>, std::string> PanelMachine::sheets(const std::shared_ptr<const PanelPlace>& place,
                                                                         const WayRules& rules) {
-  const auto sheets = std::make_shared<std::vector<PanelSheet>>();  // shared: the answer may come when nobody waits any more
+  const auto sheets = std::make_shared<std::vector<PanelSheet>>();  // shared: the request may time out before the function runs
   const Answer answer = ask([sheets, this, place, rules]() -> Answer {
     if (const Answer may = may_go_there(); !may) return may;
     WayRules of_others = rules;
-    of_others.clearance = nowhere;  // the clearance is in work coordinates of the own channel
+    of_others.clearance = nowhere;  // the clearance is in work coordinates of the own channel, so it cannot be used for the others
     auto own = sheet_of_channel(own_, place->restart, place->in_block, rules);
     if (!own) return Failed(own.error());
     sheets->push_back(std::move(*own));
@@ -100,7 +100,7 @@ PanelMachine::Answer PanelMachine::lead_to(const std::vector<PanelWay>& ways, co
   return leads;
 }
 
-/// Prepares the lines of a channel, before and after the paths. Keys of other channels have the channel number as a prefix.
+/// Prepares the lines to be executed in a channel before and after the paths. Keys of other channels start with the channel number.
 PanelMachine::Answer PanelMachine::prepare(PanelGoing& going, std::size_t channel, const Restart& restart, bool in_block,
                                            const std::set<std::string>& left) const {
   const auto sheet = sheet_of_channel(channel, restart, in_block, {});
@@ -173,7 +173,7 @@ void PanelMachine::go_along(const PanelWay& way) {
   begin_by_hand(*lanes_[way.channel], motions);
 }
 
-/// Performs the next part of the move to the place. Called while the axes are at rest.
+/// Performs the next part of the move to the restart position. Called while the axes are at rest.
 PanelMachine::Answer PanelMachine::go_on_there() {
   PanelGoing& going = *going_;
   if (!going.before.empty()) {
@@ -216,12 +216,12 @@ PanelMachine::Answer PanelMachine::arrive(const PanelPlace& place) {
   return remember(place);
 }
 
-/// Restores the control to the state of one that has run to the place.
+/// Restores the state of a control that has run to the restart position.
 PanelMachine::Answer PanelMachine::remember(const PanelPlace& place) {
   if (const Status restored = stepping_->restore(place.memory); !restored)
     return Failed(told("a file that the program had called is not as it was", "файл, который вызывала УП, изменился"));
   obey_switches();
-  before_.clear();  // lines before this one cannot be undone
+  before_.clear();  // undo() cannot restore a state before the restart
   entered_ = 0;
   last_line_ = place.restart.at.line;
   note_variables(0);
@@ -234,7 +234,7 @@ PanelMachine::Answer PanelMachine::remember(const PanelPlace& place) {
   return {};
 }
 
-/// Sets another channel to its place: it waits for others, or continues with them.
+/// Restores another channel to its state at the restart position: it waits for other channels, or continues with them.
 void PanelMachine::stand_beside(const PanelBeside& channel) {
   PanelLane& lane = *lanes_[channel.channel];
   lane.start_over();
@@ -244,12 +244,12 @@ void PanelMachine::stand_beside(const PanelBeside& channel) {
   lane.on.modes = std::make_shared<PanelModes>(PanelModes{channel.restart.in_force, channel.calls});
   lane.has_ended = channel.is_over;
   if (!channel.waits) return;
-  begin_leg(channel.channel);  // without a motion
+  begin_leg(channel.channel);  // a leg without a motion
   session_->together().waits(channel.channel, *channel.waits);
   lane.go_on();
 }
 
-/// True if the other channels have executed as many blocks as at the place, and those that wait are in the same position.
+/// True if the other channels have executed as many blocks as at the restart position, and those that wait are at the same axis positions.
 bool PanelMachine::stand_as_in(const PanelPlace& place) const {
   for (const PanelBeside& channel : place.beside) {
     const PanelLane& lane = *lanes_[channel.channel];

@@ -68,7 +68,7 @@ void PanelSearch::live() {
   forget();
 }
 
-/// Destroys the objects that use the session before the session.
+/// Destroys first the objects that use the session, then the session.
 void PanelSearch::forget() {
   own_is_over_ = false;
   run_.stepping.reset(), run_.checkpoints.reset(), run_.session.reset();
@@ -99,7 +99,7 @@ std::unique_ptr<Session> PanelSearch::open() {
   return session;
 }
 
-/// Ends another channel together with the own one, so that a channel with an endless program cannot keep the search from ending.
+/// Ends another channel when the own channel ends; otherwise an endless program there would keep the search from ending.
 void PanelSearch::end_with_own(Control& other) {
   other.holds_before = [this](const Origin&) { return own_is_over_; };
 }
@@ -113,7 +113,7 @@ void PanelSearch::prepare(const PanelStart& start) {
   session->control().watch_calls();
   session->together().over = [this, own = session->own()](std::size_t channel) { own_is_over_ = own_is_over_ || channel == own; };
   auto checkpoints = std::make_unique<Checkpoints>(*session);
-  (void)checkpoints->run();  // up to where it stops: nothing can continue after that
+  (void)checkpoints->run();  // runs until nothing can continue; the reason does not matter
   run_.stepping = std::make_unique<Stepping>(*session);
   run_.checkpoints = std::move(checkpoints);
   run_.session = std::move(session);
@@ -151,7 +151,7 @@ void PanelSearch::find_next(PanelBeside& channel) {
   end_with_own(control);
 }
 
-/// The other channels, as they are when the own channel has reached the place.
+/// Returns the state of the other channels when the own channel has reached the restart position.
 std::vector<PanelBeside> PanelSearch::beside() {
   Session& session = *run_.session;
   std::vector<PanelBeside> all;
@@ -177,14 +177,14 @@ std::vector<PanelBeside> PanelSearch::beside() {
   return all;
 }
 
-/// Runs from the beginning, each channel to its own block.
+/// Runs each channel from the beginning to the number of blocks requested for it.
 void PanelSearch::run_apart(const Wish& wish) {
   run_.session = open();
   if (!run_.session) return;
   Session& session = *run_.session;
   session.control().watch_calls();
   run_.stepping = std::make_unique<Stepping>(session);
-  session.alone(session.own());  // it starts with the own channel
+  session.alone(session.own());  // the own channel runs first
   (void)run_.stepping->go(Stepping::How::block);
   for (std::size_t i = 0; i < session.channels().size() && i < wish.blocks.size(); ++i)
     if (i != session.own())

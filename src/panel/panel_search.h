@@ -1,8 +1,9 @@
 #pragma once
-// PanelSearch: finds places in a machine's program, in its own thread in parallel with the machine: what is in force there, and the whole
-// state of the control. It first runs through the whole program with checkpoints; then any line of a long program is found quickly.
+// PanelSearch: finds restart positions in the program of a panel machine, and the state of the control there. It has its own thread, in
+// parallel with the machine. First it runs through the whole program and stores checkpoints; from these, any line of a long program is
+// found quickly.
 //
-//   begin(start) ──▶ first pass ──▶ find(request): not ready … a place, or why there is none
+//   begin(start) ──▶ first run ──▶ find(request): not ready … a restart position, or the reason why there is none
 
 #include <atomic>
 #include <condition_variable>
@@ -19,64 +20,66 @@
 
 namespace kadr {
 
-/// State of another channel then: between two of its blocks, as far as the control has run by its clock (session/channels).
+/// State of another channel when the program's own channel is at the restart position. The other channel is between two blocks, as far as
+/// its virtual time allows (session/channels).
 struct PanelBeside {
-  std::size_t channel = 0;  // its index
+  std::size_t channel = 0;  // index of the channel
   int number = 1;
-  Restart restart;  // `at`: its next block, or the current one
+  Restart restart;  // restart.at: the channel's next block, or the block that it is executing
   AlarmReport::Line line;
   std::vector<AlarmReport::Call> calls;
   Placement placement;
-  std::optional<Control::Meeting> waits;  // set at a waiting code
+  std::optional<Control::Meeting> waits;  // the meeting at which the channel waits; nullopt: it does not wait
   bool in_block = false;
-  bool is_over = false;      // its program has ended
-  std::uint64_t blocks = 0;  // number of blocks executed
+  bool is_over = false;      // the program of the channel has ended
+  std::uint64_t blocks = 0;  // number of blocks that the channel has executed
 };
 
-/// A place where the program could continue.
+/// A position where the program could continue.
 struct PanelPlace {
   Restart restart;
   AlarmReport::Line line;
   std::vector<AlarmReport::Call> calls;
-  Placement placement;                    // of the work coordinate system
-  Stepping::Memory memory;                // state of a control that has run to here
-  bool in_block = false;                  // over a hole of a canned cycle
-  std::optional<BlockSearch> by_control;  // result of the control's own block search, if it has one
-  std::vector<PanelBeside> beside;        // the other channels
+  Placement placement;                    // position of the work coordinate system
+  Stepping::Memory memory;                // state of the run when its control has reached this position
+  bool in_block = false;                  // the position is over a drilled hole of a canned cycle
+  std::optional<BlockSearch> by_control;  // result of the control's own block search; nullopt if it has none
+  std::vector<PanelBeside> beside;        // state of the other channels
 };
 
 class PanelSearch {
  public:
   struct Wish {
     StopPoint target;
-    std::uint32_t hole = 0;               // of a canned cycle: the place over this hole; 0: before the block
-    bool by_control = false;              // use the control's own block search too: another run through the whole program
-    std::vector<std::uint64_t> blocks{};  // executed by each channel then, by index; empty: by the clock of the own channel
+    std::uint32_t hole = 0;   // number of a drilled hole of a canned cycle: the restart is over this hole; 0: before the block
+    bool by_control = false;  // also use the control's own block search, which needs another run through the whole program
+    // number of blocks that each channel has executed, by index; empty: the own channel's virtual time decides
+    std::vector<std::uint64_t> blocks{};
     friend bool operator==(const Wish&, const Wish&) = default;
   };
   struct Answer {
     bool ready = false;
-    std::shared_ptr<const PanelPlace> place{};  // nullptr if ready: there is no such place
-    std::string error{};                        // why there is none
+    std::shared_ptr<const PanelPlace> place{};  // nullptr although ready: no restart position matches the request
+    std::string error{};                        // why there is no restart position
   };
 
   explicit PanelSearch(PanelOpens opens);
   ~PanelSearch();
-  PanelSearch(const PanelSearch&) = delete;  // its thread uses this object
+  PanelSearch(const PanelSearch&) = delete;  // the search thread uses this object
   PanelSearch& operator=(const PanelSearch&) = delete;
 
-  /// Replaces the run in which places are searched.
+  /// Starts searching in a new run, with this start position and these switches.
   void begin(const PanelStart& start);
-  /// Returns immediately with what is known now. A request other than the previous one starts a new search.
+  /// Returns immediately with what is known now. A request that differs from the previous one starts a new search.
   Answer find(const Wish& wish);
 
  private:
-  /// Everything that belongs to one run.
+  /// All data that belong to one run.
   struct Run {
     std::unique_ptr<Session> session;
     std::unique_ptr<Checkpoints> checkpoints;
     std::unique_ptr<Stepping> stepping;
-    std::string error;  // set if it could not be opened
+    std::string error;  // why the session could not be opened; empty: it is open
     bool is_there = false;
   };
 
@@ -94,10 +97,10 @@ class PanelSearch {
   std::unique_ptr<Session> open();
 
   const PanelOpens opens_;
-  // used by its thread only
+  // the members below are used by the search thread only
   Run run_;
   PanelStart start_;
-  bool own_is_over_ = false;  // with several channels: the own channel's program has ended
+  bool own_is_over_ = false;  // on a machine with several channels: the program of the own channel has ended
   std::atomic<bool> stops_{false};
 
   std::mutex lock_;
@@ -107,7 +110,7 @@ class PanelSearch {
   std::optional<Wish> wish_;
   Lang lang_{};
   bool searching_ = false;
-  std::optional<Answer> answer_;  // the answer to wish_
+  std::optional<Answer> answer_;  // the answer to wish_; nullopt: not found yet
   Thread thread_;
 };
 

@@ -19,7 +19,7 @@ const CodeRow* row_of(const InForce& one, const ControlDef& def) {
   return one.kind != Kind::code || found == def.codes.end() ? nullptr : &*found;
 }
 
-/// True if the machine performs it, not the control alone.
+/// True if the machine performs this item (tool, spindle, coolant), false if only the control's memory changes.
 bool is_done_by_machine(const InForce& one, const ControlDef& def) {
   switch (one.kind) {
     case Kind::tool:
@@ -39,14 +39,14 @@ PanelSheet::By by_what(const InForce& one, const ControlDef& def) {
   return is_done_by_machine(one, def) ? PanelSheet::By::line : PanelSheet::By::memory;
 }
 
-/// Blocks that set exactly these items. Empty if no block can.
+/// Returns blocks that set exactly these items; none if no block can set one of them.
 Result<std::vector<std::string>> lines_of(const std::vector<InForce>& things, const ControlDef& def) {
   auto blocks = restart_blocks(def, things, things, {});
   if (!blocks) return fail(blocks.error());
   return std::move(blocks->blocks);
 }
 
-/// True if a line can set the item again: it affects neither how the tool moves nor where its path is.
+/// True if a line can set the item again after the restart, since the item affects neither how the tool moves nor where its path is.
 bool may_be_left(const PanelSheet::Row& row, const ControlDef& def) {
   if (!row.wanted || !row.now) return false;
   switch (row.now->kind) {
@@ -98,7 +98,8 @@ Result<std::vector<std::string>> lines_before(const PanelSheet& sheet, const std
   });
   std::vector<InForce> things;
   for (const PanelSheet::Row& row : sheet.rows) {
-    const bool again = changes_tool && row.wanted && is_done_by_machine(*row.wanted, def);  // the tool change may have stopped it
+    // the tool change may have stopped the spindle or the coolant
+    const bool again = changes_tool && row.wanted && is_done_by_machine(*row.wanted, def);
     if ((row.by == PanelSheet::By::line || again) && !is_left(row)) things.push_back(*row.wanted);
   }
   return lines_of(things, def);

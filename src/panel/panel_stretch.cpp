@@ -14,7 +14,7 @@ namespace {
 
 using Failed = tl::unexpected<std::string>;
 
-constexpr double nearly_there = 1e-6;  // mm, degrees
+constexpr double nearly_there = 1e-6;  // mm, degrees: a shorter distance counts as none
 constexpr double farthest = 1e5;       // mm, degrees: longest single motion by hand
 
 }  // namespace
@@ -54,11 +54,12 @@ void PanelMachine::look(PanelLane& lane, Control& control, const Step& step) {
   pending.feed = motion->kind == MotionKind::rapid || motion->kind == MotionKind::home ? 0 : step.time.feed;
 }
 
-/// Starts a leg: its planner starts where the axes will be at rest.
+/// Starts a leg (motion up to the next stop) of a channel. Its planner starts at the position where the axes will be at rest.
 void PanelMachine::begin_leg(std::size_t channel) {
   PanelLane& lane = *lanes_[channel];
   Control& control = *session_->channels()[channel].control;
-  session_->outlets(channel).step = [this, &lane, &control](const Step& step) { look(lane, control, step); };  // drops the old planner
+  // also replaces the function that used the old planner
+  session_->outlets(channel).step = [this, &lane, &control](const Step& step) { look(lane, control, step); };
   lane.plan(session_->plan(channel), kept_.shares.dry_feed);
   session_->change_outlets();
 }
@@ -92,7 +93,7 @@ void PanelMachine::watch_channels() {
       };
 }
 
-/// `channel`: for a line, its channel.
+/// Starts a stretch of motion. `channel`: the channel of an entered line.
 void PanelMachine::begin(Stretch::Of of, std::size_t channel) {
   Stretch& stretch = stretch_.emplace();
   stretch.of = of, stretch.channel = channel;
@@ -106,8 +107,8 @@ void PanelMachine::begin(Stretch::Of of, std::size_t channel) {
   play();
 }
 
-/// Starts the stretch; its motion is computed in the next look_round(). So the caller gets an answer at once, however long the program
-/// calculates before it moves.
+/// Starts the stretch. Its motion is computed in the next look_round(), so that the caller gets an answer at once, even if the program
+/// calculates for long before it moves.
 void PanelMachine::play() {
   kept_.mode = PanelMode::running;
   set_share();
@@ -174,7 +175,7 @@ PanelMachine::Answer PanelMachine::move_by_hand(std::size_t channel, const std::
   return {};
 }
 
-/// The position without frame, for motion along the machine's axes.
+/// Returns the position without a programmed frame, for motion along the machine's axes.
 ToolPosition PanelMachine::standing_plainly(std::size_t channel) const {
   ToolPosition stand = session_->stand(channel);
   stand.turn.reset(), stand.space.reset();
@@ -208,14 +209,14 @@ void PanelMachine::begin_by_hand(PanelLane& lane, const std::vector<Motion>& mot
   play();
 }
 
-/// Plans enough that no clock runs out of motion before more is planned.
+/// Runs the session until enough motion is planned for every channel's clock.
 void PanelMachine::provide() {
   const auto any = [this](bool (PanelLane::*is)() const) {
     return std::any_of(lanes_.begin(), lanes_.end(), [is](const auto& lane) { return ((*lane).*is)(); });
   };
   const auto must_go_on = [&] {
     return any(&PanelLane::wants_more) || !any(&PanelLane::is_planned);
-  };  // else the lane waits or is over: run on to what follows
+  };  // else the lane waits or has ended: the session runs on
   while (!stretch_->planned_all && must_go_on() && !any(&PanelLane::is_full)) go_on();
   for (const auto& lane : lanes_) lane->go_on();
 }
@@ -247,10 +248,11 @@ void PanelMachine::end_stretch() {
       for (std::size_t a = 0; a < lanes_[i]->axes.size() && a < max_axes; ++a) is = is && std::fabs(there[a] - at[a]) < nearly_there;
       return is;
     };
-    const Axes& aim = lanes_[i]->pending.machine;  // of the motion by hand of one lane
+    const Axes& aim = lanes_[i]->pending.machine;  // end position of a motion by hand, which has one lane
     const Control& control = *session_->channels()[i].control;
     if (of == Stretch::Of::hand && !control.meeting() && !control.in_block()) session_->stand_at(i, is_at(aim) ? aim : at);
-    if (const Axes stand = session_->stand(i).machine; is_at(stand)) clock.stand_at(stand);  // removes rounding errors of the planner
+    // removes rounding errors of the planner from the position
+    if (const Axes stand = session_->stand(i).machine; is_at(stand)) clock.stand_at(stand);
   }
   if (of != Stretch::Of::hand) show_what_is_in_force();
   if (of == Stretch::Of::program) goes_on_ = came_to == Session::State::held;
@@ -267,8 +269,8 @@ void PanelMachine::end_stretch() {
   else if (kept_.mode == PanelMode::standing) tell("stopped", kept_.why, stepping_->line().number);
 }
 
-/// Updates what is displayed: blocks after the last motion may have changed it, without a motion to show it; also the zero, unless a
-/// contour holds a motion back.
+/// Updates the displayed modes: blocks after the last motion may have changed them. Also updates the work zero, unless a motion of a
+/// compensated contour is kept back.
 void PanelMachine::show_what_is_in_force() {
   const bool in_contour = is_in_contour();
   for (std::size_t i = 0; i < lanes_.size(); ++i) {

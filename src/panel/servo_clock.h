@@ -1,6 +1,6 @@
 #pragma once
-// ServoClock: the machine's clock. Its thread takes the next positions of the axes from a Playback at each instant, and publishes where
-// the axes are. Planning, serving and drawing cannot delay it.
+// ServoClock: the clock that outputs positions at a fixed rate. At each instant its thread reads the next positions of the axes from a
+// Playback and publishes them. Planning, serving and drawing cannot delay it.
 //
 //   planner ──offer──▶ Playback ──▶ one position per instant ──▶ sample(), from any thread
 
@@ -15,33 +15,34 @@
 
 namespace kadr {
 
-/// Where the axes are at an instant of the clock.
+/// The state of the axes at one instant of the servo clock.
 struct ServoSample {
-  std::uint64_t instant = 0;  // number of instants, counted while it plays
+  std::uint64_t instant = 0;  // number of instants so far, counted while motion is played
   Axes machine{};             // mm, degrees
-  std::uint64_t tag = 0;      // Spent::of(): the line it belongs to
+  std::uint64_t tag = 0;      // Spent::of(tag): the program line of this position
   std::uint64_t motion = 0;   // Playback::motion()
-  double share = 1;           // reached share of the planned speed
-  double played = 0;          // s of the plan that have been played
-  double speed = 0;           // of X, Y, Z combined, mm/min
-  bool plays = false;         // motion is still to come
-  bool held = false;          // by an override of 0
-  double late = 0;            // s by which an instant was late, the maximum so far
+  double share = 1;           // share of the planned speed that is reached
+  double played = 0;          // time of the plan that has been played, s
+  double speed = 0;           // speed of X, Y, Z combined, mm/min
+  bool plays = false;         // more motion is to be played
+  bool held = false;          // an override of 0 has stopped the axes
+  double late = 0;            // the longest delay of an instant so far, s
 };
 
 class ServoClock {
  public:
-  /// `rate`: Hz. `stand`: machine coordinates at the start. `roles`: of the axes.
+  /// `rate`: instants per second, Hz. `stand`: machine coordinates of the axes at the start.
   ServoClock(double rate, const Axes& stand, const AxisRoles& roles);
   ~ServoClock();
-  ServoClock(const ServoClock&) = delete;  // its thread uses this object
+  ServoClock(const ServoClock&) = delete;  // the clock's thread uses this object
   ServoClock& operator=(const ServoClock&) = delete;
 
-  /// Plays from the next instant on. nullptr: the axes stay where they are. On return the previous playback is no longer used.
+  /// Plays this motion from the next instant on; nullptr: the axes stay where they are. When the function returns, the previous playback
+  /// is no longer used.
   void play(Playback* playback);
-  /// Sets the position of the axes; nothing is played.
+  /// Sets the position of the axes while no motion is played.
   void stand_at(const Axes& machine);
-  /// Emergency stop: from the next instant on no position is output until release(). May be called from any thread.
+  /// Emergency stop: from the next instant on no position changes until release(). May be called from any thread.
   void stop_at_once() { stopped_.store(true, std::memory_order_release); }
   void release() { stopped_.store(false, std::memory_order_release); }
   bool was_stopped() const { return stopped_.load(std::memory_order_acquire); }
@@ -58,12 +59,13 @@ class ServoClock {
   std::atomic<Playback*> playback_{nullptr};
   std::atomic<bool> stopped_{false}, ends_{false};
   std::mutex idle_lock_;
-  std::condition_variable wakes_;  // there is something to play
-  std::condition_variable idles_;  // the thread is waiting
+  std::condition_variable wakes_;  // notified when there is something to play
+  std::condition_variable idles_;  // notified when the thread is waiting
   bool idle_ = false;
-  ServoSample now_;  // written by the clock's thread; by others only while it waits
+  ServoSample now_;  // written by the clock's thread; other threads may write it only while the clock's thread waits
 
-  mutable std::mutex shown_lock_;  // while it plays, the clock never waits for this lock
+  // protects the published sample; while motion is played, the clock's thread never waits for this lock
+  mutable std::mutex shown_lock_;
   ServoSample shown_;
   Thread thread_;
 };

@@ -13,8 +13,8 @@ namespace beast = boost::beast;
 namespace websocket = beast::websocket;
 
 constexpr std::size_t most_unsent = std::size_t{8} << 20;           // bytes waiting to be sent to the page
-constexpr std::size_t most_questions = 256;                         // waiting for their answers
-constexpr std::size_t most_question_bytes = std::size_t{48} << 20;  // likewise
+constexpr std::size_t most_questions = 256;                         // number of requests that wait for their answers
+constexpr std::size_t most_question_bytes = std::size_t{48} << 20;  // total length of the waiting requests, bytes
 
 }  // namespace
 
@@ -27,10 +27,12 @@ void Connection::accept(const PageRequest& request) {
   beast::get_lowest_layer(socket_).expires_never();
   beast::error_code ignored;
   beast::get_lowest_layer(socket_).socket().set_option(boost::asio::ip::tcp::no_delay(true),
-                                                       ignored);  // else a second answer waits 40 ms for the first one's acknowledgement
+                                                       // without this option a second answer would wait 40 ms for the acknowledgement of
+                                                       // the first
+                                                       ignored);
   socket_.set_option(websocket::stream_base::timeout::suggested(beast::role_type::server));
   socket_.read_message_max(PageSession::most_message);
-  socket_.auto_fragment(false);  // else a long frame is sent in pieces of 4 KiB
+  socket_.auto_fragment(false);  // else a long frame would be sent in pieces of 4 KiB
   socket_.async_accept(request, [self = shared_from_this()](beast::error_code error) {
     if (error) return self->lost();
     if (!begin_alone([self] { self->answer_all(); })) return self->close(websocket::close_code::try_again_later);
@@ -45,7 +47,7 @@ void Connection::read() {
   });
 }
 
-/// A request to stop acts at once, also on the requests that wait before it.
+/// Reads a message. A request to stop takes effect at once, also on the requests that wait before it.
 void Connection::take_message() {
   std::string text = beast::buffers_to_string(buffer_.data());
   buffer_.consume(buffer_.size());
@@ -67,8 +69,8 @@ void Connection::take_message() {
   read();
 }
 
-/// Runs in the session's thread. A session holds much memory: it is destroyed here, so that the network's thread need not wait for that,
-/// and the memory returns to the system.
+/// Runs in the session's thread. The session is destroyed in this thread too: freeing its memory takes time, and the network's thread
+/// must not wait for it.
 void Connection::answer_all() {
   while (answer_next()) {
   }
@@ -81,7 +83,7 @@ void Connection::answer_all() {
   ::malloc_trim(0);
 }
 
-/// returns  false if it was the last one
+/// Answers the next request. Returns false if it was the last one.
 bool Connection::answer_next() {
   Question question;
   {
@@ -97,7 +99,7 @@ bool Connection::answer_next() {
   bool goes_on = false;
   try {
     goes_on = session_->take(question.text);
-  } catch (const std::exception&) {  // out of memory: ends this page's session, the others continue
+  } catch (const std::exception&) {  // if memory runs out, only this page's session ends
   }
   if (!goes_on) boost::asio::post(socket_.get_executor(), [self = shared_from_this()] { self->close_when_sent(); });
   return goes_on;
@@ -121,7 +123,7 @@ void Connection::write_next() {
   {
     const std::lock_guard hold(lock_);
     if (over_ || out_.empty()) return;
-    out = &out_.front();  // its address stays valid until it is sent
+    out = &out_.front();  // the element's address remains valid until it is sent
   }
   socket_.binary(out->binary);
   socket_.async_write(boost::asio::buffer(out->bytes), [self = shared_from_this()](beast::error_code error, std::size_t) {

@@ -1,5 +1,6 @@
 #pragma once
-// Connection: the WebSocket of one page. The network's thread reads and writes; each connection has its own thread that answers.
+// Connection: the WebSocket of one page. The network's thread reads and writes the socket; each connection has its own thread that
+// answers requests.
 
 #include <atomic>
 #include <boost/beast/core.hpp>
@@ -19,13 +20,13 @@ using PageRequest = boost::beast::http::request<boost::beast::http::string_body>
 
 class Connection : public PageLine, public std::enable_shared_from_this<Connection> {
  public:
-  /// `sessions`: counts the open sessions, and is decremented when this one ends. The arguments must outlive this object.
+  /// `sessions`: counter of the open sessions, decremented when this session ends. The arguments must outlive this object.
   Connection(boost::beast::tcp_stream stream, const PageServer& page, std::shared_ptr<std::atomic<int>> sessions);
   ~Connection() override;
 
   void accept(const PageRequest& request);
 
-  // ---- called by the thread that answers
+  // ---- the functions called by the thread that answers
   bool text(std::string message) override { return send({std::move(message), false}); }
   bool frame(std::string bytes) override { return send({std::move(bytes), true}); }
 
@@ -56,10 +57,11 @@ class Connection : public PageLine, public std::enable_shared_from_this<Connecti
   std::condition_variable news_;
   std::deque<Question> questions_;
   std::size_t question_bytes_ = 0;
-  std::deque<Outgoing> out_;  // the first one is being written
-  std::size_t unsent_ = 0;    // bytes
-  bool hurries_ = false;      // the current answer is to end at once, without waiting for the page to receive what was sent
-  bool ends_ = false;         // to be closed when everything is sent
+  std::deque<Outgoing> out_;  // messages to be sent; the first one is being written
+  std::size_t unsent_ = 0;    // bytes in out_
+  // a stop was requested: the current answer must end at once, without waiting until the page has received earlier output
+  bool hurries_ = false;
+  bool ends_ = false;  // the connection is to be closed when out_ is empty
   bool over_ = false;
 };
 

@@ -1,6 +1,6 @@
 #pragma once
-// Guard: decides which requests are served at all. A page of another site must not reach this server through the user's browser, even by
-// a host name that it makes point here (DNS rebinding).
+// Guard: decides which requests the server answers. A page of another site must not reach this server through the user's browser, not
+// even by a host name that the site points at this computer (DNS rebinding).
 
 #include <cstdint>
 #include <string>
@@ -9,20 +9,20 @@
 namespace kadr {
 
 struct ServedAddress {
-  std::string host = "127.0.0.1";  // address it listens on; "0.0.0.0": all
+  std::string host = "127.0.0.1";  // the address that the server listens on; "0.0.0.0": all addresses of the computer
   std::uint16_t port = 0;
-  /// True if other computers can reach it.
+  /// True if other computers can reach this address.
   bool is_open() const { return host != "127.0.0.1" && host != "::1" && host != "localhost"; }
 };
 
-/// `host`: of the request, with its port. If the server listens on all addresses, any numeric address is accepted and no name but
-/// localhost.
+/// Checks the host, with its port, that a request names. If the server listens on all addresses, any numeric address is accepted, but of
+/// names only localhost.
 bool is_own_host(const ServedAddress& address, std::string_view host);
 
-/// `origin`: of the request; empty: the request has none, so it does not come from a page.
+/// Checks the origin that a request names. An empty origin is accepted: the request does not come from a page.
 bool is_own_origin(std::string_view origin, std::string_view host);
 
-/// 128 random bits from the system's generator, in hexadecimal.
+/// Returns 128 random bits from the system's generator, in hexadecimal.
 std::string new_token();
 
 }  // namespace kadr

@@ -22,7 +22,7 @@ using Response = http::response<http::string_body>;
 
 constexpr std::uint32_t most_header = 16 << 10, most_body = 1 << 10;  // bytes
 constexpr auto until_asked = std::chrono::seconds(10), until_taken = std::chrono::seconds(60);
-constexpr int most_requests = 512;  // simultaneous connections that have not become sessions
+constexpr int most_requests = 512;  // maximum number of connections that are open and not yet sessions
 
 constexpr const char* policy =
     "default-src 'none'; script-src 'self'; worker-src 'self'; style-src 'self' 'unsafe-inline'; img-src 'self' blob:; connect-src 'self'; "
@@ -55,7 +55,7 @@ std::string_view view_of(beast::string_view text) { return {text.data(), text.si
 
 constexpr std::string_view plain = "text/plain; charset=utf-8";
 
-/// Answers a request that is no WebSocket.
+/// Answers an HTTP request that does not open a WebSocket.
 Response answer_to(const PageRequest& request) {
   if (request.method() != http::verb::get && request.method() != http::verb::head) {
     Response refused = answer(request, http::status::method_not_allowed, plain, "GET, HEAD\n");
@@ -91,7 +91,7 @@ struct HttpServer::Inside : std::enable_shared_from_this<Inside> {
 
 namespace {
 
-/// A connection until it becomes a session or ends.
+/// A connection, from its acceptance until it opens a session or ends.
 class Request : public std::enable_shared_from_this<Request> {
  public:
   struct Shared {
@@ -162,7 +162,7 @@ void HttpServer::Inside::accept() {
     if (!error && self->requests < most_requests)
       std::make_shared<Request>(std::move(socket), Request::Shared{self->address, self->page, self->sessions, self->requests})->read();
     if (!error) return self->accept();
-    self->rest.expires_after(std::chrono::milliseconds(50));  // out of file descriptors: retry when some are free
+    self->rest.expires_after(std::chrono::milliseconds(50));  // no file descriptors left: retries a little later
     self->rest.async_wait([self](beast::error_code stopped) {
       if (!stopped) self->accept();
     });

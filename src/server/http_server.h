@@ -1,5 +1,6 @@
 #pragma once
-// HttpServer: HTTP and WebSocket for the page: one PageSession per connection, each with its own thread, and one thread for the network.
+// HttpServer: the HTTP and WebSocket server of the page. It has one PageSession per connection, each with its own thread, and one thread
+// for the network.
 
 #include <cstdint>
 #include <functional>
@@ -23,7 +24,7 @@ class HttpServer {
   HttpServer(const HttpServer&) = delete;
   HttpServer& operator=(const HttpServer&) = delete;
 
-  /// The address with the actual port.
+  /// The address that the server listens on, with the actual port.
   const ServedAddress& address() const;
   /// Serves until stop().
   void run();

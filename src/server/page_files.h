@@ -1,5 +1,5 @@
 #pragma once
-// The files of the built page, embedded by dev/embed.cpp.
+// The files of the built page, which dev/embed.cpp embeds in the program.
 
 #include <string_view>
 
@@ -7,10 +7,11 @@
 
 namespace kadr {
 
-/// Names are relative to the page's folder: "index.html". Empty if the program was built without npm, and so without the page.
+/// The embedded files; their names are relative to the page's folder: "index.html". Empty if the program was built without npm, and so
+/// without the page.
 std::span<const EmbeddedFile> page_files();
 
-/// Content type by the file's ending.
+/// Returns the content type for a file name, by its ending.
 std::string_view content_type(std::string_view name);
 
 }  // namespace kadr

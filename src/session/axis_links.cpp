@@ -16,7 +16,7 @@ std::optional<AxisLinks::Place> AxisLinks::place_of(int number) const {
   return std::nullopt;
 }
 
-/// True also if the axis follows the master through other axes.
+/// True if the axis follows the master, directly or through other axes.
 bool AxisLinks::follows(Place axis, Place master) const {
   if (axis == master) return true;
   return std::any_of(links_.begin(), links_.end(), [&](const LinkedAxis& link) {
@@ -36,7 +36,7 @@ bool AxisLinks::may_link(const LinkedAxis& link) const {
   return !leads && channels_[link.channel].control->may_exchange(link.far.axis) && its.may_exchange(link.to_axis);
 }
 
-/// Machine position of the master: its programmed position while it is parked (20.2), else its actual one.
+/// Returns the machine position of the master: while the master is parked its programmed position (20.2), else its actual one.
 double AxisLinks::master_at(const LinkedAxis& link) const {
   const Control& control = *channels_[link.to_channel].control;
   const bool parked = control.is_parked(link.to_axis);
@@ -84,7 +84,8 @@ void AxisLinks::relink(std::size_t channel) {
 Status AxisLinks::carry(std::size_t moved) {
   for (LinkedAxis& link : links_) {
     if (link.to_channel != moved || link.far.link != AxisLink::follows) continue;
-    if (channels_[link.channel].control->is_parked(link.far.axis)) {  // INFERRED: it continues later from its present position
+    // INFERRED: when the axis is no longer parked, it follows from its present position
+    if (channels_[link.channel].control->is_parked(link.far.axis)) {
       link.lead = lead_of(link);
       continue;
     }

@@ -1,10 +1,11 @@
 #pragma once
-// AxisLinks: axes of one channel that follow axes of another channel, or are exchanged with them (nct 20.2, 20.3).
+// AxisLinks: links between axes of different channels: an axis follows a master axis of another channel, or two axes are exchanged (nct
+// 20.2, 20.3).
 //
 //   machine's logic ─▶ Control::far_axes() ─▶ relink()          a block of the master's channel ─▶ carry() ─▶ the follower has moved along
 //
-// INFERRED: the travel of the follower is part of the master's motion and no action of its own. An exchanged axis has the position, the end
-// positions and the name (in alarms) of the axis that it drives; times remain those of the programmed axis.
+// INFERRED: the follower travels as part of the master's motion, without an action of its own. An exchanged axis has the position, the
+// end positions and the name (in alarms) of the axis that it drives; the programmed axis determines the times.
 
 #include <memory>
 #include <optional>
@@ -18,32 +19,32 @@ namespace kadr {
 
 struct Channel;
 
-/// One link: which axis follows, or is exchanged with, which other axis, and their offset.
+/// One link between two axes.
 struct LinkedAxis {
-  std::size_t channel = 0;  // index
+  std::size_t channel = 0;  // index of the channel whose axis follows or is exchanged
   FarAxis far;
-  std::size_t to_channel = 0, to_axis = 0;  // the master axis, or the axis exchanged with
-  double lead = 0;                          // machine = lead + sign · machine of the master
+  std::size_t to_channel = 0, to_axis = 0;  // channel and axis that are followed, or exchanged with
+  double lead = 0;  // offset of a following axis: its machine position = lead + sign · machine position of the master
 };
 
 class AxisLinks {
  public:
-  /// Both must outlive it.
+  /// The arguments must outlive this object.
   AxisLinks(const std::vector<Channel>& channels, const std::vector<std::unique_ptr<ChannelRun>>& runs)
       : channels_(channels), runs_(runs) {}
 
-  /// The machine's logic has requested or ended links in this channel.
+  /// Called when the machine's logic has requested or ended links of axes in this channel.
   void relink(std::size_t channel);
-  /// The axes of a channel have moved: moves the axes that follow them.
+  /// Called when the axes of a channel have moved: moves the axes of other channels that follow them.
   ///   alarms  if a follower exceeds its limits
   Status carry(std::size_t moved);
 
   const std::vector<LinkedAxis>& memory() const { return links_; }
-  /// Restores the links. The channels must be restored to the same time.
+  /// Restores the links. The channels must be restored to the same time before.
   void remember(const std::vector<LinkedAxis>& then);
 
  private:
-  using Place = std::pair<std::size_t, std::size_t>;  // channel, axis
+  using Place = std::pair<std::size_t, std::size_t>;  // index of a channel, index of an axis
   std::optional<Place> place_of(int number) const;
   bool follows(Place axis, Place master) const;
   bool may_link(const LinkedAxis& link) const;

@@ -13,7 +13,7 @@
 namespace kadr {
 namespace {
 
-/// The M code that commanded an action; 0 if no M code did that the machine's logic receives.
+/// Returns the number of the M code that commanded an action; 0 if the action does not come from an M code for the machine's logic.
 std::uint32_t m_code_of(const Action& action) {
   constexpr std::uint32_t none = 0, of_coolant[] = {9, 7, 8};
   return by_kind(
@@ -32,7 +32,7 @@ std::uint32_t m_code_of(const Action& action) {
            Couple, Uncouple, ContourBreak, ContourCorner, ContourCheck>(none));
 }
 
-/// Collects the codes of the actions that pass.
+/// Collects the codes of all actions executed during the search.
 class Collector {
  public:
   explicit Collector(const SearchRules& rules) : rules_(rules) {}
@@ -48,7 +48,7 @@ class Collector {
       return static_cast<std::int64_t>(code) >= g.first && static_cast<std::int64_t>(code) <= g.second;
     });
     const bool in_group = group != rules_.groups.end();
-    // Of a group only the last code is kept; without a group, the last use of each code.
+    // In a group only the last code is kept; of a code without a group, its last use.
     auto& list = in_group ? grouped_ : others_;
     const std::int64_t key = in_group ? group - rules_.groups.begin() : static_cast<std::int64_t>(code);
     std::erase_if(list, [&](const auto& noted) { return noted.first == key; });
@@ -68,7 +68,7 @@ class Collector {
   std::optional<BlockSearch::Code> tool_;
 };
 
-/// Detaches the outlets, so that only the collector sees the actions. The destructor restores them.
+/// Detaches the outlets, so that only the collector receives the actions. The destructor attaches the outlets again.
 class Unseen {
  public:
   Unseen(Session& session, Collector& collector) : session_(session), before_(session.outlets()) {

@@ -1,6 +1,6 @@
 #pragma once
-// BlockSearch: the control's own block search, if it has one (nct 13.1): which functions it executes before the program continues, and
-// which it forgets. A restart (session/restart), in contrast, restores everything that was in force.
+// BlockSearch: the control's own block search, if it has one (nct 13.1): which functions the search executes before the program
+// continues, and which functions it omits. A restart (session/restart), in contrast, restores everything that was in force.
 
 #include <string>
 #include <vector>
@@ -10,26 +10,26 @@
 namespace kadr {
 
 struct BlockSearch {
-  /// An M code, or the tool change: "M8"; "T5", or "T5 M6" if M6 changes the tool.
+  /// An M code or the tool change, as text: "M8"; "T5", or "T5 M6" if M6 changes the tool.
   struct Code {
     std::string text;
-    Origin origin;  // where it was programmed last
-    Action action;  // of the machine
+    Origin origin;  // the block that programmed the code last
+    Action action;  // the action that the machine executes for the code
   };
-  /// Modal codes, feed, speed, offsets, variables, and the required tool position: as if everything before had been executed (INFERRED,
-  /// 13.1).
+  /// The modal codes, feed, speed, offsets, variables and tool position at the target, as if all blocks before it had been executed
+  /// (INFERRED, 13.1).
   Restart restart;
-  /// Executed when the search ends, in this order: of each group of the machine builder (N1341 to N1372) the code programmed last, sorted
-  /// by last use; then the tool change (N1338 #0: on T or on M6).
+  /// The codes that are executed when the search ends, in this order: from each group of the machine builder (N1341 to N1372) the code
+  /// programmed last, sorted by last use; then the tool change (N1338 #0: on T or on M6).
   std::vector<Code> carried_out;
-  /// M codes of no group, sorted by last use; the manual does not say what becomes of them.
+  /// The M codes that belong to no group, sorted by last use; the manual does not say whether they are executed.
   std::vector<Code> of_no_group;
-  /// Spindle and coolant states in force in the program there, which `carried_out` does not restore.
+  /// Spindle and coolant states that the program has set before the target, and that `carried_out` does not restore.
   std::vector<InForce> forgotten;
 };
 
-/// Searches from the session's present position to the first block that matches the target; #_BSEARCH is 1 meanwhile (23.1.11). The outlets
-/// receive nothing.
+/// Searches from the session's present position to the first block that matches the target; #_BSEARCH is 1 during the search (23.1.11).
+/// The outlets receive no steps.
 ///   pre      the control has a block search: Control::search_rules()
 ///   returns  nullopt if the block is not reached; the state of the session says why
 std::optional<BlockSearch> search_block(Session& session, Stepping& stepping, const StopPoint& target);

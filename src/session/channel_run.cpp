@@ -11,9 +11,9 @@
 namespace kadr {
 namespace {
 
-constexpr unsigned shown_each = 64;  // batches between two calls of the onlooker
+constexpr unsigned shown_each = 64;  // number of batches between two updates of the progress display
 
-/// What the corner calculation of `path` may expect after a batch.
+/// Says what follows a batch, for the calculation of corners in room `path`.
 ContourCorners::Follows behind(Control::State state) {
   switch (state) {
     case Control::State::running:
@@ -75,7 +75,7 @@ ChannelRun::~ChannelRun() {
   control_.on_warning = nullptr;
 }
 
-/// On a compensated contour the control has only the programmed point, so the position comes from the machine.
+/// Passes the machine's position to the control: on a compensated contour the control has only the programmed point.
 void ChannelRun::note_place() {
   if (beside_contour()) stopped_.machine_stood = machine_.position();
 }
@@ -86,7 +86,7 @@ ChannelRun::State ChannelRun::stop(const AlarmReport& report) {
   return State::stopped;
 }
 
-/// Rooms lang and control: turns blocks into actions.
+/// Gets the next batch: the rooms lang and control convert blocks to actions.
 Control::State ChannelRun::next_batch() {
   if (!to_come_.empty()) {
     RunAhead::Batch next = std::move(to_come_.front());
@@ -103,8 +103,7 @@ Control::State ChannelRun::next_batch() {
   constexpr double ms = 1000;
   if (control_.reads_clock()) control_.set_time(now() * ms, spent().cutting * ms);
   const Control::State state = control_.run(batch_);
-  // A thread pays only if the rooms after the control have about as much work as the control: else passing batches costs more than it
-  // saves.
+  // A thread saves time only if path and machine have about as much work as the control; otherwise passing the batches costs more.
   const bool contour = queued_ ? queued_->at_work() : compensation_.at_work();
   const bool pays = (outlets_.works_long || contour) && !control_.holds_before;
   if (ahead_ && pays && state == Control::State::running && !control_.hands_over_each_block()) ahead_->start();
@@ -137,26 +136,27 @@ std::optional<CompensationFault> ChannelRun::compensate(Control::State state, bo
   return queued_->take(batch_, last ? QueuedCompensation::Follows::nothing : QueuedCompensation::Follows::more);
 }
 
-/// Passes the batch of the control through the rooms after it.
+/// Passes the batch of the control through the later rooms: path, machine, outlets.
 ChannelRun::State ChannelRun::take(Control::State state) {
   if (!ahead_ || !ahead_->is_going()) blocks_ = control_.blocks();
   else if (!batch_.empty()) blocks_ = batch_.back().origin.number;
   const bool is_ahead = (ahead_ && ahead_->is_going()) || !to_come_.empty();  // then control_ must be used through settled() only
-  const auto corner_fault = corners_.take(batch_, behind(state));             // path: calculated corners, roundings
+  const auto corner_fault = corners_.take(batch_, behind(state));             // room path: calculated corners and roundings
   if (outlets_.programmed && !outlets_.silent)
     for (const Action& action : batch_) outlets_.programmed(action);
-  const auto fault = compensate(state, corner_fault.has_value());  // path: the tool's radius
+  const auto fault = compensate(state, corner_fault.has_value());  // room path: cutter radius compensation
   ToolPosition before = machine_.position();
   const auto follows = goes_on(state) ? VirtualMachine::Follows::more : VirtualMachine::Follows::nothing;
   const auto taken =
-      machine_.take(batch_, follows, [this](const ProbeAnswer& touched) { control_.answer(touched); });  // limits, zones, probes
+      // room machine: limits, zones, probes
+      machine_.take(batch_, follows, [this](const ProbeAnswer& touched) { control_.answer(touched); });
   batch_.cut(taken.done);
   hand_out(std::move(before));
   if (!logic_.plc.idle())
     for (const Action& action : batch_) apply(logic_.plc.action(action), control_, logic_.channels);
   if (taken.alarm) {
     const AlarmReport report = settled().report_for(*taken.alarm, taken.origin);
-    if (taken.refused) control_.refused();  // it hands over each block from then on, so it is not ahead
+    if (taken.refused) control_.refused();  // from then on the control passes each block separately, so it is no longer ahead
     if (!outlets_.alarm(report)) {
       stopped_.machine_stood = machine_.position();
       return stop(report);
@@ -191,7 +191,7 @@ ChannelRun::State ChannelRun::take(Control::State state) {
   return state == Control::State::waiting ? State::waiting : State::running;
 }
 
-/// Reports an alarm of room `path`: the control was ahead of it. Returns false if the run stops.
+/// Reports an alarm of room `path`. The control had executed blocks beyond the faulty one. Returns false if the run stops.
 bool ChannelRun::goes_on_after(const std::optional<CompensationFault>& fault) {
   if (!fault) return true;
   const AlarmReport report = settled().report_for(fault->alarm, fault->origin);
@@ -309,9 +309,8 @@ void ChannelRun::wait_until(double at) {
   now_.spent_then = spent().now;
 }
 
-/// Passes the batch to the outlets (trace, summary, plot). Only here each action gets the tool position before it and the time at which
-/// it begins.
-///   from  position before the batch
+/// Passes the batch to the outlets (trace, summary, plot). This function gives each action the tool position and the time at its start.
+///   from  tool position before the batch
 void ChannelRun::hand_out(ToolPosition from) {
   const auto leads = [](const auto& space) { return space && space->leads_tip(); };
   const bool led = leads(from.space) || std::any_of(batch_.begin(), batch_.end(), [&](const Action& action) {
@@ -334,7 +333,7 @@ void ChannelRun::give(Steps& steps, const Action& action) {
   const double begins = outlets_.step && clock_ != nullptr ? now() : 0;
   steps.give(action, begins, [this](const Step& step) {
     if (outlets_.silent) return;
-    const bool moves = step.motion() != nullptr;  // a tool change reaches the outlets only after all motions of the tool before it
+    const bool moves = step.motion() != nullptr;  // a tool change is passed to the outlets only after all earlier motions of the tool
     if (moves && outlets_.step) outlets_.step(step);
     if (look_ahead_) look_ahead_->consume(step);
     else if (outlets_.timed) outlets_.timed(step, 0);
@@ -345,7 +344,7 @@ void ChannelRun::give(Steps& steps, const Action& action) {
   });
 }
 
-/// True for a motion with a feed that some axis may not reach.
+/// True for a motion whose feed may exceed the speed of some axis.
 bool ChannelRun::is_suspect(const Action& action) const {
   const auto* const motion = motion_of(action);
   return motion != nullptr && motion->feed > least_most_ && motion->unit == FeedUnit::mm_per_min;
@@ -364,7 +363,8 @@ void ChannelRun::watch_gear(const Action& action) {
                               action.origin));
 }
 
-/// Room motion: warns once of a feed that an axis cannot reach; such a motion is timed at the rapid rate of that axis.
+/// Room motion: warns once of a feed that an axis cannot reach; the axis then moves at its rapid rate, which determines the motion's
+/// time.
 void ChannelRun::watch_feed(const Step& step) {
   constexpr double rounding = 1e-9;
   const Motion& motion = *step.motion();

@@ -1,6 +1,6 @@
 #pragma once
-// ChannelRun: runs one channel: program → control → path → machine → Steps → observers. This is the one place where these rooms are
-// connected. session/channels runs the channels of one machine in parallel.
+// ChannelRun: runs the program of one channel: program → control → path → machine → Steps → observers. Only this class connects these
+// rooms. session/channels runs the channels of one machine in parallel.
 
 #include <deque>
 #include <functional>
@@ -27,7 +27,7 @@ namespace kadr {
 /// Virtual time since the start, s.
 struct VirtualTime {
   double now = 0;
-  double cutting = 0;  // part of `now` spent at feed
+  double cutting = 0;  // the part of `now` that was spent moving at feed
 };
 VirtualTime virtual_time(const TimeSplit& split);
 
@@ -35,81 +35,85 @@ VirtualTime virtual_time(const TimeSplit& split);
 class Onlooker {
  public:
   virtual ~Onlooker() = default;
-  /// Returns true if something is due to be displayed. Called often.
+  /// Returns true if the display is due for an update. Called often.
   virtual bool is_due() const = 0;
-  /// The control does not run meanwhile.
+  /// Updates the display. The control stands still during the call, so it may be queried.
   virtual void show(const Control& control) = 0;
 };
 
 /// The observers of a run.
 struct Outlets {
-  std::function<void(const Step&)> step{};  // called after the machine has accepted the action; empty: nobody observes
-  /// The same with the time that the machine takes, if something limits the speed (ChannelRun::look_ahead): called later, and the step
-  /// takes `longer` s more than it was timed.
+  std::function<void(const Step&)> step{};  // called after the machine has accepted an action; empty: nobody observes the steps
+  /// Like `step`, but with the time that the machine really takes, if something limits the speed (ChannelRun::look_ahead). It is called
+  /// later than `step`; the step takes `longer` s more than was computed for `step`.
   std::function<void(const Step&, double longer)> timed{};
   std::function<void(const AlarmReport&)> warning;
   /// Called at an alarm. Returns true to continue with the next block (checking).
   std::function<bool(const AlarmReport&)> alarm;
-  Onlooker* onlooker = nullptr;                     // called now and then
-  TimeEstimate* clock = nullptr;                    // times the steps; nullptr: the run keeps its own clock, if times are requested
-  bool wants_times = false;                         // the steps must always carry times
-  std::function<void(const Action&)> programmed{};  // each action before cutter radius compensation
-  std::function<bool()> writable{};                 // returns false if output could not be written; empty: nothing is written
+  Onlooker* onlooker = nullptr;  // called now and then to display the progress
+  // computes the times of the steps; nullptr: the run has its own clock, created when times are requested
+  TimeEstimate* clock = nullptr;
+  bool wants_times = false;                         // steps must always have times
+  std::function<void(const Action&)> programmed{};  // called for each action before cutter radius compensation is applied
+  std::function<bool()> writable{};                 // returns false if output could not be written; empty: the observers write no output
   StopToken stop{};                                 // polled after each batch
-  bool works_long = false;                          // the observer does much work per step: writes or draws it
-  bool silent = false;                              // steps and warnings are not passed on: the program is only scanned
+  bool works_long = false;                          // the observer works long on each step, because it writes or draws it
+  bool silent = false;                              // the program is only scanned: steps and warnings are not passed to the observers
 };
 
 /// How a run ended.
 struct Stopped {
-  std::optional<AlarmReport> report{};          // the alarm that stopped it, if one did
-  std::optional<ToolPosition> machine_stood{};  // set if it differs from the control's: that was ahead, or ignores an offset
-  int channel = 0;                              // the channel that raised the alarm, if it is another one (several channels)
+  std::optional<AlarmReport> report{};  // the alarm that stopped the run; nullopt: no alarm
+  // the machine's position, if it differs from the control's because the control had read ahead or ignores an offset
+  std::optional<ToolPosition> machine_stood{};
+  int channel = 0;  // number of the channel that raised the alarm, if that was another channel
 };
 
-/// The machine's logic (PLC), and the channels that it acts on.
+/// The machine's logic (PLC), and the controls of the channels that it acts on.
 struct Logic {
   Plc plc;
   std::vector<Control*> channels;
 };
 
-/// One channel in execution: its control, its part of the machine, its clock. The constructor's arguments must outlive it.
+/// One channel that is being executed: its control, its axes of the machine, its clock. The constructor's arguments must outlive this
+/// object.
 class ChannelRun {
  public:
   ChannelRun(Control& control, const MachineProfile& profile, const Setup& setup, const Outlets& outlets, Logic& logic);
-  ChannelRun(const ChannelRun&) = delete;  // the control calls it back
+  ChannelRun(const ChannelRun&) = delete;  // the control calls back this object
   ChannelRun& operator=(const ChannelRun&) = delete;
   ~ChannelRun();
 
   enum class State : std::uint8_t { running, waiting, held, stopped, ended };
-  /// Executes what the control passes on at once.
-  ///   waiting  for other channels: Control::meeting()
-  ///   held     before a block, by Control::holds_before()
-  ///   stopped  by an alarm, see stopped()
+  /// Executes the next actions that the control passes together.
+  ///   waiting  the channel waits for other channels: Control::meeting()
+  ///   held     the channel is held before a block, by Control::holds_before()
+  ///   stopped  an alarm has stopped the channel: stopped()
   State step();
-  /// Passes on to the outlets an action that all channels execute together at this time.
+  /// Passes an action to the outlets that all channels execute together at this time.
   void show(const Action& action);
   const Stopped& stopped() const { return stopped_; }
-  /// Stops the run for a reason that is no fault of a block.
+  /// Stops the run for a reason other than a faulty block.
   void refuse(const Alarm& alarm);
   void warn(const AlarmReport& warning);
 
-  /// Virtual time in s, including waiting. It counts from the first call on, unless the outlets have a clock.
+  /// Virtual time of the channel in s, including the time spent waiting. It counts from the first call of now(), unless the outlets have
+  /// a clock.
   double now();
-  /// States that this channel has waited for others until `at`.
+  /// Records that this channel has waited for other channels until the time `at`.
   void wait_until(double at);
   double waited() const { return now_.waited; }
 
-  /// From here on Outlets::timed receives the steps timed by these rules. For a single channel only: several channels wait for each other
-  /// by their programmed times, and their speeds are not planned.
+  /// From now on Outlets::timed receives the steps with times computed by these rules. For a single channel only: several channels wait
+  /// for each other by their programmed times, and their speeds are not planned.
   void look_ahead(const SpeedRules& rules);
-  /// States that nothing follows: actions that the rooms keep back for look-ahead are emitted as if the program ended here.
-  ///   returns  stopped  if that raised an alarm
+  /// Declares that no action follows: actions that are kept back for look-ahead are passed on as if the program ended here.
+  ///   returns  stopped if a kept-back action raised an alarm
   State let_out();
   void finish();
-  /// Number of blocks that the control has executed, as far as the rooms after the control have processed them.
+  /// Number of blocks that the control has executed and the later rooms (path, machine) have processed.
   std::uint64_t blocks() const { return blocks_; }
-  /// Returns the control for queries, once its thread has stopped as far ahead as it may go.
+  /// Waits until the control's thread has stopped, as far ahead as it may run, and returns the control, which may be queried then.
   Control& settled();
   /// The position of the machine.
   const ToolPosition& position() const { return machine_.position(); }
@@ -120,28 +124,30 @@ class ChannelRun {
   /// Moves a linked axis to this machine position.
   ///   alarms  as VirtualMachine::follow()
   Status lead(std::size_t axis, double machine);
-  /// Exchanges an axis with one of another channel, so that each program drives the other's axis; or ends the exchange.
+  /// Exchanges an axis with an axis of another channel, so that each program drives the other's axis; `on` false: ends the exchange.
   void exchange(std::size_t axis, ChannelRun& with, std::size_t other, bool on);
-  /// Exchanges only what stays exchanged, the names, end positions and zones; the positions of the axes are not exchanged.
+  /// Exchanges the data that belong to the axes themselves (names, end positions and zones), but not their positions.
   void exchange_limits(std::size_t axis, ChannelRun& with, std::size_t other) { machine_.exchange(axis, with.machine_, other); }
-  /// From here on the clock of the outlets counts. It continues the state of the previous clock, but not the time spent so far.
+  /// Called when the outlets have another clock: from now on it counts. It takes over the previous clock's state, but not the time
+  /// counted so far.
   void change_clock();
-  /// Acknowledges the alarm that stopped the run: it may continue.
+  /// Acknowledges the alarm that stopped the run, so that the run may continue.
   void acknowledge() { stopped_ = {}; }
 
-  /// The run's own state between steps.
+  /// The state of this object between two steps.
   struct Clocks {
-    double waited = 0;      // s, total
-    double goes_on_at = 0;  // time at which the last waiting ended …
-    double spent_then = 0;  // … and the time spent until then. Two values, since rounding in a running sum could change the order of steps
+    double waited = 0;      // total waiting time, s
+    double goes_on_at = 0;  // time at which the last waiting ended, s …
+    // … and the time spent until then, s. Both are stored, since rounding of a running sum could change the order of steps
+    double spent_then = 0;
     bool too_fast_told = false;
     WhirlWatch whirls{};
     GearWatch gear{};
   };
-  /// Everything that determines how the run continues, its rooms included, as a value.
+  /// Everything that determines how the run continues, including the state of path and machine, as a value.
   struct Memory {
     Snapshot control;
-    std::vector<RunAhead::Batch> to_come;  // batches that the control had executed ahead
+    std::vector<RunAhead::Batch> to_come;  // batches that the control had executed ahead of the machine
     ContourCorners::Memory corners;
     std::shared_ptr<const RadiusCompensation::Memory> compensation;
     std::shared_ptr<const QueuedCompensation::Memory> queued;
@@ -151,9 +157,9 @@ class ChannelRun {
     Clocks own;
     Stopped stopped;
   };
-  /// Returns nullopt while the control waits for a probe.
+  /// Returns the state; nullopt while the control waits for a probe.
   std::optional<Memory> memory();
-  /// Continues from this state.
+  /// Restores a state; the run continues from there.
   ///   alarms  as Control::restore()
   Status remember(const Memory& memory);
 
@@ -176,23 +182,24 @@ class ChannelRun {
 
   Control& control_;
   const Setup& setup_;
-  const bool knows_rates_;  // a machine is selected, or the set-up states rapid rates
+  const bool knows_rates_;  // the rapid rates are known: a machine is selected, or the set-up states them
   const Outlets& outlets_;
   Logic& logic_;
   ContourCorners corners_;
   RadiusCompensation compensation_;
-  std::optional<QueuedCompensation> queued_;  // replaces compensation_ if the control queues its contours
+  std::optional<QueuedCompensation> queued_;  // used instead of compensation_ if the control queues its contours
   VirtualMachine machine_;
   Rates rates_;
-  double least_most_;                      // the lowest of the axes' rapid rates
-  TimeEstimate* clock_;                    // of the outlets, or …
-  std::optional<TimeEstimate> own_clock_;  // … the run's own, created at the first query; until then nullptr
+  double least_most_;                      // the lowest rapid rate of all axes
+  TimeEstimate* clock_;                    // the clock of the outlets, or …
+  std::optional<TimeEstimate> own_clock_;  // … this object's own clock, created at the first query; clock_ is nullptr until then
   std::optional<LookAhead> look_ahead_;    // set if something limits the speed
   Clocks now_;
   ActionBatch batch_;
-  std::optional<RunAhead> ahead_;            // set if nothing after the control affects what it executes
-  std::deque<RunAhead::Batch> to_come_;      // from a snapshot: batches by which the control is ahead
-  std::vector<AlarmReport> early_warnings_;  // of the batch read last
+  // lets the control run in its own thread; set if nothing that comes after the control affects what it executes
+  std::optional<RunAhead> ahead_;
+  std::deque<RunAhead::Batch> to_come_;      // batches from a restored snapshot that the control had executed ahead
+  std::vector<AlarmReport> early_warnings_;  // warnings of the batch that was read last
   unsigned steps_ = 0;
   std::uint64_t blocks_ = 0;
   Stopped stopped_;

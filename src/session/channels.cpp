@@ -15,14 +15,14 @@
 namespace kadr {
 namespace {
 
-/// Creates the control of one channel. Returns a fault if the set-up does not fit.
+/// Creates the control of one channel. Returns a fault if the set-up does not fit the control.
 SetupFault open_channel(Channel& channel, const ControlDef& def, Program program, RunLimits limits,
                         const std::shared_ptr<SharedMemory>& shared) {
   channel.control = std::make_unique<Control>(def, channel.setup, std::move(program), limits, shared);
   return channel.control->setup_fault();
 }
 
-/// The folder of files for a program that writes none: from there it may call files.
+/// Returns the folder in which a run that may not write files finds the files that its program calls.
 std::string folder_of(const std::string& program) {
   const auto folder = std::filesystem::path(program).parent_path();
   return folder.empty() ? "." : folder.string();
@@ -65,7 +65,7 @@ tl::expected<std::vector<Channel>, ChannelsFault> open_channels(const ControlDef
   if (setup.channels.contains(setup.channel))
     return refused(fmt::format("channel {} is the program's own", setup.channel), fmt::format("канал {} — самой УП", setup.channel));
   const std::string file = program.file;
-  if (!limits.writes_files && limits.files == RunLimits{}.files) limits.files = folder_of(file);  // the caller has not set the folder
+  if (!limits.writes_files && limits.files == RunLimits{}.files) limits.files = folder_of(file);  // the caller has not chosen a folder
   const auto shared = setup.channels.empty() ? nullptr : std::make_shared<SharedMemory>();
   std::vector<Channel> channels;
   const auto open = [&](int number, Setup own, Program its) -> tl::expected<void, ChannelsFault> {
@@ -113,7 +113,7 @@ Channels::Channels(std::vector<Channel>& channels, const MachineProfile& profile
     control.hand_over_each_block();
     control.set_waiting(Control::Waiting::meet);
     runs_.push_back(std::make_unique<ChannelRun>(control, profile, channels[i].setup, outlets.own[i], logic_));
-    (void)runs_.back()->now();  // the clock runs from the start
+    (void)runs_.back()->now();  // the first call of now() starts the clock of the channel
   }
   for (std::size_t i = 0; i < channels.size(); ++i) {
     links_.relink(i);
@@ -133,7 +133,7 @@ std::size_t Channels::index_of(int number) const {
                                   channels_.begin());
 }
 
-/// The running channel with the lowest clock.
+/// Returns the running channel with the lowest virtual time.
 std::optional<std::size_t> Channels::next() {
   std::optional<std::size_t> first;
   for (std::size_t i = 0; i < states_.size(); ++i)
@@ -179,8 +179,8 @@ void Channels::end() {
   show_past();
 }
 
-/// Tables and parameters that a block of one channel has changed apply to all channels from the next block on, whichever channel executes
-/// it.
+/// Copies tables and parameters that a block of channel `by` has changed to all channels. The change applies from the next block on,
+/// whichever channel executes it.
 void Channels::share(std::size_t by) {
   if (channels_[by].control->common_version() == common_[by]) return;
   for (std::size_t i = 0; i < channels_.size(); ++i) {
@@ -189,7 +189,7 @@ void Channels::share(std::size_t by) {
   }
 }
 
-/// Moves the axes of other channels that follow this channel's axes. Returns false if one of them must not move, and the run stops.
+/// Moves the axes of other channels that follow the axes of channel `by`. Returns false if such an axis may not move and the run stops.
 bool Channels::carry(std::size_t by) {
   const Status carried = links_.carry(by);
   if (carried) return true;
@@ -252,15 +252,15 @@ Status Channels::remember(const Memory& memory) {
 
 void Channels::begin_waiting(std::size_t i) {
   const auto& meeting = channels_[i].control->meeting();
-  if (!meeting) return;  // the machine's logic has cancelled the waiting already
+  if (!meeting) return;  // the machine's logic has already cancelled the waiting
   states_[i] = State::waiting;
-  if (only_) return;  // no other channel runs, so none arrives
+  if (only_) return;  // no other channel runs, so none can arrive at the waiting code
   if (outlets_.waits) outlets_.waits(i, *meeting);
   rendezvous_.arrive(channels_[i].number, meeting->code, meeting->channels, now(i));
   while (const auto met = rendezvous_.next()) release(*met, i);
 }
 
-/// The channels that have met continue together; the trace gets one line for all, from the channel that arrived last.
+/// Lets the channels that have met continue together. The trace gets one line for all of them, from the channel that arrived last.
 void Channels::release(const Rendezvous::Met& met, std::size_t last) {
   const Origin origin = channels_[last].control->meeting()->origin;
   std::vector<std::size_t> all;
@@ -275,7 +275,7 @@ void Channels::release(const Rendezvous::Met& met, std::size_t last) {
   runs_[last]->show({origin, Sync{met.code, met.channels, met.at}});
 }
 
-/// Continues the channels whose waiting the signal CP_NOWT has cancelled.
+/// Continues the channels whose waiting was cancelled by the signal CP_NOWT.
 void Channels::wake(double at) {
   for (std::size_t i = 0; i < states_.size(); ++i) {
     if (states_[i] != State::waiting || channels_[i].control->meeting()) continue;
@@ -286,7 +286,7 @@ void Channels::wake(double at) {
   }
 }
 
-/// No channel can run and none can arrive: raises an alarm in each channel that waits.
+/// Called when no channel can run, so that none can arrive at a waiting code: raises an alarm in each waiting channel.
 ///   returns  true if the alarms were passed over (checking) and the channels continue
 bool Channels::end_deadlock() {
   bool goes_on = true;
@@ -319,7 +319,7 @@ void Channels::stop_all(std::size_t by) {
   }
 }
 
-/// Shows the past steps. Whatever a waiting channel will do comes after what the others do before they release it.
+/// Passes on the steps that are in the past of all channels. A waiting channel continues only after the channels that release it.
 void Channels::show_past() {
   std::vector<double> clocks(states_.size(), std::numeric_limits<double>::infinity());
   double lowest = std::numeric_limits<double>::infinity();

@@ -1,8 +1,9 @@
 #pragma once
 // Channels: runs the channels of one machine in parallel in virtual time (nct 1.2, 14.5).
 //
-//   The channel with the lowest clock runs its next block; of equal clocks the lowest channel number. At a waiting code it stops until all
-//   channels that P names have arrived; they continue at the time of the last one. Their steps are shown in the order of virtual time.
+//   The channel with the lowest virtual time runs its next block; if several have that time, the one with the lowest number. At a waiting
+//   code a channel stops until all channels listed in the word P have arrived; all continue at the time of the last arrival. The steps of
+//   all channels are passed to the observers in the order of virtual time.
 
 #include <deque>
 #include <functional>
@@ -19,53 +20,54 @@ namespace kadr {
 
 struct Channel {
   int number = 1;
-  Setup setup;  // as this channel has it
+  Setup setup;  // the set-up of this channel
   std::unique_ptr<Control> control;
 };
 
-/// A key of the set-up that the control does not support, and the channel concerned (0: there is only one).
+/// A set-up key that the control does not support, and the number of the channel concerned (0: there is only one channel).
 struct ChannelsFault {
   SetupFault fault;
   int channel = 0;
 };
 
-/// Opens the program's own channel and the channels of the set-up, sorted by number. The program of channel n is the file channelN.nct in
-/// the folder of the main program; subprograms are searched there.
+/// Opens the program's own channel and the channels of the set-up, sorted by number. Channel n executes the file channelN.nct in the
+/// folder of the main program; subprograms are searched in that folder.
 tl::expected<std::vector<Channel>, ChannelsFault> open_channels(const ControlDef& def, const Setup& setup, Program program,
                                                                 RunLimits limits);
 
-/// The initial set-up of a channel other than the program's own: parameters, machine, panel and tool tables belong to the machine and are
-/// shared; offsets, work zeros, variables and positions belong to the channel and are all 0 (INFERRED).
+/// Returns the initial set-up of a channel other than the program's own. Parameters, machine, panel and tool tables belong to the machine
+/// and are shared; offsets, work zeros, variables and positions belong to the channel and are all 0 at first (INFERRED).
 Setup setup_of_channel(const Setup& main, int number);
 
-/// Observers of the channels: the outlets of each, by index; and those that receive, in the order of time, what was given to show().
+/// Observers of the channels: the outlets of each channel, by index; and the functions that receive the shown steps in the order of time.
 struct ChannelOutlets {
   std::vector<Outlets> own;
-  bool stop_together = true;  // an alarm that is not passed over stops all channels (INFERRED); false: only its own (checking)
+  // an alarm that the observer does not pass over stops all channels (INFERRED); false: only the channel of the alarm stops (checking)
+  bool stop_together = true;
   std::function<void(std::size_t channel, const Step&)> in_order;
-  /// A channel starts waiting for others; everything that it has done before has been passed on.
+  /// Called when a channel starts waiting for others; all its earlier steps have been passed to the observers.
   std::function<void(std::size_t channel, const Control::Meeting&)> waits;
-  /// These channels continue together: they have met, or the only one no longer needs to wait.
+  /// Called when channels continue after waiting: they have met, or a single channel no longer needs to wait.
   std::function<void(const std::vector<std::size_t>& channels)> met;
-  /// The program of a channel has ended.
+  /// Called when the program of a channel has ended.
   std::function<void(std::size_t channel)> over;
 };
 
-/// Sorts the steps of several channels by the time at which they begin. A step is emitted later than the machine executes it, so it is
-/// kept with the tool position it began at.
+/// Sorts the steps of several channels by the time at which they begin. A step is passed on later than the machine executes it, so it is
+/// stored with the tool position at its beginning.
 class InOrder {
  public:
   explicit InOrder(std::size_t channels) : queues_(channels) {}
-  /// Each channel must put its steps in the order of time.
+  /// Adds a step. The steps of one channel must be added in the order of time.
   void put(std::size_t channel, const Step& step) { queues_[channel].push_back({++count_, KeptStep(step)}); }
 
   using Sink = std::function<void(std::size_t channel, const Step&)>;
-  /// Emits the steps that no later put() can precede. `clocks`: the time from which on each channel may still put a step.
+  /// Passes on the steps that no step added later can precede. `clocks`: for each channel, the earliest time of its next step.
   void release(const std::vector<double>& clocks, const Sink& sink);
 
  private:
   struct Entry {
-    std::uint64_t number;  // of equal times, the step that was put first comes first
+    std::uint64_t number;  // counts the steps; of steps with equal times, the one with the lower number comes first
     KeptStep kept;
     double at() const { return kept.begins; }
     bool before(const Entry& other) const { return at() < other.at() || (at() == other.at() && number < other.number); }
@@ -76,30 +78,30 @@ class InOrder {
 
 class Channels {
  public:
-  /// `profile`, `setup`: those of the machine.
+  /// `profile`, `setup`: the profile and the set-up of the machine.
   Channels(std::vector<Channel>& channels, const MachineProfile& profile, const Setup& setup, ChannelOutlets& outlets);
   ~Channels();
-  Channels(const Channels&) = delete;  // the controls call it back
+  Channels(const Channels&) = delete;  // the controls call back this object
   Channels& operator=(const Channels&) = delete;
 
-  /// Executes the next block of the channel with the lowest time.
+  /// Executes the next block of the channel with the lowest virtual time.
   ///   returns  ended if no channel can continue
   ChannelRun::State step();
-  /// How each channel ended, by index.
+  /// How each channel ended, by index of the channel.
   const std::vector<Stopped>& stopped() const { return stopped_; }
 
   double now(std::size_t channel) { return runs_[channel]->now(); }
   double waited(std::size_t channel) const { return runs_[channel]->waited(); }
   const ToolPosition& position(std::size_t channel) const { return runs_[channel]->position(); }
-  /// States that the axes of a channel have been moved by hand.
+  /// Called when the axes of a channel have been moved by hand.
   void stand_at(std::size_t channel, const Axes& machine) { runs_[channel]->stand_at(machine); }
-  /// A line has been entered in this channel: only this channel runs until all() is called.
+  /// Called when a line has been entered in this channel: only this channel runs until all() is called.
   void only(std::size_t channel);
-  /// All channels run again; the alarm that stopped the single one is acknowledged.
+  /// Lets all channels run again. An alarm that stopped the single channel counts as acknowledged.
   void all();
-  /// A channel that is held stays there, while the others continue until each is held, waiting or ended.
+  /// If on, a channel that is held stays held while the others continue, until each is held, waiting or ended.
   void hold_each(bool on) { each_holds_ = on, held_.assign(held_.size(), false); }
-  /// Takes a step from an outlet; it is shown when its time has come.
+  /// Receives a step from an outlet. It is passed on when the virtual time of all channels has reached it.
   void show(std::size_t channel, const Step& step) { order_.put(channel, step); }
 
  private:
@@ -145,11 +147,11 @@ class Channels {
   std::vector<Stopped> stopped_;
   Rendezvous rendezvous_;
   InOrder order_;
-  std::vector<std::uint64_t> common_;  // versions of the shared data of each channel, when all of them last agreed
+  std::vector<std::uint64_t> common_;  // version of the shared data in each channel, when the data of all channels last agreed
   bool over_ = false;
   bool each_holds_ = false;
-  std::vector<bool> held_;  // used if each_holds_
-  /// The channel that runs alone, and the states of all before that.
+  std::vector<bool> held_;  // by channel: it is held; used if each_holds_
+  /// The channel that runs alone, and the states of all channels before that.
   struct Only {
     std::size_t channel;
     std::vector<State> states;

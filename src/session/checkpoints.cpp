@@ -1,4 +1,5 @@
-// Snapshots of a run every so many blocks. Used to reach blocks in long programs; tested by tests/session/checkpoints_test.cpp.
+// Stores snapshots of a run at regular numbers of blocks, to reach blocks in long programs quickly; tested by
+// tests/session/checkpoints_test.cpp.
 
 #include "session/checkpoints.h"
 
@@ -29,7 +30,7 @@ Session::State Checkpoints::run() {
   return state;
 }
 
-/// Starts a new segment. The lines collected so far belong to the previous one.
+/// Starts a new segment after a snapshot. The line marks collected so far belong to the previous segment.
 void Checkpoints::keep() {
   auto now = session_.snapshot();
   if (!now) return;
@@ -52,7 +53,7 @@ void Checkpoints::thin_out() {
 bool Checkpoints::may_hold(const LineMarks& marks, const StopPoint& target) const {
   if (target.line == 0) return true;
   if (target.file.empty()) return marks.may_hold(0, target.line);
-  return true;  // the file's number becomes known only when it is called
+  return true;  // unknown until the file is called, so the segment may contain the line
 }
 
 Result<Session::State> Checkpoints::reach(Stepping& stepping, const StopPoint& target) {

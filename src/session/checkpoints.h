@@ -1,11 +1,11 @@
 #pragma once
-// Checkpoints: takes a snapshot of a run every so many blocks, so that any line of a long program can be reached without running everything
-// before it. Block search, restart in mid program, and a slider over the program are built on it.
+// Checkpoints: stores snapshots of a run at regular numbers of blocks, so that any line of a long program can be reached without running
+// all blocks before it. Block search, restart in mid program, and the slider over the program use it.
 //
-//   first pass   ●────────●────────●────────●──        a snapshot, then a segment with the marks of its lines
-//   a line       the first segment that may contain it: from its snapshot on, block by block
+//   first run    ●────────●────────●────────●──        ● a snapshot; ── the segment up to the next one, with marks of its lines
+//   a line       starts at the snapshot of the first segment that may contain the line, and runs block by block from there
 //
-// Memory is constant: when there are too many snapshots, every second one is dropped.
+// The memory is limited: when there are too many snapshots, every second one is dropped.
 
 #include <cstdint>
 #include <vector>
@@ -17,22 +17,22 @@ namespace kadr {
 
 class Checkpoints {
  public:
-  /// For a session that has not started and that outlives this object. With several channels, lines and blocks are those of the program's
-  /// own.
-  ///   each  blocks between two snapshots at first
-  ///   most  number of snapshots; each takes more than some 100 KB (Session::snapshot)
+  /// The session must not have started and must outlive this object. If it has several channels, lines and blocks are those of the
+  /// program's own channel.
+  ///   each  number of blocks between two snapshots at first
+  ///   most  maximum number of snapshots; each takes at least some 100 KB (Session::snapshot)
   explicit Checkpoints(Session& session, std::uint64_t each = 8192, std::size_t most = 128);
   ~Checkpoints();
-  Checkpoints(const Checkpoints&) = delete;  // the control notes its lines here
+  Checkpoints(const Checkpoints&) = delete;  // the control writes line marks into this object
   Checkpoints& operator=(const Checkpoints&) = delete;
 
-  /// The first pass: runs the session until it stops.
+  /// The first run through the program: runs the session until it stops.
   Session::State run();
 
-  /// After run(): goes to the first block that matches the target, whose `pass` counts from the beginning of the program, and is held
-  /// before it.
+  /// Call after run(). Goes to the first block that matches the target and is held before it. StopPoint::pass counts from the beginning
+  /// of the program.
   ///   pre      `stepping` belongs to the same session
-  ///   returns  held; or the state of the session if no block matches
+  ///   returns  held; or the state in which the session stopped, if no block matches
   ///   alarms   as Session::restore()
   Result<Session::State> reach(Stepping& stepping, const StopPoint& target);
 
@@ -41,8 +41,8 @@ class Checkpoints {
  private:
   struct Checkpoint {
     SessionSnapshot snapshot;
-    LineMarks marks;           // lines of the segment that follows
-    std::uint64_t blocks = 0;  // that the control had executed by then
+    LineMarks marks;           // marks of the lines in the segment that follows the snapshot
+    std::uint64_t blocks = 0;  // number of blocks that the control had executed at the snapshot
   };
   void keep();
   void thin_out();
@@ -51,7 +51,7 @@ class Checkpoints {
   Session& session_;
   std::uint64_t each_;
   std::size_t most_;
-  LineMarks marks_;  // lines of the segment in progress
+  LineMarks marks_;  // marks of the lines in the current segment
   std::vector<Checkpoint> all_;
 };
 

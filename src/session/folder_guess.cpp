@@ -1,5 +1,5 @@
-// Guesses the controls of programs that are in one folder. Used by cli/guessed_control and view/opening; tested by tests/guess.py,
-// tests/serve_guess.py.
+// FolderGuess: guesses the controls of programs from their texts and from the programs in their folders. Used by cli/guessed_control and
+// view/opening; tested by tests/guess.py, tests/serve_guess.py.
 
 #include "session/folder_guess.h"
 
@@ -20,7 +20,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::size_t whole_sample = 256 << 10;
-constexpr std::size_t short_sample = 16 << 10;  // for a neighbour
+constexpr std::size_t short_sample = 16 << 10;  // bytes read from a neighbouring program
 
 std::optional<std::string> sample_of(OpenedText opened, std::size_t most) {
   if (!opened.source) return std::nullopt;
@@ -28,12 +28,12 @@ std::optional<std::string> sample_of(OpenedText opened, std::size_t most) {
   const std::string_view sample = reader.sample().substr(0, most);
   const auto encoding = opened.encoding ? opened.encoding : detect_encoding(sample);
   std::string text;
-  if (encoding) (void)append_utf8(sample, *encoding, text);  // up to the first damaged byte
+  if (encoding) (void)append_utf8(sample, *encoding, text);  // converts the text up to the first invalid byte
   else text = sample;
   return text;
 }
 
-/// Regular files of a folder, sorted; their paths begin as `folder` is given.
+/// Returns the paths of regular files of a folder, sorted. The paths begin with `folder` as it is given.
 std::vector<std::string> files_of(const std::string& folder, std::size_t most, const std::function<bool(const fs::path&)>& fits) {
   std::vector<std::string> names;
   std::error_code error;
@@ -45,14 +45,14 @@ std::vector<std::string> files_of(const std::string& folder, std::size_t most, c
   return names;
 }
 
-/// Rows of [guess] of the control files in the folder: so a factory's own control can be guessed, too.
+/// Returns the rows of section [guess] in the control files of the folder, so that a factory's own control can be guessed too.
 std::vector<GuessRows> own_rows(const std::string& folder, const FileDoor* door) {
   constexpr std::size_t most_files = 100;
   std::vector<GuessRows> all;
   for (const std::string& file : files_of(folder, most_files, [](const fs::path& path) { return path.extension() == ".toml"; })) {
     const auto text = read_file(file, limits::config_file_bytes, door);
     if (!text || text->find("[guess]") == std::string::npos) continue;
-    const auto table = toml_tools::parsed(*text, file);  // errors of the file are reported when it is used
+    const auto table = toml_tools::parsed(*text, file);  // errors of the file are reported when the file is used as a control
     const toml::table* const guess = table && table->contains("id") ? (*table)["guess"].as_table() : nullptr;
     auto rows = guess == nullptr ? tl::unexpected<std::string>("") : guess_rows_of(*guess, file);
     if (!rows) continue;
@@ -64,14 +64,14 @@ std::vector<GuessRows> own_rows(const std::string& folder, const FileDoor* door)
 
 std::string folder_of(const std::string& file) { return fs::path(file).parent_path().string(); }
 
-/// The end of the path that guesses use, "/folder/part.nc": the names of the file and of its folder.
+/// Returns the part of the path that is evidence for a control: the names of the folder and the file, "/folder/part.nc".
 std::string called(const std::string& file) {
   std::error_code error;
   const fs::path whole = fs::absolute(file, error).lexically_normal();
   return "/" + whole.parent_path().filename().string() + "/" + whole.filename().string();
 }
 
-/// Programs of the folder that are not in `but`: those next to them by name.
+/// Returns programs of the folder that are not in `but`, which follow or precede the first of `but` alphabetically.
 std::vector<std::string> others_beside(const std::string& folder, const std::vector<std::string>& but) {
   constexpr std::size_t most_looked_at = 2000, most = 12;
   const auto names = files_of(folder, most_looked_at, [](const fs::path& path) {
@@ -99,7 +99,7 @@ FolderGuess::FolderGuess(GuessWays ways, const std::vector<std::string>& files) 
     if (guesses_.contains(file)) of_folder[folder_of(file)].push_back(file);
   }
   for (const auto& [folder, its_files] : of_folder) take_neighbours(folder, its_files);
-  std::map<std::string, std::vector<std::string>> below;  // key: folder; its files and those of its subfolders
+  std::map<std::string, std::vector<std::string>> below;  // folder → its files and the files of its subfolders
   for (const auto& [file, guess] : guesses_)
     for (fs::path folder = folder_of(file);; folder = folder.parent_path()) {
       below[folder.string()].push_back(file);
@@ -119,7 +119,7 @@ void FolderGuess::take(const std::string& file, std::size_t most_bytes) {
   if (most_bytes == whole_sample) try_guess(guess, *text);
 }
 
-/// If few programs of a folder are given, and one of them is not certain: reads others of the folder too.
+/// Reads other programs of the folder if only a few of its programs are given and the control of one of them is uncertain.
 void FolderGuess::take_neighbours(const std::string& folder, const std::vector<std::string>& of) {
   constexpr std::size_t many = 12;
   const bool sure = std::all_of(of.begin(), of.end(), [this](const std::string& file) { return guesses_[file].decisive; });
@@ -142,12 +142,12 @@ void FolderGuess::take_folder(const std::string& folder, const std::vector<std::
   folders_[folder] = found;
 }
 
-/// Returns what a file of the same folder, or of one above, decides; else what the folder as a whole suggests.
+/// Returns the control that a file of the same folder, or of a folder above, decides; else the one that the folder as a whole suggests.
 std::optional<FolderGuess::Neighbours> FolderGuess::neighbours_of(const std::string& file) const {
   const std::string own = folder_of(file);
   for (fs::path folder = own;; folder = folder.parent_path()) {
     const auto found = folders_.find(folder.string());
-    if (found == folders_.end()) return std::nullopt;  // its files disagree
+    if (found == folders_.end()) return std::nullopt;  // the files of the folder disagree
     if (!found->second.file.empty()) return found->second;
     if (!folder.has_relative_path() || folder == folder.parent_path()) break;
   }

@@ -1,6 +1,6 @@
 #pragma once
-// FolderGuess: guesses the control of programs for which the user names none, from their texts, their names and the files next to them.
-// Used by the commands and the page alike.
+// FolderGuess: guesses for which control a program was written if the user names none. The evidence is the text and the name of the
+// program, and other programs in its folder. Used by the commands and the page alike.
 
 #include <functional>
 #include <map>
@@ -14,35 +14,36 @@
 
 namespace kadr {
 
-/// How the files are opened and read.
+/// How the program files are opened and read.
 struct GuessWays {
-  std::function<std::string(const std::string& file)> named{};  // the control that the user names: not guessed then; empty: none
+  // returns the control that the user has named for a file; empty: none, so the control is guessed
+  std::function<std::string(const std::string& file)> named{};
   SaidEncoding encoding{};
-  const FileDoor* door = nullptr;     // opens them; nullptr: the file system
-  std::optional<std::string> text{};  // contents of the only file, used instead of reading it
+  const FileDoor* door = nullptr;     // opens the files; nullptr: the file system
+  std::optional<std::string> text{};  // contents of the program if there is only one, used instead of the contents of its file
 };
 
-/// Reads the beginning of a program as text.
+/// Reads the beginning of a program file as text.
 ///   returns  nullopt if the file cannot be read; errno says why
 std::optional<std::string> beginning_of_program(const std::string& file, const SaidEncoding& encoding, const FileDoor* door = nullptr);
 
-/// A program without a decisive mark is assigned the control of the programs in its folder, or in the nearest folder above. If only a few
-/// programs of a folder are given, some of the others in the folder are read too.
+/// A program whose own text leaves the control open is assigned the control of the other programs in its folder, or in the nearest folder
+/// above. If only a few programs of a folder are given, some other programs of the folder are read too.
 class FolderGuess {
  public:
   FolderGuess(GuessWays ways, const std::vector<std::string>& files);
 
   struct Neighbours {
     CommonGuess common;
-    std::string file;  // the file that is evidence for it; empty: no single file
+    std::string file;  // the neighbouring file that is the evidence; empty: several files are
     std::string reason_en, reason_ru;
   };
   struct Answer {
-    Guess guess;                           // from the program itself
-    std::optional<Neighbours> neighbours;  // set if their control is assumed
+    Guess guess;                           // the guess from the program itself
+    std::optional<Neighbours> neighbours;  // the neighbouring programs whose control is assumed; nullopt: the program itself decides
     const std::string& control() const { return neighbours ? neighbours->common.control : guess.control; }
   };
-  ///   returns  nullopt if the file cannot be read, or the user has named its control
+  ///   returns  nullopt if the file cannot be read, or if the user has named its control
   std::optional<Answer> of(const std::string& file) const;
 
  private:
@@ -53,12 +54,13 @@ class FolderGuess {
   std::string named(const std::string& file) const { return ways_.named ? ways_.named(file) : std::string(); }
 
   GuessWays ways_;
-  std::map<std::string, std::vector<GuessRows>> rows_;  // of a folder's own control files
-  std::map<std::string, Guess> guesses_;                // of the files that can be read and whose control is not named
+  std::map<std::string, std::vector<GuessRows>> rows_;  // by folder: the evidence that control files in the folder define
+  std::map<std::string, Guess> guesses_;                // by file: readable files whose control the user has not named
   std::map<std::string, Neighbours> folders_;
 };
 
-/// The guess that a page displays: with the neighbours' control and its reason, if that is assumed.
+/// Returns the guess for display on a page. If the control of neighbouring programs is assumed, the guess has that control and the
+/// reason.
 Guess with_neighbours(const FolderGuess::Answer& answer);
 
 }  // namespace kadr

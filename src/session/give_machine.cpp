@@ -1,4 +1,4 @@
-// Copies from a machine's file into the set-up. Used by session; tested by tests/session/give_machine_test.cpp.
+// Copies values from a machine's file into the set-up. Used by session; tested by tests/session/give_machine_test.cpp.
 
 #include "session/give_machine.h"
 
@@ -24,7 +24,7 @@ bool says_kinematics(const Setup& setup) {
                      [](const auto& given) { return given.first.name >= first_parameter && given.first.name <= last_parameter; });
 }
 
-/// X, Y, Z first, then the other axes of the chains, in the order in which they carry each other.
+/// Returns axis names: X, Y, Z first, then the other axes of the chains, from the link that carries to the link that is carried.
 std::vector<std::string> axes_of(const MachineProfile& profile) {
   std::vector<std::string> axes = {"X", "Y", "Z"};
   for (const auto* chain : {&profile.chains.tool, &profile.chains.part})
@@ -33,7 +33,8 @@ std::vector<std::string> axes_of(const MachineProfile& profile) {
   return axes;
 }
 
-/// N3205: code of the direction of a line, with its inclination; nullopt if the line is in none of the planes (25.1, spec/nct/25a 3).
+/// The value of parameter N3205: the code for the direction of a line, and its inclination; nullopt if the line is in none of the three
+/// planes (25.1, spec/nct/25a 3).
 struct DirectionCode {
   int code = 0;
   double inclination = 0;

@@ -1,4 +1,5 @@
-// Used by session/folder_guess; tested by tests/guess.py.
+// guess_trial: compares possible controls by reading the beginning of the program. Used by session/folder_guess; tested by
+// tests/guess.py.
 
 #include "session/guess_trial.h"
 
@@ -16,7 +17,7 @@ namespace kadr {
 namespace {
 
 constexpr std::size_t lines_tried = 200;
-constexpr std::uint64_t blocks_tried = 1000;  // loops and subprograms included
+constexpr std::uint64_t blocks_tried = 1000;  // number of blocks that are executed, including repetitions in loops and subprograms
 constexpr std::size_t most_bytes = 16384;
 
 std::string beginning_of(std::string_view sample) {
@@ -29,14 +30,14 @@ std::string beginning_of(std::string_view sample) {
   return std::string(sample.substr(0, end));
 }
 
-/// True if the alarm says that the text is not in this control's language: an alarm about characters, codes or words. Other alarms depend
-/// on the machine, the set-up, and files that are missing here.
+/// True if the alarm shows that the program is for another control: it concerns characters, codes or words. Other alarms depend on the
+/// machine, the set-up, or on files that are missing here.
 bool is_of_language(const Alarm& alarm) {
   if (alarm.severity != Severity::alarm) return false;
   return alarm.id <= AlarmId::not_together && alarm.id != AlarmId::program_start_missing && alarm.id != AlarmId::end_of_block_missing;
 }
 
-/// Number of distinct alarms of that kind while this control reads the text.
+/// Returns the number of different alarms that show this, when `control` reads the text.
 std::size_t faults_of(const std::string& control, const std::string& text) {
   auto def = load_control(control);
   auto machine = load_machine("generic");

@@ -1,6 +1,6 @@
 #pragma once
-// guess_trial: checks a weak guess of a control. Each control that is possible reads the beginning of the program; one that reports no
-// unknown code or word is preferred to one that does.
+// guess_trial: improves an uncertain guess of a control. Each possible control reads the beginning of the program; a control that knows
+// all codes and words there is preferred to one that does not.
 
 #include <string_view>
 
@@ -8,8 +8,8 @@
 
 namespace kadr {
 
-/// Leaves the guess as it is if it is decisive, or if Kadr reads no such file.
-///   sample  the beginning of the program, UTF-8; only some hundred lines of it are read
+/// Does not change the guess if it is certain, or if Kadr cannot read files of this kind.
+///   sample  the beginning of the program, UTF-8; only some hundred lines are read
 void try_guess(Guess& guess, std::string_view sample);
 
 }  // namespace kadr

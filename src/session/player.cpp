@@ -13,7 +13,7 @@ Player::Player(Session& session, double rate)
 
 Player::~Player() { planned_.on_cells = nullptr; }
 
-/// Offers playback the cells that were planned next. Returns false if not all of them fit.
+/// Offers the first stored cells of the plan to the playback. Returns false if not all of them fit.
 bool Player::offer() {
   const TimedCells& cells = to_come_.front();
   offered_ += playback_.offer(cells, offered_);
@@ -24,8 +24,8 @@ bool Player::offer() {
   return true;
 }
 
-/// Provides enough cells for the next instant, so that playback does not brake for lack of cells. No more is offered, so that a feed hold
-/// has the same result however far the session is ahead.
+/// Provides enough cells of the plan for the next instant, so that the playback does not brake for lack of cells. No further cells are
+/// offered, so that a feed hold has the same result however far the session is ahead.
 void Player::provide() {
   constexpr double enough = 3 * Playback::reserve;
   while (true) {

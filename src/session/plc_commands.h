@@ -9,7 +9,8 @@
 
 namespace kadr {
 
-/// Signals, switches and spindles belong to the machine: all channels receive them (INFERRED). An answer goes to the channel that asked.
+/// Applies the commands. Signals, switches and spindles belong to the machine, so every channel's control receives them (INFERRED). An
+/// answer goes only to the control that asked the question, `from`.
 void apply(const std::vector<PlcCommand>& commands, Control& from, std::span<Control* const> channels);
 
 }  // namespace kadr

@@ -1,5 +1,6 @@
 #pragma once
-// Reads a program back as its motions in work coordinates. Tables, work offsets and correctors are empty, as the program assumes.
+// Executes a program and returns its motions in work coordinates. Tool tables, work offsets and correctors are empty, as a generated
+// program assumes.
 
 #include <string>
 #include <vector>
@@ -10,8 +11,8 @@
 
 namespace kadr {
 
-/// Returns the motions of a program, as the control's interpreter creates them; the program starts at the control's zero.
-///   alarms  as the program raises
+/// Returns the motions as the control's interpreter creates them. The program starts with all axes at 0.
+///   alarms  those that the program raises
 Result<std::vector<area::Move>> program_moves(const ControlDef& def, const std::string& program);
 
 }  // namespace kadr

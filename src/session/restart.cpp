@@ -17,8 +17,8 @@ bool same_value(const InForce& a, const InForce& b) {
   return a.code == b.code && std::fabs(a.value - b.value) <= tol::same_point * (1 + std::fabs(a.value));
 }
 
-/// True if two positions differ across the normal. A drilled hole is a position over which the tool moves down; if the tool is over the
-/// first one already, that hole begins at R.
+/// True if two positions differ across the normal of the plane. A drilled hole is counted at a position over which the tool moves down.
+/// If the tool is over the first hole already, that hole begins at the R level.
 bool is_beside(const Axes& a, const Axes& b, std::size_t axes, std::size_t normal) {
   for (std::size_t i = 0; i < axes; ++i)
     if (i != normal && std::fabs(a[i] - b[i]) > tol::same_point) return true;
@@ -34,21 +34,22 @@ std::optional<Restart> restart_here(Session& session, const Stepping& stepping) 
 
 bool go_over_hole(Session& session, Stepping& stepping, std::uint32_t hole, Restart& restart) {
   Control& control = session.control();
-  control.hand_over_each_block();  // then a canned cycle hands over one motion at a time
+  control.hand_over_each_block();  // then a canned cycle passes one motion at a time
   const std::size_t axes = control.axes().size(), normal = control.plane_normal();
   std::optional<Axes> over;
   std::uint32_t holes = 0;
   bool went_down = false;
-  double level = 0;  // depth of the first move down
+  double level = 0;  // depth of the first motion down
   Axes last = control.tool_position().work;
   Session::State state = stepping.begin_block();
   while (state == Session::State::running && control.in_block()) {
     const Axes now = control.tool_position().work;
     const bool moved_down = !is_beside(now, last, axes, normal) && std::fabs(now[normal] - last[normal]) > tol::same_point;
-    const bool rises = moved_down && now[normal] > last[normal];  // up to R first: this is not the position of the hole
+    // a motion up to the R level comes first; its end is not the position of the hole
+    const bool rises = moved_down && now[normal] > last[normal];
     if (!over && !rises) over = now, holes = 1;
     else if (over && !is_beside(now, *over, axes, normal) && !std::exchange(went_down, true)) level = now[normal];
-    const bool is_out = now[normal] >= level - tol::same_point;  // the tool is not shifted at the bottom of the hole
+    const bool is_out = now[normal] >= level - tol::same_point;  // at the bottom of the hole the tool does not move to another hole
     if (went_down && is_out && is_beside(now, *over, axes, normal)) over = now, ++holes, went_down = false;
     if (holes == hole) {
       restart.in_force = control.in_force();
@@ -113,7 +114,7 @@ std::vector<WayPoint> way_there(const ToolPosition& from, const Restart& to, con
   next[n] = std::min(at[n], near);
   if (at[n] > near) go(next, normal, true);
   next[n] = end;
-  go(next, normal, at[n] < end);  // upwards at rapid: the tool is out of the material
+  go(next, normal, at[n] < end);  // `rapid` upwards, since the tool is out of the material
   return way;
 }
 
@@ -128,7 +129,8 @@ std::vector<BlockWay> in_work_coordinates(const std::vector<WayPoint>& way, cons
   };
   for (const WayPoint& point : way) add(point);
   const bool none_along = std::none_of(blocks.begin(), blocks.end(), [](const BlockWay& block) { return block.along_tool; });
-  if (!way.empty() && none_along) add({true, normal, way.back().machine, 0});  // no motion, but it makes the tool length offset effective
+  // no travel, but the block makes the tool length offset effective
+  if (!way.empty() && none_along) add({true, normal, way.back().machine, 0});
   return blocks;
 }
 

@@ -1,5 +1,5 @@
-// RunAhead: the control interprets the next batches in its own thread while the rooms after it process the last one (docs/architecture.md,
-// "Threads"). Used by session/channel_run.
+// RunAhead: runs the control in its own thread, so that it interprets the next batches while path and machine process the last one
+// (docs/architecture.md, "Threads"). Used by session/channel_run.
 
 #include "session/run_ahead.h"
 
@@ -15,7 +15,7 @@ RunAhead::~RunAhead() {
   thread_.wait();
 }
 
-/// Signals that the condition the thread waits for may have changed.
+/// Signals that the condition for which the other thread waits may have become true.
 void RunAhead::give_way() {
   if (beside_) {
     news_.fetch_add(1, std::memory_order_release);
@@ -45,7 +45,8 @@ void RunAhead::work() {
   }
 }
 
-/// Creates the next batch in whichever thread gets the control first: the thread that needs it does not wait until the other is scheduled.
+/// Creates the next batch in the thread that can run the control first. So the thread that needs the batch need not wait until the other
+/// thread is scheduled.
 template <class Wanted>
 void RunAhead::make_or_wait(const Wanted& wanted) {
   if (in_hand_.exchange(1, std::memory_order_acquire) != 0)

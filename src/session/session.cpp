@@ -1,4 +1,5 @@
-// Session: opens, runs and snapshots a session. Used by cli, fuzz, bench and embedding programs; tested by tests/session.
+// Session: opens and runs a session, and stores and restores its state. Used by cli, fuzz, bench and embedding programs; tested by
+// tests/session.
 
 #include "session/session.h"
 
@@ -52,7 +53,7 @@ std::optional<SpeedRules> Session::look_ahead() {
   const Control& control = *channels_.front().control;
   SpeedRules rules = speed_rules(channels_.front().setup, control.axes(), spec_.machine);
   if (control.has_machine_parameters()) obey_parameters(rules, channels_.front().setup, control.axes());
-  else rules.blend = spec_.machine.tolerance;  // INFERRED: as for every control that states no limit at corners
+  else rules.blend = spec_.machine.tolerance;  // INFERRED: the corner tolerance, as for every control that states no limit at corners
   if (rules.in_force) rules_ = rules;
   return rules_;
 }
@@ -68,7 +69,7 @@ void Session::attach_planners() {
   for (std::size_t i = 0; i < channels_.size(); ++i) {
     if (!planned_[i] || attached_[i]) continue;
     attached_[i] = true;
-    outlets_.own[i].wants_times = true;  // without times the planner has no feed
+    outlets_.own[i].wants_times = true;  // the planner gets the feed from the times of the steps
     outlets_.own[i].step = [look = std::move(outlets_.own[i].step), planned = planned_[i].get()](const Step& step) {
       if (look) look(step);
       planned->consume(step);
@@ -76,7 +77,7 @@ void Session::attach_planners() {
   }
 }
 
-/// Connects the rooms, once the observers are known.
+/// Connects the control, the machine and the observers, once the observers are known.
 void Session::begin() {
   begun_ = true;
   attach_planners();
@@ -120,8 +121,8 @@ Session::State Session::together(ChannelRun::State state) {
   return stood ? State::stopped : State::ended;
 }
 
-/// Starts the program at the block that `search` names, the way the control's own block search does (nct 13.1). INFERRED: the manual does
-/// not say how the axes reach the start of that block; they are placed there.
+/// Starts the program at the block that the set-up's key `search` names, as the control's own block search does (nct 13.1). INFERRED: the
+/// manual does not say how the axes get to the start of that block; they are placed there without a motion.
 ///   returns  nullopt if the run continues; else the state in which it stopped
 std::optional<Session::State> Session::begin_by_search() {
   const auto asked = std::exchange(control().holds_before, nullptr);

@@ -17,14 +17,14 @@ struct Relation {
   std::string_view written;
   Op op;
 };
-// Longer operators first, so that "<=" is not read as "<".
+// Longer operators come first, so that "<=" is not read as "<".
 constexpr std::array relations = {Relation{"<=", Op::less_equal},    Relation{">=", Op::greater_equal}, Relation{"==", Op::equal},
                                   Relation{"!=", Op::not_equal},     Relation{"<>", Op::not_equal},     Relation{"<", Op::less},
                                   Relation{">", Op::greater},        Relation{"EQ", Op::equal},         Relation{"NE", Op::not_equal},
                                   Relation{"GE", Op::greater_equal}, Relation{"GT", Op::greater},       Relation{"LE", Op::less_equal},
                                   Relation{"LT", Op::less}};
 
-/// Finds a relation that is outside all brackets. Returns its position.
+/// Finds the relational operator that is outside all brackets. Returns its position and the operator.
 std::optional<std::pair<std::size_t, Relation>> relation_in(std::string_view text) {
   int open = 0;
   for (std::size_t i = 0; i < text.size(); ++i) {
@@ -89,7 +89,7 @@ bool Stepping::asks_for(const Origin& origin, bool same_line) const {
   }
 }
 
-/// Notes the tool in the spindle, if a stop point or the target asks for a tool.
+/// Updates the tool in the spindle, if a stop point or the target names a tool.
 void Stepping::note_tool() {
   const auto asks = [](const StopPoint& point) { return point.tool != 0; };
   if (!(target_ && asks(*target_)) && std::none_of(points_.begin(), points_.end(), [&](const auto& p) { return asks(p.second); })) return;
@@ -105,7 +105,8 @@ bool Stepping::asked(const Origin& origin) {
     next_ = origin;
     return true;
   }
-  const bool same_line = before.line == origin.line && before.file == origin.file && origin.column > before.column;  // `N1 … ПС N2 …`
+  // a second block in the same line: `N1 … ПС N2 …`
+  const bool same_line = before.line == origin.line && before.file == origin.file && origin.column > before.column;
   const bool begins_call = origin.depth > before.depth;
   const auto is_asked_for = [&](const StopPoint& p) { return p.line == origin.line; };
   const bool counts = (target_ && is_asked_for(*target_)) ||
@@ -124,7 +125,8 @@ bool Stepping::asked(const Origin& origin) {
 }
 
 void Stepping::set_out() {
-  again_ = next_.has_value() && !session_.control().in_block();  // in the middle of a block: the control has asked about it already
+  // false in the middle of a block: the control has already asked about it
+  again_ = next_.has_value() && !session_.control().in_block();
   depth_ = next_ ? next_->depth : 0;
   next_.reset();
   hit_ = 0;

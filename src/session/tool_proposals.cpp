@@ -1,4 +1,4 @@
-// Tools from comments. Used by cli/setup_command and view/proposals; tested by tests/session/tool_proposals_test.cpp.
+// ToolProposals: finds tools in comments. Used by cli/setup_command and view/proposals; tested by tests/session/tool_proposals_test.cpp.
 
 #include "session/tool_proposals.h"
 
@@ -19,8 +19,8 @@ ProgramLines lines_of(const Control& control) {
   return control.texts_of(numbers, 0);
 }
 
-/// The unit of the blocks that cut decides, not the one in force at the end: M30 of a Fanuc or Haas resets to millimetres, and G70 is a
-/// unit on one control and a canned cycle on another. Only for a program without a motion the codes in force decide.
+/// The unit of the motions that cut decides, not the unit in force at the end: M30 of a Fanuc or Haas resets the unit to mm, and G70 is a
+/// unit on one control and a canned cycle on another. Only if the program has no motion, the codes in force decide.
 bool comments_in_inches(const Control& control, const MotionUnits& moved) {
   if (!moved.empty()) return moved.unit() == LengthUnit::inch;
   const Ending ending = control.ending();

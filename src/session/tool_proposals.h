@@ -1,6 +1,6 @@
 #pragma once
-// ToolProposals: tools that the comments of a program describe. Used by the templates of kadr setup and by the page; a person checks them
-// before they are used.
+// ToolProposals: finds the tools that the comments of a program describe. Used by the templates of kadr setup and by the page; a person
+// must check the proposals before they are used.
 
 #include <cstdint>
 #include <map>
@@ -14,32 +14,32 @@
 
 namespace kadr {
 
-/// Texts by line number, counted from 1.
+/// Text of lines, by line number counted from 1.
 using ProgramLines = std::map<std::uint32_t, std::string>;
 
-/// Lines of the program itself, up to a number beyond which only machines write programs, without comments.
+/// Returns the lines of the main program up to some line number. Longer programs are written by machines and have no comments beyond it.
 ProgramLines lines_of(const Control& control);
 
-/// True if figures of its comments are in inches unless they state a unit. Call after the run.
-///   moved  the motions of that run
+/// True if numbers without a unit in the program's comments are in inches. Call after the run.
+///   moved  the units of the motions of that run
 bool comments_in_inches(const Control& control, const MotionUnits& moved);
 
 struct ToolProposal {
   ToolComment said;
-  std::uint32_t line = 0;  // of the comment
+  std::uint32_t line = 0;  // line of the comment
   std::string text;
 };
 
 class ToolProposals {
  public:
-  /// `inch`: figures without a unit are in inches.
+  /// `inch`: numbers without a unit are in inches.
   ToolProposals(const ProgramLines& lines, bool inch);
 
-  /// The proposal for a tool: from a comment anywhere with a diameter that names the tool; else from one next to the block that calls the
-  /// tool, if that comment names no other tool.
-  ///   called_at  line of that block; 0: it is in another file
+  /// Returns the proposal for a tool. It comes from a comment anywhere in the program that names the tool and states a diameter; else
+  /// from a comment next to the block that calls the tool, if that comment names no other tool.
+  ///   called_at  line of the block that calls the tool; 0: the block is in another file
   std::optional<ToolProposal> of(std::uint32_t tool, std::uint32_t called_at) const;
-  /// If of() has no proposal: such a comment that describes a tool without a certain size.
+  /// If of() has no proposal: returns the proposal from such a comment if it describes a tool but its size is uncertain.
   std::optional<ToolProposal> unsure(std::uint32_t tool, std::uint32_t called_at) const;
 
  private:
@@ -48,7 +48,7 @@ class ToolProposals {
   template <class Fits>
   std::optional<ToolProposal> find(std::uint32_t tool, std::uint32_t called_at, const Fits& fits) const;
 
-  std::vector<ToolProposal> read_;  // sorted by line; comments that say something about a tool's size
+  std::vector<ToolProposal> read_;  // comments that state a size of a tool, sorted by line
 };
 
 }  // namespace kadr

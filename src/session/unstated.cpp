@@ -1,4 +1,4 @@
-// Values that the program has used and no set-up states. Used by cli and view; tested by tests/setup_command.py.
+// unstated: finds values that a program has used although no set-up states them. Used by cli and view; tested by tests/setup_command.py.
 
 #include "session/unstated.h"
 
@@ -36,7 +36,7 @@ std::optional<AlarmReport> unstated(const Control& control, const ControlDef& de
     const UsedKey used = used_key(use, def);
     if (is_stated(use, used, stated)) continue;
     if (first == nullptr) first = &use;
-    if (!words.insert(used.word).second) continue;  // D of the 2С42 is length and radius
+    if (!words.insert(used.word).second) continue;  // listed already: D of the 2С42 is both length and radius
     const std::string vacant = use.kind == UseKind::variable ? told(", vacant", ", не определена") : std::string();
     list += fmt::format("{}{} ({}{})", list.empty() ? "" : ", ", used.word, use.origin.line, vacant);
   }

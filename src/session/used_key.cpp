@@ -1,4 +1,5 @@
-// Names of used values. Used by session/unstated, cli/setup_command, view/sheet; tested by tests/setup_command.py.
+// used_key: names the values that a program has used. Used by session/unstated, cli/setup_command, view/sheet; tested by
+// tests/setup_command.py.
 
 #include "session/used_key.h"
 

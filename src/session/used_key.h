@@ -1,5 +1,5 @@
 #pragma once
-// used_key: names of the values that the program has used, in the set-up and in the program.
+// used_key: the names of the values that a program has used, both in the set-up and in the program.
 
 #include <string>
 
@@ -8,7 +8,7 @@
 
 namespace kadr {
 
-/// The set-up key that states the value ("offsets.1.length", "work_offsets.G54"), and the word that the program uses ("H1", "G54").
+/// The key of the value in the set-up ("offsets.1.length", "work_offsets.G54"), and the word that uses it in the program ("H1", "G54").
 struct UsedKey {
   std::string key;
   std::string word;

@@ -1,5 +1,5 @@
 #pragma once
-// FrameBytes: builds a binary frame for the page, little-endian, value by value.
+// FrameBytes: builds a binary frame (message) for the page, value by value in little-endian order.
 
 #include <bit>
 #include <cstdint>
@@ -22,7 +22,7 @@ class FrameBytes {
     std::memcpy(bytes, &value, sizeof value);
     bytes_.append(bytes, sizeof value);
   }
-  /// Appends `count` consecutive values.
+  /// Appends `count` values that are consecutive in memory.
   template <class T>
   void put_all(const T* values, std::size_t count) {
     if (count != 0) bytes_.append(reinterpret_cast<const char*>(values), count * sizeof(T));

@@ -1,4 +1,4 @@
-// Instants. Used by view/page_session; tested by tests/view/instant_test.cpp.
+// Instants: computes the state of a finished run at an instant. Used by view/page_session; tested by tests/view/instant_test.cpp.
 
 #include "view/instant.h"
 
@@ -9,7 +9,7 @@
 namespace kadr {
 namespace {
 
-/// Position of the tool at an instant while it moves to vertex i.
+/// Returns the position of the tool at an instant at which it is moving to vertex i.
 Vec3 place_at(const ViewPiece& piece, std::size_t i, double instant) {
   const auto vec = [](const PathVertex& v) { return Vec3{double(v.at[0]), double(v.at[1]), double(v.at[2])}; };
   const PathVertex& to = piece.vertices[i];
@@ -50,7 +50,8 @@ Session::State Instants::run(const StopToken& stop) {
   return state;
 }
 
-/// The radius by the tables at that time; if the program gives a radius without an offset, that of the contour's motions.
+/// Returns the tool radius from the offset tables at that time. If the program states a radius without an offset, the radius of the
+/// compensated motions counts.
 std::optional<double> Instants::radius_in_force(const std::vector<InForce>& all) const {
   const auto number = std::find_if(all.begin(), all.end(), [](const InForce& one) { return one.kind == InForce::Kind::offset; });
   if (number != all.end() && number->value > 0) {
@@ -61,7 +62,7 @@ std::optional<double> Instants::radius_in_force(const std::vector<InForce>& all)
   return led_by_ > 0 ? std::optional(led_by_) : std::nullopt;
 }
 
-/// Runs to before the block with that number, and then past it.
+/// Runs the session up to the block with that number, then to the end of that block.
 Status Instants::reach(std::uint32_t number, InstantState& state, const StopToken& stop) {
   const auto& all = run_.checkpoints();
   auto from = std::partition_point(all.begin(), all.end(), [&](const RunCheckpoint& c) { return c.blocks <= number; });

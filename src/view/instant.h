@@ -1,5 +1,6 @@
 #pragma once
-// Instants: gives the state at any instant of a finished run: it restores the nearest snapshot before it, and continues block by block.
+// Instants: computes the state of a finished run at any instant. It restores the nearest snapshot before the instant, and executes block
+// by block from there.
 
 #include <memory>
 #include <optional>
@@ -9,18 +10,18 @@
 
 namespace kadr {
 
-/// What the page displays of the control at an instant.
+/// The state of the control at an instant, as the page displays it.
 struct InstantState {
   double at = 0;
-  PathVertex vertex;   // that the tool is moving to
-  Vec3 place;          // of the tip, in the picture
-  bool moves = false;  // false: the path has ended, or there is none
+  PathVertex vertex;   // the vertex of the path to which the tool is moving
+  Vec3 place;          // position of the tool tip in the coordinates of the picture
+  bool moves = false;  // false: the path has ended, or the program has none
   AlarmReport::Line line;
   Origin origin;
   std::uint32_t pass = 0;
   std::vector<AlarmReport::Call> calls;
-  std::vector<InForce> before, after;  // in force before and after the block
-  std::optional<double> radius;        // mm, of the tool, by the offset in force after the block; nullopt: no offset is in force
+  std::vector<InForce> before, after;  // modes, tool and offsets in force before and after the block
+  std::optional<double> radius;        // tool radius by the offset in force after the block, mm; nullopt: no offset is in force
 };
 
 class Instants {
@@ -28,11 +29,12 @@ class Instants {
   ///   pre  the run has ended, and outlives this object
   explicit Instants(const ProgramRun& run) : run_(run) {}
 
-  /// returns  an error sentence. For a program of several channels the state contains the path only
+  /// Returns the state at an instant, or an error sentence. For a program of several channels the state contains the path only.
   tl::expected<InstantState, std::string> at(double instant, const StopToken& stop);
-  /// The state at the end of a block of the run, by Origin::number; if there is no such block, of the nearest before it.
+  /// Returns the state at the end of the block with this Origin::number; if the run has no such block, of the nearest one before it.
   tl::expected<InstantState, std::string> after(std::uint32_t number, const StopToken& stop);
-  /// When the line was executed with a motion: instants and block numbers, up to `most`.
+  /// One execution of a line with a motion: the instants of its start and end, s, and its block number. At most `most` executions are
+  /// returned.
   struct Pass {
     double from, to;
     std::uint32_t number;
@@ -48,9 +50,9 @@ class Instants {
 
   const ProgramRun& run_;
   std::unique_ptr<Session> session_;  // created at the first query
-  std::uint32_t limit_ = 0;           // the session is held before the block with this number
-  Origin held_;                       // that block
-  double led_by_ = 0;                 // mm: compensation radius of the block's motions
+  std::uint32_t limit_ = 0;           // the session is to be held before the block with this number
+  Origin held_;                       // the block before which the session is held
+  double led_by_ = 0;                 // compensation radius during the block's motions, mm
 };
 
 }  // namespace kadr

@@ -1,5 +1,5 @@
 #pragma once
-// machine_bounds: the space of the machine's axes, and its forbidden zones, as boxes for the picture.
+// machine_bounds: the travel limits of the machine's axes and its forbidden zones, as boxes for the picture.
 
 #include <array>
 #include <optional>
@@ -10,23 +10,23 @@
 
 namespace kadr {
 
-/// Machine coordinates of X, Y, Z, mm; nullopt: no limit on that side.
+/// A box in machine coordinates X, Y, Z, mm; nullopt: the box has no limit on that side.
 struct SpaceBox {
   std::array<std::optional<double>, 3> least, most;
 };
 
 struct ForbiddenZone {
   int number = 2;      // number of the zone in the control (nct 22)
-  bool inside = true;  // forbidden inside; else outside
+  bool inside = true;  // true: the inside of the box is forbidden; false: the outside
   SpaceBox box;
 };
 
 struct MachineBounds {
-  SpaceBox limits;  // end positions
+  SpaceBox limits;  // box between the end positions of the axes
   std::vector<ForbiddenZone> zones;
 };
 
-/// The limits in force at the start of the program: G22 may change zone 2.
+/// Returns the limits in force at the start of the program. The program may change zone 2 later, with G22.
 MachineBounds machine_bounds(const OpenedProgram& opened, const Control& control);
 
 }  // namespace kadr

@@ -24,7 +24,8 @@ OpenedText text_of(const OpenedProgram& opened) {
 
 tl::unexpected<std::string> wrong(std::string text) { return tl::unexpected(std::move(text)); }
 
-/// The control that is named, or that the folder remembers, or that `kadr check` would guess. Sets `opened.guess`.
+/// Returns the control that the request names; else the one that the folder's .kadr.toml names; else the one that `kadr check` would
+/// guess, with `opened.guess` set.
 tl::expected<std::string, std::string> control_for(const OpeningWish& wish, OpenedProgram& opened) {
   std::string wrong_memory;
   RememberedControls remembered([&](const std::string& why) { wrong_memory = why; }, wish.door);

@@ -1,5 +1,5 @@
 #pragma once
-// Opens a program of the folder, with everything that is needed to run it, as the page requests.
+// Opens a program of the served folder as the page requests, with everything that is needed to run it.
 
 #include <memory>
 #include <optional>
@@ -15,14 +15,14 @@
 
 namespace kadr {
 
-/// Paths in the file system; empty if not given.
+/// What the page requests to open. Paths are in the file system; a path that is not given is empty.
 struct OpeningWish {
   std::string path;
   std::string control, machine, setup, encoding;
-  std::optional<std::string> text;  // UTF-8, run instead of the contents of the file
-  std::string tables{};             // JSON in the form of a set-up, which overrides the set-up; empty: none
+  std::optional<std::string> text;  // text of the program, UTF-8, used instead of the contents of the file
+  std::string tables{};             // JSON in the form of a set-up, which overrides values of the set-up file; empty: none
   Lang lang = Lang::en;
-  const FileDoor* door = nullptr;  // opens all these files and those they name; outlives the run
+  const FileDoor* door = nullptr;  // opens all these files and the files that they name; outlives the run
 };
 
 struct OpenedProgram {
@@ -31,28 +31,29 @@ struct OpenedProgram {
   std::shared_ptr<const AlarmTexts> texts;
   MachineProfile machine;
   Setup setup;
-  std::set<std::string> stated;  // PlacedSetup::stated
+  std::set<std::string> stated;  // keys that the set-up states: PlacedSetup::stated
   SaidEncoding encoding;
-  std::shared_ptr<const ToolTable> tools;  // compared with by the checklist
-  std::optional<Guess> guess;              // nullopt: the user named the control
+  std::shared_ptr<const ToolTable> tools;  // the tools file with which the checklist compares the program
+  std::optional<Guess> guess;              // the guessed control; nullopt: the user has named the control
   std::optional<std::string> text;
-  std::uint32_t number = 0;  // of the program on a tape with several programs; 0: the first
-  RunLimits limits;          // the run writes no files
+  std::uint32_t number = 0;  // number of the program to run, on a tape with several programs; 0: the first program
+  RunLimits limits;          // limits for a run that writes no files
   const FileDoor* door = nullptr;
 
-  /// The program's text; on a tape with several programs, that with `number`.
+  /// Returns the text of the program; on a tape with several programs, the text of program `number`.
   ///   returns  an error sentence
   tl::expected<Program, std::string> program() const;
-  /// The same with another text.
+  /// Returns a program with the text `other`, opened in the same way.
   tl::expected<Program, std::string> program_of(const std::string& other) const;
   tl::expected<Program, std::string> program_of(OpenedText other) const;
   SessionSpec spec(Program program, const StopToken& stop) const;
 };
 
-/// The set-up file, overridden by the tables.
+/// Reads the set-up file and overrides its values by the tables of the request.
 tl::expected<PlacedSetup, std::string> read_with_tables(const OpeningWish& wish, const ControlDef& def);
 
-/// returns  an error sentence if it cannot be read, is no program of a control that Kadr supports, or the set-up is wrong
+/// Opens a program. Returns an error sentence if its file cannot be read or is no program of a control that Kadr supports, or if the
+/// set-up is wrong.
 tl::expected<OpenedProgram, std::string> open_for_page(const OpeningWish& wish);
 
 }  // namespace kadr

@@ -12,7 +12,7 @@
 namespace kadr {
 namespace {
 
-constexpr int packing_level = 9;  // the file is written once and sent often
+constexpr int packing_level = 9;  // zlib's best compression: a report is written once and sent often
 constexpr double most_steps = 2e9;
 
 }  // namespace
@@ -56,7 +56,7 @@ tl::expected<std::string, std::string> zlib_packed(std::string_view bytes) {
   std::string packed;
   bool good = true;
   while (good) {
-    const std::size_t most = 1U << 30;  // fits the counters of zlib
+    const std::size_t most = 1U << 30;  // bytes; a limit that fits the counters of zlib
     const std::string_view now = bytes.substr(0, most);
     bytes.remove_prefix(now.size());
     stream.next_in = reinterpret_cast<Bytef*>(const_cast<char*>(now.data()));

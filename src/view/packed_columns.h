@@ -1,6 +1,7 @@
 #pragma once
-// PackedColumns: stores the numbers of a report column by column in a form that compresses well: as differences with the sign in the lowest
-// bit, first all least significant bytes, then all next ones, … (docs/panel-protocol.md, A report).
+// PackedColumns: stores the numbers of a report column by column, in a form that compresses well. Of each column it stores the
+// differences of successive numbers, with the sign in the lowest bit: first the least significant bytes of all differences, then their
+// next bytes, and so on (docs/panel-protocol.md, A report).
 
 #include <cstdint>
 #include <span>
@@ -13,7 +14,7 @@ class PackedColumns {
  public:
   void put_u32(std::uint32_t value);
   void put_f64(double value);
-  /// Differences are computed modulo 2³².
+  /// Appends a column. The differences are computed modulo 2³².
   void put(std::span<const std::int32_t> column);
   const std::string& bytes() const { return bytes_; }
 
@@ -21,14 +22,14 @@ class PackedColumns {
   std::string bytes_;
 };
 
-/// Converts a value to multiples of `unit`; NaN and infinity become 0.
+/// Converts a value to the nearest multiple of `unit`; NaN and infinity become 0.
 ///   pre  |value| ≤ 2e9 · unit
 std::int32_t in_steps(double value, double unit);
-/// Returns `unit`, or the multiple of it that values up to `most` need.
+/// Returns `unit`, or its smallest multiple with which values up to `most` fit into a column.
 double unit_for(double unit, double most);
 
-/// Compresses to a zlib stream.
-///   returns  an error sentence if this machine has no zlib
+/// Compresses the bytes to a zlib stream.
+///   returns  an error sentence if zlib is missing on this machine
 tl::expected<std::string, std::string> zlib_packed(std::string_view bytes);
 
 }  // namespace kadr

@@ -1,4 +1,4 @@
-// Requests about a text: check, explain. Used by view/page_session; tested by tests/serve.py.
+// Answers the requests check and explain, about the text of a program. Used by view/page_session; tested by tests/serve.py.
 
 #include "out/text/line_words.h"
 #include "session/checklist/program_check.h"
@@ -8,11 +8,11 @@ namespace kadr {
 namespace {
 
 constexpr std::size_t most_problems = 1000;
-constexpr std::size_t most_explained = 10'000;  // bytes of a line
+constexpr std::size_t most_explained = 10'000;  // bytes of a line that can be explained
 
 }  // namespace
 
-/// Reports what kadr check reports for this text, in the same order.
+/// Checks the text. Reports what `kadr check` reports for it, in the same order.
 PageSession::Inside::Answer PageSession::Inside::check(const PageJson& question) {
   auto program = run->opened().program_of(value_in<std::string>(question, "text", ""));
   if (!program) return tl::unexpected(Refusal{program.error()});
@@ -33,7 +33,7 @@ PageSession::Inside::Answer PageSession::Inside::check(const PageJson& question)
   return PageJson{{"problems", std::move(problems)}};
 }
 
-/// Explains the words of a line, as it is in the editor or in the file.
+/// Explains the words of a line, which is sent by the editor or read from the file.
 PageSession::Inside::Answer PageSession::Inside::explain(const PageJson& question) {
   std::string text;
   if (question.contains("text")) {

@@ -46,8 +46,8 @@ PageJson comparison_json(const Comparison& c, double tolerance, Lang lang) {
 
 }  // namespace
 
-/// Compares the open program with another file, or with another text of its own, on the same machine and set-up. The path of the other is
-/// sent after the answer.
+/// Compares the open program with another file, or with another text of the same program, on the same machine and set-up. The path of the
+/// other program is sent after the answer.
 PageSession::Inside::Answer PageSession::Inside::compare(const PageJson& question) {
   OpeningWish wish = opened_wish;
   wish.control = value_in<std::string>(question, "control", wish.control.empty() ? run->opened().def->id : wish.control);

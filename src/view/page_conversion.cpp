@@ -1,5 +1,5 @@
-// Converts a program for another control and proves that the result is equal: convert. Nothing is written; the page saves the result if
-// the user wants. Used by view/page_session; tested by tests/serve_convert.py.
+// Answers the request convert: converts a program for another control and verifies that the result is equivalent. Nothing is saved here;
+// the page saves the result if the user wants. Used by view/page_session; tested by tests/serve_convert.py.
 
 #include <fmt/format.h>
 
@@ -65,14 +65,15 @@ class PageConversion {
 
 namespace {
 
-constexpr std::size_t most_converted = std::size_t{8} << 20;  // bytes of a program, before and after conversion
-constexpr std::size_t most_written_out = 1000;                // segments of lines
-constexpr std::size_t most_line = 200;                        // bytes of a line that is quoted in a message
+constexpr std::size_t most_converted = std::size_t{8} << 20;  // maximum size of a program, bytes, before and after the conversion
+constexpr std::size_t most_written_out = 1000;                // maximum number of segments of lines listed as rewritten
+constexpr std::size_t most_line = 200;                        // maximum length, bytes, of a program line that a message quotes
 
 tl::unexpected<Refusal> not_converted(std::string text) { return tl::unexpected(Refusal{std::move(text)}); }
 
-/// Refuses a request with anything that is not understood, instead of ignoring it: the program will run on a machine.
-///   returns  an error sentence; empty if everything is understood
+/// Checks that the request contains only known keys and valid values. Ignoring one would be dangerous, since the program will run on a
+/// machine.
+///   returns  an error sentence; empty if the request is valid
 std::string fault_of_wish(const PageJson& question) {
   struct Word {
     const char* key;
@@ -124,12 +125,12 @@ PageJson refusal_json(const ConversionTry& one, const ConversionRefusal& why, co
           {"written_text", why.written_line == 0 ? std::string() : line_of_text(whole_text(*one.text), why.written_line)}};
 }
 
-/// The name of the result: "flange.nc" → "flange-mach3.nc".
+/// Returns the file name of the result: "flange.nc" → "flange-mach3.nc".
 std::string name_for(const std::string& file, const ControlDef& to) {
   return fmt::format("{}-{}.nc", std::filesystem::path(file).replace_extension().string(), to.id);
 }
 
-/// For a program that is rewritten word by word: the lines that are not.
+/// Lists the lines that had to be rewritten as a whole, for a conversion that otherwise replaces word by word.
 PageJson written_out_json(const ConversionTry& one, const ConversionSides& sides) {
   PageJson list = PageJson::array();
   for (const WrittenOut& out : one.written_out) {
@@ -147,8 +148,8 @@ PageJson written_json(const ConversionTry& one, bool is_proven, const Setup& set
 
 }  // namespace
 
-/// Converts the program that the request names, whether it is open or not: so a separate connection can be used, and nothing else has to
-/// wait.
+/// Converts the program that the request names, whether or not it is open. So the page can use a separate connection, and its other
+/// requests need not wait.
 PageSession::Inside::Answer PageSession::Inside::convert(const PageJson& question) {
   if (const std::string fault = fault_of_wish(question); !fault.empty()) return not_converted(fault);
   const auto wish = wish_of(question);

@@ -1,4 +1,4 @@
-// Requests about the folder: hello, files, save. Used by view/page_session; tested by tests/serve.py.
+// Answers the requests hello, files, read and save, about the served folder. Used by view/page_session; tested by tests/serve.py.
 
 #include <fmt/core.h>
 
@@ -9,9 +9,9 @@
 namespace kadr {
 namespace {
 
-constexpr std::size_t most_read = std::size_t{8} << 20;  // bytes
+constexpr std::size_t most_read = std::size_t{8} << 20;  // maximum size of a file that can be read, bytes
 
-/// The contents to save; nullopt if the request has neither text nor bytes, or both.
+/// Returns the contents to be saved; nullopt if the request has neither text nor bytes, or has both.
 std::optional<std::string> text_to_save(const PageJson& question) {
   const auto text = question.find("text"), bytes = question.find("bytes");
   if ((text == question.end()) == (bytes == question.end())) return std::nullopt;
@@ -46,7 +46,7 @@ PageSession::Inside::Answer PageSession::Inside::files(const PageJson& question)
   return files_json(*list);
 }
 
-/// The text of another file, to compare or edit.
+/// Returns the text of another file, to be compared or edited.
 PageSession::Inside::Answer PageSession::Inside::read(const PageJson& question) {
   const std::string file = value_in<std::string>(question, "file", "");
   const auto found = server.folder.read(file, most_read);
@@ -67,7 +67,7 @@ std::string PageSession::Inside::free_name(const std::string& like, const std::s
   return name;
 }
 
-/// Saves a program or set-up that was opened here, or a new file: a text, or the rows of a tape as base64.
+/// Saves a file that this page has opened, or a new file. The contents are a text, or the rows of a tape as base64.
 PageSession::Inside::Answer PageSession::Inside::save(const PageJson& question) {
   if (!may_change)
     return tl::unexpected(

@@ -1,5 +1,6 @@
 #pragma once
-// The implementation of PageSession, shared by the files with its answers: one file for each kind of request (docs/panel-protocol.md).
+// The implementation of PageSession. The functions that answer requests are in several files, one for each kind of request
+// (docs/panel-protocol.md).
 
 #include <atomic>
 #include <functional>
@@ -21,14 +22,14 @@ namespace kadr {
 class PageConversion;
 struct Converted;
 
-/// Why a request is refused.
+/// The reason why a request is refused.
 struct Refusal {
   std::string text;
   bool changed = false;
 };
 inline tl::unexpected<Refusal> refused(std::string text) { return tl::unexpected(Refusal{std::move(text)}); }
 
-/// A value of the request; `fallback` if it is missing or of another type.
+/// Returns a value of the request; `fallback` if the value is missing or has another type.
 template <class T>
 T value_in(const PageJson& question, const char* key, T fallback) {
   const auto found = question.find(key);
@@ -37,7 +38,7 @@ T value_in(const PageJson& question, const char* key, T fallback) {
   else return found->is_number() ? found->template get<T>() : fallback;
 }
 
-/// A count or a line number; `fallback` if it is missing or too large.
+/// Returns a count or a line number of the request; `fallback` if it is missing or too large.
 inline std::uint32_t count_in(const PageJson& question, const char* key, std::uint32_t fallback) {
   const double value = value_in<double>(question, key, fallback);
   return value >= 0 && value <= 4e9 ? std::uint32_t(value) : fallback;
@@ -49,7 +50,7 @@ inline PageAnswer not_served(const std::string& what) {
   return tl::unexpected(Refusal{what + ": " + told("not served yet", "пока не отвечает")});
 }
 
-/// Reads from a request where a program is to be held.
+/// Reads the condition for holding a program from a request.
 StopPoint stop_point_of(const PageJson& question);
 
 struct PageSession::Inside {
@@ -59,37 +60,37 @@ struct PageSession::Inside {
   Answer answer(const std::string& what, const PageJson& question);
   Answer language(const PageJson& question);
   Answer nothing(const PageJson&) { return PageJson::object(); }
-  // page_folder.cpp
+  // the answers in page_folder.cpp
   Answer hello(const PageJson& question);
   Answer files(const PageJson& question);
   Answer read(const PageJson& question);
   Answer save(const PageJson& question);
-  // page_program.cpp
+  // the answers in page_program.cpp
   Answer open(const PageJson& question);
   Answer source_lines(const PageJson& question);
   Answer state(const PageJson& question);
   Answer passes(const PageJson& question);
-  // page_check.cpp
+  // the answers in page_check.cpp
   Answer check(const PageJson& question);
   Answer explain(const PageJson& question);
-  // page_part.cpp
+  // the answers in page_part.cpp
   Answer cut(const PageJson& question);
   Answer part(const PageJson& question);
   Answer proposals(const PageJson& question);
   void carry_out_cut();
-  // page_sheet.cpp
+  // the answers in page_sheet.cpp
   Answer sheet(const PageJson& question);
-  // page_compare.cpp
+  // the answers in page_compare.cpp
   Answer compare(const PageJson& question);
-  // page_making.cpp, page_tape.cpp
+  // the answers in page_making.cpp and page_tape.cpp
   Answer mill(const PageJson& question);
   Answer tape(const PageJson& question);
   Answer punch(const PageJson& question, std::optional<TapeCode> code) const;
   Answer read_punched(const std::string& file, std::optional<TapeCode> code) const;
-  // page_conversion.cpp
+  // the answers in page_conversion.cpp
   Answer convert(const PageJson& question);
   Answer conversion_answer(const PageConversion& conversion, const Converted& made, const SourceText& text, const PageJson& question) const;
-  // page_panel.cpp
+  // the answers in page_panel.cpp
   Answer machines(const PageJson& question);
   Answer machine(const PageJson& question);
   Answer panel(const PageJson& question);
@@ -105,12 +106,12 @@ struct PageSession::Inside {
   void note(const char* kind, const std::string& text, std::uint32_t line) const;
   std::string keep(const char* what, const std::string& text) const;
   tl::expected<std::shared_ptr<PanelHub::Place>, Refusal> switch_on(const std::string& file, const PageJson& question);
-  // page_tables.cpp
+  // the answers in page_tables.cpp
   Answer tables(const PageJson& question);
   Answer edit(const PageJson& question);
   Answer keep_tables(const PageJson& question);
   Answer shift(const PageJson& question);
-  // page_restart.cpp
+  // the answers in page_restart.cpp
   Answer restart(const PageJson& question);
   Answer go_there(const PageJson& question);
   Answer lead(const PageJson& question);
@@ -120,13 +121,13 @@ struct PageSession::Inside {
   tl::expected<PanelMachine*, Refusal> held_machine() const;
 
   tl::expected<OpeningWish, Refusal> wish_of(const PageJson& question) const;
-  /// Finds the path of a file in the folder, or the name of a built-in control or machine if that is allowed.
-  ///   returns  an error sentence; empty if `to` is set
+  /// Finds the path of the file that a request names; or accepts the name of a built-in control or machine, if `may_be_a_name`.
+  ///   returns  an error sentence; empty if `to` has been set
   std::string place_of(const PageJson& question, const char* key, std::string& to, bool may_be_a_name) const;
-  /// A name derived from `like`, with that ending, that no existing file has.
+  /// Returns a file name that does not exist yet: derived from `like`, with the given ending.
   std::string free_name(const std::string& like, const std::string& ending) const;
   void carry_out();
-  /// Sends the frames of a piece; `which` as in the protocol. The work ends if nobody receives them.
+  /// Sends the frames of a piece of the path; `which` as defined by the protocol. If nobody receives them, the current work ends.
   void send(const ViewPiece& piece, std::uint32_t which, std::uint32_t channel);
   void say(const PageJson& event) { gone = !line.text(dumped(event)) || gone; }
   PageJson problem(const AlarmReport& report) const {
@@ -136,9 +137,9 @@ struct PageSession::Inside {
   }
   bool is_memory_full() const;
   static std::string told_memory();
-  /// Ends the data of this session that grow, if all sessions together use too much memory, and reports it.
+  /// If all sessions together use too much memory: ends the growing data of this session, and reports that to the page.
   void end_if_memory_is_full();
-  /// Shows the paths of calls relative to the folder.
+  /// Makes the file paths in a list of calls relative to the folder, for display.
   void show_files(PageJson& calls) const;
   PageJson problem_of_channel(const AlarmReport& report, int channel) const;
   void speak(const PageJson& question) {
@@ -150,20 +151,20 @@ struct PageSession::Inside {
   PageLine& line;
   Lang lang;
   std::atomic<bool> stops = false;
-  std::function<void()> afterwards;  // run after the answer is sent: work that the request has started
+  std::function<void()> afterwards;  // work that the request has started; runs after the answer is sent
   bool greeted = false, gone = false;
   std::atomic<bool> may_change = false;
   int mistakes = 0;
-  std::set<std::string> opened_names;  // only these files may be overwritten
+  std::set<std::string> opened_names;  // the files that this page has opened; only these may be overwritten
   OpeningWish opened_wish;
   std::unique_ptr<SourceText> source;
-  std::map<std::uint32_t, std::unique_ptr<SourceText>> called_sources;  // by Origin::file
+  std::map<std::uint32_t, std::unique_ptr<SourceText>> called_sources;  // texts of the files with called subprograms, by Origin::file
   std::unique_ptr<ProgramRun> run;
   std::unique_ptr<Instants> instants;
   StockGuess guess;
   std::unique_ptr<PartRun> part_run;  // nullptr: nothing has been cut
-  std::uint64_t page = 0;             // number of this page in the hub; 0: it has displayed no machine yet
-  std::mutex place_lock;              // protects panel_place: an emergency stop comes from another thread
+  std::uint64_t page = 0;             // number of this page in the hub; 0: the page has not displayed a machine yet
+  std::mutex place_lock;              // protects panel_place, which another thread uses for an emergency stop
   std::shared_ptr<PanelHub::Place> panel_place;
 };
 

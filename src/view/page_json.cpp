@@ -1,4 +1,4 @@
-// Used by view/page_session; tests/serve.py compares the shapes with docs/panel-protocol.md.
+// Converts values of a run to JSON. Used by view/page_session; tests/serve.py compares the structure with docs/panel-protocol.md.
 
 #include "view/page_json.h"
 
@@ -24,9 +24,10 @@ const char* name_of_mark(TimeMark::Kind kind) {
 }
 
 PageJson vec(Vec3 v) { return {v.x, v.y, v.z}; }
-/// The exact box of the summary, in coordinates of the work offset, if the picture shows the same; else the box in the picture.
+/// Returns the exact box (from the statistics, in coordinates of the work offset) if the box in the picture is the same; else the box in
+/// the picture.
 Box shown_box(const Box& exact, const Box& seen) {
-  constexpr double alike = 0.01;  // mm: more than the error of arcs as chords
+  constexpr double alike = 0.01;  // mm; more than the error of chords that replace arcs
   const Vec3 least = exact.least - seen.least, most = exact.most - seen.most;
   const double off =
       std::max({std::fabs(least.x), std::fabs(least.y), std::fabs(least.z), std::fabs(most.x), std::fabs(most.y), std::fabs(most.z)});
@@ -76,7 +77,7 @@ double value_of(const std::vector<InForce>& all, InForce::Kind kind) {
   return 0;
 }
 
-/// The instant at which a tool first comes into the spindle; 0 if it is there at the start.
+/// Returns the instant at which a tool first comes into the spindle; 0 if it is there from the start.
 double first_use(const ProgramRun& run, std::uint32_t tool) {
   const std::string name = "T" + std::to_string(tool);
   for (const TimeMark& m : run.marks())
@@ -84,7 +85,7 @@ double first_use(const ProgramRun& run, std::uint32_t tool) {
   return 0;
 }
 
-/// Adds the positions of the axes during the block, and the distance to go.
+/// Adds the axis positions during the block, and the distance to go, to the JSON.
 void put_position(PageJson& json, const InstantState& s, const ProgramRun& run) {
   json["position"] = of_axes(s.after, InForce::Kind::position);
   json["machine"] = of_axes(s.after, InForce::Kind::machine);

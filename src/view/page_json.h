@@ -17,19 +17,19 @@ namespace kadr {
 using PageJson = nlohmann::ordered_json;
 
 PageJson files_json(const FolderList& list);
-/// `fix`: nullopt if no fix is certain.
+/// Converts a finding of a check. `fix`: a proposed correction; nullopt if none is certain.
 PageJson problem_json(const Finding& finding, std::uint16_t file, const std::optional<QuickFix>& fix);
-/// A finding of a cut: its problem, extended by the time and the place.
+/// Converts a finding of a cut: to `problem` it adds the time and the position of the collision.
 PageJson cut_finding_json(PageJson problem, const CutFinding& finding);
-/// The mark of a finding on the time line. `told`: its problem.
+/// Converts a finding of a cut to a mark on the time line. `told`: the JSON of the finding's problem.
 PageJson cut_mark_json(const PageJson& told, const CutFinding& finding);
 PageJson call_list_json(const std::vector<AlarmReport::Call>& calls);
 PageJson state_json(const InstantState& state, const ProgramRun& run);
-/// Boxes around what is cut, and around the whole path.
+/// Converts the extents of a program: a box around the cutting motions, and a box around the whole path.
 PageJson extents_json(const Statistics& statistics);
 PageJson bounds_json(const MachineBounds& space);
 PageJson done_json(const ProgramRun& run, Lang lang);
-/// Serialises JSON. Invalid text is converted to UTF-8, which JSON requires.
+/// Converts JSON to text. Text values that are not valid UTF-8 are converted, since JSON requires UTF-8.
 std::string dumped(const PageJson& json);
 
 }  // namespace kadr

@@ -1,5 +1,5 @@
-// Turns a drawing of the folder into a program: mill. Nothing is written; the page saves the result if the user wants. Used by
-// view/page_session; tested by tests/serve_making.py.
+// Answers the request mill: converts a drawing of the folder to a program. Nothing is saved here; the page saves the result if the user
+// wants. Used by view/page_session; tested by tests/serve_making.py.
 
 #include <fmt/core.h>
 
@@ -14,9 +14,9 @@
 namespace kadr {
 namespace {
 
-constexpr std::size_t most_made_bytes = std::size_t{8} << 20;  // bytes of a program or of its picture
+constexpr std::size_t most_made_bytes = std::size_t{8} << 20;  // maximum size of a program or of its picture, bytes
 
-/// The values of a request, by the option names of kadr mill.
+/// A number in the request, by its name, which is that of the option of kadr mill.
 struct MillNumber {
   std::string_view key;
   double MillWish::*value;
@@ -57,7 +57,7 @@ bool is_one_of(const Names& names, std::string_view name) {
   return std::find(std::begin(names), std::end(names), name) != std::end(names);
 }
 
-/// Stores one value of the request. Returns false if it has the wrong type, or there is no such name.
+/// Stores one value of the request in `wish`. Returns false if the key is unknown or the value has the wrong type.
 bool take_word(MillWish& wish, const std::string& key, const PageJson& value) {
   if (const auto row = row_of(mill_numbers, key); row != std::end(mill_numbers)) {
     if (!value.is_number()) return false;
@@ -79,7 +79,7 @@ bool take_word(MillWish& wish, const std::string& key, const PageJson& value) {
   return true;
 }
 
-/// Refuses a request with anything that is not understood, instead of ignoring it: the program will run on a machine.
+/// Reads the request. Unknown keys and invalid values are refused, since the program will run on a machine.
 tl::expected<MillWish, Refusal> wish_to_mill(const PageJson& question) {
   MillWish wish;
   for (const auto& [key, value] : question.items())
@@ -91,7 +91,7 @@ tl::expected<MillWish, Refusal> wish_to_mill(const PageJson& question) {
   return wish;
 }
 
-/// The key of the request that an alarm is about: "plunge_feed"; empty if it is about the drawing.
+/// Returns the key of the request that the alarm concerns, "plunge_feed"; empty if it concerns the drawing.
 std::string word_of(const Alarm& alarm) {
   if (alarm.id == AlarmId::mill_stepover) return "stepover";
   if (alarm.id != AlarmId::mill_value) return {};

@@ -1,5 +1,5 @@
-// Requests about a machine at its panel: machines, machine, panel, press, switches, enter, undo, jog, stops. Used by view/page_session;
-// tested by tests/panel.py.
+// Answers the requests about a machine at its operator panel: machines, machine, panel, press, switches, enter, undo, jog, stops. Used by
+// view/page_session; tested by tests/panel.py.
 
 #include <fmt/core.h>
 
@@ -14,14 +14,16 @@ namespace kadr {
 namespace {
 
 constexpr std::size_t most_expression = 200, most_watched = 50;
-constexpr std::size_t most_held = std::size_t{8} << 20;  // bytes of a program: the limit for editing on the page, too
+// bytes of a program that is stored in memory; also the limit for editing on the page
+constexpr std::size_t most_held = std::size_t{8} << 20;
 
 PageAnswer answer_of(const PanelMachine::Answer& answer) {
   if (!answer) return refused(answer.error());
   return PageJson::object();
 }
 
-/// Saves the events of a machine in the journal, and changes by lines of the operator in the tables of its program.
+/// Returns the functions that save the machine's events in the journal, and that add table changes by lines of the operator to the tables
+/// of its program.
 PanelKeeper keeper_of(PanelJournal& journal, const std::string& name, PanelProgram& program, Lang lang) {
   PanelKeeper keeper;
   const std::shared_ptr<const AlarmTexts> texts = program.opened().texts;
@@ -30,7 +32,7 @@ PanelKeeper keeper_of(PanelJournal& journal, const std::string& name, PanelProgr
     return kept ? std::string() : kept.error();
   };
   keeper.event = [&journal, name](const char* kind, const std::string& text, std::uint32_t line) {
-    (void)journal.log(name, log_entry(kind, text, line));  // a failure to save is reported by the location (spot)
+    (void)journal.log(name, log_entry(kind, text, line));  // a failure to save is reported when the location is saved
   };
   keeper.tables = [&journal, &program, name](const Setup& before, const Setup& after) {
     const auto patch = program.take_by_hand(before, after);
@@ -46,14 +48,14 @@ PanelKeeper keeper_of(PanelJournal& journal, const std::string& name, PanelProgr
   return keeper;
 }
 
-/// Sets the program's text when a machine starts.
+/// Stores the program's text when a machine starts.
 void hold_text(const ServedFolder& folder, const std::string& file, PanelProgram& program) {
   if (auto text = folder.read(file, most_held))
     return program.take_text(std::make_shared<const std::string>(std::move(text->bytes)), std::move(text->digest));
   program.take_text(nullptr, folder.digest(file).value_or(""));
 }
 
-/// The part of the request that says how the machine was switched on.
+/// Returns the part of the request that says how to switch the machine on, as text for the journal.
 std::string machine_text(const PageJson& question) {
   PageJson kept = PageJson::object();
   for (const char* const key : {"file", "control", "machine", "setup", "encoding"})
@@ -61,7 +63,7 @@ std::string machine_text(const PageJson& question) {
   return dumped(kept);
 }
 
-/// The saved location of a machine, and whether the program can continue from there.
+/// Returns the saved location of a machine as JSON, and whether the program can continue there.
 PageJson spot_json(const std::string& text) {
   PageJson spot = PageJson::parse(text, nullptr, false);
   if (spot.is_object()) spot.erase("stands");
@@ -83,7 +85,7 @@ PageSession::Inside::Answer PageSession::Inside::machines(const PageJson&) {
   return PageJson{{"machines", std::move(list)}};
 }
 
-/// Switches a machine on, with its edited tables and with its axes at their last positions.
+/// Switches a machine on, with its edited tables and with the axes at their last positions.
 tl::expected<std::shared_ptr<PanelHub::Place>, Refusal> PageSession::Inside::switch_on(const std::string& file, const PageJson& question) {
   if (!may_change)
     return refused(
@@ -93,7 +95,7 @@ tl::expected<std::shared_ptr<PanelHub::Place>, Refusal> PageSession::Inside::swi
   if (as_kept.is_object()) as_kept.update(question);
   auto wish = wish_of(as_kept.is_object() ? as_kept : question);
   if (!wish) return tl::unexpected(wish.error());
-  wish->text.reset();  // a machine runs the file on the disk
+  wish->text.reset();  // the machine runs the file on the disk, not the text in the editor
   wish->tables = journal.value("tables", file).value_or("");
   auto opened = open_for_page(*wish);
   if (!opened) return refused(opened.error());
@@ -120,7 +122,7 @@ tl::expected<std::shared_ptr<PanelHub::Place>, Refusal> PageSession::Inside::swi
   return place;
 }
 
-/// Switches on the machine of a program, or displays one that is on. A machine has the name of its program.
+/// Switches on the machine of a program, or displays it if it is on. A machine has the name of its program.
 PageSession::Inside::Answer PageSession::Inside::machine(const PageJson& question) {
   if (server.hub == nullptr || server.journal == nullptr) return not_served("machine");
   const std::string file = value_in<std::string>(question, "file", "");
@@ -167,7 +169,7 @@ void PageSession::Inside::leave_machine() {
   if (place) place->holder.compare_exchange_strong(mine, 0);
 }
 
-/// The machine, if this page has control of it.
+/// Returns the machine if this page has control of it.
 tl::expected<PanelMachine*, Refusal> PageSession::Inside::held_machine() const {
   if (!panel_place) return refused(told("no machine is looked at", "станок не выбран"));
   if (!may_change)
@@ -179,7 +181,7 @@ tl::expected<PanelMachine*, Refusal> PageSession::Inside::held_machine() const {
 }
 
 PageSession::Inside::Answer PageSession::Inside::panel(const PageJson&) {
-  if (panel_place && server.hub->find(panel_place->name) != panel_place) leave_machine();  // another page has switched it off
+  if (panel_place && server.hub->find(panel_place->name) != panel_place) leave_machine();  // another page has switched the machine off
   if (!panel_place) return refused(told("no machine is looked at", "станок не выбран"));
   const PanelState state = panel_place->machine->state();
   PageJson json = panel_json(state, panel_place->machine->axes(), lang);
@@ -193,7 +195,7 @@ PageSession::Inside::Answer PageSession::Inside::panel(const PageJson&) {
   return json;
 }
 
-/// The program as the machine runs it, whatever is on the disk now.
+/// Returns the program text that the machine runs, which may differ from the file on the disk.
 PageSession::Inside::Answer PageSession::Inside::machine_source(const PageJson&) {
   if (!panel_place) return refused(told("no machine is looked at", "станок не выбран"));
   const PanelProgram& program = content_of(*panel_place).program;
@@ -224,7 +226,7 @@ PageSession::Inside::Answer PageSession::Inside::press(const PageJson& question)
   if (key == "hold") return answer_of((*machine)->hold());
   if (key == "reset") return answer_of((*machine)->reset());
   if (key != "off") return refused(key + told(": there is no such key", ": такой клавиши нет"));
-  (*machine)->switch_off();  // first, so that it saves nothing after its data are deleted
+  (*machine)->switch_off();  // switches off first, so that nothing is saved after the data are deleted
   note("off", {}, 0);
   const auto forgotten = server.journal->forget(panel_place->name);
   server.hub->remove(panel_place->name);
@@ -273,14 +275,14 @@ PageSession::Inside::Answer PageSession::Inside::jog(const PageJson& question) {
                                    value_in<double>(question, "feed", 0), int(count_in(question, "channel", 0))));
 }
 
-/// Answers a question of the program.
+/// Answers a question of the program that the machine runs.
 PageSession::Inside::Answer PageSession::Inside::answer_to_machine(const PageJson& question) {
   const auto machine = held_machine();
   if (!machine) return tl::unexpected(machine.error());
   return answer_of((*machine)->answer(value_in<double>(question, "answer", -1)));
 }
 
-/// Evaluates expressions that only this page watches.
+/// Evaluates the expressions that this page watches.
 PageSession::Inside::Answer PageSession::Inside::watch(const PageJson& question) {
   if (!panel_place) return refused(told("no machine is looked at", "станок не выбран"));
   std::vector<std::string> expressions;
@@ -308,7 +310,7 @@ PageSession::Inside::Answer PageSession::Inside::stops_at(const PageJson& questi
   return PageJson{{"number", *number}};
 }
 
-/// May be called from any thread.
+/// Emergency stop. May be called from any thread.
 void PageSession::Inside::stop_machine() {
   std::shared_ptr<PanelHub::Place> place;
   {

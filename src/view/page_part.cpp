@@ -1,4 +1,4 @@
-// Requests about the part: cut, part, proposals. Used by view/page_session; tested by tests/serve.py.
+// Answers the requests cut, part and proposals. Used by view/page_session; tested by tests/serve.py.
 
 #include <fmt/core.h>
 
@@ -12,10 +12,10 @@ namespace kadr {
 namespace {
 
 constexpr std::size_t most_fixtures = 100;
-constexpr std::size_t most_tools_files = 32;                        // that are read for proposals …
-constexpr std::uint64_t most_tools_bytes = std::uint64_t{1} << 20;  // … each no longer than this
+constexpr std::size_t most_tools_files = 32;                        // number of tools files that are read for proposals, at most …
+constexpr std::uint64_t most_tools_bytes = std::uint64_t{1} << 20;  // … and the maximum size of each, bytes
 
-/// The text of a body, with its file as a path in the file system.
+/// Returns the description of a solid, in which the name of a mesh file is replaced by its path in the file system.
 tl::expected<std::string, Refusal> placed_body(const ServedFolder& folder, const std::string& text) {
   if (!names_mesh_file(text)) return text;
   auto path = folder.path_of(text);
@@ -23,7 +23,7 @@ tl::expected<std::string, Refusal> placed_body(const ServedFolder& folder, const
   return *path;
 }
 
-/// Reads a list of tools, or the name of a tools file.
+/// Reads the tools of a request: a list, or the name of a tools file.
 tl::expected<ToolLibrary, Refusal> tools_in(const ServedFolder& folder, const PageJson& question) {
   const auto found = question.find("tools");
   if (found != question.end() && found->is_array()) {
@@ -31,7 +31,7 @@ tl::expected<ToolLibrary, Refusal> tools_in(const ServedFolder& folder, const Pa
       return refused(told("no tool is given: add the one that cuts", "не указан ни один инструмент: добавьте тот, что режет"));
     PageJson list = *found;
     for (PageJson& tool : list)
-      if (tool.is_object()) tool.erase("from"), tool.erase("known");  // keys of a proposal
+      if (tool.is_object()) tool.erase("from"), tool.erase("known");  // removes the keys that only a proposal has
     auto tools = tools_of_list(dumped(list));
     if (!tools) return refused(tools.error());
     return std::move(*tools);
@@ -78,7 +78,7 @@ tl::expected<PartWish, Refusal> part_wish(const ServedFolder& folder, const Page
   return wish;
 }
 
-/// Reports the tools that the program cuts with and that are not described; empty if there are none.
+/// Returns a message that lists the tools with which the program cuts and that `tools` does not describe; empty if there are none.
 std::string told_missing(const ProgramRun& run, const ToolLibrary& tools) {
   std::string missing;
   for (const std::uint32_t number : tools_cutting(run)) {
@@ -88,7 +88,7 @@ std::string told_missing(const ProgramRun& run, const ToolLibrary& tools) {
   return missing.empty() ? missing : told("tools without a shape: ", "инструменты без формы: ") + missing;
 }
 
-/// Names of the tools files next to the program, relative to the folder.
+/// Returns the names of the tools files next to the program, relative to the served folder.
 std::vector<std::string> tools_files(const ServedFolder& folder, const std::string& program) {
   const std::size_t slash = program.rfind('/');
   const std::string beside = slash == std::string::npos ? "" : program.substr(0, slash);
@@ -171,7 +171,7 @@ PageSession::Inside::Answer PageSession::Inside::part(const PageJson& question) 
                   {"cell", then.cell}};
 }
 
-/// `tools`: a file that is used instead of those next to the program.
+/// Answers with proposals of blank and tools. `tools`: a tools file to be used instead of those next to the program.
 PageSession::Inside::Answer PageSession::Inside::proposals(const PageJson& question) {
   const Vec3 zero = run->path().zero();
   KnownTools named;

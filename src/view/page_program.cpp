@@ -1,4 +1,4 @@
-// Requests about the open program: open, source, state, passes. Used by view/page_session; tested by tests/serve.py.
+// Answers the requests open, source, state and passes, about the open program. Used by view/page_session; tested by tests/serve.py.
 
 #include <fmt/core.h>
 
@@ -7,7 +7,7 @@
 namespace kadr {
 namespace {
 
-constexpr std::uint64_t most_text = std::uint64_t{8} << 20;  // bytes: longer programs can be viewed by lines, but not edited
+constexpr std::uint64_t most_text = std::uint64_t{8} << 20;  // bytes; a longer program can be viewed line by line, but not edited
 constexpr std::uint32_t most_lines = 5000;
 constexpr std::size_t most_passes = 1000;
 
@@ -25,7 +25,7 @@ std::string PageSession::Inside::place_of(const PageJson& question, const char* 
   return {};
 }
 
-/// Reads the files of a request. They are in the folder; a control or machine may also be a built-in one.
+/// Finds the files that a request names. They must be in the folder; a control or machine may also be a built-in one.
 tl::expected<OpeningWish, Refusal> PageSession::Inside::wish_of(const PageJson& question) const {
   OpeningWish wish;
   wish.lang = lang;
@@ -88,7 +88,7 @@ void PageSession::Inside::send(const ViewPiece& piece, std::uint32_t which, std:
   if (gone) stops = true;
 }
 
-/// The line of such a problem is in another program.
+/// Converts a problem of another channel: its line is in the program of that channel.
 PageJson PageSession::Inside::problem_of_channel(const AlarmReport& report, int channel) const {
   const Finding finding = finding_of(report, *run->opened().texts, lang);
   PageJson json = problem_json(finding, 0, std::nullopt);
@@ -120,7 +120,7 @@ void PageSession::Inside::carry_out() {
   say(done);
 }
 
-/// Lines of the program or of a file that it called; such a file is scanned once, at the first request.
+/// Returns lines of the program, or of a called file. A called file is scanned once, at the first request.
 PageSession::Inside::Answer PageSession::Inside::source_lines(const PageJson& question) {
   const std::uint32_t from = count_in(question, "from", 1), count = std::min(count_in(question, "count", most_lines), most_lines);
   const std::uint32_t file = count_in(question, "file", 0);

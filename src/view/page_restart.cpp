@@ -1,5 +1,5 @@
-// Requests about continuing in mid program: restart, go_there; and motion by hand along a path: lead. Used by view/page_session; tested by
-// tests/panel_restart.py.
+// Answers the requests restart and go_there (continuing in mid program), and lead (motion by hand along a path). Used by
+// view/page_session; tested by tests/panel_restart.py.
 
 #include <fmt/core.h>
 
@@ -10,8 +10,8 @@
 namespace kadr {
 namespace {
 
-constexpr std::size_t most_sheet_variables = 1000;  // rows of a sheet with variables
-constexpr std::size_t most_way = 100;               // motions
+constexpr std::size_t most_sheet_variables = 1000;  // number of rows with variables on a restart sheet, at most
+constexpr std::size_t most_way = 100;               // number of motions of a path in a request, at most
 
 PageJson value_json(const std::optional<InForce>& one) {
   if (!one) return PageJson();
@@ -28,7 +28,7 @@ const char* name_of(PanelSheet::By by) {
   }
 }
 
-/// `before`: prefix of each key.
+/// Converts the rows of a restart sheet. `before`: prefix of each key.
 PageJson rows_json(const std::vector<PanelSheet::Row>& rows, const std::string& before = {}) {
   PageJson list = PageJson::array();
   std::size_t variables = 0;
@@ -75,7 +75,7 @@ tl::unexpected<std::string> no_way() {
   return tl::unexpected(told("way: want motions of axes that there are", "путь: нужны движения имеющихся осей"));
 }
 
-/// Reads a path. Returns an error sentence if it is invalid.
+/// Reads the motions of a path from a request. Returns an error sentence if they are invalid.
 tl::expected<std::vector<WayPoint>, std::string> way_of(const PageJson& question, const std::vector<std::string>& axes) {
   const auto list = question.find("way");
   std::vector<WayPoint> way;
@@ -97,7 +97,7 @@ tl::expected<std::vector<WayPoint>, std::string> way_of(const PageJson& question
   return way;
 }
 
-/// Reads the path of the own channel, or paths of several channels in the order of travel.
+/// Reads the path of the own channel, or the paths of several channels in the order in which they are travelled.
 tl::expected<std::vector<PanelWay>, std::string> ways_of(const PageJson& question, const PanelMachine& machine) {
   const auto list = question.find("ways");
   if (list == question.end()) {
@@ -126,14 +126,14 @@ PanelSearch::Wish wish_in(const PageJson& question) {
   return wish;
 }
 
-/// Machine position of the zero of the work coordinates, including the tool length, if the frame is not rotated.
+/// Returns the machine position of the work zero, with the tool length applied; null if the frame is rotated.
 PageJson zero_json(const ToolPosition& stand, const std::vector<std::string>& axes) {
   PageJson zero = PageJson::object();
   for (std::size_t a = 0; a < axes.size() && a < max_axes; ++a) zero[axes[a]] = stand.machine[a] - stand.work[a];
   return zero;
 }
 
-/// The other channels; empty if there are none.
+/// Converts the state of the other channels; empty if there are none.
 PageJson beside_json(const PanelPlace& place, const std::vector<PanelSheet>& sheets, const PanelMachine& machine, Lang lang) {
   PageJson list = PageJson::array();
   for (std::size_t i = 0; i < place.beside.size(); ++i) {
@@ -175,7 +175,7 @@ tl::expected<PanelSearch::Answer, Refusal> PageSession::Inside::find_place(Panel
   return found;
 }
 
-/// `ready` false in the answer: the search is in progress, ask again.
+/// Searches for the restart position. If `ready` is false in the answer, the search is in progress and the page must ask again.
 PageSession::Inside::Answer PageSession::Inside::restart(const PageJson& question) {
   const auto machine = held_machine();
   if (!machine) return tl::unexpected(machine.error());

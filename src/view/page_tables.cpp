@@ -1,5 +1,5 @@
-// Requests about the tables of a machine at its panel: tables, edit, keep_tables; and its log: shift. Used by view/page_session; tested by
-// tests/panel_tables.py.
+// Answers the requests tables, edit and keep_tables, about the tables of a machine at its panel, and shift, about its log. Used by
+// view/page_session; tested by tests/panel_tables.py.
 
 #include <algorithm>
 
@@ -21,7 +21,7 @@ PageJson variables_json(const std::vector<PanelVariable>& variables) {
   return list;
 }
 
-/// The tables that a program may change.
+/// Returns the present values of the tables that a program may change.
 PageJson tables_of(const std::optional<RunState>& state) {
   PageJson tables = PageJson::object();
   if (!state) return tables;
@@ -53,7 +53,7 @@ PageSession::Inside::Answer PageSession::Inside::tables(const PageJson&) {
                   {"lasts", server.journal != nullptr && server.journal->lasts()}};
 }
 
-/// Checks, saves and applies an edit, in this order, so that what is confirmed is also saved.
+/// Checks, saves and applies an edit, in this order, so that an edit is saved before it is confirmed.
 PageSession::Inside::Answer PageSession::Inside::edit(const PageJson& question) {
   const auto machine = held_machine();
   if (!machine) return tl::unexpected(machine.error());
@@ -103,7 +103,7 @@ PageSession::Inside::Answer PageSession::Inside::keep_tables(const PageJson& que
   return PageJson{{"digest", *saved}};
 }
 
-/// The log of the machine, latest entry last.
+/// Returns the log of the machine, oldest entry first.
 PageSession::Inside::Answer PageSession::Inside::shift(const PageJson& question) {
   const std::string name = value_in<std::string>(question, "file", panel_place ? panel_place->name : "");
   if (server.journal == nullptr || name.empty()) return refused(told("no machine is looked at", "станок не выбран"));

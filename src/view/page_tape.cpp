@@ -1,5 +1,5 @@
-// Punched tape: converts a program of the folder to the rows of a tape, and a tape of the folder to text. Nothing is written; the page
-// saves the result if the user wants. Used by view/page_session; tested by tests/serve_making.py.
+// Answers the requests about punched tape: converts a program of the folder to the rows of a tape, and a tape to text. Nothing is saved
+// here; the page saves the result if the user wants. Used by view/page_session; tested by tests/serve_making.py.
 
 #include <fmt/core.h>
 
@@ -13,13 +13,13 @@
 namespace kadr {
 namespace {
 
-constexpr std::size_t most_rows = std::size_t{8} << 20;  // of a tape: 21 km
+constexpr std::size_t most_rows = std::size_t{8} << 20;  // rows of a tape, at most: 21 km
 constexpr std::size_t most_leader = 100'000;
 constexpr std::size_t most_faults_told = 100;
 
 tl::unexpected<Refusal> no_tape(std::string text) { return tl::unexpected(Refusal{std::move(text)}); }
 
-/// Error for a character that the code does not have: its line and the character.
+/// Returns the error sentence for a character that the tape code lacks, with the line and the character.
 std::string not_punched(const std::string& file, const std::string& text, Span at, TapeCode code, Lang lang) {
   const auto line = 1 + std::count(text.begin(), text.begin() + std::min<std::ptrdiff_t>(at.begin, std::ssize(text)), '\n');
   return fmt::format(fmt::runtime(lang == Lang::ru ? "{}:{}: символ '{}' не пробить в коде {}" : "{}:{}: '{}' has no {} code"), file, line,
@@ -37,7 +37,7 @@ PageSession::Inside::Answer PageSession::Inside::tape(const PageJson& question) 
   return no_tape(told("tape: way: in or out", "tape: way: in или out"));
 }
 
-/// Punches the text as it is in the editor, or in the file.
+/// Punches the text of the editor, or of the file.
 PageSession::Inside::Answer PageSession::Inside::punch(const PageJson& question, std::optional<TapeCode> said) const {
   const std::string file = value_in<std::string>(question, "file", "");
   const auto found = server.folder.read(file, most_rows);
@@ -46,7 +46,7 @@ PageSession::Inside::Answer PageSession::Inside::punch(const PageJson& question,
   const std::string text = is_edited ? question["text"].get<std::string>() : SourceText(as_text(text_source(found->bytes))).whole();
   if (text.find_first_not_of(" \t\r\n") == std::string::npos) return no_tape(file + ": " + told("is empty", "пуст"));
   const TapeCode code = said.value_or(TapeCode::iso);
-  constexpr std::uint32_t usual_leader = 100;  // rows
+  constexpr std::uint32_t usual_leader = 100;  // rows of leader before and after the program
   const std::size_t leader = std::min<std::size_t>(count_in(question, "leader", usual_leader), most_leader);
   const auto rows = encode_tape(text, leader, code);
   if (!rows) return no_tape(not_punched(file, text, rows.error().where, code, lang));

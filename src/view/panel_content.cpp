@@ -1,4 +1,5 @@
-// Saved form of a machine's events. Used by view/page_panel, view/page_tables; tested by tests/panel_kills.py.
+// Converts a machine's events to the JSON in which they are saved. Used by view/page_panel, view/page_tables; tested by
+// tests/panel_kills.py.
 
 #include "view/panel_content.h"
 

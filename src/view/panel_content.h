@@ -1,5 +1,5 @@
 #pragma once
-// PanelContent: what belongs to a machine of the hub besides the machine itself, and the form in which its events are saved.
+// PanelContent: the data of a panel machine besides the machine itself, and the JSON form in which its events are saved.
 
 #include <mutex>
 
@@ -12,14 +12,14 @@ namespace kadr {
 struct PanelContent {
   explicit PanelContent(OpenedProgram opened, OpeningWish wish) : program(std::move(opened), std::move(wish)) {}
   PanelProgram program;
-  std::mutex edits;  // held from the check to the answer: one edit at a time
+  std::mutex edits;  // locked from the check of an edit to its answer, so that there is one edit at a time
 };
 
 inline PanelContent& content_of(const PanelHub::Place& place) { return *static_cast<PanelContent*>(place.content.get()); }
 
-/// A log entry as JSON: the present time, kind, text, line of the program (0: none).
+/// Returns a log entry as JSON: present time, kind, text, and line of the program (0: no line).
 std::string log_entry(const std::string& kind, const std::string& text, std::uint32_t line);
-/// The location of a machine as JSON, and its reverse.
+/// Converts the location of a machine in its program to JSON, and back.
 std::string spot_text(const PanelSpot& spot);
 std::optional<PanelSpot> spot_of(const std::string& text);
 

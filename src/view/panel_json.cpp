@@ -1,4 +1,5 @@
-// Used by view/page_panel; tests/panel.py compares the shape with docs/panel-protocol.md.
+// Converts the state of an operator panel to JSON. Used by view/page_panel; tests/panel.py compares the structure with
+// docs/panel-protocol.md.
 
 #include "view/panel_json.h"
 
@@ -29,7 +30,7 @@ PageJson stops_json(const std::map<std::size_t, StopPoint>& stops) {
   return list;
 }
 
-/// All channels, if there are several; empty for a single one.
+/// Converts the channels if there are several; empty for a single one.
 PageJson channels_json(const std::vector<PanelChannel>& channels) {
   PageJson list = PageJson::array();
   for (const PanelChannel& one : channels) {
@@ -50,7 +51,7 @@ PageJson channels_json(const std::vector<PanelChannel>& channels) {
   return list;
 }
 
-/// Adds the codes in force, and the values that do not belong to axes.
+/// Adds the codes in force, and the values in force that do not belong to axes.
 void put_modes(PageJson& json, const PanelModes& modes) {
   PageJson codes = PageJson::array();
   for (const InForce& one : modes.in_force)

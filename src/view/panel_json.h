@@ -1,14 +1,14 @@
 #pragma once
-// Converts what an operator sees to JSON of the page's protocol (docs/panel-protocol.md, The panel).
+// Converts the state of an operator panel to JSON of the page's protocol (docs/panel-protocol.md, The panel).
 
 #include "panel/panel_machine.h"
 #include "view/page_json.h"
 
 namespace kadr {
 
-/// The name in the protocol.
+/// Returns the name of a mode in the protocol.
 const char* name_of(PanelMode mode);
-/// The state without the alarm and without who has control.
+/// Converts the state, without the alarm and without the number of the page that has control.
 PageJson panel_json(const PanelState& state, const std::vector<std::string>& axes, Lang lang);
 
 }  // namespace kadr

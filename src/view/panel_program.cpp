@@ -1,4 +1,4 @@
-// PanelProgram: creates the sessions of a machine. Used by view/page_panel, view/page_tables; tested by tests/panel_tables.py.
+// PanelProgram: opens the sessions of a panel machine. Used by view/page_panel, view/page_tables; tested by tests/panel_tables.py.
 
 #include "view/panel_program.h"
 
@@ -11,9 +11,9 @@
 namespace kadr {
 namespace {
 
-constexpr std::size_t most_edited = 1 << 20;  // bytes
+constexpr std::size_t most_edited = 1 << 20;  // maximum size of the edits, bytes
 
-/// The set-up with the axes at `start` when the program begins; its tables are unchanged.
+/// Returns the set-up with `start` as the start position of the axes; its tables are unchanged.
 Setup standing_at(Setup setup, const std::vector<std::string>& axes, const Axes& start) {
   setup.start_in_work = false;
   for (std::size_t a = 0; a < std::min(axes.size(), max_axes); ++a) setup.start[axes[a]] = start[a];
@@ -27,7 +27,8 @@ PageJson part_of(const PageJson& rows, const std::string& name, const std::strin
   return row == rows.end() || !row->contains(part) ? PageJson(0) : (*row)[part];
 }
 
-/// For a table of numbers: the values that have changed in changed rows, and those that differ from `stated`.
+/// Compares two versions of a table of numbers. Returns, for each changed row, the values that changed and those that differ from
+/// `stated`.
 PageJson changed_numbers(const PageJson& before, const PageJson& after, const PageJson& stated) {
   PageJson rows = PageJson::object(), all = before;
   all.merge_patch(after);
@@ -40,7 +41,7 @@ PageJson changed_numbers(const PageJson& before, const PageJson& after, const Pa
   return rows;
 }
 
-/// The changed rows, complete; null for a row that no longer exists.
+/// Compares two versions of a table. Returns the changed rows, complete; null for a row that no longer exists.
 PageJson changed_rows(const PageJson& before, const PageJson& after) {
   PageJson rows = PageJson::object();
   for (const auto& [name, row] : after.items())
@@ -50,7 +51,7 @@ PageJson changed_rows(const PageJson& before, const PageJson& after) {
   return rows;
 }
 
-/// A change of tables as a JSON merge patch for a set-up that states `stated`.
+/// Returns a change of tables as a JSON merge patch for a set-up that states `stated`.
 PageJson difference(const Setup& before, const Setup& after, const Setup& stated) {
   const PageJson then = tables_json(before), now = tables_json(after), said = tables_json(stated);
   const auto table_of = [](const PageJson& tables, const char* name) { return tables.value(name, PageJson::object()); };
@@ -108,7 +109,7 @@ bool PanelProgram::knows_axes() const {
 
 tl::expected<std::unique_ptr<Session>, std::string> PanelProgram::open(const std::optional<Axes>& start, const StopToken& stop) {
   if (start && !knows_axes())
-    if (auto first = open({}, stop); !first) return first;  // a session provides the axis names
+    if (auto first = open({}, stop); !first) return first;  // the first session provides the axis names
   auto text = program();
   if (!text) return tl::unexpected(text.error());
   SessionSpec spec = opened_.spec(std::move(*text), stop);

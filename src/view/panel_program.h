@@ -1,5 +1,5 @@
 #pragma once
-// PanelProgram: creates the sessions of a panel machine: holds the program and its tables with all edits.
+// PanelProgram: opens the sessions of a panel machine. It stores the text of the program, and its tables with all edits.
 
 #include <memory>
 #include <mutex>
@@ -16,45 +16,46 @@ namespace kadr {
 
 class PanelProgram {
  public:
-  /// `wish`: the request that opened it, including its tables.
+  /// `wish`: the request that opened the program, with its tables.
   PanelProgram(OpenedProgram opened, OpeningWish wish);
 
   const OpenedProgram& opened() const { return opened_; }
   const std::string& setup_file() const { return wish_.setup; }
 
   // All functions below may be called from any thread.
-  /// Sets the program as it was on the disk when the machine started: this text is run and searched until the program starts again.
-  ///   bytes   nullptr: the file is read each time, since it is long or unreadable
-  ///   digest  of the file at that time; empty if it is unreadable
+  /// Sets the text that is run and searched from now on: the contents of the program file at the time when the program started.
+  ///   bytes   contents of the file; nullptr: the file is too long or unreadable, and is read again each time
+  ///   digest  identifies the contents of the file at that time; empty if it is unreadable
   void take_text(std::shared_ptr<const std::string> bytes, std::string digest);
   std::string digest() const;
-  /// The text as UTF-8, with '\n' between lines.
-  ///   returns  nullopt if the text is not held
+  /// Returns the text as UTF-8, with '
+  /// ' between lines.
+  ///   returns  nullopt if the text is not stored in memory
   std::optional<std::string> text() const;
-  /// Implements PanelOpens.
+  /// Opens a session: the function that PanelMachine needs as PanelOpens.
   tl::expected<std::unique_ptr<Session>, std::string> open(const std::optional<Axes>& start, const StopToken& stop);
 
   struct Tables {
-    PageJson edited;          // in the form of a set-up, overrides the file
-    Setup setup;              // file and edits combined
-    std::uint64_t after = 0;  // number of changes before this one
+    PageJson edited;          // the edits in the form of a set-up, which override the set-up file
+    Setup setup;              // the set-up file with the edits applied
+    std::uint64_t after = 0;  // number of changes before these tables
   };
-  /// The result of a change (JSON merge patch, RFC 7386: null reverts an edit), checked like any set-up.
+  /// Returns the tables after a change (JSON merge patch, RFC 7386: null removes an edit), checked like any set-up.
   ///   returns  an error sentence
   tl::expected<Tables, std::string> changed(const PageJson& patch) const;
-  /// Opens the program with the tables as a test.
-  ///   returns  why the control refuses them; empty if it accepts them
+  /// Checks that the program can be opened with these tables.
+  ///   returns  why the control refuses the tables; empty if it accepts them
   std::string refusal(const Tables& tables) const;
-  /// Returns false if the tables have been changed meanwhile.
+  /// Replaces the tables. Returns false, without a change, if they have been changed since changed() was called.
   bool take(Tables tables);
-  /// Applies a change of tables that a line of the operator has made in the control.
-  ///   returns  the change, or an error sentence if it does not fit a set-up
+  /// Adds to the edits what a line of the operator has changed in the tables of the control.
+  ///   returns  the change, or an error sentence if a set-up cannot contain it
   tl::expected<PageJson, std::string> take_by_hand(const Setup& before, const Setup& after);
   PageJson edited() const;
-  /// Contents of the set-up file; empty if there is none.
+  /// Returns the contents of the set-up file; empty if there is no file.
   ///   returns  an error sentence
   tl::expected<PageJson, std::string> of_file() const;
-  /// Names of the tables that a set-up of this control may have.
+  /// Returns the names of the tables that a set-up for this control may contain.
   std::vector<std::string> sections() const;
 
  private:
@@ -65,7 +66,7 @@ class PanelProgram {
   OpeningWish wish_;
   std::shared_ptr<const std::string> bytes_;
   std::string digest_;
-  std::vector<std::string> axes_;  // of its control; known after the first session
+  std::vector<std::string> axes_;  // axis names of the control; known after the first session
   mutable std::mutex lock_;
   PageJson edited_;
   Setup setup_;

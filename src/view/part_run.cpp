@@ -24,10 +24,10 @@ namespace {
 using Failed = tl::unexpected<std::string>;
 
 constexpr double bytes_per_mb = 1 << 20;
-constexpr double cells_seen = 200;                     // along the longest side: gives some hundred thousand triangles
-constexpr double share_for_past = 0.25;                // of the memory
-constexpr double least_cell = 1e-3, most_cell = 1000;  // mm
-constexpr std::uint16_t of_no_tool = 65535;            // value in a frame
+constexpr double cells_seen = 200;       // cells along the longest side of the displayed stock, which gives some hundred thousand triangles
+constexpr double share_for_past = 0.25;  // share of the memory limit for the stock's past
+constexpr double least_cell = 1e-3, most_cell = 1000;  // limits of the cell size, mm
+constexpr std::uint16_t of_no_tool = 65535;            // tool number in a frame for a surface that no tool has made
 
 double longest_side(const Box3& box) {
   const Vec3 size = box.most - box.least;
@@ -50,7 +50,8 @@ tl::expected<std::shared_ptr<const Blank>, std::string> PartRun::body(const std:
   return named->body;
 }
 
-/// Uses the same cell as `kadr cut`; the displayed stock is coarser, so that any instant of it is available within a second.
+/// Chooses the cell sizes. The fine stock has the cells of `kadr cut`; the displayed stock is coarser, so that it can be computed for any
+/// instant within a second.
 tl::expected<void, std::string> PartRun::find_material(const PartWish& wish) {
   auto blank = body(wish.stock);
   if (!blank) return Failed(blank.error());
@@ -106,7 +107,7 @@ tl::expected<std::unique_ptr<PartRun>, std::string> PartRun::make(const OpenedPr
 
 void PartRun::tell_progress() {
   if (!progress_clock_.is_due()) return;
-  too_much_ = double(run_->cutting().bytes()) > most_bytes * 1.25;  // sweeps need memory in addition to the material
+  too_much_ = double(run_->cutting().bytes()) > most_bytes * 1.25;  // sweeps need memory in addition to the stock
   if (!on_progress) return;
   const Control& control = session_->settled_control();
   const double bytes = double(control.bytes());
@@ -154,7 +155,7 @@ PartThen PartRun::at(double instant) const {
   return then;
 }
 
-/// Points are relative to the machine's zero, like those of the path.
+/// The points of the frame are relative to the machine's zero, like those of the path.
 std::string PartRun::frame_of(const PartThen& then) const {
   const Surface& s = then.surface;
   const Cutting& cutting = run_->cutting();

@@ -1,9 +1,9 @@
 #pragma once
-// PartRun: cuts a blank with a program for the page: finds collisions, the remaining stock, and the part at any instant
+// PartRun: cuts a blank with a program, for the page: finds collisions, the remaining stock, and the part as it is at any instant
 // (docs/panel-protocol.md: cut, part).
 //
-//   PartWish ─ PartRun::make() ─▶ its own session ─ CutRun ─▶ two stocks: one as fine as in `kadr cut`, for figures and findings,
-//                                                             and a coarser one that keeps its past, for display
+//   PartWish ─ PartRun::make() ─▶ its own session ─ CutRun ─▶ two stocks: a fine one as in `kadr cut`, for volumes and findings,
+//                                                              and a coarser one that keeps its past, for display
 
 #include <functional>
 #include <memory>
@@ -18,49 +18,49 @@
 
 namespace kadr {
 
-/// Bodies as texts for body_of(), with files as paths in the file system.
+/// What to cut: solids as descriptions for body_of(), with files as paths in the file system.
 struct PartWish {
   std::string stock;
   std::vector<std::string> fixtures;
-  std::vector<std::string> fixture_names;  // as the page displays them
+  std::vector<std::string> fixture_names;  // names of the fixtures as the page displays them
   ToolLibrary tools;
-  double resolution = 0;  // mm; 0: automatic
+  double resolution = 0;  // cell size of the stock, mm; 0: chosen automatically
 };
 
-/// The part at an instant.
+/// The remaining stock at an instant.
 struct PartThen {
-  double seconds = 0;  // the instant, limited to the program
-  double stock = 0;    // mm³ of the blank
+  double seconds = 0;  // the instant, s; at most the end of the program
+  double stock = 0;    // volume of the remaining stock, mm³
   double left = 0;
-  double cell = 0;  // mm: of the displayed stock
-  Surface surface;  // in the work system of the blank
+  double cell = 0;  // cell size of the displayed stock, mm
+  Surface surface;  // surface of the stock, in the work system of the blank
 };
 
 class PartRun {
  public:
-  static constexpr double most_bytes = 400e6;  // for material and past
+  static constexpr double most_bytes = 400e6;  // memory limit of the stocks with their past, bytes
 
-  ///   opened   outlives this object
+  ///   opened   must outlive this object
   ///   returns  an error sentence
   static tl::expected<std::unique_ptr<PartRun>, std::string> make(const OpenedProgram& opened, const PartWish& wish, const StopToken& stop);
 
-  /// Called several times per second with the progress, 0 to 1.
+  /// Called several times per second with the progress, from 0 to 1.
   std::function<void(double part)> on_progress;
   std::function<void(const CutFinding&, const AlarmReport&)> on_finding;
 
-  /// Runs to the end of the program, or to its alarm.
-  ///   returns  an error sentence: stopped, no memory, a tool without a shape
+  /// Runs the program to its end, or to an alarm.
+  ///   returns  an error sentence if it was stopped, memory ran out, or the shape of a tool is unknown
   tl::expected<void, std::string> carry_out();
 
-  // ---- after carry_out()
+  // ---- the results; call these after carry_out()
   const CutResult& result() const { return result_; }
-  /// Number of alarms and warnings of the program itself.
+  /// Number of alarms and warnings that the program itself has caused.
   std::size_t alarms() const { return run_->alarms(); }
   std::size_t warnings() const { return run_->warnings(); }
-  /// What had to be repaired in files, and what input was used as it is.
+  /// Sentences about repaired files, and about questionable input that was used unchanged.
   const std::vector<std::string>& notes() const { return notes_; }
   PartThen at(double instant) const;
-  /// A frame of kind 3.
+  /// Converts the stock to a binary frame of kind 3.
   std::string frame_of(const PartThen& then) const;
 
  private:
@@ -80,7 +80,7 @@ class PartRun {
   std::unique_ptr<CutRun> run_;
   CutResult result_;
   ProgressClock progress_clock_;
-  bool too_much_ = false;  // memory limit exceeded
+  bool too_much_ = false;  // the memory limit was exceeded
 };
 
 }  // namespace kadr

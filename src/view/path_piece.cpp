@@ -1,4 +1,4 @@
-// Levels of detail and frames of a piece of path. Used by view/path_record; tested by tests/view/path_piece_test.cpp.
+// Computes levels of detail and binary frames of a piece of path. Used by view/path_record; tested by tests/view/path_piece_test.cpp.
 
 #include "view/path_piece.h"
 
@@ -13,7 +13,8 @@ namespace kadr {
 namespace {
 
 constexpr std::size_t levels = 16;
-constexpr std::size_t run_length = 256;  // vertices that are divided together: the work is some eight times their number
+// number of vertices whose levels are computed together; the work is some eight times this number
+constexpr std::size_t run_length = 256;
 
 double distance_to_chord(Vec3 p, Vec3 from, Vec3 to) {
   const Vec3 way = to - from;
@@ -27,12 +28,13 @@ std::uint8_t level_of(double off) {
   return std::uint8_t(std::min(double(levels - 1), std::floor(std::log2(off / finest_level))));
 }
 
-/// True if the drawing changes at this vertex.
+/// True if tool, kind, feed or file change at this vertex, so that it must be kept.
 bool is_boundary(const PathVertex& a, const PathVertex& b) {
   return a.kind != b.kind || a.tool != b.tool || a.file != b.file || a.feed != b.feed || b.kind == PathKind::jump;
 }
 
-/// Division by Douglas and Peucker. A vertex is never more important than the one that divided its segment, so the levels are nested.
+/// Algorithm of Douglas and Peucker. A vertex never gets a higher level than the vertex that divided its segment, so the levels are
+/// nested.
 void divide(std::vector<PathVertex>& v, std::size_t first, std::size_t last, double most) {
   while (last - first > 1) {
     const Vec3 from = v[first].place(), to = v[last].place();
@@ -44,7 +46,8 @@ void divide(std::vector<PathVertex>& v, std::size_t first, std::size_t last, dou
     }
     const double off = std::min(farthest, most);
     v[at].level = level_of(off);
-    if (at - first < last - at) divide(v, first, at, off), first = at;  // the loop takes the longer segment: no deeper than log2
+    // recursion for the shorter segment, loop for the longer one: the depth is at most log2 of the number of vertices
+    if (at - first < last - at) divide(v, first, at, off), first = at;
     else divide(v, at, last, off), last = at;
     most = off;
   }

@@ -1,5 +1,6 @@
 #pragma once
-// ViewPiece: some thousand vertices of a path in the form for the page (docs/panel-protocol.md, frames of kind 1, 2 and 4).
+// ViewPiece: a piece of a tool path, of some thousand vertices, in the form that the page receives (docs/panel-protocol.md, frames of
+// kind 1, 2 and 4).
 
 #include <array>
 #include <cstdint>
@@ -10,20 +11,21 @@
 
 namespace kadr {
 
-inline constexpr double finest_level = 0.001;  // mm: level 0 omits nothing, level 1 may be off by twice this (docs/panel-protocol.md)
+// tolerance unit of the levels of detail, mm: level 0 omits no vertex, level 1 may deviate by twice this (docs/panel-protocol.md)
+inline constexpr double finest_level = 0.001;
 
 enum class PathKind : std::uint8_t { jump, rapid, feed, arc_cw, arc_ccw, probe, home, thread, spline };
 
-/// The values describe the segment that ends at the vertex.
+/// A vertex of the path. The values describe the segment that ends there.
 struct PathVertex {
-  std::array<float, 3> at{};  // mm
-  float time = 0;             // s since ViewPiece::begins
+  std::array<float, 3> at{};  // position in the coordinates of the picture, mm
+  float time = 0;             // time at which the tool arrives, s after ViewPiece::begins
   std::uint32_t line = 0;
-  std::uint32_t number = 0;  // Origin::number
-  float feed = 0;            // as programmed, mm/min; 0 at rapid
-  float speed = 0;           // mean over the motion, mm/min
-  std::uint16_t tool = 0;    // in the spindle
-  std::uint16_t file = 0;    // Origin::file
+  std::uint32_t number = 0;  // number of the block: Origin::number
+  float feed = 0;            // programmed feed, mm/min; 0 at rapid
+  float speed = 0;           // mean speed of the motion, mm/min
+  std::uint16_t tool = 0;    // number of the tool in the spindle
+  std::uint16_t file = 0;    // file of the block: Origin::file
   PathKind kind = PathKind::jump;
   std::uint8_t level = 0;
 
@@ -31,28 +33,28 @@ struct PathVertex {
 };
 
 struct ViewPiece {
-  static constexpr std::size_t most = 8192;  // vertices
+  static constexpr std::size_t most = 8192;  // maximum number of vertices
 
-  double begins = 0;                             // s: time of its first vertex
-  std::uint32_t first = 0;                       // index of its first vertex in the path
-  std::vector<PathVertex> vertices;              // the first one repeats the last one of the previous piece
-  std::vector<std::array<float, 3>> directions;  // of the tool at each vertex; empty: the tool is upright everywhere
-  std::vector<float> positions;                  // of the joints that turn the part, vertex by vertex; empty: there are none
+  double begins = 0;                             // time of the first vertex, s
+  std::uint32_t first = 0;                       // index of the first vertex in the whole path
+  std::vector<PathVertex> vertices;              // the first vertex repeats the last one of the previous piece
+  std::vector<std::array<float, 3>> directions;  // direction of the tool at each vertex; empty: the tool is upright everywhere
+  std::vector<float> positions;  // positions of the joints that turn the part, vertex by vertex; empty: the machine has no such joints
 
   std::size_t joints() const { return vertices.empty() ? 0 : positions.size() / vertices.size(); }
 };
 
-/// Sets the level of each vertex: without the vertices below level L the path is off by at most 0.001 · 2^L mm. Vertices where tool,
-/// kind, feed or file change remain at every level.
+/// Sets the level of each vertex. If all vertices below level L are omitted, the path deviates by at most 0.001 · 2^L mm. Vertices at
+/// which tool, kind of motion, feed or file change remain at every level.
 ///   law  the first and the last vertex remain at all levels
 void set_levels(ViewPiece& piece);
 
-/// A frame of kind 1.
-///   which  0: the program, 1: what it is compared with; plus 2: the contour as programmed
+/// Converts a piece to a binary frame of kind 1: the vertices.
+///   which  0: path of the program, 1: path of the program it is compared with; add 2 for the contour as programmed
 std::string path_frame(const ViewPiece& piece, std::uint32_t which, std::uint32_t channel);
-/// A frame of kind 2.
+/// Converts a piece to a binary frame of kind 2: the tool directions.
 std::string directions_frame(const ViewPiece& piece, std::uint32_t which, std::uint32_t channel);
-/// A frame of kind 4.
+/// Converts a piece to a binary frame of kind 4: the joint positions.
 std::string positions_frame(const ViewPiece& piece, std::uint32_t which, std::uint32_t channel);
 
 }  // namespace kadr

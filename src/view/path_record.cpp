@@ -1,4 +1,4 @@
-// PathRecord: turns Steps into vertices. Used by view/program_run; tested by tests/view/path_record_test.cpp.
+// PathRecord: converts steps to vertices of a path. Used by view/program_run; tested by tests/view/path_record_test.cpp.
 
 #include "view/path_record.h"
 
@@ -10,7 +10,7 @@ namespace {
 constexpr double chord = 0.002;      // mm by which a chord may deviate from an arc
 constexpr double same_place = 1e-6;  // mm
 constexpr double seconds_a_minute = 60;
-constexpr double shortest_stand = 1e-3;  // s: shortest dwell that gets its own vertex
+constexpr double shortest_stand = 1e-3;  // s; shortest dwell that gets a vertex of its own
 
 PathKind kind_of(MotionKind kind) {
   switch (kind) {
@@ -25,7 +25,7 @@ PathKind kind_of(MotionKind kind) {
   }
 }
 
-/// If the control leads the tip, its own joints are used instead of those in the machine's file.
+/// Returns the joints that turn the part: if the control guides the tool tip, the control's own joints, else those of the machine's file.
 std::vector<PartJoint> joints_at(const Step& step, const MachineTree* tree) {
   const auto* const space = dynamic_cast<const PartSpace*>(step.from.space.get());
   if (space != nullptr && space->has_rotary()) return part_joints(space->data());
@@ -113,7 +113,7 @@ void PathRecord::consume(const Step& step, double later, double longer) {
   }
 }
 
-/// The part rotates about the tool, which keeps its position in the part.
+/// Adds vertices for a rotation of the part during which the tool tip does not move relative to the part.
 void PathRecord::turn_on_the_spot(const Step& step) {
   if (!begun_ || joints_.empty()) return;
   stand_at(step, 1);

@@ -1,5 +1,5 @@
 #pragma once
-// PathRecord: records the path of the tool over the part for the page: turns Steps into pieces of vertices.
+// PathRecord: records the path of the tool over the part, for the page. It converts the steps of a run to pieces of vertices.
 
 #include <deque>
 #include <functional>
@@ -15,35 +15,37 @@ namespace kadr {
 
 class PathRecord {
  public:
-  /// `tool`: in the spindle at the start. The other parameters as in ToolWay.
+  /// `tool`: number of the tool in the spindle at the start. The other parameters are those of ToolWay.
   PathRecord(const AxisRoles& roles, std::shared_ptr<const MachineTree> tree, const std::optional<Axes>& apart, std::uint32_t tool);
 
-  /// Receives each piece when it is complete; the reference is valid as long as the record.
+  /// Receives each piece when it is complete. The reference is valid as long as this object.
   std::function<void(const ViewPiece&)> on_piece;
 
-  ///   later, longer  s by which the step begins later, and takes longer, on the machine than timed
+  ///   later   s by which the step starts later on the machine than was computed
+  ///   longer  s by which the step takes longer on the machine than was computed
   void consume(const Step& step, double later, double longer);
-  /// For a contour without times: sets the time of each vertex to the time at which its block ends on `path`.
+  /// For a contour that was recorded without times: gives each vertex the time at which its block ends on `path`.
   void take_times_of(const PathRecord& path);
-  /// s at which the block with that number ends; if it does not move, the last one before it that does.
+  /// Returns the time, s, at which the block with that number ends. If the block does not move, this is the end of the last block before
+  /// it that does.
   double end_of_block(std::uint32_t number) const;
-  /// Completes the current piece.
+  /// Completes the current piece, although it is not full.
   void flush();
-  /// True if the limit of vertices is reached: nothing more is recorded.
+  /// True if the maximum number of vertices is reached and nothing more is recorded.
   bool is_full() const { return vertices_ >= most_vertices; }
 
   const std::deque<ViewPiece>& pieces() const { return pieces_; }
   std::size_t vertices() const { return vertices_; }
-  /// Zero of the picture, in machine coordinates.
+  /// Zero point of the picture, in machine coordinates.
   Vec3 zero() const { return way_.zero().value_or(way_.present_zero()); }
-  /// The box around the path, relative to the picture's zero; arcs by their chords.
+  /// The box around the path, relative to the zero point of the picture. Arcs count by their chords.
   Box reach() const { return moved(all_); }
   Box cutting_reach() const { return moved(cutting_); }
-  /// The joints whose positions the vertices have.
+  /// The joints of the machine whose positions are stored with the vertices.
   const std::vector<PartJoint>& joints() const { return joints_; }
-  /// The vertex that the tool reaches at or after an instant; nullptr if the path ends before.
+  /// Returns the first vertex that the tool reaches at or after an instant; nullptr if the path ends before.
   const PathVertex* at(double instant) const;
-  /// Time of the vertex, s.
+  /// Returns the time of a vertex, s.
   static double time_of(const ViewPiece& piece, const PathVertex& vertex) { return piece.begins + double(vertex.time); }
 
  private:
@@ -58,17 +60,17 @@ class PathRecord {
   AxisRoles roles_;
   std::shared_ptr<const MachineTree> tree_;
   ToolWay way_;
-  std::vector<PartJoint> joints_;          // known from the first motion on
-  std::vector<float> stand_, last_stand_;  // positions at the vertex being added, and at the one before
+  std::vector<PartJoint> joints_;          // empty until the first motion
+  std::vector<float> stand_, last_stand_;  // joint positions at the vertex that is being added, and at the previous vertex
   std::uint32_t tool_;
   std::vector<WayPiece> ways_;
-  std::deque<ViewPiece> pieces_;  // the last one is being filled, unless flushed
+  std::deque<ViewPiece> pieces_;  // the last piece is being filled, unless it was flushed
   bool open_ = false;
   std::size_t vertices_ = 0;
   double last_time_ = 0;
   Vec3 last_, last_direction_{0, 0, 1};
   bool begun_ = false;
-  Box cutting_, all_;  // relative to the machine's zero
+  Box cutting_, all_;  // boxes relative to the zero point of the machine
 };
 
 }  // namespace kadr

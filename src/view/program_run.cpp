@@ -15,8 +15,9 @@ namespace kadr {
 namespace {
 
 constexpr std::size_t most_marks = 10'000;
-constexpr std::size_t most_checkpoints = 48;  // some 600 KB each, including what the control has executed ahead
-constexpr double short_dwell = 0.05;          // s: a shorter dwell gets no mark
+// number of checkpoints, of some 600 KB each with the batches that the control has executed ahead
+constexpr std::size_t most_checkpoints = 48;
+constexpr double short_dwell = 0.05;  // s; a shorter dwell gets no mark on the time line
 
 }  // namespace
 
@@ -82,7 +83,7 @@ void ProgramRun::attach() {
     };
 }
 
-/// Observes the paths and alarms of the other channels; nothing else of them is displayed.
+/// Observes the paths and alarms of the other channels. Nothing else of these channels is displayed.
 void ProgramRun::attach_others() {
   std::vector<Channel>& channels = session_->channels();
   others_.reserve(channels.size());
@@ -125,7 +126,7 @@ void ProgramRun::take(const Step& step, double longer) {
   seconds_ = step.begins + step.time.seconds + step.pause + later_;
 }
 
-/// Motions without compensation only update the position.
+/// Adds a step of the contour before compensation. Motions where no compensation is in force only update the position.
 void ProgramRun::take_programmed(const Action& action) {
   programmed_->give(action, [this](const Step& step) {
     const Motion* const motion = step.motion();
@@ -141,7 +142,7 @@ void ProgramRun::tell_contour() {
   contour_.reset();
 }
 
-/// Reports what a check reports after the run. These findings have no time of their own.
+/// Reports the findings of a check after the run. They have no time.
 void ProgramRun::tell_what_is_left() {
   if (end_ == End::cancelled || !on_alarm) return;
   if (end_ == End::ended)
@@ -168,7 +169,7 @@ void ProgramRun::mark(const Step& step, double at) {
               ZoneChange, Couple, Uncouple, ContourBreak, ContourCorner, ContourCheck>);
 }
 
-/// When there are too many checkpoints, every second one is dropped.
+/// Adds a checkpoint. When there are too many, every second one is dropped.
 void ProgramRun::keep_checkpoint() {
   auto now = session_->snapshot();
   if (!now) return;

@@ -1,6 +1,6 @@
 #pragma once
-// ProgramRun: runs a program once from the beginning, for the page. It records the path, marks, figures, and snapshots from which any
-// instant can be reached again.
+// ProgramRun: runs a program once from its beginning, for the page. It records the path, the marks on the time line, the statistics, and
+// the snapshots from which the state at any instant can be computed.
 
 #include <functional>
 #include <memory>
@@ -16,17 +16,17 @@
 
 namespace kadr {
 
-/// A mark on the time line.
+/// A mark on the time line of the page.
 struct TimeMark {
   enum class Kind : std::uint8_t { tool, alarm, warning, stop, optional_stop, message, dwell, end };
   double at = 0;
   Kind kind = Kind::tool;
   std::uint32_t line = 0;
-  std::string text;        // contains text of the program: escape it for display
-  std::uint16_t file = 0;  // Origin::file of the line
+  std::string text;        // may contain text of the program, so it must be escaped for display
+  std::uint16_t file = 0;  // file of the line: Origin::file
 };
 
-/// A snapshot of the session, and the number of blocks executed before it.
+/// A snapshot of the session, with the number of blocks executed before it.
 struct RunCheckpoint {
   std::uint64_t blocks;
   SessionSnapshot snapshot;
@@ -34,19 +34,19 @@ struct RunCheckpoint {
 
 class ProgramRun {
  public:
-  /// returns  an error sentence if the set-up has a key that the control does not support
+  /// Opens a run. Returns an error sentence if the set-up has a key that the control does not support.
   static tl::expected<std::unique_ptr<ProgramRun>, std::string> make(const OpenedProgram& opened, const StopToken& stop);
 
-  /// `channel`: 0: the program's own; the others count from 1, sorted by number.
+  /// receives each piece of the path; `channel` 0: the program's own channel; the other channels count from 1, sorted by number
   std::function<void(const ViewPiece&, std::uint32_t channel)> on_piece;
-  /// Receives, after the run, the pieces of the contour as programmed, where it is compensated for the tool radius.
+  /// receives, after the run, the pieces of the contour before tool radius compensation, where compensation was in force
   std::function<void(const ViewPiece&)> on_contour;
-  /// `channel`: the number on the machine; 0: the program's own.
+  /// receives each alarm; `at`: its time, s; `channel`: the channel's number on the machine; 0: the program's own channel
   std::function<void(const AlarmReport&, double at, int channel)> on_alarm;
-  /// Called several times per second with the progress.
+  /// called several times per second with the progress
   std::function<void(double part, std::uint64_t blocks, double seconds)> on_progress;
 
-  /// Runs to the end, an alarm or a stop.
+  /// Runs the program until its end, an alarm or a stop.
   void carry_out();
 
   enum class End : std::uint8_t { ended, stopped, cancelled };
@@ -78,7 +78,7 @@ class ProgramRun {
   OpenedProgram opened_;
   StopToken stop_;
   std::unique_ptr<Session> session_;
-  /// A channel other than the program's own.
+  /// The path of a channel other than the program's own.
   struct Other {
     AxisRoles roles;
     std::unique_ptr<PathRecord> record;
@@ -87,20 +87,20 @@ class ProgramRun {
   std::vector<Other> others_;
   AxisRoles roles_;
   std::unique_ptr<PathRecord> record_;
-  std::unique_ptr<PathRecord> contour_;  // where compensation is active; gets its times at the end
-  std::unique_ptr<Steps> programmed_;    // tracks the position without compensation
+  std::unique_ptr<PathRecord> contour_;  // the contour where compensation was in force; its times are set at the end
+  std::unique_ptr<Steps> programmed_;    // computes positions without compensation
   std::unique_ptr<Checklist> checklist_;
   std::unique_ptr<Statistics> statistics_;
   std::vector<TimeMark> marks_;
   std::vector<RunCheckpoint> checkpoints_;
-  std::uint64_t apart_ = 4096;  // blocks between two checkpoints
-  double later_ = 0;            // s by which the machine is later than the programmed time
+  std::uint64_t apart_ = 4096;  // number of blocks between two checkpoints
+  double later_ = 0;            // s by which the real time of the machine is later than the programmed time
   double seconds_ = 0;
   ProgressClock progress_clock_;
   End end_ = End::ended;
 };
 
-/// Properties of a program's machine that are needed to follow its tool.
+/// Returns the data of the program's machine that are needed to compute the path of its tool.
 std::shared_ptr<const MachineTree> tree_of(const OpenedProgram& opened, const Control& control);
 std::optional<Axes> apart_of(const OpenedProgram& opened, const Control& control);
 

@@ -1,5 +1,5 @@
 #pragma once
-// ProgressClock: limits progress reports of long work to ten per second.
+// ProgressClock: limits the progress reports of a long task to ten per second.
 
 #include <chrono>
 
@@ -7,7 +7,7 @@ namespace kadr {
 
 class ProgressClock {
  public:
-  /// True if the last report is long enough ago; the next one counts from now.
+  /// True if the last report is at least a tenth of a second ago. Then the waiting time for the next report starts.
   bool is_due() {
     const Clock::time_point now = Clock::now();
     if (now - reported_ < interval) return false;

@@ -1,4 +1,4 @@
-// Tools from files, set-up and comments. Used by view/page_part; tested by tests/view/proposals_test.cpp.
+// Proposes tools from tools files, set-up and comments. Used by view/page_part; tested by tests/view/proposals_test.cpp.
 
 #include "view/proposals.h"
 
@@ -17,7 +17,7 @@
 namespace kadr {
 namespace {
 
-constexpr double drill_angle = 118, chamfer_angle = 90;  // degrees, of most such tools
+constexpr double drill_angle = 118, chamfer_angle = 90;  // degrees; usual tip angles of drills and chamfer tools
 
 std::string stem(const std::string& path) { return std::filesystem::path(path).stem().string(); }
 
@@ -38,7 +38,7 @@ bool take_setup(const ProgramRun& run, ProposedTool& to) {
   return true;
 }
 
-/// Sets kind and dimensions from a comment. Missing values are those of most tools of that kind.
+/// Sets kind and dimensions from a comment. Dimensions that it does not state are set to usual ones of tools of that kind.
 bool take_comment(const ToolProposal& proposal, ProposedTool& to) {
   ToolGeometry& t = to.tool;
   const std::string_view kind = kind_word(proposal.said);
@@ -129,7 +129,7 @@ std::function<double(std::uint32_t)> radii_of(const std::vector<ProposedTool>& t
 bool is_turning(const ProgramRun& run) {
   const AxisRoles roles = AxisRoles::of(run.control().axes(), run.control().rotary());
   if (roles.xyz[1] < 0) return true;
-  const auto last = Instants(run).at(run.seconds(), {});  // before the end of the program resets the plane
+  const auto last = Instants(run).at(run.seconds(), {});  // the state before the end of the program, which resets the plane
   return last && std::any_of(last->after.begin(), last->after.end(), [](const InForce& one) { return one.code == "G18"; });
 }
 

@@ -1,6 +1,6 @@
 #pragma once
-// Proposes the tools that a program seems to be written for, from the tools files next to it, its set-up and its comments. A person must
-// check the proposals.
+// Proposes the tools for which a program seems to be written. The evidence is the tools files next to the program, its set-up and its
+// comments. A person must check the proposals.
 
 #include <cstdint>
 #include <functional>
@@ -15,30 +15,32 @@ namespace kadr {
 
 struct ProposedTool {
   ToolGeometry tool;
-  std::string from;    // description of where that was found
-  bool known = false;  // the shape is known; else the user must enter it
+  std::string from;    // text that says in which file or comment the tool was found
+  bool known = false;  // the shape of the tool is known; false: the user must enter it
 };
 
-/// A tools file that was read.
+/// A tools file that has been read.
 struct KnownTools {
   std::string file;
   ToolLibrary tools;
 };
 
-/// Numbers of the tools that the program cuts with; 0 for a program that calls none.
+/// Returns the numbers of the tools with which the program cuts; tool 0 for a program that calls no tool.
 std::vector<std::uint32_t> tools_cutting(const ProgramRun& run);
 
-/// The file that describes all tools that the program cuts with: the only such file, or that with the name of the program, or "tools".
-///   returns  nullptr if there is none
+/// Returns the file that describes all tools with which the program cuts. If there are several, it must have the name of the program, or
+/// be named "tools".
+///   returns  nullptr if no file qualifies
 const KnownTools* tools_file_for(const std::vector<KnownTools>& files, const ProgramRun& run);
 
-/// One tool for each number that the program cuts with, in the order of use. `file`: is searched first; nullptr: none.
+/// Returns one tool for each number with which the program cuts, in the order of use. `file`: tools file that is searched first; nullptr:
+/// none.
 std::vector<ProposedTool> proposed_tools(const ProgramRun& run, const KnownTools* file);
 
-/// Radius of each of these tools by number, mm; 0 if unknown.
+/// Returns a function that gives the radius of a tool by its number, mm; 0 if the radius is unknown.
 std::function<double(std::uint32_t tool)> radii_of(const std::vector<ProposedTool>& tools);
 
-/// True if the part rotates and the tool turns: the control has no Y, or arcs are in the plane of a lathe.
+/// True if the program is for turning (the part rotates): the control has no Y, or arcs are in the plane of a lathe.
 bool is_turning(const ProgramRun& run);
 
 }  // namespace kadr

@@ -1,4 +1,4 @@
-// The report: JSON, path, part. Used by cli/report; tested by tests/view/report_test.cpp, tests/report.py.
+// Creates the report from JSON, path and stock. Used by cli/report; tested by tests/view/report_test.cpp, tests/report.py.
 
 #include "view/report.h"
 
@@ -17,14 +17,14 @@
 namespace kadr {
 namespace {
 
-constexpr double most_file = 5e6;  // bytes, for as many blocks as the next line says
+constexpr double most_file = 5e6;  // maximum size of the file in bytes, up to the number of blocks in the next line
 constexpr double blocks_of_most_file = 1e5;
-constexpr double longest_file = 60e6;            // bytes, for any number of blocks
-constexpr double least_path = 2.5e5;             // bytes packed: also if the program's text alone exceeds the limit
-constexpr std::size_t most_alarms = 2000;        // more than anybody reads
-constexpr std::size_t most_called = 1 << 20;     // bytes of the texts of called files
-constexpr std::uint64_t most_source = 64 << 20;  // bytes of the program: of a longer one the report has the beginning only
-constexpr std::uint32_t piece_of_part = 3;       // kind of the data that follow
+constexpr double longest_file = 60e6;      // maximum size of the file in bytes, for any number of blocks
+constexpr double least_path = 2.5e5;       // bytes, compressed, that the path may have even if the program's text alone exceeds the limit
+constexpr std::size_t most_alarms = 2000;  // number of alarms in a report, more than anybody reads
+constexpr std::size_t most_called = 1 << 20;     // total size of the texts of called files, bytes
+constexpr std::uint64_t most_source = 64 << 20;  // bytes; of a longer program the report contains only the beginning
+constexpr std::uint32_t piece_of_part = 3;       // code of this kind of data: the stock
 constexpr double base64_by_bytes = 4.0 / 3;
 
 PageJson control_json(const OpenedProgram& o, Lang lang) {
@@ -58,7 +58,7 @@ PageJson problem_of(const ReportAlarm& alarm, const AlarmTexts& texts, Lang lang
   return json;
 }
 
-/// The marks of the run are in one language: the texts of alarms are created again in the other.
+/// The marks of the run are in one language. For the other language the texts of the alarms are created again.
 PageJson done_in(const ReportContent& c, Lang lang) {
   PageJson done = done_json(c.run, lang);
   auto alarm = c.alarms.begin();
@@ -75,7 +75,7 @@ PageJson finding_json(const ReportPart::Hit& hit, const AlarmTexts& texts, Lang 
   return cut_finding_json(problem_json(finding_of(hit.report, texts, lang), hit.report.origin.file, std::nullopt), hit.finding);
 }
 
-/// The result of the cut, with its findings on the time line.
+/// Returns the result of the cut, with its findings as marks on the time line.
 PageJson cut_json_of(const ReportPart& part, const AlarmTexts& texts, Lang lang) {
   PageJson json = PageJson::parse(part.result, nullptr, false);
   if (!json.is_object()) return PageJson();
@@ -104,7 +104,7 @@ std::string text_of(const SourceText& source) {
   return text;
 }
 
-/// The program and the files that it called, up to a total length.
+/// Returns the texts of the program and of the files that it called, up to a total size.
 PageJson sources_json(const ReportContent& c) {
   PageJson list = PageJson::array({{{"file", 0}, {"name", c.file}, {"text", text_of(c.source)}}});
   std::size_t bytes = 0;
@@ -129,7 +129,7 @@ T value_at(const std::string& frame, std::size_t at) {
   return value;
 }
 
-/// The columns of the frame, packed.
+/// Packs the columns of a frame of kind 3.
 std::string part_bytes(const std::string& frame, const ReportQuanta& quanta) {
   constexpr std::size_t head = 16, point = 12, triangle = 12, made_by = 4;
   const std::size_t points = value_at<std::uint32_t>(frame, 8), triangles = value_at<std::uint32_t>(frame, 12);

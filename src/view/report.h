@@ -1,7 +1,7 @@
 #pragma once
-// Creates the report of a program: the page's viewer with the data inside, as one HTML file that needs no server and no network.
+// Creates the report of a program: one HTML file with the page's viewer and all data, which needs no server and no network.
 //
-//   ProgramRun, part ─▶ JSON and packed columns ─ zlib, base64 ─▶ into its place in the viewer (web/report.html)
+//   ProgramRun, part ─▶ JSON and packed columns ─ zlib, base64 ─▶ inserted at report_place of the viewer (web/report.html)
 
 #include <nlohmann/json_fwd.hpp>
 #include <optional>
@@ -15,17 +15,18 @@
 
 namespace kadr {
 
-/// An alarm, warning or note of the run, and its time.
+/// An alarm, warning or note of the run, with its time.
 struct ReportAlarm {
   AlarmReport report;
   double at = 0;
 };
 
-/// The remaining stock, and the collisions.
+/// The remaining stock and the collisions of a cut.
 struct ReportPart {
-  std::string frame;         // of kind 3 (docs/panel-protocol.md)
-  double cell = 0, off = 0;  // mm: cell of its lattice; deviation of the triangles from that surface
-  std::string result;        // cut_json()
+  std::string frame;  // the surface as a frame of kind 3 (docs/panel-protocol.md)
+  // mm: cell size of the stock's lattice; deviation of the reduced triangles from the exact surface of that lattice
+  double cell = 0, off = 0;
+  std::string result;  // JSON text from cut_json()
   struct Hit {
     CutFinding finding;
     AlarmReport report;
@@ -34,23 +35,23 @@ struct ReportPart {
 };
 
 struct ReportContent {
-  const ProgramRun& run;     // must have ended
-  const SourceText& source;  // of the program
-  std::string file;          // its name, for display
-  std::string version;       // of Kadr
-  Lang lang = Lang::en;      // the language in which the report opens
+  const ProgramRun& run;     // the run, which must have ended
+  const SourceText& source;  // text of the program
+  std::string file;          // name of the program for display
+  std::string version;       // version of Kadr
+  Lang lang = Lang::en;      // language in which the report is displayed at first
   std::vector<ReportAlarm> alarms;
-  std::vector<ViewPiece> contour;      // as programmed, where it is compensated for the tool radius
-  const ToolLibrary* tools = nullptr;  // shapes; nullptr: unknown
-  const ReportPart* part = nullptr;    // nullptr: nothing was cut
-  std::string licences;                // of the components of the viewer
+  std::vector<ViewPiece> contour;      // the contour before tool radius compensation, where compensation was in force
+  const ToolLibrary* tools = nullptr;  // shapes of the tools; nullptr: unknown
+  const ReportPart* part = nullptr;    // result of a cut; nullptr: nothing was cut
+  std::string licences;                // licence texts of the viewer's components
 };
 
-/// The report has at most 5 MB for a program of up to 100,000 blocks, and in proportion for a longer one: the path is thinned if needed,
-/// and the report says so.
-///   viewer   HTML that contains report_place
-///   law      text of the program is inserted as base64 only, never as markup
-///   returns  an error sentence: no zlib, no place
+/// Creates the report. For a program of up to 100,000 blocks it has at most 5 MB, for a longer one in proportion. If necessary, vertices
+/// of the path are omitted, and the report says so.
+///   viewer   HTML of the viewer, which contains report_place
+///   law      text of the program is inserted only as base64, never as markup
+///   returns  an error sentence if zlib is missing, or the viewer has no report_place
 tl::expected<std::string, std::string> report_html(std::string_view viewer, const ReportContent& content);
 
 inline constexpr std::string_view report_place = "@KADR_REPORT_DATA@";

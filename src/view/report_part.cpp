@@ -1,4 +1,4 @@
-// The part of a report. Used by cli/report; tested by tests/view/report_part_test.cpp.
+// Prepares the stock for a report. Used by cli/report; tested by tests/view/report_part_test.cpp.
 
 #include "view/report_part.h"
 
@@ -14,15 +14,16 @@
 namespace kadr {
 namespace {
 
-constexpr double off_by_cell = 0.1;              // deviation of the triangles from the surface, in cells
-constexpr std::size_t most_triangles = 150'000;  // some 1 MB packed
+constexpr double off_by_cell = 0.1;              // permitted deviation of the triangles from the surface, in cells of the lattice
+constexpr std::size_t most_triangles = 150'000;  // maximum number of triangles; some 1 MB compressed
 constexpr int most_simplifications = 3;
 
 using Place = std::array<float, 3>;
 
 Place place_of(const Mesh& mesh, std::size_t i) { return {mesh.points[3 * i], mesh.points[3 * i + 1], mesh.points[3 * i + 2]}; }
 
-/// The points of `mesh` are some of the exact surface's points: copies from there which sweep made each.
+/// Returns `mesh` with the sweep that made each point. The points of `mesh` are some of the points of `exact`, from which the sweeps are
+/// copied.
 Surface with_makers(const Surface& exact, Mesh&& mesh) {
   std::map<Place, std::int32_t> makers;
   for (std::size_t i = 0; i < exact.point_count(); ++i) makers.emplace(place_of(exact, i), exact.made_by[i]);

@@ -1,5 +1,5 @@
 #pragma once
-// The path of a report: packed, and thinned if it would be too long.
+// Packs the path for a report, with fewer vertices if it would be too long.
 
 #include <string>
 #include <tl/expected.hpp>
@@ -9,43 +9,43 @@
 
 namespace kadr {
 
-/// The unit of each packed number.
+/// The unit in which each kind of number is packed.
 struct ReportQuanta {
   double length = 0.001;  // mm
   double time = 1e-4;     // s
   double feed = 0.1;      // mm/min
   double direction = 1e-5;
-  double position = 1e-4;  // of a joint, degrees or mm
+  double position = 1e-4;  // unit of joint positions, degrees or mm
 };
 
-/// Which vertices are left out: those below these levels.
+/// Says which vertices are omitted: those whose level of detail (set_levels()) is below these levels.
 struct Thinning {
-  int inner = 0;  // for vertices that are followed by one of the same block
-  int any = 0;    // for all vertices
-  /// mm by which the path may be off.
+  int inner = 0;  // level for a vertex whose next vertex belongs to the same block
+  int any = 0;    // level for every vertex
+  /// Returns the deviation of the path that the omission may cause, mm.
   double off() const;
 };
 
-/// A piece with its number in frames of the protocol.
+/// A piece of a path, with the number of that path in the frames of the protocol.
 struct DrawnPiece {
   const ViewPiece* piece;
-  std::uint32_t which;  // 0: of the path, 2: of the contour as programmed
+  std::uint32_t which;  // 0: the path; 2: the contour as programmed
 };
 std::vector<DrawnPiece> drawn_pieces(const PathRecord& path, const std::vector<ViewPiece>& contour);
 
 ReportQuanta quanta_of(const std::vector<DrawnPiece>& pieces);
 
-/// True if this vertex of `piece` is left out.
+/// True if this vertex of `piece` is omitted.
 bool is_left_out(const ViewPiece& piece, std::size_t vertex, const Thinning& thinning);
 
 struct ReportPath {
-  std::string bytes;  // pieces, each with its header, to be packed together with the rest
+  std::string bytes;  // the pieces, each with its header, not compressed: the caller compresses them with the other data
   Thinning thinning;
 };
 
-/// Packs the path, thinned no more than needed.
-///   most_packed  limit in bytes, packed
-///   returns      an error sentence if this machine has no zlib
+/// Packs the path, and omits no more vertices than the limit requires.
+///   most_packed  limit of the compressed size, bytes
+///   returns      an error sentence if zlib is missing on this machine
 tl::expected<ReportPath, std::string> report_path(const std::vector<DrawnPiece>& pieces, const ReportQuanta& quanta, double most_packed);
 
 }  // namespace kadr

@@ -69,13 +69,13 @@ bool is_hidden(std::string_view name) {
   return false;
 }
 
-/// True for the .kadr.toml of a folder that is not hidden.
+/// True for a file .kadr.toml in a folder that is not hidden.
 bool is_memory(const std::string& name) {
   const std::filesystem::path path(name);
   return path.filename() == remembering_file && (!path.has_parent_path() || !is_hidden(path.parent_path().string()));
 }
 
-/// The ending in lower case.
+/// Returns the ending of a file name in lower case.
 std::string ending_of(std::string_view name) {
   const std::size_t dot = name.rfind('.');
   std::string ending(dot == std::string_view::npos ? std::string_view() : name.substr(dot + 1));
@@ -91,7 +91,7 @@ std::string of_errno(const std::string& file, int error) {
   return fmt::format("{}: {}", file, told_errno(error));
 }
 
-std::uint64_t hash_of(std::string_view bytes) {  // FNV-1a, 64 bits: detects changes, gives no protection against forgery
+std::uint64_t hash_of(std::string_view bytes) {  // FNV-1a, 64 bits: it detects changes, but gives no protection against forgery
   std::uint64_t hash = 0xcbf29ce484222325;
   for (const char c : bytes) hash = (hash ^ static_cast<unsigned char>(c)) * 0x100000001b3;
   return hash;
@@ -105,7 +105,7 @@ struct Opened {
   OpenFile file;
   struct stat stat;
 };
-/// True if the name has no control characters: controls and users write it into programs.
+/// True if the name has no control characters. They are refused because controls and users write file names into programs.
 bool is_plain_name(std::string_view name) { return visible_name(name) == name; }
 
 std::string beginning_of(int fd) {
@@ -115,7 +115,8 @@ std::string beginning_of(int fd) {
   return sample;
 }
 
-/// True for programs, set-ups, tools and related files: by name or, if that is not enough, by contents. Key files are never served.
+/// True for programs, set-ups, tools and related files, judged by the name or, if the name does not decide, by the contents. Key files
+/// are never served.
 bool is_served(std::string_view name, int fd) {
   constexpr std::array with_programs = {"stl", "3mf", "ply", "dxf", "svg", "ini", "var", "csv"};
   const std::string sample = beginning_of(fd);
@@ -198,7 +199,7 @@ tl::expected<FolderList, std::string> ServedFolder::list(const std::string& fold
   if (!opened.is_open()) return tl::unexpected(of_errno(folder, errno));
   const std::unique_ptr<DIR, int (*)(DIR*)> rows(::fdopendir(::dup(opened.fd())), ::closedir);
   if (!rows) return tl::unexpected(of_errno(folder, errno));
-  constexpr int most_looked_into = 500;  // files whose names are not enough
+  constexpr int most_looked_into = 500;  // number of files that are judged by their contents, at most
   int looked_into = 0;
   FolderList list;
   while (const dirent* const row = ::readdir(rows.get())) {
@@ -232,7 +233,8 @@ tl::expected<std::string, std::string> ServedFolder::path_of(const std::string& 
   return path_ + "/" + file;
 }
 
-/// The name relative to the folder. No link is followed later, so that resolving `..` in the text is correct.
+/// Returns the path relative to the folder; nullopt if it is outside. Resolving `..` in the text is correct, since links are not followed
+/// when the file is opened.
 std::optional<std::string> ServedFolder::beneath(const std::string& path) const {
   const std::string plain = std::filesystem::path(path).lexically_normal().string(), front = path_ == "/" ? path_ : path_ + "/";
   if (!plain.starts_with(front)) return std::nullopt;
@@ -278,7 +280,7 @@ tl::expected<FileDigest, std::string> ServedFolder::digest(const std::string& fi
 
 namespace {
 
-/// Removes unfinished copies of the file that this server, or one that was killed, has left in the folder.
+/// Removes unfinished copies of the file, which this server or a killed one has left in the folder.
 void take_away_unfinished(const OpenFile& folder, const std::string& file) {
   const std::unique_ptr<DIR, int (*)(DIR*)> rows(::fdopendir(open_beneath(folder.fd(), "", O_RDONLY | O_DIRECTORY).release()), ::closedir);
   const std::string front = "." + file + ".";
@@ -291,14 +293,14 @@ void take_away_unfinished(const OpenFile& folder, const std::string& file) {
   }
 }
 
-/// Copies rights and owner, as far as this program may set them.
+/// Copies access rights and owner of a file, as far as this program may set them.
 void make_alike(int made, const struct stat& like) {
   if (::fchown(made, like.st_uid, like.st_gid) != 0) (void)::fchown(made, uid_t(-1), like.st_gid);
   (void)::fchmod(made, like.st_mode & 0777);
 }
 
-/// Writes the text with all its attributes to a new file in the same folder, and moves it to `last`.
-///   replaces  the existing file; nullopt: there must be none
+/// Writes the text, with the attributes of the replaced file, to a new file in the same folder, and renames that file to `last`.
+///   replaces  the existing file; nullopt: no such file may exist
 ///   returns   an errno; 0 on success
 int put_in_place(const OpenFile& folder, const std::string& last, std::string_view text, const std::optional<struct stat>& replaces) {
   static std::atomic<unsigned> count{0};
@@ -313,7 +315,7 @@ int put_in_place(const OpenFile& folder, const std::string& last, std::string_vi
   if (!write_all(made.fd(), text)) return give_up(errno);
   if (replaces) {
     if (::renameat(folder.fd(), unfinished.c_str(), folder.fd(), last.c_str()) != 0) return give_up(errno);
-  } else {  // there must be no file by now either: creating the link fails if there is one
+  } else {  // if a file of this name exists by now, creating the link fails
     if (::linkat(folder.fd(), unfinished.c_str(), folder.fd(), last.c_str(), 0) != 0) return give_up(errno);
     ::unlinkat(folder.fd(), unfinished.c_str(), 0);
   }
@@ -326,14 +328,15 @@ int put_in_place(const OpenFile& folder, const std::string& last, std::string_vi
 tl::expected<FileDigest, ServedFolder::Refused> ServedFolder::save(const std::string& file, std::string_view text,
                                                                    const std::optional<FileDigest>& replaces) const {
   if (is_hidden(file) || !is_plain_name(file)) return tl::unexpected(Refused{refusal(visible_name(file))});
-  if (!replaces && kind_of_file(file) == FolderEntry::Kind::other)  // a file to be replaced has been read and so passed is_served()
+  // a file to be replaced has been read before, and so has passed is_served()
+  if (!replaces && kind_of_file(file) == FolderEntry::Kind::other)
     return tl::unexpected(Refused{fmt::format("{}: {}", file,
                                               told("not the name of a program or a set-up (part.nc, O1001, part.json)",
                                                    "не имя программы или исходного состояния (part.nc, O1001, part.json)"))});
   if (text.size() > most_saved)
     return tl::unexpected(
         Refused{fmt::format("{}: {}", file, told("too long to be saved here", "слишком длинный, чтобы сохранить его здесь"))});
-  static std::mutex one_at_a_time;  // if two pages save the same file, the second sees what the first has saved
+  static std::mutex one_at_a_time;  // if two pages save the same file, the second must see what the first has saved
   const std::lock_guard hold(one_at_a_time);
   const auto now = digest(file);
   if (now ? !replaces || *now != *replaces : replaces.has_value())
@@ -344,7 +347,7 @@ tl::expected<FileDigest, ServedFolder::Refused> ServedFolder::save(const std::st
   if (!beside.is_open()) return tl::unexpected(Refused{of_errno(file, errno)});
   std::optional<struct stat> there(std::in_place);
   if (::fstatat(beside.fd(), last.c_str(), &*there, AT_SYMLINK_NOFOLLOW) != 0) there.reset();
-  if (!now && there) return tl::unexpected(Refused{refusal(file)});  // a link, a folder or a device
+  if (!now && there) return tl::unexpected(Refused{refusal(file)});  // it is a link, a folder or a device
   take_away_unfinished(beside, last);
   if (const int error = put_in_place(beside, last, text, now ? there : std::nullopt); error != 0)
     return tl::unexpected(Refused{of_errno(file, error)});

@@ -1,6 +1,6 @@
 #pragma once
-// ServedFolder: the only folder that the page may read and save to. The kernel resolves names beneath it (openat2), so that no path leads
-// out of it, by dots, links or mounts of /proc.
+// ServedFolder: the only folder from which the page may read and to which it may save. The kernel resolves names beneath the folder
+// (openat2), so that no path leads out of it by dots, links or mounts of /proc.
 
 #include <cstdint>
 #include <optional>
@@ -16,17 +16,17 @@ namespace kadr {
 struct FolderEntry {
   enum class Kind : std::uint8_t { folder, program, setup, tools, other };
   std::string name;
-  Kind kind = Kind::other;  // by its name; if that is not enough, by its contents
+  Kind kind = Kind::other;  // kind of the file, judged by its name; if the name does not decide, by its contents
   std::uint64_t size = 0;
-  std::int64_t modified = 0;  // s since 1970
+  std::int64_t modified = 0;  // time of the last change, s since 1970
 };
 
 struct FolderList {
-  std::vector<FolderEntry> entries;  // folders first, by name
-  bool more = false;                 // there are more than most_entries
+  std::vector<FolderEntry> entries;  // folders first, then files, each sorted by name
+  bool more = false;                 // the folder has more than most_entries entries
 };
 
-/// Identifies the state of a file when it was read: if it differs now, the file has been replaced or changed.
+/// Identifies the contents of a file. If the digest differs from the one at reading, the file has been replaced or changed since.
 using FileDigest = std::string;
 
 struct FileText {
@@ -37,39 +37,41 @@ struct FileText {
 class ServedFolder : public FileDoor {
  public:
   static constexpr std::size_t most_entries = 10'000;
-  static constexpr std::size_t most_saved = std::size_t{16} << 20;  // bytes
+  static constexpr std::size_t most_saved = std::size_t{16} << 20;  // maximum size of a saved file, bytes
 
-  ///   returns  an error sentence if it is no folder, or cannot be read
+  ///   returns  an error sentence if `path` is no folder or cannot be read
   static tl::expected<ServedFolder, std::string> open(const std::string& path);
   ServedFolder(ServedFolder&& other) noexcept;
   ServedFolder& operator=(ServedFolder&&) = delete;
   ~ServedFolder() override;
 
-  /// The last component of its path, for display.
+  /// The last component of the folder's path, for display.
   const std::string& name() const { return name_; }
-  /// A path in the file system as displayed: relative to the folder if it is beneath it.
+  /// Returns a path in the file system in the form for display: relative to the folder if it is beneath the folder.
   std::string shown(const std::string& path) const { return path.starts_with(path_ + "/") ? path.substr(path_.size() + 1) : path; }
-  /// `folder`: relative path with '/'; empty: the folder itself. Leaves out names that begin with a dot, links and devices.
+  /// Lists a folder. `folder`: relative path with '/'; empty: the served folder itself. Names that begin with a dot, links and devices
+  /// are omitted.
   tl::expected<FolderList, std::string> list(const std::string& folder) const;
-  /// The path in the file system of a regular file beneath the folder, for code that reads programs and the files they call.
-  ///   returns  an error sentence if it is no regular file, leads out of the folder, or begins with a dot
+  /// Returns the path in the file system of a regular file beneath the folder. It is used by code that reads programs and the files they
+  /// call.
+  ///   returns  an error sentence if it is no regular file, is outside the folder, or its name begins with a dot
   tl::expected<std::string, std::string> path_of(const std::string& file) const;
-  /// Only programs, set-ups, tools and related files can be read, here as in path_of() and read(); never a key file, whatever its name.
-  /// `path` is in the file system, as path_of() returns it and as programs derive paths from it; if it is not beneath the folder, the
-  /// error is EACCES.
+  /// Opens a file. Only programs, set-ups, tools and related files can be opened, as in path_of() and read(), and never a key file,
+  /// whatever its name. `path`: as path_of() returns it, or as a program derives it from such a path. If it is not beneath the folder,
+  /// the error is EACCES.
   int open_for_reading(const std::string& path) const override;
   bool reaches(const std::string& path) const override { return beneath(path).has_value(); }
   tl::expected<FileText, std::string> read(const std::string& file, std::size_t most) const;
-  /// Digest of a file; for long files from size and time only.
+  /// Returns the digest of a file; that of a long file depends only on its size and time.
   tl::expected<FileDigest, std::string> digest(const std::string& file) const;
 
   struct Refused {
     std::string text;
-    bool changed = false;  // since the file was read
+    bool changed = false;  // the file has been changed since it was read
   };
-  /// Writes to a new file in the same folder, and renames it once all data are on the disk.
-  ///   replaces  the file to be replaced must have this digest; nullopt: it must not exist
-  ///   returns   the new digest
+  /// Writes the text to a new file in the same folder, and renames that file when all data are on the disk.
+  ///   replaces  digest that the replaced file must have; nullopt: no file of this name may exist
+  ///   returns   digest of the saved file
   tl::expected<FileDigest, Refused> save(const std::string& file, std::string_view text, const std::optional<FileDigest>& replaces) const;
 
  private:
@@ -80,7 +82,7 @@ class ServedFolder : public FileDoor {
   std::string path_, name_;
 };
 
-/// The kind of a file by its name.
+/// Returns the kind of a file, judged by its name.
 FolderEntry::Kind kind_of_file(std::string_view name);
 
 }  // namespace kadr

@@ -17,10 +17,10 @@
 namespace kadr {
 namespace {
 
-constexpr std::uint32_t head_lines = 200;  // searched for the notes at the beginning of a program
-constexpr std::size_t most_calls = 12;     // lines listed per tool
-constexpr std::size_t most_stops = 500;    // on the sheet
-constexpr double flutes_by_diameter = 3;   // for a tool of which only the radius is known
+constexpr std::uint32_t head_lines = 200;  // number of lines at the beginning of a program that are searched for notes
+constexpr std::size_t most_calls = 12;     // number of calling lines listed per tool
+constexpr std::size_t most_stops = 500;    // number of stops on the sheet
+constexpr double flutes_by_diameter = 3;   // assumed length of flutes, in diameters, of a tool whose radius only is known
 
 std::string today() {
   const std::time_t now = std::time(nullptr);
@@ -30,7 +30,7 @@ std::string today() {
   return std::string(text, std::strftime(text, sizeof text, "%Y-%m-%d", &local));
 }
 
-/// True for a line that, apart from comments, is empty or has only the number of a program or of a block.
+/// True for a line that contains nothing except comments and the number of a program or a block.
 bool is_head(const std::string& line) {
   std::string rest = without_comments(line);
   rest.erase(std::remove_if(rest.begin(), rest.end(), [](unsigned char c) { return c <= ' '; }), rest.end());
@@ -80,13 +80,14 @@ class SheetMaker {
   }
 
  private:
-  /// The comment in that line, else in an adjacent line that contains nothing else.
+  /// Returns the comment in that line, else a comment in an adjacent line that contains nothing else.
   std::string comment_beside(std::uint32_t line) const {
     if (line == 0) return {};
     const std::uint32_t first = line > 1 ? line - 1 : 1;
     const std::vector<std::string> lines = source_.from(first, 3);
     const std::size_t here = line - first;
-    for (const std::size_t i : {here, here - 1, here + 1}) {  // before the first line this index is out of range
+    // index here − 1 wraps around for the first line, and is out of range then
+    for (const std::size_t i : {here, here - 1, here + 1}) {
       if (i >= lines.size()) continue;
       if (i != here && !without_comments(lines[i]).empty()) continue;
       const std::vector<std::string> comments = comments_of(lines[i]);
@@ -95,7 +96,7 @@ class SheetMaker {
     return {};
   }
 
-  /// A comment at the beginning of the program that names the tool, else the one at the block that calls it.
+  /// Returns a comment at the beginning of the program that names the tool, else the comment at the block that calls it.
   std::string comment_of(std::uint32_t tool, std::uint32_t called_at) const {
     for (const std::string& line : source_.from(1, head_lines))
       for (const std::string& comment : comments_of(line))
@@ -111,7 +112,7 @@ class SheetMaker {
     return found == all.end() ? nullptr : &found->second;
   }
 
-  /// Notes other tools with the same offset: a setter who edits it for one tool edits it for all.
+  /// Lists the other tools that use the same offset, since editing the offset for one tool changes it for all.
   void take_shared(Sheet::Tool& tool, const Use& by, const std::string& word) const {
     std::set<std::uint32_t> others;
     for (const Use& use : run_.control().use().all())
@@ -137,7 +138,7 @@ class SheetMaker {
     }
   }
 
-  /// The shape as far as the comment describes it.
+  /// Returns the shape of a tool as far as its comment describes it.
   static ToolGeometry geometry_by(const ToolComment& said, const Sheet::Tool& tool) {
     ToolGeometry g;
     g.number = tool.number;

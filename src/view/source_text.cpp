@@ -10,7 +10,7 @@
 namespace kadr {
 namespace {
 
-/// Damaged bytes become U+FFFD, so that the page always gets UTF-8.
+/// Appends a line as UTF-8. Invalid bytes become U+FFFD.
 void append_line(std::string_view bytes, Encoding encoding, std::string& text) {
   while (!bytes.empty()) {
     const Status read = append_utf8(bytes, encoding, text);
@@ -26,7 +26,7 @@ std::string utf8_of(std::string_view bytes, Encoding encoding) {
   return text;
 }
 
-/// True if the piece is ASCII with LF line ends only.
+/// True if the text consists of ASCII characters with LF line ends only.
 bool is_plain(std::string_view piece) {
   constexpr std::uint64_t high_bits = 0x8080808080808080;
   std::uint64_t any = 0;

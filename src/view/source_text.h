@@ -1,5 +1,5 @@
 #pragma once
-// SourceText: gives the lines of a program of any length by number, as UTF-8.
+// SourceText: returns the lines of a program by number, as UTF-8, whatever the length of the program.
 
 #include <memory>
 #include <string>
@@ -12,29 +12,31 @@ namespace kadr {
 
 class SourceText {
  public:
-  /// Reads the whole text once.
+  /// Reads the whole text once, to find where its lines begin.
   explicit SourceText(OpenedText text) : SourceText(std::shared_ptr<ByteSource>(std::move(text.source)), text.encoding) {}
   SourceText(std::shared_ptr<ByteSource> source, std::optional<Encoding> encoding);
 
   std::uint32_t lines() const { return lines_; }
   Encoding encoding() const { return encoding_; }
   std::uint64_t bytes() const;
-  /// Lines from `line` on, counted from 1; fewer at the end of the text.
+  /// Returns `count` lines, from number `line` on, counted from 1; fewer at the end of the text.
   std::vector<std::string> from(std::uint32_t line, std::uint32_t count) const;
-  /// The whole text, with '\n' between lines.
+  /// Returns the whole text, with '
+  /// ' between lines.
   std::string whole() const;
 
  private:
-  static constexpr std::uint32_t stretch = 256;  // lines between two stored offsets
+  static constexpr std::uint32_t stretch = 256;  // number of lines between two stored offsets
 
   std::shared_ptr<ByteSource> source_;
   Encoding encoding_ = Encoding::utf8;
   std::uint32_t lines_ = 0;
-  std::vector<std::uint64_t> places_;  // offsets of lines 1, 257, …
+  std::vector<std::uint64_t> places_;  // byte offsets of the lines 1, 257, …
 };
 
-/// A program as UTF-8 with '\n' between lines: the same source if it already has this form.
-///   returns  an empty text if there is none
+/// Converts a program to UTF-8 with '
+/// ' between lines. Returns the same source if it already has this form.
+///   returns  an empty text if there is no text
 std::shared_ptr<ByteSource> utf8_text(OpenedText text);
 
 }  // namespace kadr

@@ -10,15 +10,15 @@
 namespace kadr {
 namespace {
 
-constexpr double level_height = 0.25;         // mm
-constexpr std::size_t most_levels = 100'000;  // anything beyond this number of levels is no part
-constexpr double mostly = 0.1;                // share of the sideways travel that may be above a zero that is the top of the blank
-constexpr double above = 0.01;                // mm of tolerance
-constexpr double margin_share = 0.05, least_margin = 1, most_margin = 5;  // of the longest side; mm
-constexpr std::size_t most_places = 1000;                                 // that are checked individually
-constexpr double same_hole = 0.5;                                         // mm
+constexpr double level_height = 0.25;         // height of a level, mm
+constexpr std::size_t most_levels = 100'000;  // number of levels; a path with more is not that of a part
+constexpr double mostly = 0.1;                // share of the sideways travel that may be above Z0 if Z0 is the top of the blank
+constexpr double above = 0.01;                // mm; tolerance of heights
+constexpr double margin_share = 0.05, least_margin = 1, most_margin = 5;  // margin as a share of the longest side; its limits in mm
+constexpr std::size_t most_places = 1000;                                 // number of positions that are checked individually
+constexpr double same_hole = 0.5;                                         // mm; a path end closer to a descent is in the same hole
 constexpr double turned_face = 1;                                         // mm of stock on a face that is turned to Z0
-constexpr double in_plane = 1e-3;                                         // mm
+constexpr double in_plane = 1e-3;                                         // mm; tolerance for a path in one plane
 
 bool at_feed(PathKind kind) {
   return kind == PathKind::feed || kind == PathKind::arc_cw || kind == PathKind::arc_ccw || kind == PathKind::thread ||
@@ -34,13 +34,13 @@ Box3 grown(const Box3& box, double by) {
   return {{box.least.x - by, box.least.y - by, box.least.z}, {box.most.x + by, box.most.y + by, box.most.z}};
 }
 
-/// Extends the sides of the first box to those of the other.
+/// Extends the first box in X and Y to the other box.
 void take_sides(Box3& box, const Box3& other) {
   box.least.x = std::min(box.least.x, other.least.x), box.least.y = std::min(box.least.y, other.least.y);
   box.most.x = std::max(box.most.x, other.most.x), box.most.y = std::max(box.most.y, other.most.y);
 }
 
-/// Limits the sides of a wider box so that it ends before a tool of that radius at `at`, outside of `cut`.
+/// Reduces the box `wide` so that a tool of this radius at `at`, outside of `cut`, does not touch it.
 void end_before(Box3& wide, const Box3& cut, Vec3 at, double radius) {
   const double left = cut.least.x - at.x, right = at.x - cut.most.x, front = cut.least.y - at.y, back = at.y - cut.most.y;
   const double farthest = std::max({left, right, front, back});
@@ -51,7 +51,7 @@ void end_before(Box3& wide, const Box3& cut, Vec3 at, double radius) {
   else wide.most.y = std::min(wide.most.y, at.y - radius);
 }
 
-/// Round outwards to whole mm.
+/// These functions round outwards to whole mm.
 double down(double value) { return std::floor(value + 1e-3) + 0.0; }
 double up(double value) { return std::ceil(value - 1e-3) + 0.0; }
 
@@ -99,7 +99,7 @@ void StockGuess::take(const ViewPiece& piece) {
   }
 }
 
-/// What is cut, without the paths in and out next to a blank with that top.
+/// Returns what is cut if the blank has this top: the path without the paths in and out that are next to the blank.
 StockGuess::Cut StockGuess::cut_below(double top) const {
   Cut cut{certain_, {}};
   for (const Place& start : starts_) {
@@ -117,7 +117,7 @@ StockGuess::Cut StockGuess::cut_below(double top) const {
   return cut;
 }
 
-/// Returns machine coordinates.
+/// Returns the top of the blank in machine coordinates. `zero`: Z of the work zero.
 double StockGuess::top_of(double zero) const {
   if (levels_.empty()) return all_->least.z < zero ? zero : all_->most.z;
   double all = 0, beyond = 0;

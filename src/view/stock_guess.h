@@ -1,5 +1,6 @@
 #pragma once
-// StockGuess: proposes the blank that a program seems to be written for, from its path at feed. A person must check the proposal.
+// StockGuess: proposes the blank for which a program seems to be written, from the path that it moves at feed. A person must check the
+// proposal.
 
 #include <cstdint>
 #include <functional>
@@ -15,39 +16,39 @@ namespace kadr {
 
 class StockGuess {
  public:
-  /// Takes the pieces of the path in order, relative to the machine's zero.
+  /// Adds a piece of the path. The pieces must come in order, with positions relative to the machine's zero point.
   void take(const ViewPiece& piece);
 
-  /// Radius of a tool by its number, mm; 0: unknown.
+  /// Returns the radius of a tool by its number, mm; 0: unknown.
   using RadiusOf = std::function<double(std::uint32_t tool)>;
 
-  /// The blank as a text for `--stock`: a box around what is cut, with a margin. The box contains the path of the tool centres and
-  /// exceeds what they sweep, so that a pocket has walls, but not so far that a tool that moves down outside the blank would enter it.
-  /// For a part that rotates it is round about the axis. The top is Z0 if nearly everything is cut below Z0, as zeros are mostly set;
-  /// else the highest level at which the tool moves sideways at feed. A point below the top to which the tool moves down at rapid is
-  /// outside the blank: the path in from there, and out to there, does not count.
-  ///   zero     of the picture
+  /// Returns the blank as a text for `--stock`: a box around what is cut, with a margin. The box contains the path of the tool centres
+  /// and more than the area that the tools sweep, so that a pocket has walls; but it is small enough that a tool that descends outside
+  /// the blank does not touch it. For turning, the blank is a cylinder about the axis. Its top is Z0 if nearly everything is cut below
+  /// Z0, where most programs have their zero; else the highest level at which the tool moves sideways at feed. A point below the top to
+  /// which the tool descends at rapid is outside the blank: the path in from there, and the path out to there, does not count.
+  ///   zero     zero point of the picture
   ///   turned   the part rotates about X0 Y0
-  ///   returns  empty if nothing is cut
+  ///   returns  an empty text if nothing is cut
   std::string text(Vec3 zero, bool turned, const RadiusOf& radius_of) const;
 
-  /// True if the whole path at feed is in one plane through the axis X0 Y0, as on a lathe and on few mills.
+  /// True if the whole path at feed is in one plane through the axis X0 Y0, as on a lathe and rarely on a mill.
   bool is_flat(Vec3 zero) const;
 
  private:
   struct Level {
-    double way = 0;  // mm of travel sideways at feed
+    double way = 0;  // length of the path sideways at feed on this level, mm
     double highest = -1e300;
   };
   struct Place {
     Vec3 at;
     std::uint32_t tool = 0;
   };
-  using Boxes = std::map<std::uint32_t, Box3>;  // by tool
-  /// What is cut, for a given top of the blank.
+  using Boxes = std::map<std::uint32_t, Box3>;  // boxes by tool number
+  /// What is cut if the blank has a certain top.
   struct Cut {
     Boxes boxes;
-    std::vector<Place> beside;  // where tools move down outside the blank
+    std::vector<Place> beside;  // positions where tools descend outside the blank
   };
   static void widen(Boxes& boxes, const Place& place);
   void take_way(Place from, Place to);
@@ -55,12 +56,12 @@ class StockGuess {
   double top_of(double zero) const;
   Cut cut_below(double top) const;
 
-  std::optional<Box3> all_;           // around the path at feed
-  Boxes certain_;                     // without the points in starts_ and ends_
-  std::vector<Place> starts_, ends_;  // of sideways travel after a rapid, and before a rapid
-  std::optional<Place> end_;          // end of the last sideways travel: the next motion is not known yet
+  std::optional<Box3> all_;           // box around the path at feed
+  Boxes certain_;                     // boxes around the path at feed, without the points in starts_ and ends_
+  std::vector<Place> starts_, ends_;  // starts of sideways travel that follow a rapid; ends of sideways travel that precede a rapid
+  std::optional<Place> end_;          // end of the last sideways travel, until the next motion is known
   bool after_rapid_ = true;
-  std::map<int, Level> levels_;  // key: height
+  std::map<int, Level> levels_;  // by height
 };
 
 }  // namespace kadr

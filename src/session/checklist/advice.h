@@ -1,6 +1,6 @@
 #pragma once
-// Advice: problems at which no control stops, but which a workshop would not accept (docs/checklist.md). The watches of this folder
-// collect it.
+// Advice: findings at which no control stops the program, but which a workshop would not accept (docs/checklist.md). The watches of this
+// folder (classes that observe the steps of a run or its text) collect the findings.
 
 #include <cmath>
 #include <optional>
@@ -15,13 +15,13 @@ namespace kadr {
 struct Advice {
   Alarm alarm;
   Origin origin;
-  char address = 0;  // the word of the block concerned; 0: the whole block
+  char address = 0;  // the word that the finding concerns, by its address; 0: the whole block
 };
 
-/// In the order of the run; limited to a number that a person would read.
+/// The findings in the order of the run, limited to a number that a person would read.
 class Advices {
  public:
-  /// `args` as described in controls/alarms.toml.
+  /// `args`: the arguments of the message, as controls/alarms.toml lists them.
   template <class... Args>
   void add(AlarmId id, const Origin& origin, char address, Args... args) {
     if (all_.size() < most) all_.push_back({advice(id, {}, AlarmArg(args)...), origin, address});
@@ -36,15 +36,15 @@ class Advices {
   std::vector<Advice> all_;
 };
 
-/// True if the motion cuts by its kind: it moves at feed. Probing, homing and dwelling do not cut.
+/// True if this kind of motion removes material: it moves at feed. Probing, homing and dwelling do not.
 inline bool is_cut(const Motion& motion) {
   return motion.kind == MotionKind::feed || is_arc(motion.kind) || motion.kind == MotionKind::spline || motion.kind == MotionKind::thread;
 }
 
-/// The ends of a motion as the watches use them, work coordinates, mm. An axis that the control lacks is 0.
+/// Start and end of a motion as the watches use them: X, Y, Z in work coordinates, mm. An axis that the control lacks is 0.
 struct Ends {
   Vec3 from, to;
-  bool turns;  // an arc: a full circle ends where it starts, but moves
+  bool turns;  // the motion is an arc: a full circle ends at its start, but moves
   Ends(const AxisRoles& roles, const ToolPosition& stands, const Motion& motion) : turns(is_arc(motion.kind)) {
     const auto at = [&](const Axes& axes, std::size_t i) { return roles.xyz[i] < 0 ? 0.0 : axes[static_cast<std::size_t>(roles.xyz[i])]; };
     from = {at(stands.work, 0), at(stands.work, 1), at(stands.work, 2)};
@@ -52,7 +52,7 @@ struct Ends {
   }
   bool sideways() const { return turns || length(Vec2{to.x - from.x, to.y - from.y}) > least_way; }
   bool down() const { return to.z < from.z - least_way; }
-  static constexpr double least_way = 1e-6;  // mm
+  static constexpr double least_way = 1e-6;  // mm; a shorter travel counts as none
 };
 
 }  // namespace kadr

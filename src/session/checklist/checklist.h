@@ -1,6 +1,6 @@
 #pragma once
 // Checklist: finds problems in a program at which no control would stop (docs/checklist.md). It observes the run of one channel, and
-// reads the text again after the run. Used by kadr check, the page and the report.
+// reads the program's text after the run. Used by kadr check, the page and the report.
 
 #include <vector>
 
@@ -20,13 +20,14 @@ class Checklist {
  public:
   ///   pre  the session has not started
   Checklist(Session& session, std::size_t channel, ChecklistBasis basis = {});
-  Checklist(const Checklist&) = delete;  // the session calls it back
+  Checklist(const Checklist&) = delete;  // the session calls back this object
   Checklist& operator=(const Checklist&) = delete;
 
-  /// Subscribes to Outlets::programmed of the channel. A caller that needs this outlet itself calls take() from it instead.
+  /// Subscribes to Outlets::programmed of the channel. A caller that needs this outlet itself forwards the actions to take() instead.
   void attach();
   void take(const Action& action);
-  /// After the run: the findings in the order of the lines, each location once, without what the set-up disables. Reads the whole text.
+  /// Call after the run. Reads the whole text. Returns the findings in the order of the lines, each location once, without the findings
+  /// that the set-up disables.
   std::vector<AlarmReport> reports(const StopToken& stop);
 
  private:

@@ -1,5 +1,5 @@
 #pragma once
-// FeedWatch: finds feeds and speeds that cannot be intended.
+// FeedWatch: finds feeds and spindle speeds that the programmer cannot have intended.
 
 #include <map>
 
@@ -11,7 +11,7 @@ namespace kadr {
 class FeedWatch {
  public:
   void take(const Step& step, Advices& to);
-  /// Checks the feed per tooth of the tools whose number of teeth is given in comments.
+  /// Checks the feed per tooth. `teeth`: number of teeth by tool, from comments; other tools are not checked.
   void finish(const std::map<std::uint32_t, int>& teeth, Advices& to);
 
  private:
@@ -21,8 +21,8 @@ class FeedWatch {
   double rpm_ = 0;
   std::uint32_t tool_ = 0;
   bool small_told_ = false, large_told_ = false;
-  double tap_told_ = 0;  // pitch reported last
-  /// The largest and the smallest advance per revolution of a tool, and where they occur.
+  double tap_told_ = 0;  // the thread pitch of the tapping finding reported last
+  /// The largest and the smallest advance per revolution of a tool, and the blocks where they occur.
   struct Advance {
     double least = 1e300, most = 0;
     Origin at_least, at_most;

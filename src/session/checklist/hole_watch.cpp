@@ -7,7 +7,7 @@
 namespace kadr {
 
 void HoleWatch::take(const Step& step, Advices& to) {
-  // With another tool, or after a function of the machine (B90 of a table that the control does not drive), the holes are other ones.
+  // The same position is another hole with another tool, or after a machine function (B90 of a table that the control does not drive).
   if (std::holds_alternative<ToolChange>(step.action.what) || std::holds_alternative<AuxiliaryFunction>(step.action.what))
     return holes_.clear();
   constexpr std::size_t most_holes = 20'000;
@@ -15,7 +15,8 @@ void HoleWatch::take(const Step& step, Advices& to) {
   if (motion == nullptr || !motion->of_cycle || motion->kind != MotionKind::feed || holes_.size() >= most_holes) return;
   const Ends ends(step.roles, step.from, *motion);
   if (!ends.down()) return;
-  // In machine coordinates, since a shifted work offset or a rotated part makes it another hole.
+  // Machine coordinates are compared, since after a shift of the work offset or a rotation of the part the same work position is another
+  // hole.
   std::array<std::int64_t, max_axes + 1> hole{};
   for (std::size_t axis = 0; axis < step.roles.count; ++axis) hole[axis] = std::llround(motion->machine[axis] * 1000);
   hole.back() = motion->system;

@@ -1,5 +1,5 @@
 #pragma once
-// HoleWatch: finds holes that drilling cycles drill twice.
+// HoleWatch: finds positions at which drilling cycles drill a hole twice.
 
 #include <array>
 #include <cstdint>
@@ -15,7 +15,8 @@ class HoleWatch {
   void take(const Step& step, Advices& to);
 
  private:
-  std::set<std::array<std::int64_t, max_axes + 1>> holes_;  // drilled by the present tool: machine coordinates, µm; work system
+  // holes drilled by the present tool: machine coordinates in µm, then the work system
+  std::set<std::array<std::int64_t, max_axes + 1>> holes_;
 };
 
 }  // namespace kadr

@@ -10,9 +10,9 @@
 namespace kadr {
 namespace {
 
-constexpr double level = 0.01;  // mm: heights that differ less are the same
+constexpr double level = 0.01;  // mm: heights that differ by less count as equal
 constexpr std::size_t most_drilled = 1000;
-constexpr double micrometre = 1000;  // per mm
+constexpr double micrometre = 1000;  // number of micrometres per mm
 
 bool turns(const Step& step, const Motion& motion) {
   for (std::size_t axis = 0; axis < step.roles.count; ++axis)
@@ -22,13 +22,13 @@ bool turns(const Step& step, const Motion& motion) {
 
 }  // namespace
 
-/// Collects coordinates. A shape programmed in one block only would leave a gap many times the span of all others.
+/// Collects coordinates to find isolated ones: a coordinate of one block only, separated from all others by many times their span.
 void LevelWatch::take_point(const Ends& ends, const Origin& origin) {
   const std::array values{ends.to.x, ends.to.y, ends.to.z}, came_from{ends.from.x, ends.from.y, ends.from.z};
   for (std::size_t i = 0; i < values.size(); ++i) {
     Span& span = spans_[i];
     const double v = values[i];
-    if (std::fabs(v - came_from[i]) < level) continue;  // unchanged since another block
+    if (std::fabs(v - came_from[i]) < level) continue;  // the coordinate is unchanged since another block
     const auto take = [&](std::array<double, 2>& best, std::array<Origin, 2>& where, double sign) {
       if (sign * v > sign * best[0]) {
         if (where[0].line != origin.line || best[0] * sign <= -1e299) best[1] = best[0], where[1] = where[0];
@@ -58,14 +58,16 @@ void LevelWatch::take_motion(const Step& step, const Motion& motion, Advices& to
   if (ends.to.z != ends.from.z) z_by_machine_ = false;
   if (plunge_ && is_cut(motion) && ends.sideways() && std::fabs(ends.from.z - plunge_->z) < level &&
       std::fabs(ends.to.z - plunge_->z) < level)
-    if (!is_drilled(*plunge_)) note_low(*plunge_);  // then sideways at feed, not further down: the rapid entered the material
+    // the tool then moves sideways at feed, not deeper: the rapid has entered the material
+    if (!is_drilled(*plunge_)) note_low(*plunge_);
   plunge_.reset();
-  if (sideways_ && is_cut(motion)) note_low(*sideways_), sideways_.reset();  // the rapid led to the next cut, not out of the part
+  // the rapid led to the next cut, so it did not leave the part
+  if (sideways_ && is_cut(motion)) note_low(*sideways_), sideways_.reset();
   if (motion.of_cycle && to_hole_ && to_hole_->second.number == origin.number) take_point(to_hole_->first, origin);
   to_hole_.reset();
   if (motion.kind == MotionKind::rapid && ends.sideways()) {
     if (motion.of_cycle) take_point(ends, origin);
-    else to_hole_.emplace(ends, origin);  // some canned cycles start after it, in the same block
+    else to_hole_.emplace(ends, origin);  // a canned cycle may start after this rapid, in the same block
   }
   if (motion.of_cycle && is_cut(motion) && ends.down() && drilled_.size() < most_drilled) drilled_.push_back(ends.to);
   if (is_cut(motion)) {
@@ -112,7 +114,7 @@ void LevelWatch::take(const Step& step, Advices& to) {
     take_change(step.action.origin, to);
 }
 
-/// True if a canned cycle has drilled a hole there, at least as deep.
+/// True if a canned cycle has drilled a hole at this position at least as deep.
 bool LevelWatch::is_drilled(const Low& low) const {
   constexpr double near = 1;  // mm
   return std::any_of(drilled_.begin(), drilled_.end(),
@@ -120,18 +122,21 @@ bool LevelWatch::is_drilled(const Low& low) const {
 }
 
 void LevelWatch::judge_lows(Advices& to) const {
-  constexpr std::ptrdiff_t most = 2;  // of one type: more are the habit of a CAM system, which has the cleared region
+  // findings of one type; if there are more, it is the habit of a CAM system, which knows the cleared region
+  constexpr std::ptrdiff_t most = 2;
   const auto like = [this](AlarmId id) { return std::count_if(lows_.begin(), lows_.end(), [id](const Low& low) { return low.id == id; }); };
   for (const Low& low : lows_) {
     const bool plunges = low.id == AlarmId::rapid_below_zero;
-    // If nothing enters the material at feed, the tool may start in a hole or outside the part.
-    const double border = plunges ? -0.01 : 0.5;  // mm: a contour starts at the border; a rapid along it is outside the part
+    // If no motion enters the material at feed, the tool may enter it through a hole or from outside the part.
+    // `border`: mm inside the border of the cut region. A contour starts at the border, and a rapid along the border is outside the part
+    const double border = plunges ? -0.01 : 0.5;
     const auto inside = [border](const Span& s, double v) { return v > s.least[0] + border && v < s.most[0] - border; };
     if (like(low.id) <= most && inside(spans_[0], low.x) && inside(spans_[1], low.y) && (!plunges || feeds_down_ > 0))
       to.add(low.id, low.origin, plunges ? 'Z' : '\0', low.z);
   }
   if (only_below_ && below_ == 1 &&
-      heights_.contains(std::llround(-only_below_->z * micrometre)))  // the height of another approach: probably a wrong sign
+      // other rapids end at the same height above the part: the Z probably has a wrong sign
+      heights_.contains(std::llround(-only_below_->z * micrometre)))
     to.add(AlarmId::rapid_below_zero, only_below_->origin, 'Z', only_below_->z);
 }
 
@@ -146,8 +151,9 @@ void LevelWatch::finish(Advices& to) {
     const double others = high - low;
     if (!(others >= 0 && others < 1e299)) continue;
     const std::string range = fmt::format("{:.4g} … {:.4g}", low, high);
-    constexpr double unknown = 250;                                 // mm: limit if all others are in one place
-    const double many = i == 2 ? 10 : 5, least = i == 2 ? 50 : 20;  // times the span of the others; mm
+    constexpr double unknown = 250;  // mm: a greater gap is reported, if all other coordinates are equal
+    // a gap is reported if it exceeds this multiple of the span of the others, and this many mm
+    const double many = i == 2 ? 10 : 5, least = i == 2 ? 50 : 20;
     const auto is_far = [&](double by) { return by > many * others && by > (others > 0 ? least : unknown); };
     if (is_far(s.most[0] - high) && !is_far(low - s.least[0]))
       to.add(AlarmId::coordinate_far, s.at_most[0], names[i][0], names[i], s.most[0], std::string_view(range));

@@ -1,5 +1,6 @@
 #pragma once
-// LevelWatch: finds rapids below the part's zero, tool changes at a low Z, coordinates far outside the others, and changes of the unit.
+// LevelWatch: finds rapids below the zero of the part, tool changes at a low Z, coordinates far from all others, and changes between inch
+// and mm.
 
 #include <algorithm>
 #include <array>
@@ -17,11 +18,12 @@ class LevelWatch {
  public:
   void take(const Step& step, Advices& to);
   void finish(Advices& to);
-  /// Set if the last motion was a cut, sideways or down, below a height at which the tool has been: a program hardly ends there.
+  /// Location of the last motion if it was a cut, sideways or down, to a Z below the highest Z that rapids have reached; nullopt otherwise.
+  /// A program that ends there is probably incomplete.
   const std::optional<Origin>& ends_in_cut() const { return in_cut_; }
 
  private:
-  /// A rapid at a low Z. It matters only inside the region that is cut, not outside the part.
+  /// A rapid motion at a low Z. It is reported only if it is inside the region that is cut; outside it is next to the part.
   struct Low {
     Origin origin;
     AlarmId id;
@@ -39,30 +41,32 @@ class LevelWatch {
   void judge_lows(Advices& to) const;
   void take_point(const Ends& ends, const Origin& origin);
 
-  bool turned_ = false;       // a rotary axis or the frame has rotated: heights mean nothing
+  bool turned_ = false;       // a rotary axis or the coordinate system has rotated: the watch no longer compares heights
   double lowest_ = 1e300;     // lowest Z of all cuts so far, work coordinates
-  double approach_ = -1e300;  // highest Z reached by rapids, work coordinates
-  double z_ = 0;              // present Z
-  bool z_by_machine_ = true;  // … after a return to a machine position, or before the first motion
+  double approach_ = -1e300;  // highest Z to which rapids have moved, work coordinates
+  double z_ = 0;              // present Z, work coordinates
+  bool z_by_machine_ = true;  // z_ is unknown: after a return to a machine position, or before the first motion
   bool cuts_ = false;         // the tool in the spindle has cut
   std::uint16_t system_ = 0;
   std::optional<bool> inch_;
-  /// Of one axis, per end: the outermost coordinate of all cuts, and the next one inwards that another block has.
+  /// The outermost coordinates of all cuts along one axis, at both of its ends: the extreme one, and the next one inwards that another
+  /// block has.
   struct Span {
     std::array<double, 2> least{1e300, 1e300}, most{-1e300, -1e300};
     std::array<Origin, 2> at_least, at_most;
   };
-  std::size_t feeds_down_ = 0;                      // motions straight down into the part, at feed
-  std::set<long long> heights_;                     // where rapids above the part end, µm
-  std::size_t below_ = 0;                           // number of rapids straight down that end below the part's zero
-  std::optional<Low> only_below_;                   // the first of these rapids
-  std::optional<std::pair<Ends, Origin>> to_hole_;  // the previous motion, a rapid
-  std::optional<Low> sideways_;                     // since the last cut
-  std::optional<Low> plunge_;                       // by the previous motion
-  bool was_cut_ = false;                            // the previous motion was a cut
-  std::optional<Origin> in_cut_;                    // see ends_in_cut()
+  std::size_t feeds_down_ = 0;     // number of motions at feed straight down into the part
+  std::set<long long> heights_;    // heights above the part where rapids end, µm
+  std::size_t below_ = 0;          // number of rapids straight down that end below the part's zero
+  std::optional<Low> only_below_;  // the first rapid counted in below_
+  // the previous motion if it was a rapid: a canned cycle may start after it, in the same block
+  std::optional<std::pair<Ends, Origin>> to_hole_;
+  std::optional<Low> sideways_;   // a sideways rapid at a low Z since the last cut
+  std::optional<Low> plunge_;     // the previous motion if it was a rapid below the part's zero
+  bool was_cut_ = false;          // the previous motion was a cut
+  std::optional<Origin> in_cut_;  // see ends_in_cut()
   std::vector<Low> lows_;
-  std::vector<Vec3> drilled_;  // bottoms of the holes drilled by canned cycles
+  std::vector<Vec3> drilled_;  // bottoms of the holes that canned cycles have drilled
   std::array<Span, 3> spans_;
   std::size_t cuts_made_ = 0;
 };

@@ -24,7 +24,7 @@ Vec2 along_circle(Vec2 point, Vec2 center, bool ccw) {
   return ccw ? Vec2{-out.y, out.x} : Vec2{out.y, -out.x};
 }
 
-/// Mirrors v in a line of that direction.
+/// Returns the mirror image of v in a line with this direction.
 Vec2 mirrored(Vec2 v, Vec2 line) {
   const double along = v.x * line.x + v.y * line.y;
   return {2 * along * line.x - v.x, 2 * along * line.y - v.y};
@@ -33,7 +33,7 @@ Vec2 mirrored(Vec2 v, Vec2 line) {
 }  // namespace
 
 std::optional<PathWatch::Piece> PathWatch::piece_of(const Step& step, const Motion& motion) {
-  constexpr double least = 1e-4;  // mm
+  constexpr double least = 1e-4;  // mm: a shorter motion is ignored
   if ((motion.kind != MotionKind::feed && !is_arc(motion.kind)) || motion.of_cycle) return std::nullopt;
   if (motion.detail && (motion.detail->surface != PathSurface::plane || motion.detail->contour)) return std::nullopt;
   Piece p;
@@ -61,8 +61,8 @@ std::optional<PathWatch::Piece> PathWatch::piece_of(const Step& step, const Moti
   return p;
 }
 
-/// Checks whether the other code (G2 or G3) would make the arc tangent to its neighbours. It keeps the centre if I and J give it, and
-/// mirrors it in the chord if R does.
+/// Checks whether the other code (G2 instead of G3, or reversed) would make the arc tangent to the motions before and after it. The other
+/// arc has the same centre if I and J give the centre; if R does, the centre is mirrored in the chord.
 void PathWatch::look_at_arc(const Piece& before, const Piece& arc, const Piece& after) {
   if (!arc.arc || arc.full || before.first != arc.first || after.first != arc.first) return;
   constexpr double smooth = 5, corner = 20;  // degrees
@@ -90,7 +90,7 @@ void PathWatch::look_at_circle(const Piece& arc, Advices& to) {
     to.add(AlarmId::arc_nearly_full, arc.origin, 'G', std::floor(arc.degrees * 10) / 10, apart);
 }
 
-/// Ends the contour. If it ends at its start, its first piece and its last one are neighbours.
+/// Ends the contour. If the contour is closed, its last motion is compared with its first one.
 void PathWatch::close() {
   constexpr double same = 0.01;  // mm
   if (last_[0] && last_[1] && first_.size() > 1) {
@@ -125,7 +125,7 @@ void PathWatch::look_at_side(const Step& step, const Motion& motion, Advices& to
   } else if (!compensated) {
     side_.reset();
   }
-  constexpr int certain = 2;  // cuts
+  constexpr int certain = 2;  // number of cuts after the end of compensation at which the finding is certain
   if (ends_here) {
     ended_.reset();
     if (is_cut(motion)) ended_ = origin, cuts_since_ = 0;
@@ -154,7 +154,7 @@ void PathWatch::take(const Step& step, Advices& to) {
 
 void PathWatch::finish(Advices& to) {
   close();
-  constexpr std::size_t slips = 2;  // more lines than this are an intended shape: corners that are cut into
+  constexpr std::size_t slips = 2;  // arcs in more lines than this are the intended shape: corners that are cut into
   std::set<std::uint32_t> lines;
   for (const auto& [origin, other] : kinks_) lines.insert(origin.line);
   if (lines.size() <= slips)

@@ -1,6 +1,6 @@
 #pragma once
-// PathWatch: checks the shape of the contour: arcs that turn back at both ends, arcs that are nearly full circles, and where cutter
-// compensation starts and ends.
+// PathWatch: checks the shape of the contour. It finds arcs that reverse the direction at both of their ends, arcs that are nearly full
+// circles, and faulty starts and ends of cutter compensation.
 
 #include <array>
 #include <optional>
@@ -13,18 +13,18 @@ namespace kadr {
 
 class PathWatch {
  public:
-  /// `step`: a step of the path as programmed, before compensation.
+  /// `step`: a step of the path as programmed, before cutter compensation.
   void take(const Step& step, Advices& to);
   void finish(Advices& to);
 
  private:
-  /// A motion at feed in the plane, with what its neighbours need.
+  /// A motion at feed in the plane, with the data that are compared with the motions before and after it.
   struct Piece {
     Origin origin;
     bool arc = false, ccw = false, full = false, helix = false, inch = false;
     std::uint8_t first = 0, second = 1;
     Vec2 from, to, center;
-    Vec2 begins, ends;  // unit directions at its ends
+    Vec2 begins, ends;  // unit vectors: the direction of motion at the start and at the end
     double degrees = 0;
   };
   static std::optional<Piece> piece_of(const Step& step, const Motion& motion);
@@ -35,13 +35,14 @@ class PathWatch {
 
   void close();
 
-  std::array<std::optional<Piece>, 2> last_;           // the two previous pieces
-  std::vector<std::pair<Origin, const char*>> kinks_;  // arcs that turn back, and the code that would fit
-  std::vector<Piece> first_;                           // the first two pieces of the contour
-  std::optional<Origin> side_;                         // of the first motion of the compensation in force
+  std::array<std::optional<Piece>, 2> last_;  // the previous two motions
+  // arcs that reverse the direction at both ends, and for each the code that would fit: G2 or G3
+  std::vector<std::pair<Origin, const char*>> kinks_;
+  std::vector<Piece> first_;    // the first two motions of the contour, to be compared with the last ones of a closed contour
+  std::optional<Origin> side_;  // first motion of the compensation in force
   const char* side_code_ = "G41";
   bool compensated_ = false;  // the previous motion was compensated
-  /// Set where compensation has ended in a cut; cuts_since_ counts the cuts in the plane that follow at the same depth.
+  /// The location where compensation has ended during a cut. cuts_since_ counts the cuts in the plane after that, at the same depth.
   std::optional<Origin> ended_;
   int cuts_since_ = 0;
 };

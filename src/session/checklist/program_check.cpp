@@ -12,8 +12,8 @@
 namespace kadr {
 namespace {
 
-constexpr std::size_t most_faults = 1000;    // of one program: with more, it is no program of this control
-constexpr std::size_t most_again = 100'000;  // repetitions of known faults: then it is a loop that only fails
+constexpr std::size_t most_faults = 1000;    // faults of one program; if there are more, it is probably not a program for this control
+constexpr std::size_t most_again = 100'000;  // repetitions of known faults; if there are more, the program is in a loop that only fails
 
 bool holds_only_subs(const Session& session) {
   if (!session.def().grammar.o_words) return false;
@@ -54,12 +54,13 @@ void ProgramCheck::check(Session& session) {
                           .stop = wish_.stop};
     of.checklist.attach();
   }
-  if (channels.size() == 1) session.control().set_waiting(Control::Waiting::pass);  // the programs of the other channels are missing
+  // a single channel does not wait: the programs of the other channels are missing
+  if (channels.size() == 1) session.control().set_waiting(Control::Waiting::pass);
   (void)session.run();
   for (std::size_t i = 0; i < channels.size() && !wish_.stop.asked(); ++i) {
     OfChannel& of = all[i];
     channels[i].control->check_uncalled([&](const AlarmReport& report) { (void)take(i, of, report); });
-    // After a refused block, what follows may not be what the program means: its errors come first.
+    // After a refused block the rest of the run may not be as intended, so the checklist is omitted until the errors are corrected.
     if (of.alarms == 0 && !only_subprograms_ && !wish_.stop.asked())
       for (const AlarmReport& advice : of.checklist.reports(wish_.stop)) (void)take(i, of, advice);
     if (i != session.own()) continue;

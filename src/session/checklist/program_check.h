@@ -1,7 +1,7 @@
 #pragma once
-// ProgramCheck: everything that a check of a program reports, each item once: every fault of every channel after which the run can
-// continue, including faults of subprograms that are never called; then the checklist, unless a block was refused; then the values that
-// no set-up states. Used by kadr check and the page's check.
+// ProgramCheck: reports everything that a check of a program finds, each item once. First every fault of every channel after which the
+// run can continue, including faults of subprograms that are never called; then the checklist, unless a block was refused; then the
+// values that the set-up does not state. Used by kadr check and the page's check.
 
 #include <cstdint>
 #include <functional>
@@ -17,20 +17,21 @@ namespace kadr {
 
 class ProgramCheck {
  public:
-  /// Receives the findings in that order.  returns  false to get no more for that channel
+  /// Receives the findings in this order. Returns false to get no more findings of that channel.
   using Take = std::function<bool(std::size_t channel, const AlarmReport& report)>;
 
   struct Wish {
-    std::set<std::string> stated{};  // PlacedSetup::stated
-    ChecklistBasis basis{};          // the tools file and whether it is the program's own
-    bool one_pass = true;            // run a program that repeats (M99, M47) once; else as often as its set-up or the user requests
+    std::set<std::string> stated{};  // keys that the set-up states: PlacedSetup::stated
+    ChecklistBasis basis{};          // the tools file, and whether it belongs to this program only
+    bool one_pass = true;  // run a program that repeats itself (M99, M47) once; false: as often as the set-up or the user requests
     Onlooker* onlooker = nullptr;
     StopToken stop{};
   };
 
   explicit ProgramCheck(Wish wish, Take take) : wish_(std::move(wish)), take_(std::move(take)) {}
 
-  /// Runs a session that has not started. Several programs of one file are checked one after the other; what they share is reported once.
+  /// Runs a session that has not started, and reports what it finds. Several programs of one file are checked one after the other; a
+  /// finding that they share is reported once.
   void check(Session& session);
 
  private:
@@ -39,8 +40,8 @@ class ProgramCheck {
 
   const Wish wish_;
   const Take take_;
-  bool only_subprograms_ = false;  // the file is not run itself, so it needs no end of program
-  // reported findings by channel: file, line, column, id
+  bool only_subprograms_ = false;  // the file contains only subprograms, so it is not run and needs no end of program
+  // the findings already reported, by channel: file, line, column, id
   std::vector<std::set<std::tuple<std::string, std::uint32_t, std::uint32_t, AlarmId>>> seen_;
 };
 

@@ -1,4 +1,4 @@
-// Detects files of nothing but O subprograms. Used by session/checklist/program_check; tested by tests/run_check.py.
+// Detects files that contain only O subprograms. Used by session/checklist/program_check; tested by tests/run_check.py.
 
 #include "session/checklist/sub_file.h"
 
@@ -23,20 +23,20 @@ std::string plain(std::string_view line) {
   return text;
 }
 
-/// Returns the label: `o<name>sub` → `<name>`; empty if the line is no O line with that word.
+/// Returns the label before the keyword `word`: `o<name>sub` → `<name>`; empty if the line is not an O line with this keyword.
 std::string label_before(const std::string& line, std::string_view word) {
   if (line.size() <= word.size() + 1 || line[0] != 'o') return {};
   const bool named = line[1] == '<';
   const std::size_t last = named ? line.find('>') : line.find_first_not_of("0123456789", 1);
   if (last == std::string::npos) return {};
-  const std::size_t end = named ? last + 1 : last;  // of the label
+  const std::size_t end = named ? last + 1 : last;  // end of the label
   return end > 1 && line.compare(end, word.size(), word) == 0 ? line.substr(1, end - 1) : std::string();
 }
 
 }  // namespace
 
 bool holds_only_subprograms(LineReader reader) {
-  std::string open;  // label of the definition that the line is in
+  std::string open;  // label of the subprogram definition that is open at this line; empty: none
   bool any = false;
   for (Line line; reader.next(line);) {
     const std::string text = plain(line.bytes);

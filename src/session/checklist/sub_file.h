@@ -1,11 +1,12 @@
 #pragma once
-// Detects subprogram files of RS274/NGC: they are not run themselves, and so need no % or M2 at the end (spec/linuxcnc 1.1, 6.2).
+// Detects files of RS274/NGC that contain only subprograms. Such a file is not run itself, so it needs no % or M2 at the end
+// (spec/linuxcnc 1.1, 6.2).
 
 #include "lang/text/line_reader.h"
 
 namespace kadr {
 
-/// True if the text consists only of definitions of O subprograms, at least one, and remarks.
+/// True if the text contains at least one definition of an O subprogram, and otherwise only remarks.
 bool holds_only_subprograms(LineReader reader);
 
 }  // namespace kadr

@@ -10,7 +10,7 @@
 namespace kadr {
 namespace {
 
-using Calls = std::map<std::uint32_t, Origin>;  // tools, each with the place where it is called first
+using Calls = std::map<std::uint32_t, Origin>;  // tool number → location of the first call
 
 Calls calls_of(const ProgramUse& use) {
   Calls calls;
@@ -24,7 +24,7 @@ const Origin& first_of(const Calls& calls) {
       ->second;
 }
 
-/// Formats numbers, the first four of them: "T7, T9, T12, T14 +3".
+/// Formats a list of numbers, of which it shows four: "T7, T9, T12, T14 +3".
 std::string list_of(const std::vector<std::uint32_t>& numbers, const char* letter) {
   constexpr std::size_t most = 4;
   std::string list;
@@ -32,18 +32,19 @@ std::string list_of(const std::vector<std::uint32_t>& numbers, const char* lette
   return numbers.size() > most ? fmt::format("{} +{}", list, numbers.size() - most) : list;
 }
 
-/// True if the table fits the program. A table with more unused rows than used ones describes a magazine or a workshop.
+/// True if the table belongs to this program. A table with more unused rows than used ones describes a tool magazine or a whole workshop.
 bool is_of_program(std::size_t used, std::size_t unused) { return unused > 0 && unused <= used; }
 
 void judge_missing(const ToolTable& table, const Calls& calls, Advices& to) {
   const auto is_there = [&](const Calls::value_type& call) { return table.tools.find(call.first) != nullptr; };
   const auto there = static_cast<std::size_t>(std::count_if(calls.begin(), calls.end(), is_there));
-  if (table.kind == ToolTable::Kind::common && 2 * there < calls.size()) return;  // the table belongs to other work
+  // fewer than half of the called tools are in the table, so it belongs to other programs
+  if (table.kind == ToolTable::Kind::common && 2 * there < calls.size()) return;
   for (const auto& call : calls)
     if (!is_there(call)) to.add(AlarmId::tool_not_in_table, call.second, 'T', double(call.first), std::string_view(table.file));
 }
 
-/// T0405 names tool 4 or tool 5 on controls with two numbers in one word.
+/// True if the program names the number `n`. T0405 names tool 4 or tool 5 on controls that have two numbers in one word.
 bool names(const std::set<std::uint32_t>& numbers, std::uint32_t n) {
   constexpr std::uint32_t two_digits = 100;
   return std::any_of(numbers.begin(), numbers.end(),
@@ -65,8 +66,8 @@ void judge_unused(const ToolTable& table, const Calls& calls, const NamedInText&
   to.add(AlarmId::table_tools_unused, first_of(calls), 0, std::string_view(list_of(unused, "T")), std::string_view(table.file));
 }
 
-/// Reports that a row without values is used and one with values is not: their numbers do not match. A set-up may contain more than a
-/// program needs.
+/// Reports a row without values that the program uses, if there is a row with values that it does not use: the numbers are probably
+/// wrong. Unused rows alone are no fault.
 void judge_rows(const Calls& tools, const NamedInText& named, const Setup& setup, const ProgramUse& use, Advices& to) {
   const Use* empty = nullptr;
   std::set<std::uint32_t> used;

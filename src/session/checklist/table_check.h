@@ -1,5 +1,6 @@
 #pragma once
-// Compares the tool and offset tables with the program: which tools it calls that they lack, and which of theirs it never uses.
+// Compares the tool and offset tables with the program: which tools of the program the tables lack, and which rows of the tables the
+// program never uses.
 
 #include <cstdint>
 #include <set>
@@ -11,13 +12,13 @@
 
 namespace kadr {
 
-/// The numbers that the text names, executed or not: after a jump or in a skipped block is what another run uses.
+/// The tool and offset numbers that occur in the text, executed or not: another run may use what is after a jump or in a skipped block.
 struct NamedInText {
   std::set<std::uint32_t> tools, rows;
-  bool tools_by_value = false, rows_by_value = false;  // one number is an expression, so any may be meant
+  bool tools_by_value = false, rows_by_value = false;  // a tool or offset number is an expression, so it may be any number
 };
 
-/// Call after the run. `use`: of the program's channel.
+/// Call after the run. `use`: the values that the channel of the program has used.
 void check_tables(const ChecklistBasis& basis, const NamedInText& named, const Setup& setup, const ProgramUse& use, Advices& to);
 
 }  // namespace kadr

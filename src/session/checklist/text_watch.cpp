@@ -15,9 +15,10 @@ namespace kadr {
 namespace {
 
 constexpr std::size_t most_found = 200;
-constexpr std::size_t most_numbers = 10'000;  // of called blocks and programs
+constexpr std::size_t most_numbers = 10'000;  // stored numbers of called blocks and programs, at most
 
-/// A mode and the function that cancels it. A mode left on does no harm if the program states one of the two before its first motion.
+/// A function that should be cancelled at the end of a program, and the function that cancels it. There is no finding if the program
+/// states one of the two before its first motion.
 struct Mode {
   Function on, off;
 };
@@ -32,7 +33,7 @@ constexpr std::array modes{
     Mode{Function::feed_inverse_time, Function::feed_per_minute},
 };
 
-/// Returns the number if the expression consists of nothing else.
+/// Returns the value of an expression that is a single number; nullopt for any other expression.
 std::optional<std::uint32_t> constant(const Block& block, const Expression& expression) {
   if (expression.end != expression.begin + 1 || block.code[expression.begin].op != Op::number) return std::nullopt;
   const double number = block.code[expression.begin].number;
@@ -78,7 +79,8 @@ void TextWatch::add(AlarmId id, const Origin& origin, Span where, Args... args) 
   if (found_.size() < most_found) found_.push_back({advice(id, where, AlarmArg(args)...), origin});
 }
 
-/// Notes numbers without a point, which count increments while the others have a point. In a dwell, a call or a table this may be intended.
+/// Records numbers without a decimal point, which count increments, in a program whose other numbers have one. In a dwell, a call or a
+/// table this may be intended.
 void TextWatch::take_points(const Block& block) {
   if (has_code(block, 'G', 4_g) || has_code(block, 'G', 10_g) || has_code(block, 'G', 65_g) || has_code(block, 'G', 66_g)) return;
   for (std::uint32_t i = 0; i < block.word_count; ++i) {
@@ -89,7 +91,8 @@ void TextWatch::take_points(const Block& block) {
     } else if (w.counted != 0) {
       ++without_point_;
       if (pointless_.size() >= most_found) continue;
-      const bool finer = inch_ && def_.address(w.address).unit != WordUnit::angle;  // 0.0001 in (spec/fanuc 1.3)
+      // the increment of inch programs is 0.0001 in (spec/fanuc 1.3)
+      const bool finer = inch_ && def_.address(w.address).unit != WordUnit::angle;
       const std::string read = fmt::format("{:g} {}", finer ? w.value / 10 : w.value,
                                            def_.address(w.address).unit == WordUnit::angle ? "°"
                                            : inch_                                         ? "in"
@@ -134,7 +137,7 @@ void TextWatch::take_codes(const Block& block) {
   began_ = began_ || axis_words;
 }
 
-/// Checks that R is above Z, both as written: an absolute cycle drills downwards. A subprogram has no values that its caller has set.
+/// Checks that R is above Z in the text, since an absolute cycle drills downwards. In a subprogram, values set by the caller are unknown.
 void TextWatch::take_levels(const Block& block, const Word& cycle) {
   const Word* const r = block.find('R');
   const Word* const z = block.find('Z');
@@ -145,7 +148,8 @@ void TextWatch::take_levels(const Block& block, const Word& cycle) {
   add(AlarmId::levels_swapped, origin_of(block), r->where, r->value, z->value);
 }
 
-/// `G81 …`, positions, `G0 X10 Y10`, positions, `G80`: the positions after the G0 are not drilled, though the G80 suggests that they are.
+/// Finds positions after a cancelled cycle. In `G81 …`, positions, `G0 X10 Y10`, positions, `G80` the positions after G0 are not drilled,
+/// though the G80 suggests that the programmer expects it.
 void TextWatch::take_cycle(const Block& block) {
   const bool axis_words = moves(block);
   for (std::uint32_t i = 0; i < block.word_count; ++i) {
@@ -193,7 +197,8 @@ void TextWatch::note_call(const Block& block, const Word& code) {
   if (!(number >= 0 && number < 1e9) || calls_.size() >= most_numbers) return;
   const auto n = static_cast<std::uint32_t>(std::llround(number));
   calls_.insert(n);
-  if (code.address == 'M') calls_.insert(n % 10'000);  // M98 P30100 calls O0100 three times
+  // M98 P30100 calls O0100 three times: the last four digits are the program number
+  if (code.address == 'M') calls_.insert(n % 10'000);
 }
 
 void TextWatch::take_flow(const Block& block) {
@@ -246,7 +251,7 @@ void TextWatch::take_comments(const Block& block) {
     const auto named = read_tool_comment(text, false).tool;
     const bool beside_call = !named && block.has('T') && tool_ != 0;
     if ((named || beside_call) && teeth_.size() < most_numbers) teeth_.try_emplace(named ? *named : tool_, teeth);
-    else loose_teeth_ = teeth;  // of the tool that is called next
+    else loose_teeth_ = teeth;  // teeth of the tool that is called next
   }
 }
 
@@ -266,7 +271,7 @@ void TextWatch::read(BlockReader reader, const StopToken& stop) {
     for (unsigned n = 0; n % now_and_then != 0 || !stop.asked(); ++n) {
       block.clear();
       const auto got = reader.next(block);
-      if (!got) continue;  // a fault of the text has its own alarm
+      if (!got) continue;  // a fault in the text is reported by an alarm of its own
       if (*got == BlockReader::Got::end) break;
       take_block(block);
     }
@@ -307,7 +312,7 @@ void TextWatch::finish(Advices& to) {
     }
     if (s.behind_end && !s.has_targets && !has_o_words_ && !def_.has_lines_alone())
       to.add(AlarmId::lines_unreachable, *s.behind_end, 0, double(s.lines_behind));
-    constexpr std::uint32_t of_codes = 9000;  // from this number on, codes may call subprograms by parameters
+    constexpr std::uint32_t of_codes = 9000;  // programs from this number on may be called by codes that parameters define
     if (i > 0 && s.returns && !s.ends_program && s.label < of_codes && !calls_by_value_ && !calls_.contains(s.label))
       to.add(AlarmId::subprogram_uncalled, s.begins, 0, double(s.label));
   }

@@ -1,5 +1,5 @@
 #pragma once
-// TextWatch: finds problems in the text of a program without executing it. It reads the text from beginning to end, block by block.
+// TextWatch: finds problems in the text of a program without executing it, by reading it block by block from beginning to end.
 
 #include <cstdint>
 #include <map>
@@ -18,29 +18,30 @@ namespace kadr {
 
 class TextWatch {
  public:
-  /// `most_rpm`: the highest spindle speed; 0: unknown. A control may limit a higher S silently.
+  /// `most_rpm`: the highest spindle speed of the machine; 0: unknown. A control may reduce a higher S without a message.
   TextWatch(const ControlDef& def, double most_rpm) : def_(def), most_rpm_(most_rpm) {}
 
   /// Reads the whole text; polls `stop` now and then.
   void read(BlockReader reader, const StopToken& stop);
   void finish(Advices& to);
-  /// Number of teeth by tool, from comments such as "4 FLUTE", "4FL".
+  /// Number of teeth by tool number, from comments such as "4 FLUTE", "4FL".
   const std::map<std::uint32_t, int>& teeth() const { return teeth_; }
   const NamedInText& named() const { return named_; }
-  /// True if some code of the program ends it or returns.
+  /// True if the program contains a code that ends it or returns from it.
   bool has_end() const;
 
  private:
-  /// A program or subprogram of the text: from one O number to the next.
+  /// A program or subprogram in the text: from one O number to the next.
   struct Section {
     std::uint32_t label = 0;
     Origin begins;
     bool ends_program = false, returns = false;
-    std::map<std::uint32_t, std::uint32_t> jumps;  // target, line
-    std::map<std::uint32_t, std::uint32_t> twice;  // jump target → number of blocks with this N; second reading
-    std::optional<Origin> behind_end;              // first motion after the end of the program
+    std::map<std::uint32_t, std::uint32_t> jumps;  // target of each jump, and the line of the jump
+    // jump target → number of blocks with this N; counted when the text is read the second time
+    std::map<std::uint32_t, std::uint32_t> twice;
+    std::optional<Origin> behind_end;  // first motion after the end of the program
     std::uint32_t lines_behind = 0;
-    bool has_targets = false;  // something refers to block numbers, so that lines after the end may be reachable
+    bool has_targets = false;  // something refers to block numbers, so that lines after the end of the program may be reachable
   };
   void take(const Block& block);
   void take_points(const Block& block);
@@ -62,27 +63,28 @@ class TextWatch {
   const double most_rpm_;
   NamedInText named_;
   std::vector<Advice> found_;
-  // numbers without a point
+  // counts of numbers with and without a decimal point
   std::size_t with_point_ = 0, without_point_ = 0;
   std::vector<Advice> pointless_;
   bool inch_ = false;
-  // drilling cycles, in the order of the text
-  bool in_cycle_ = false, absolute_ = true, in_xy_ = true;  // G90, G17: only if certain
-  std::optional<Advice> cancelled_;                         // a cycle cancelled by a motion code
-  bool lost_ = false;                                       // positions have followed the cancellation
+  // state of the drilling cycle, in the order of the text
+  bool in_cycle_ = false, absolute_ = true, in_xy_ = true;  // false also if the state is uncertain: absolute_ is G90, in_xy_ is G17
+  std::optional<Advice> cancelled_;                         // a canned cycle that a motion code has cancelled
+  bool lost_ = false;  // blocks after that cancellation have contained only positions, which the cancelled cycle no longer drills
   std::optional<double> level_, bottom_;
-  // modes
-  bool began_ = false;                                              // a motion has been read
-  std::set<Function> stated_;                                       // before the first motion
-  std::map<Function, std::pair<Origin, std::string>> switched_on_;  // location of the last switch-on, and its code
-  bool main_over_ = false;                                          // the end of a program has been read
-  // flow
+  // modes set so far
+  bool began_ = false;         // a motion has been read
+  std::set<Function> stated_;  // functions that were set before the first motion
+  // functions that are on: location where each was switched on last, and the code that did it
+  std::map<Function, std::pair<Origin, std::string>> switched_on_;
+  bool main_over_ = false;  // the end of the main program has been read
+  // flow of the program
   std::vector<Section> sections_;
   std::set<std::uint32_t> calls_;
   bool calls_by_value_ = false, has_o_words_ = false;
   bool ended_ = false;
-  bool repeats_ = false;  // a code repeats it from the beginning
-  // comments
+  bool repeats_ = false;  // a code repeats the program from the beginning
+  // teeth named in comments
   std::map<std::uint32_t, int> teeth_;
   std::uint32_t tool_ = 0;
   int loose_teeth_ = 0;

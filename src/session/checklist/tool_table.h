@@ -1,5 +1,5 @@
 #pragma once
-// ToolTable: the tools file that a program is compared with, named by the user or found next to the program.
+// ToolTable: the tools file with which a program is compared; the user names it, or it is found next to the program.
 
 #include <cstdint>
 #include <memory>
@@ -11,21 +11,22 @@
 namespace kadr {
 
 struct ToolTable {
-  /// named: by the user; own: has the name of the program; common: tools.toml of its folder, which may belong to other work too.
+  /// named: the user has named the file; own: it has the name of the program; common: tools.toml of the program's folder, which other
+  /// programs may use too.
   enum class Kind : std::uint8_t { named, own, common };
-  std::string file;  // its name in messages
+  std::string file;  // name of the file in messages
   ToolLibrary tools;
   Kind kind = Kind::named;
 };
 
-/// Looks for NAME.toml or NAME.tbl next to NAME.nc, then for tools.toml. A file that is no tools file is ignored.
-///   returns  nullptr if there is none
+/// Looks for NAME.toml or NAME.tbl next to NAME.nc, then for tools.toml. Skips a file that is not a tools file.
+///   returns  nullptr if no tools file is found
 std::shared_ptr<const ToolTable> tool_table_beside(const std::string& program, const FileDoor* door = nullptr);
 
-/// What the checklist gets besides the run of the program.
+/// What the checklist uses in addition to the run of the program.
 struct ChecklistBasis {
   std::shared_ptr<const ToolTable> tools{};
-  bool own_tools = true, own_setup = true;  // the tools file, the set-up is used for this program only
+  bool own_tools = true, own_setup = true;  // true: the tools file, or the set-up, is used for this program only
 };
 
 }  // namespace kadr

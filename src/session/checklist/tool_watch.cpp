@@ -11,7 +11,7 @@ namespace kadr {
 namespace {
 
 constexpr std::size_t most_stints = 2000;
-constexpr std::size_t most_rows = 64;  // per tool
+constexpr std::size_t most_rows = 64;  // table rows recorded per tool, at most
 
 void note_row(std::map<std::uint32_t, Origin>& rows, std::uint32_t row, const Origin& origin) {
   if (row != 0 && rows.size() < most_rows) rows.try_emplace(row, origin);
@@ -19,7 +19,7 @@ void note_row(std::map<std::uint32_t, Origin>& rows, std::uint32_t row, const Or
 
 }  // namespace
 
-/// Ignores spindle actions in the block of a tapping cycle: their effect ends with the block.
+/// Records a spindle action. In the block of a tapping cycle it is ignored, as its effect ends with the block.
 void ToolWatch::take_spindle(const Spindle& spindle, const Origin& origin) {
   if (cycle_block_ && origin.number == *cycle_block_) return;
   if (spindle.dir == SpindleDir::orient || spindle.dir == SpindleDir::position) return;
@@ -82,14 +82,14 @@ void ToolWatch::take(const Step& step, Advices&) {
         if (change.tool == now().tool && !now().cuts) return;
         if (stints_.size() < most_stints) stints_.emplace_back();
         now().tool = change.tool;
-        now().started = started_since_cut_;  // S and M3 may be programmed before the change
+        now().started = started_since_cut_;  // S and M3 may be programmed before the tool change
       },
       ignores<Dwell, AuxiliaryFunction, Stop, Message, FrameChange, SurfaceSpeed, Sync, ZoneChange, Couple, Uncouple, ContourBreak,
               ContourCorner, ContourCheck>);
 }
 
-/// Judges tools that cut without a spindle, if the others start it. A laser or a pen switches its beam with M3 and M5 all the time and is
-/// not judged.
+/// Reports tools that cut with the spindle stopped, if the other tools start it. A program that often switches M3 and M5 controls the
+/// beam of a laser or a pen, and is not checked.
 void ToolWatch::judge_spindles(Advices& to) const {
   const auto started = std::count_if(stints_.begin(), stints_.end(), [](const Stint& s) { return s.cuts && s.started; });
   const bool switches_a_beam = starts_ > 2 * stints_.size() + 4;
@@ -109,7 +109,7 @@ void ToolWatch::judge_coolant(Advices& to) const {
   std::set<std::uint32_t> wet, dry;
   for (const Stint& s : stints_)
     if (s.cuts && s.tool != 0) (s.wet ? wet : dry).insert(s.tool);
-  if (wet.size() < 2 || dry.size() > 1) return;  // one more dry tool: the program intends it
+  if (wet.size() < 2 || dry.size() > 1) return;  // two or more tools without coolant are probably intended
   for (const Stint& s : stints_)
     if (s.cuts && s.tool != 0 && !s.wet) return to.add(AlarmId::coolant_forgotten, *s.cuts, 0, double(s.tool));
 }
@@ -121,8 +121,8 @@ void ToolWatch::judge_lengths(Advices& to) const {
     if (s.without_length && s.tool != 0) to.add(AlarmId::length_not_called, *s.without_length, 0, double(s.tool));
 }
 
-/// Compares the row number with the tool number: the difference shows which tool uses another's row. H = T, D = T + 30 and the like are
-/// habits of a workshop.
+/// Compares row numbers with tool numbers. The most frequent difference (H = T, D = T + 30) is the habit
+/// of the workshop, and a tool with another difference probably uses another tool's row.
 void ToolWatch::judge_rows(Rows Stint::*rows, AlarmId id, char address, Advices& to) const {
   struct Pair {
     std::uint32_t tool, row;
@@ -158,9 +158,9 @@ void ToolWatch::judge_rows(Rows Stint::*rows, AlarmId id, char address, Advices&
 }
 
 void ToolWatch::judge_systems(const std::vector<std::string>& names, Advices& to) const {
-  constexpr std::size_t enough = 3;  // number of tools that agree
+  constexpr std::size_t enough = 3;  // number of tools that must agree
   std::map<std::uint32_t, std::set<std::uint32_t>> users;
-  std::size_t several = 0;  // number of tools that work in several systems
+  std::size_t several = 0;  // number of tools that work in several work systems
   std::set<std::uint32_t> tools;
   for (const Stint& s : stints_) {
     if (s.tool == 0 || !s.cuts) continue;
@@ -175,7 +175,7 @@ void ToolWatch::judge_systems(const std::vector<std::string>& names, Advices& to
         return to.add(AlarmId::work_offset_once, origin, 0, std::string_view(names[system]), double(s.tool));
 }
 
-/// Reports selected tools that are never used. The tool selected last may be the first of the next part.
+/// Reports selected tools that are never used. The last selection is not reported, as it may be the first tool of the next part.
 void ToolWatch::judge_selections(Advices& to) const {
   if (!changes_) return;
   for (const auto& [tool, origin] : selected_)

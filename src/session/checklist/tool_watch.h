@@ -1,5 +1,6 @@
 #pragma once
-// ToolWatch: finds what one tool of a program lacks and the others have: offsets, spindle, coolant, work offset.
+// ToolWatch: finds what one tool of a program lacks although the other tools have it: length offset, spindle rotation, coolant, work
+// offset.
 
 #include <cstdint>
 #include <map>
@@ -14,20 +15,20 @@ namespace kadr {
 class ToolWatch {
  public:
   void take(const Step& step, Advices& to);
-  /// `systems`: names of the work offsets, by Motion::system.
+  /// `systems`: names of the work offsets, indexed by Motion::system.
   void finish(const std::vector<std::string>& systems, Advices& to);
 
  private:
-  using Rows = std::map<std::uint32_t, Origin>;  // of an offset table, each with its first motion
-  /// The use of a tool from one tool change to the next.
+  using Rows = std::map<std::uint32_t, Origin>;  // row of an offset table → the first motion that uses it
+  /// The use of one tool from one tool change to the next.
   struct Stint {
     std::uint32_t tool = 0;
-    double highest = -1e300;                 // highest Z reached, mm
-    std::optional<Origin> cuts, cuts_still;  // its first cut; the first one with the spindle stopped
+    double highest = -1e300;                 // highest Z that the tool has reached, mm
+    std::optional<Origin> cuts, cuts_still;  // the tool's first cut; its first cut with the spindle stopped
     std::optional<Origin> counter_clockwise;
-    bool mills = false;  // it mills or drills, and is no tap
+    bool mills = false;  // the tool mills or drills and is not a tap
     bool clockwise = false, turned = false, started = false, wet = false;
-    std::optional<Origin> without_length;  // set if its first cut had no length offset
+    std::optional<Origin> without_length;  // location of the tool's first cut, if no length offset was in force there
     Rows lengths, radii, systems;
   };
   void take_motion(const Step& step, const Motion& motion);
@@ -49,8 +50,8 @@ class ToolWatch {
   std::optional<std::uint32_t> cycle_block_;  // Origin::number of the last block with a motion of a canned cycle
   bool asks_speed_ = false;                   // an S word has been programmed
   std::size_t starts_ = 0;                    // number of spindle starts
-  std::size_t zero_speeds_ = 0;               // number of S0: a laser travels with it
-  std::map<std::uint32_t, Origin> selected_;  // selected by T, not yet changed to
+  std::size_t zero_speeds_ = 0;               // number of S0 words: the program of a laser travels with S0
+  std::map<std::uint32_t, Origin> selected_;  // tools selected by T that have not been changed into the spindle yet
   std::uint32_t first_tool_ = 0;
   bool changes_ = false;
 };

@@ -1,11 +1,11 @@
 #pragma once
-// AirLines: finds the lines whose moves at feed spend most time in the air. The input is pieces of moves at feed, each with whether it
-// removed anything.
+// AirLines: finds the lines that spend the most time moving at feed in the air. The input is the motions at feed, divided into pieces;
+// each piece says whether it removed material.
 //
-// A piece shorter than a cell may cut between lattice lines, so it counts as air only if at least two cells of path in a row are without
-// a cut.
+// A piece shorter than a cell may pass between two lattice lines and miss the material. Therefore a piece counts as air only if at least
+// two cells of path in succession removed nothing.
 //
-//   law  with at most `most` lines the seconds are exact; with more, each line lacks at most missing() (tests/session/block_load_test)
+//   law  up to `most` lines the seconds are exact; with more lines, each may have up to missing() s too few (tests/session/block_load_test)
 
 #include <map>
 #include <utility>
@@ -17,7 +17,7 @@ namespace kadr {
 
 class AirLines {
  public:
-  static constexpr std::size_t most = 1 << 16;  // lines kept; beyond this number, the half with fewer seconds is dropped
+  static constexpr std::size_t most = 1 << 16;  // number of lines stored; when there are more, the half with fewer seconds is dropped
 
   explicit AirLines(double cell, std::size_t most_kept = most) : reach_(2 * cell), most_(most_kept) {}
 
@@ -28,22 +28,22 @@ class AirLines {
     bool cuts = false;
   };
   void add(const Piece& piece);
-  /// Sorted by seconds, the most first.
+  /// The lines with time in the air, in descending order of their seconds.
   std::vector<AirCut> emptiest() const;
-  /// s that a line may lack at most.
+  /// s by which the time of a line may be too short, at most.
   double missing() const { return missing_; }
 
  private:
-  using Key = std::pair<std::uint16_t, std::uint32_t>;  // file, line
+  using Key = std::pair<std::uint16_t, std::uint32_t>;  // Origin::file, line
 
   void count(const Piece& piece);
   void drop_half();
 
   double reach_;
   std::size_t most_;
-  std::vector<Piece> row_;  // recent pieces without a cut, shorter than reach_ in total
+  std::vector<Piece> row_;  // the latest pieces that removed nothing; together they are shorter than reach_
   double row_length_ = 0;
-  bool in_air_ = false;  // the last reach_ of the path has removed nothing
+  bool in_air_ = false;  // the last reach_ mm of the path have removed nothing
   std::map<Key, AirCut> lines_;
   double missing_ = 0;
 };

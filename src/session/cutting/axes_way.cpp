@@ -1,4 +1,4 @@
-// Pieces of the axes' travel. Used by session/cutting/machine_watch; tested by tests/run_cut.py.
+// Divides the travel of the axes into pieces. Used by session/cutting/machine_watch; tested by tests/run_cut.py.
 
 #include "session/cutting/axes_way.h"
 
@@ -9,10 +9,10 @@ namespace kadr {
 namespace {
 
 constexpr int most_pieces_of_turn = 4096;
-constexpr int least_led = 8;       // pieces of a motion in which the tip is led
-constexpr int most_halvings = 10;  // of each of these pieces
+constexpr int least_led = 8;       // pieces, at least, of a motion whose tool tip the control guides (the axes compensate for rotation)
+constexpr int most_halvings = 10;  // halvings of each of these pieces, at most
 
-/// The travel of the axes between two parts of a motion, if it is not straight.
+/// The travel of the axes between two parts of a motion, if the axes do not move along a straight line.
 class LedWay {
  public:
   LedWay(const Step& step, double chord, const AxesPiece& visit) : step_(step), chord_(chord), visit_(visit) {}

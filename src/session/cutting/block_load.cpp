@@ -10,7 +10,7 @@
 namespace kadr {
 namespace {
 
-constexpr double steepest = 1;  // Z travel per mm in the plane, up to which depth and width are meaningful
+constexpr double steepest = 1;  // Z travel per mm in the plane; on steeper motions depth and width of cut are meaningless
 
 bool of_same_line(const Origin& a, const Origin& b) { return a.line == b.line && a.file == b.file; }
 
@@ -35,7 +35,7 @@ void BlockLoads::add(const CutMotion& m) {
   open_.push_back({m, sum, m.end_sweep});
 }
 
-/// Ends the block. A block that is long enough is reported alone.
+/// Ends the current block. A block that is long enough is reported with values of its own.
 void BlockLoads::end_block() {
   if (open_.empty()) return;
   if (open_.back().sum.length >= reach_) {
@@ -60,7 +60,7 @@ void BlockLoads::finish() {
   end_row();
 }
 
-/// Reports blocks that share their values.
+/// Reports successive short blocks, which share their values.
 void BlockLoads::tell(const std::vector<Block>& row) {
   Sum all;
   for (const Block& b : row) all.add(b.sum);
@@ -87,8 +87,8 @@ void BlockLoads::tell(const std::vector<Block>& row) {
   if (rate > 0) weigh(heaviest);
 }
 
-/// Adds the load to the heaviest ones. A load that is dropped is lighter than all that are kept, so its line can return only with a
-/// higher rate.
+/// Adds a load to the list of the heaviest ones. When the list is full the lightest load is dropped; its line can return to the list only
+/// with a higher rate.
 void BlockLoads::weigh(const BlockLoad& load) {
   const auto same =
       std::find_if(heaviest_.begin(), heaviest_.end(), [&](const BlockLoad& h) { return of_same_line(h.origin, load.origin); });

@@ -1,4 +1,4 @@
-// Collision check of the machine's bodies. Used by cli/cut and view/part_run.
+// Prepares the collision check of the machine's solid bodies. Used by cli/cut and view/part_run.
 
 #include "session/cutting/body_watch.h"
 
@@ -9,16 +9,16 @@
 namespace kadr {
 namespace {
 
-constexpr double bytes_per_triangle = 1000;  // of a mesh in FCL, with its boxes and spheres
+constexpr double bytes_per_triangle = 1000;  // memory per triangle of a mesh in the collision library FCL, with its boxes and spheres
 
-/// Blank or fixture for the watch. A blank itself has only its mesh, box or cylinder.
+/// Converts a blank or fixture for the collision check, as a box, cylinder or mesh.
 WorkBody work_body(const NamedWork& work) { return {work.name, shape_of_words(work.text).value_or(BodyShape{}), work.body->mesh()}; }
 
-/// Reads the files of the machine's bodies, within a memory limit for what is built from them.
+/// Reads the mesh files of the machine's bodies. A memory limit applies to what is built from the meshes.
 class BodyFiles {
  public:
   BodyFiles(double most, std::vector<std::string>& notes, const FileDoor* door) : left_(most), notes_(notes), door_(door) {}
-  /// Reserves the memory for a mesh. Returns an empty string, or an error sentence if the limit is exceeded.
+  /// Reserves memory for the mesh. Returns an error sentence if the limit is exceeded, else an empty string.
   std::string take(const std::string& name, const Mesh& mesh) {
     left_ -= bytes_per_triangle * double(mesh.triangle_count());
     return left_ >= 0 ? std::string()
@@ -37,7 +37,7 @@ class BodyFiles {
   }
 
  private:
-  double left_;  // bytes
+  double left_;  // memory that is still available, bytes
   std::vector<std::string>& notes_;
   const FileDoor* door_;
 };

@@ -1,4 +1,4 @@
-// Lattices of a job. Used by cli/cut and view/part_run.
+// Chooses cell sizes of the stock's lattices. Used by cli/cut and view/part_run.
 
 #include "session/cutting/cut_cells.h"
 
@@ -12,12 +12,12 @@
 namespace kadr {
 namespace {
 
-constexpr double share_for_material = 0.5;  // of the memory; the rest is for the surface
-constexpr double share_of_cell = 0.02;      // volume error of the surface per mm² of it, in cells: docs/stock.md
-constexpr double cells_to_see = 2;          // across a tool
-constexpr std::size_t tools_of_a_job = 24;  // a file with more tools is a library, most of which the program does not use
+constexpr double share_for_material = 0.5;  // share of the memory limit; the rest is for the surface
+constexpr double share_of_cell = 0.02;      // volume error per mm² of surface, divided by the cell size: docs/stock.md
+constexpr double cells_to_see = 2;          // cells across a tool, at least, for its cuts to be visible
+constexpr std::size_t tools_of_a_job = 24;  // number of tools; a file with more is a library, most of which the program does not use
 
-/// The diameter of the thinnest tool of a job, mm; 0: unknown.
+/// Returns the diameter of the thinnest tool of a job, mm; 0 if it is unknown.
 double finest_of(const ToolLibrary& tools) {
   double finest = 0;
   if (tools.tools.size() > tools_of_a_job) return finest;
@@ -26,7 +26,7 @@ double finest_of(const ToolLibrary& tools) {
   return finest;
 }
 
-/// The part of the surface that may be inexact: of a box only what has been cut, since its faces are exact.
+/// Returns the part of the surface whose position may be inexact. Faces of a box are exact where nothing was cut.
 Mesh uncertain_part(const Surface& surface, const Blank& blank) {
   constexpr double same_volume = 1e-9;
   const Vec3 size = blank.box().most - blank.box().least;
@@ -39,7 +39,7 @@ Mesh uncertain_part(const Surface& surface, const Blank& blank) {
   return cut;
 }
 
-/// Numbers of the tools that have cut and are thinner than two cells: their cuts are hardly visible.
+/// Returns the numbers of tools that have cut and are thinner than two cells, so that their cuts are hardly visible.
 std::vector<std::uint32_t> tools_finer_than_cells(const Stock& stock) {
   std::vector<std::uint32_t> numbers;
   for (std::size_t i = 0; i < stock.tools(); ++i) {
@@ -65,7 +65,7 @@ bool find_cells(double resolution, const std::optional<Box3>& window, double mos
   }
   job.window = blank_within(job.blank, *window);
   if (!job.window || !(job.window->volume() > 0)) return false;
-  // A whole that is finer than its window is useless; each gets half of the memory.
+  // The whole need not have finer cells than its window; each of the two gets half of the memory.
   job.cell = std::max(cell_for(job.blank->box(), most / 2), resolution);
   job.window_cell = resolution > 0 ? resolution : std::min(cell_for(job.window->box(), most / 2, finest_of(job.tools)), job.cell);
   return true;

@@ -1,6 +1,6 @@
 #pragma once
-// Chooses the cell size of a job and estimates its memory, for the whole and for a window that is cut again with finer cells; compares and
-// measures the result. Used by cli/cut and view/part_run.
+// Chooses the cell size of the stock's lattice and estimates the memory it needs, for the whole blank and for a window (a box that is cut
+// again with finer cells). Compares the result with the wanted part and measures volumes. Used by cli/cut and view/part_run.
 
 #include "session/cutting/cutting.h"
 #include "stock/part/part_compare.h"
@@ -8,26 +8,26 @@
 
 namespace kadr {
 
-/// Bytes of the meshes of blank and fixtures.
+/// Returns the bytes that the meshes of blank and fixtures need.
 double bytes_of_meshes(const CutJob& job);
 
-/// Chooses the cells of the whole and of its window. The requested resolution applies to the window, or to the whole if there is no window.
-///   job         with its tools: if they are few enough for one job, they decide together with the blank
-///   resolution  mm; 0: as fine as is reasonable and fits into memory
-///   most_bytes  memory limit of the material
+/// Chooses the cell sizes of blank and window. `resolution` applies to the window if there is one, else to the whole blank.
+///   job         has its tools: if they are few, as for a single job, the cell size depends on them as well as on the blank
+///   resolution  mm; 0: as fine as is useful and fits into memory
+///   most_bytes  memory limit of the stock
 ///   returns     false if the window is outside the blank
 bool find_cells(double resolution, const std::optional<Box3>& window, double most_bytes, CutJob& job);
 
-/// Upper bound of the memory of the material, bricks and meshes; `held`: the wanted part, if any.
+/// Upper bound of the memory of the stock, its lattice bricks and the meshes. `held`: the wanted part; nullptr: none.
 double bytes_of_material(const CutJob& job, const Mesh* held);
 
-/// True if the wanted part reaches into the window, or if there is no window.
+/// True if the wanted part extends into the window, or if there is no window.
 bool part_meets_window(const CutJob& job, const Mesh& part);
 
-/// Compares what was cut, inside the window if there is one, with the wanted part.
+/// Compares the remaining stock with the wanted part; only inside the window if there is one.
 PartComparison hold_against(const CutJob& job, const Stock& stock, const Surface& surface, const Mesh& part);
 
-/// Volumes by the surface; `window`: the surface of what was cut in the window, or nullptr.
+/// Computes the result with volumes enclosed by the surface. `window`: surface of the remaining stock in the window; nullptr: no window.
 CutResult cut_figures(const Cutting& cutting, const CutJob& job, const Surface& whole, const Surface* window);
 
 }  // namespace kadr

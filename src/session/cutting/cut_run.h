@@ -1,6 +1,6 @@
 #pragma once
-// CutRun: runs a program on the part. It passes the steps of a session to the material and to the bodies of the machine, and the findings
-// to the caller. Used by cli/cut and view/part_run.
+// CutRun: runs a program that cuts a blank. It passes the steps of a session to the stock and to the collision check of the machine's
+// bodies, and the findings to the caller. Used by cli/cut and view/part_run.
 //
 //   CutRun run(session, job, watch);
 //   run.attach(stop);         // to the session's outlets
@@ -19,42 +19,42 @@ namespace kadr {
 
 class CutRun {
  public:
-  /// The arguments must outlive this object. `watch`: nullptr if the machine has no bodies.
+  /// The arguments must outlive this object. `watch`: the collision check; nullptr: the machine has no bodies.
   CutRun(Session& session, const CutJob& cut, MachineWatch* watch);
-  CutRun(const CutRun&) = delete;  // the session calls it back
+  CutRun(const CutRun&) = delete;  // the session calls back this object
 
-  /// Receives alarms, warnings and notes of the program, and the alarm about a tool without a shape.
+  /// Receives the alarms, warnings and notes of the program, and the alarm about a tool whose shape is unknown.
   std::function<void(const AlarmReport&)> on_report;
-  /// Receives a collision, and the same as an alarm or warning with its location.
+  /// Receives each collision, together with an alarm or warning that describes it and its location.
   std::function<void(const CutFinding&, const AlarmReport&)> on_finding;
-  /// Receives what a block has removed, with the name of its file. Set before the first step.
+  /// Sets the function that receives what each block has removed, with the name of the block's file. Call before the first step.
   void on_block(std::function<void(const BlockLoad&)> take);
-  /// Receives sentences about input that is used as it is.
+  /// Receives a sentence about each piece of input that is questionable but used unchanged.
   std::function<void(const std::string&)> on_note;
 
   /// Subscribes to the outlets of the session.
   void attach(const StopToken& stop, Onlooker* onlooker = nullptr);
-  /// States that nothing follows: cuts everything that is still pending.
+  /// Declares that no step follows: cuts everything that is still pending.
   void finish();
 
   const Cutting& cutting() const { return cutting_; }
-  /// Completes the result with the names of files, and with the calls that led to the findings.
+  /// Completes the result with the file names, and with the calls that led to each finding.
   CutResult named(CutResult result) const;
   PartResult part_result(const PartComparison& c) const;
   std::size_t alarms() const { return alarms_; }
   std::size_t warnings() const { return warnings_; }
-  /// The alarm at which cutting stopped, because a tool has no shape.
+  /// The alarm at which cutting stopped because the shape of a tool is unknown; nullopt: no such alarm.
   const std::optional<AlarmReport>& without_shape() const { return without_shape_; }
 
  private:
-  /// File of a line by Origin::file; empty for the program itself.
+  /// Returns the name of the file with this Origin::file; empty for the main program.
   std::string program_of(std::uint16_t file) const { return file == 0 ? std::string() : session_.settled_control().file_name(file); }
   void name_program(auto& of) const { of.program = program_of(of.origin.file); }
 
-  /// Does nothing after the first tool without a shape.
+  /// Cuts a step. Does nothing after the first tool without a shape.
   void consume(const Step& step, double longer);
 
-  /// Reports collisions of the machine's bodies together with the findings of the cut.
+  /// Reports the collisions of the machine's bodies together with the findings of the stock.
   template <class Take>
   void watch(const Take& take);
 
@@ -62,9 +62,9 @@ class CutRun {
 
   Session& session_;
   Cutting cutting_;
-  MachineWatch* const watch_;  // nullptr: the machine has no bodies
+  MachineWatch* const watch_;  // the collision check; nullptr: the machine has no bodies
   TimeEstimate clock_;
-  double later_ = 0;  // s by which the machine is later than the programmed time
+  double later_ = 0;  // s by which the real time of the machine is later than the programmed time
   std::size_t alarms_ = 0, warnings_ = 0;
   std::optional<AlarmReport> without_shape_;
 };

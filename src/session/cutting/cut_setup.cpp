@@ -1,4 +1,4 @@
-// Machine and set-up of a cut. Used by cli/cut and view/part_run.
+// Copies machine and set-up data into a cutting job. Used by cli/cut and view/part_run.
 
 #include "session/cutting/cut_setup.h"
 

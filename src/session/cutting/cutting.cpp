@@ -1,4 +1,4 @@
-// Cutting: executes the steps of a run on the part. Used by cli/cut.
+// Cutting: simulates the removal of material by the steps of a run. Used by cli/cut.
 
 #include "session/cutting/cutting.h"
 
@@ -15,17 +15,17 @@ namespace {
 
 constexpr std::size_t batch_sweeps = 1 << 15;
 constexpr std::size_t most_kept = 100'000;    // motions kept before the work system of the blank is known
-constexpr std::size_t most_findings = 1000;   // reported individually
-constexpr double sideways = 0.01;             // mm in the plane that a drill may move while it cuts
-constexpr double chord_of_cell = 1.0 / 2000;  // tolerance of arcs as chords: far below the error of a cell …
-constexpr double greatest_chord = 2e-4;       // … and below the least increment of the controls, mm
+constexpr std::size_t most_findings = 1000;   // number of findings that are reported individually
+constexpr double sideways = 0.01;             // mm that a drill may move in the plane while it cuts
+constexpr double chord_of_cell = 1.0 / 2000;  // tolerance of chords that replace an arc, in cells: far below the error of a cell …
+constexpr double greatest_chord = 2e-4;       // … and at most this many mm: below the least increment of the controls
 
 constexpr double seconds_a_minute = 60;
 constexpr Vec3 upright{0, 0, 1};
 
 double chord_for(double cell) { return std::min(cell * chord_of_cell, greatest_chord); }
 
-/// Travel along the tool; the next function returns the travel across it.
+/// Travel of the piece along the tool's axis. The next function returns the travel across it.
 double climb_of(const WayPiece& p) {
   const Vec3 way = p.to - p.from, k = p.from_direction;
   return way.x * k.x + way.y * k.y + way.z * k.z;
@@ -70,7 +70,7 @@ Cutting::Cutting(const CutJob& job, const AxisRoles& roles)
     seen_->keep_past(job.past_bytes);
   }
   for (const auto& body : job.fixtures) fixtures_.push_back(std::make_unique<Stock>(body, job.cell, job.threads));
-  double finest = job.cell;  // all stocks must give a sweep the same number
+  double finest = job.cell;  // in all stocks the same sweep must have the same number, so all use the chords of the finest one
   each_other([&](const Stock& other) { finest = std::min(finest, other.lattice().cell()); });
   stock_.divide_as(finest);
   each_other([&](Stock& other) { other.divide_as(finest); });
@@ -90,7 +90,7 @@ void Cutting::each_other(const Visit& visit) const {
   for (const auto& fixture : fixtures_) visit(*fixture);
 }
 
-/// Notes the tool in the spindle and the rotation of spindles.
+/// Updates the tool in the spindle and the rotation of the spindles.
 void Cutting::note(const Action& action) {
   const auto bit_of = [](int spindle) { return spindle >= 1 && spindle <= 32 ? std::uint32_t{1} << (spindle - 1) : 0; };
   by_kind(
@@ -121,7 +121,7 @@ std::size_t Cutting::use_of(std::uint32_t tool) {
   return std::size_t(found - result_.tools.begin());
 }
 
-/// Returns nullopt if the tools file has no tool of that number. A program that calls no tool uses the file's tool, if there is only one.
+/// Returns nullopt if the tools file lacks the tool. A program that calls no tool uses the file's tool, if the file has only one.
 std::optional<std::uint16_t> Cutting::shape_of_tool() {
   for (const auto& [number, shape] : shapes_)
     if (number == tool_) return shape;
@@ -131,7 +131,7 @@ std::optional<std::uint16_t> Cutting::shape_of_tool() {
   const ToolShape shape = shape_of(*geometry);
   const std::uint16_t number = stock_.add_tool(shape);
   each_other([&](Stock& other) { (void)other.add_tool(shape); });
-  if (shape.turns()) {  // the next number: the same tool while its insert is in a thread
+  if (shape.turns()) {  // the next index is the same tool while its insert is in a thread groove
     (void)stock_.add_tool(holder_of(shape));
     each_other([&](Stock& other) { (void)other.add_tool(holder_of(shape)); });
   }
@@ -139,12 +139,12 @@ std::optional<std::uint16_t> Cutting::shape_of_tool() {
   return number;
 }
 
-/// Returns the fault to report if the cutting part removes anything during this motion.
+/// Returns the fault to report if the cutting part of the tool removes material during this motion.
 AlarmId Cutting::fault_of(const Motion& motion, const std::vector<WayPiece>& pieces, const ToolGeometry& tool) const {
   if (motion.kind == MotionKind::rapid || motion.kind == MotionKind::home) return AlarmId::rapid_in_stock;
-  if (motion.kind == MotionKind::thread) return no_alarm;                                         // the control drives the spindle
-  if (motion.in_hole == HoleWork::taps && motion.detail && motion.detail->turn) return no_alarm;  // likewise
-  if (tool.kind == ToolKind::turning) return (spinning_ & ~speedless_) == 0 ? AlarmId::spindle_stopped : no_alarm;  // the part's
+  if (motion.kind == MotionKind::thread) return no_alarm;  // the control drives the spindle on a thread
+  if (motion.in_hole == HoleWork::taps && motion.detail && motion.detail->turn) return no_alarm;  // rigid tapping: likewise
+  if (tool.kind == ToolKind::turning) return (spinning_ & ~speedless_) == 0 ? AlarmId::spindle_stopped : no_alarm;  // of the part
   if ((spindle_ != SpindleDir::cw && spindle_ != SpindleDir::ccw) || (speedless_ & 1U) != 0) return AlarmId::spindle_stopped;
   if (spindle_ == SpindleDir::ccw && motion.in_hole != HoleWork::taps) return AlarmId::spindle_wrong_way;
   double flat = 0, climb = 0;
@@ -154,30 +154,30 @@ AlarmId Cutting::fault_of(const Motion& motion, const std::vector<WayPiece>& pie
   return down && !tool.plunges ? AlarmId::plunge : no_alarm;
 }
 
-/// Axes with unknown position. A turning program names only one of X and Y.
+/// Returns the axes along which the position is unknown. For a turning tool, one of X and Y suffices.
 AxisMask Cutting::unknown_now() const {
   const ToolGeometry* const tool = job_.tools.find(tool_);
   const bool turns = tool != nullptr && tool->kind == ToolKind::turning;
   return turns && (unknown_ & across_) != across_ ? unknown_ & ~across_ : unknown_;
 }
 
-/// Returns whether the start of the motion is known. The axes that its words name are known from now on.
+/// Returns true if the start of the motion is known. From now on the position is known along the axes that the motion's words name.
 bool Cutting::place_known(const Motion& motion) {
   const bool known = unknown_now() == 0;
   unknown_ &= ~motion.named;
   return known;
 }
 
-/// True if the insert of a turning tool is in a thread: it then sweeps a helix and no ring, and removes no material in the model. The
-/// same holds for the rapid motion after the thread, out of the groove.
+/// True if the insert of a turning tool moves in a thread groove, or leaves it by a rapid after the thread. On this motion it sweeps a
+/// helix instead of a ring, so the model removes no material.
 bool Cutting::is_in_groove(const Motion& motion) {
   const bool threads = motion.kind == MotionKind::thread, in_groove = threads || (in_thread_ && motion.kind == MotionKind::rapid);
   in_thread_ = threads;
   return in_groove;
 }
 
-/// Shifts the pieces if the length that the control applies is not the tool's: with a worn, a wrong or no H the tip is lower or higher
-/// than the control assumes.
+/// Shifts the pieces if the control applies a length that is not the tool's actual length: with a worn tool, a wrong H or no H, the tip
+/// is lower or higher than the control assumes.
 void Cutting::shift_by_length() {
   const auto real = job_.lengths.find(tool_);
   if (real == job_.lengths.end()) return;
@@ -190,11 +190,11 @@ Status Cutting::consume(const Step& step, const MachineTime& time) {
   const Motion* const motion = step.motion();
   result_.seconds = std::max(result_.seconds, time.begins + time.seconds + step.pause);
   way_.take(step, pieces_);
-  if (motion != nullptr && pieces_.empty()) (void)place_known(*motion);  // axis words were given, and the tool was there already
+  if (motion != nullptr && pieces_.empty()) (void)place_known(*motion);  // even without travel, the words state the position
   if (motion == nullptr || pieces_.empty() || motion->kind == MotionKind::probe || time.begins >= job_.until) return {};
-  if (motion->in_hole == HoleWork::stands_off) return {};  // the tool has one cutting edge, which is turned away from the wall
+  if (motion->in_hole == HoleWork::stands_off) return {};  // the single cutting edge of the boring bar points away from the wall
   shift_by_length();
-  if (!place_known(*motion) && !is_cutting(motion->kind)) {  // of the motion to the first known position only the end is certain
+  if (!place_known(*motion) && !is_cutting(motion->kind)) {  // of the motion to the first known position, only the end is known
     if (unknown_now() != 0) return {};
     const WayPiece last = pieces_.back();
     pieces_.assign(1, {last.to, last.to, 0, 1, last.to_direction, last.to_direction});
@@ -236,7 +236,7 @@ Status Cutting::consume(const Step& step, const MachineTime& time) {
   return {};
 }
 
-/// The work system is known, or is no longer waited for; then the one in force applies.
+/// Cuts the kept pieces. If the blank's work system is still unknown, the present work system is used.
 void Cutting::release_kept() {
   zero_ = way_.zero().value_or(way_.present_zero());
   zero_known_ = true;
@@ -324,9 +324,9 @@ void Cutting::count_removed() {
   }
 }
 
-/// The touches of a motion are reported as one finding per kind.
+/// Reports the contacts of a motion as one finding per kind.
 void Cutting::tell(const std::vector<Touch>& touches, bool of_fixture) {
-  std::map<std::pair<std::size_t, AlarmId>, std::pair<Box3, double>> around;  // motion of the batch, what → box, volume
+  std::map<std::pair<std::size_t, AlarmId>, std::pair<Box3, double>> around;  // (index in batch_, fault) → (box, volume)
   for (const Touch& t : touches) {
     const auto after = std::upper_bound(batch_.begin(), batch_.end(), std::size_t(t.sweep),
                                         [](std::size_t s, const Moved& m) { return s < m.first_sweep; });
@@ -347,7 +347,7 @@ void Cutting::tell(const std::vector<Touch>& touches, bool of_fixture) {
   }
 }
 
-/// Smallest depth that can be resolved: by the window's cell inside the window.
+/// Returns the smallest depth that the stock can resolve; inside the window its finer cell counts.
 double Cutting::least_depth(const Box3& around) const {
   return window_ && lies_within(around, job_.window->box()) ? window_->least_piece() : stock_.least_piece();
 }
@@ -361,7 +361,7 @@ AlarmId Cutting::fault_of_touch(const Moved& moved, ToolPart part, bool of_fixtu
 void Cutting::keep(const CutFinding& finding) {
   const bool is_warning = finding.id == AlarmId::no_coolant;
   if (is_warning && std::find(job_.disabled.begin(), job_.disabled.end(), finding.id) != job_.disabled.end()) return;
-  if (is_warning && !without_coolant_.insert(finding.origin.line).second) return;  // once per line
+  if (is_warning && !without_coolant_.insert(finding.origin.line).second) return;  // one warning per line is enough
   auto& list = is_warning ? result_.warnings : result_.collisions;
   if (list.size() >= most_findings) {
     ++result_.not_told;
@@ -376,7 +376,7 @@ void Cutting::finish() {
   cut();
   loads_.finish();
   tell_others();
-  batch_ = std::vector<Moved>();  // frees memory for what follows
+  batch_ = std::vector<Moved>();  // frees memory before the next step
 }
 
 std::size_t Cutting::bytes() const {

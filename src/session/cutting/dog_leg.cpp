@@ -1,4 +1,4 @@
-// Rapid motions of axes that move independently. Used by session/cutting/tool_way and axes_way; tested by tests/run_cut.py.
+// Computes rapid motions of axes that move independently. Used by session/cutting/tool_way and axes_way; tested by tests/run_cut.py.
 
 #include "session/cutting/dog_leg.h"
 
@@ -8,7 +8,7 @@
 namespace kadr {
 namespace {
 
-constexpr double same_part = 1e-9;  // of the motion
+constexpr double same_part = 1e-9;  // arrival times that differ less (as parts of the motion) count as equal
 
 bool is_rapid(const Motion& motion) { return motion.kind == MotionKind::rapid || (motion.kind == MotionKind::home && !(motion.feed > 0)); }
 

@@ -1,10 +1,10 @@
 #pragma once
-// DogLeg: the path of a rapid motion on which each axis moves at its own rate until it arrives (config/rapid_way.h): a polyline with a
-// corner where an axis arrives.
+// DogLeg: the path of a rapid motion during which each axis moves at its own rate until it arrives (config/rapid_way.h). The path is a
+// polyline with a corner where an axis arrives.
 //
-//   X 100, Y 40, the same rate:   ╱‾‾‾‾   and no straight line
+//   X 100, Y 40, both at the same rate:   ╱‾‾‾‾   instead of a straight line
 //
-// Accelerations are ignored: each axis has its rate from the first moment to the last.
+// Accelerations are ignored: each axis has its full rate from the beginning to the end of its travel.
 
 #include <optional>
 #include <vector>
@@ -13,16 +13,16 @@
 
 namespace kadr {
 
-/// When each axis arrives, as a part of the motion: 0 to 1; 0 for an axis that does not move.
+/// The arrival time of each axis, as a part of the motion's time: 0 to 1; 0 for an axis that does not move.
 class DogLeg {
  public:
-  /// `rates`: of the machine's axes, mm or degrees per any common unit of time.
-  ///   returns  nullopt if the motion is not rapid, or its axes move together since something else leads them
+  /// `rates`: rapid rates of the machine's axes, mm or degrees per unit of time (the same unit for all).
+  ///   returns  nullopt if the motion is not rapid, or its axes are coordinated for another reason
   static std::optional<DogLeg> of(const Step& step, const std::optional<Axes>& rates);
 
-  /// Parts of the motion at which an axis arrives, ascending; the last is 1. Empty if nothing moves.
+  /// The arrival times as parts of the motion, ascending; the last one is 1. Empty if no axis moves.
   const std::vector<double>& corners() const { return corners_; }
-  /// Share of its travel that an axis has completed at a part of the motion: 0 to 1.
+  /// Share of its travel that an axis has completed when the part `part` of the motion's time is over: 0 to 1.
   double gone(std::size_t axis, double part) const { return arrives_[axis] > part ? part / arrives_[axis] : 1; }
 
  private:

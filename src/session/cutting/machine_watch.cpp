@@ -12,11 +12,11 @@
 namespace kadr {
 namespace {
 
-constexpr double chord_of_axes = 0.002;          // mm, degrees: a fifth of the depth that counts as a meeting
-constexpr std::size_t most_kept_steps = 10'000;  // before the work system of the blank is known
-constexpr double same_length = 1e-9;             // mm
+constexpr double chord_of_axes = 0.002;          // mm, degrees: a fifth of the depth that counts as a collision
+constexpr std::size_t most_kept_steps = 10'000;  // number of steps kept before the work system of the blank is known
+constexpr double same_length = 1e-9;             // mm: lengths that differ less count as equal
 
-/// Without [kinematics], X, Y and Z carry the tool, in this order.
+/// Returns the kinematics. If the machine's file has no [kinematics], X, Y and Z carry the tool, in this order.
 MachineTree tree_of(MachineProfile machine, const std::vector<std::string>& axes) {
   if (!machine.chains.given()) {
     machine.chains.tool = {"X", "Y", "Z"};
@@ -28,7 +28,7 @@ MachineTree tree_of(MachineProfile machine, const std::vector<std::string>& axes
   return {machine, axes};
 }
 
-/// Rotation from the tool's coordinates, with its axis along Z, to the tool in the spindle.
+/// Returns the rotation from the tool's own coordinates (its axis along Z) to the direction of the tool in the spindle.
 Mat3 turn_of_tool(Vec3 direction) {
   const Vec3 z{0, 0, 1}, axis = cross(z, direction);
   if (length(axis) > 0) return Mat3::about(unit(axis), std::atan2(length(axis), dot(z, direction)) / rad_per_deg);
@@ -106,7 +106,8 @@ std::optional<std::string> MachineWatch::add_bodies(const MachineProfile& machin
   return std::nullopt;
 }
 
-/// The bodies of the tool, created when it is first in the spindle; nullptr if the tools file has no tool of that number.
+/// Returns the bodies of a tool, which are created when the tool is first in the spindle; nullptr if the tools file does not contain the
+/// tool.
 const MachineWatch::ToolBodies* MachineWatch::bodies_of_tool(std::uint32_t tool) {
   for (const ToolBodies& made : tools_)
     if (made.tool == tool) return &made;
@@ -117,7 +118,7 @@ const MachineWatch::ToolBodies* MachineWatch::bodies_of_tool(std::uint32_t tool)
   const std::size_t group = names_.size();
   for (const ConvexBody& body : shape_of(*geometry).bodies) {
     const auto solid = bodies_.world().add(body);
-    if (!solid) continue;  // FCL has no bodies of zero width
+    if (!solid) continue;  // the collision library FCL cannot represent bodies of zero width
     made.sticks_out = std::max(made.sticks_out, body.top());
     made.bodies.push_back(bodies_.add(*solid, bodies_.links().tool(), BodyKind::tool, group));
     names_.push_back(told_tool(body.part, geometry->number));
@@ -125,8 +126,9 @@ const MachineWatch::ToolBodies* MachineWatch::bodies_of_tool(std::uint32_t tool)
   return &tools_.emplace_back(std::move(made));
 }
 
-/// Determines how far the tip is below the gauge point: by the set-up, else as the control applies the length, now or most recently. If
-/// neither is stated, the work zero counts as set with the tip, and the tool has the length of its file.
+/// Determines the distance from the gauge point down to the tool tip: from the set-up, else from the length that the control applies now
+/// or has applied last. If neither is known, the tool has the length in its file, and the work zero is assumed to have been set with the
+/// tip.
 void MachineWatch::take_tool(const InForce& in_force, std::vector<std::string>& notes) {
   if (std::fabs(in_force.length) > same_length) lengths_in_force_[in_force.tool] = in_force.length;
   const auto real = job_.lengths.find(in_force.tool), reckoned = lengths_in_force_.find(in_force.tool);
@@ -151,7 +153,8 @@ void MachineWatch::take_tool(const InForce& in_force, std::vector<std::string>& 
                        " не указана: считается, что нуль детали задан по его вершине, а станок выше неё на вылет инструмента"));
 }
 
-/// Places blank and fixtures on their link. `reference`: mm by which the point used to set the zero is below the gauge point.
+/// Places blank and fixtures on the link that carries them. `reference`: mm from the gauge point down to the point with which the work
+/// zero was set.
 void MachineWatch::place_work(double reference) {
   if (!zero_) return;
   std::vector<LinkPose>& poses = poses_;
@@ -161,8 +164,8 @@ void MachineWatch::place_work(double reference) {
   for (const std::size_t body : work_) bodies_.put(body, work_on_link_), bodies_.show(body, true);
 }
 
-/// Finds the axis positions at the zero in force: X, Y, Z at the zero, and the axes that turn the part as they were when the zero was
-/// measured.
+/// Computes the machine position at the work zero in force: X, Y, Z at the zero, and the axes that turn the part as they were when the
+/// zero was measured.
 void MachineWatch::find_zero() {
   Axes axes{};
   const Vec3 zero = zero_of(chain_, placement_);
@@ -235,7 +238,8 @@ void MachineWatch::carry_out(const Step& step, const InForce& in_force, std::vec
   };
   if (in_force.known) along_axes_way(step, chord_of_axes, job_.apart, go);
   else go(motion.machine, 1);
-  for (std::size_t i = 0; i < new_ones.size(); ++i) {  // for a motion in many pieces, includes depths after the piece in which they met
+  // if a motion has many pieces, later pieces may deepen a collision found in an earlier piece
+  for (std::size_t i = 0; i < new_ones.size(); ++i) {
     double& depth = found[first_new + i].depth;
     depth = std::max(depth, bodies_.depth(new_ones[i].first, new_ones[i].second, at));
   }

@@ -1,11 +1,11 @@
 #pragma once
-// MachineWatch: executes the steps of a run with the bodies of the machine, and finds which of them meet each other, fixtures, blank or
+// MachineWatch: moves the machine's solid bodies with the steps of a run, and finds collisions between them, and with fixtures, blank and
 // tool.
 //
 //   Step ─▶ positions of the axes, piece by piece ─▶ MovingBodies ─▶ BodyMeeting ─▶ CutFinding (`machine`)
 //
-// What the tool does to blank and fixtures is reported by the cut itself. Steps are kept until the work system of the blank is known,
-// which is at the first motion at feed.
+// The stock reports collisions of the tool with blank and fixtures. Steps are kept until the work system of the blank is known, at the
+// first motion at feed.
 
 #include <functional>
 #include <memory>
@@ -24,24 +24,25 @@ namespace kadr {
 struct WorkBody {
   std::string name;
   BodyShape shape;
-  const Mesh* mesh = nullptr;  // set if it is a file
+  const Mesh* mesh = nullptr;  // set if a mesh file describes the body
 };
 
 class MachineWatch {
  public:
-  /// Reads the file of a machine's body. Returns its mesh, or an error sentence.
+  /// Reads the mesh file of a machine's body. Returns the mesh, or an error sentence.
   using ReadMesh = std::function<tl::expected<Mesh, std::string>(const std::string& file)>;
 
-  /// `axes`: of the channel, in their order.
+  /// `axes`: names of the channel's axes, in their order.
   ///   pre      machine.bodies is not empty
-  ///   returns  an error sentence if the module is missing or a file cannot be read
+  ///   returns  an error sentence if the module for collisions is missing or a file cannot be read
   static tl::expected<std::unique_ptr<MachineWatch>, std::string> of(const MachineProfile& machine, const std::vector<std::string>& axes,
                                                                      const AxisRoles& roles, const CutJob& job,
                                                                      const std::vector<WorkBody>& work, const ReadMesh& read);
 
-  /// Appends what meets in the step, in the order of time; `notes` receives one sentence for each input that is used as it is.
+  /// Appends the collisions during the step to `found`, in the order of time. `notes` receives a sentence for each piece of input that is
+  /// questionable but used unchanged.
   void take(const Step& step, const MachineTime& time, std::vector<CutFinding>& found, std::vector<std::string>& notes);
-  /// Executes the steps that were kept.
+  /// Processes the steps that are still kept.
   void finish(std::vector<CutFinding>& found, std::vector<std::string>& notes);
   const MovingBodies& bodies() const { return bodies_; }
 
@@ -49,9 +50,9 @@ class MachineWatch {
   /// What the control applied during a motion.
   struct InForce {
     std::uint32_t tool = 0;
-    double length = 0;  // of the tool, as the control applies it
+    double length = 0;  // tool length that the control applies
     MachineTime time;
-    bool known = true;  // the start of the motion is known
+    bool known = true;  // the position at the start of the motion is known
   };
   struct KeptMotion {
     KeptStep step;
@@ -60,7 +61,7 @@ class MachineWatch {
   struct ToolBodies {
     std::uint32_t tool = 0;
     std::vector<std::size_t> bodies;
-    double sticks_out = 0;  // length including its holder
+    double sticks_out = 0;  // length of the tool with its holder
   };
   MachineWatch(const MachineTree& tree, BodyWorld world, const MachineProfile& machine, const AxisRoles& roles, const CutJob& job);
   std::optional<std::string> add_bodies(const MachineProfile& machine, const std::vector<WorkBody>& work, const ReadMesh& read);
@@ -78,21 +79,21 @@ class MachineWatch {
   MachineTree tree_;
   MovingBodies bodies_;
   Vec3 tool_direction_;
-  std::vector<std::string> names_;  // by number of the body
-  std::vector<std::size_t> work_;   // bodies fixed in the work system
+  std::vector<std::string> names_;  // names of the bodies, by their numbers
+  std::vector<std::size_t> work_;   // numbers of the bodies fixed in the work system
   std::vector<ToolBodies> tools_;
   std::map<std::uint32_t, double> lengths_in_force_;
-  std::optional<std::pair<std::uint32_t, double>> now_;  // the tool, and its tip position, that the bodies currently represent
+  std::optional<std::pair<std::uint32_t, double>> now_;  // tool number and tool length that the bodies of the tool currently represent
   std::uint32_t tool_;
   AxisMask unknown_ = 0;
   Placement placement_;
   std::vector<KeptMotion> kept_;
-  std::optional<Axes> zero_;  // machine axes at the zero of the blank's work system
-  LinkPose work_on_link_;     // pose of that work system on its link
+  std::optional<Axes> zero_;  // machine position at the zero point of the blank's work system
+  LinkPose work_on_link_;     // pose of the blank's work system on the link that carries it
   Axes stand_{};
   std::vector<LinkPose> poses_;
   std::vector<BodyMeeting> met_;
-  std::vector<std::string> as_built_;  // notes to be reported once
+  std::vector<std::string> as_built_;  // notes that are reported once
   bool told_length_ = false;
 };
 

@@ -1,4 +1,5 @@
-// Reads the description of bodies. Used by cli/cut and view/part_run; tested by tests/session/named_body_test.cpp.
+// Reads descriptions of solids: boxes, cylinders, mesh files. Used by cli/cut and view/part_run; tested by
+// tests/session/named_body_test.cpp.
 
 #include "session/cutting/named_body.h"
 
@@ -16,9 +17,9 @@ namespace kadr {
 namespace {
 
 using Failed = tl::unexpected<std::string>;
-constexpr double farthest = 1e5;  // mm
+constexpr double farthest = 1e5;  // greatest permitted coordinate, mm
 
-/// Reads numbers separated by commas; returns nullopt if there is anything else.
+/// Reads numbers separated by commas. Returns nullopt if the text contains anything else.
 std::optional<std::vector<double>> numbers_of(std::string_view text) {
   std::vector<double> numbers;
   const char* at = text.data();

@@ -1,5 +1,5 @@
 #pragma once
-// Reads bodies that a user describes in words: blanks and fixtures. Used by cli/cut and view/part_run.
+// Reads the solids that a user describes as text: blanks and fixtures. Used by cli/cut and view/part_run.
 
 #include <memory>
 #include <optional>
@@ -15,21 +15,21 @@ namespace kadr {
 
 struct NamedBody {
   std::shared_ptr<const Blank> body;
-  std::vector<std::string> notes;  // what had to be repaired in a file
+  std::vector<std::string> notes;  // sentences about repairs of the mesh file
 };
 
-/// Reads box:X0,Y0,Z0,X1,Y1,Z1, cylinder:X,Y,Z0,Z1,D or the name of a file .stl or .3mf, in mm.
+/// Reads a box (box:X0,Y0,Z0,X1,Y1,Z1), a cylinder (cylinder:X,Y,Z0,Z1,D) or a mesh file (name ends in .stl or .3mf), in mm.
 ///   most_bytes  memory limit for reading a file
 ///   returns     an error sentence
 tl::expected<NamedBody, std::string> body_of(const std::string& text, double most_bytes, const FileDoor* door = nullptr);
 
-/// True if the text names a file, by its ending.
+/// True if the text is the name of a mesh file, judged by its ending.
 bool names_mesh_file(const std::string& text);
 
-/// Returns the shape that the text describes; nullopt if it describes none, or names a file.
+/// Returns the box or cylinder that the text describes; nullopt if it is invalid, or names a file.
 std::optional<BodyShape> shape_of_words(const std::string& text);
 
-/// Reads X0,Y0,Z0,X1,Y1,Z1, mm.
+/// Reads the corners of a window: X0,Y0,Z0,X1,Y1,Z1, mm.
 ///   returns  an error sentence
 tl::expected<Box3, std::string> window_of(const std::string& text);
 

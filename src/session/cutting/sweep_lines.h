@@ -1,8 +1,8 @@
 #pragma once
-// SweepLines: stores the program line of each sweep of the stock. Used by session/cutting/cutting.
+// SweepLines: stores the program line of each sweep of the stock (tool movement along a straight piece). Used by session/cutting/cutting.
 //
-// Mostly each line has one sweep and the lines follow each other, or one line has many sweeps. Sweeps whose lines continue with the same
-// step are stored as one run.
+// Usually each line has one sweep and the lines are consecutive, or one line has many sweeps. Sweeps whose line number grows by a
+// constant step are stored together as one run.
 
 #include <algorithm>
 #include <cstdint>
@@ -14,15 +14,15 @@ class SweepLines {
  public:
   struct Line {
     std::uint32_t line = 0;
-    std::uint16_t file = 0;  // as Origin::file
+    std::uint16_t file = 0;  // number of the file, as Origin::file
     bool operator==(const Line&) const = default;
   };
 
-  /// Assigns the line to all sweeps before `end` that have none yet.
+  /// Assigns the line to all sweeps before number `end` that have no line yet.
   void fill(std::size_t end, Line line) {
     for (; size_ < end; ++size_) add(line);
   }
-  /// pre  fill() has assigned a line to it
+  /// Returns the line of a sweep; fill() must have assigned it.
   Line of(std::size_t sweep) const {
     const auto later = std::upper_bound(runs_.begin(), runs_.end(), sweep, [](std::size_t s, const Run& r) { return s < r.first; });
     return at(*(later - 1), sweep);
@@ -31,7 +31,7 @@ class SweepLines {
 
  private:
   struct Run {
-    std::uint32_t first, line, step;  // first sweep; its line; increment of the line per sweep, modulo 2³²
+    std::uint32_t first, line, step;  // number of the first sweep; its line; growth of the line number per sweep, modulo 2³²
     std::uint16_t file;
   };
   static Line at(const Run& run, std::size_t sweep) { return {run.line + run.step * std::uint32_t(sweep - run.first), run.file}; }
@@ -45,7 +45,7 @@ class SweepLines {
   }
 
   std::size_t size_ = 0;
-  std::deque<Run> runs_;  // ascending
+  std::deque<Run> runs_;  // sorted by first sweep
 };
 
 }  // namespace kadr

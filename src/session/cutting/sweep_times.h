@@ -1,8 +1,8 @@
 #pragma once
-// SweepTimes: stores when each sweep of the stock is executed, so that the number of sweeps at an instant can be looked up. Used by
-// session/cutting/cutting.
+// SweepTimes: stores when each sweep of the stock (tool movement along a straight piece) is executed, and returns how many sweeps are
+// complete at an instant. Used by session/cutting/cutting.
 //
-// Sweeps of one piece of a path take equal times; sweeps of a motion whose pieces take equal times are stored as one run.
+// All sweeps of one piece take equal times. Consecutive sweeps with equal times are stored together as one run.
 
 #include <algorithm>
 #include <cmath>
@@ -12,7 +12,7 @@
 
 namespace kadr {
 
-/// `count` sweeps are executed completely, and `share` of the path of the next one.
+/// Progress at an instant: `count` sweeps are complete, and the share `share` of the path of the next one.
 struct SweepPlace {
   std::size_t count = 0;
   double share = 0;
@@ -20,8 +20,9 @@ struct SweepPlace {
 
 class SweepTimes {
  public:
-  /// States that the sweeps before `end` that have no time yet are executed one after the other, s since the start.
-  ///   pre  begins is not before the end of the last sweep
+  /// Assigns times to the sweeps before number `end` that have none: they fill the time from `begins` to `ends` (s since the start)
+  /// evenly.
+  ///   pre  `begins` is not before the end of the last sweep
   void fill(std::size_t end, double begins, double ends) {
     if (end <= size_) return;
     const double each = (ends - begins) / double(end - size_);
@@ -43,11 +44,11 @@ class SweepTimes {
 
  private:
   struct Run {
-    double begins;        // s
-    std::uint32_t first;  // sweep
-    float each;           // s
+    double begins;        // start time of the first sweep, s
+    std::uint32_t first;  // number of the first sweep
+    float each;           // duration of each sweep, s
   };
-  static constexpr double same_time = 1e-6;  // s
+  static constexpr double same_time = 1e-6;  // s; times that differ less count as equal
 
   bool goes_on(double begins, double each) const {
     if (runs_.empty()) return false;
@@ -57,7 +58,7 @@ class SweepTimes {
   }
 
   std::size_t size_ = 0;
-  std::deque<Run> runs_;  // ascending in both
+  std::deque<Run> runs_;  // sorted by `first` and by `begins`
 };
 
 }  // namespace kadr

@@ -1,5 +1,5 @@
-// Joins passes into threads: consecutive passes along the same path, apart from their depth, are one thread, whatever lines they are in.
-// Used by session/cutting; tested by tests/run_cut.py.
+// Joins the passes of threading tools into threads. Consecutive passes along the same path that differ in depth only are one thread,
+// whichever lines program them. Used by session/cutting; tested by tests/run_cut.py.
 
 #include "session/cutting/thread_cuts.h"
 
@@ -11,7 +11,8 @@
 namespace kadr {
 namespace {
 
-/// True if the tool is farther from the axis than its tip, which is at the signed radius `x`.
+/// True if the insert is farther from the axis of rotation than its tip, so that it cuts an outside thread. `x`: signed radius of the
+/// tip.
 bool cuts_outside(const ToolShape& tool, double x) {
   double beyond = 0;
   for (const InsertBody& body : tool.insert)
@@ -19,9 +20,9 @@ bool cuts_outside(const ToolShape& tool, double x) {
   return beyond * x >= 0;
 }
 
-constexpr double same_place = 0.1;  // mm, if no lead is known
+constexpr double same_place = 0.1;  // mm; distance of passes of the same thread if the thread lead is unknown
 
-/// True if the pass belongs to the thread. A pass that is fed along the flank starts less than a lead away from the pass before.
+/// True if the pass belongs to the thread. A pass that is fed in along the flank starts less than one lead away from the previous pass.
 bool goes_with(const ThreadCut& pass, const ThreadCut& thread) {
   const double apart = std::max(std::fabs(pass.from_z - thread.from_z), std::fabs(pass.to_z - thread.to_z));
   return pass.tool == thread.tool && pass.lead == thread.lead && pass.is_outer == thread.is_outer &&

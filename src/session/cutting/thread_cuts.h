@@ -1,8 +1,9 @@
 #pragma once
 // ThreadCuts: records the threads that turning tools have cut, pass by pass. Used by session/cutting.
 //
-// A helical groove is no ring: the material keeps the cylinder or cone that the thread is cut into, and the thread is reported
-// separately. The holder is moved past the material as on any motion, and the whole tool past fixtures.
+// From a rotating part the stock removes rings, but the groove of a thread is a helix. Therefore the thread is reported separately, and the
+// stock keeps the cylinder or cone that the thread is cut into. The tool holder is checked against the stock, and the whole tool against
+// fixtures, as on any motion.
 
 #include <vector>
 
@@ -12,17 +13,17 @@
 
 namespace kadr {
 
-/// In the half plane of a part that rotates: x is the signed radius of the insert's tip.
+/// A pass of a threading tool in the half plane of a rotating part: x is the signed radius at the tip of the insert.
 struct ThreadPass {
   Origin origin;
-  double lead = 0;  // mm; 0: not stated by the program
+  double lead = 0;  // thread lead, mm; 0: the program does not state it
   Vec3 from, to;
 };
 
 class ThreadCuts {
  public:
   void add(const ThreadPass& pass, const ToolShape& tool);
-  /// The threads, with the crests that the material has now.
+  /// Returns the threads, with crest radii measured on the present stock.
   std::vector<ThreadCut> told(const Stock& stock) const;
 
  private:

@@ -1,4 +1,4 @@
-// ToolWay: turns steps into pieces of the tip's path. Used by session/cutting.
+// ToolWay: converts steps to straight pieces of the path of the tool tip. Used by session/cutting.
 
 #include "session/cutting/tool_way.h"
 
@@ -11,12 +11,12 @@
 namespace kadr {
 namespace {
 
-constexpr int most_pieces = 4096;       // per revolution: chords of 0.1 µm on a radius of 100 m
+constexpr int most_pieces = 4096;       // pieces per revolution: chords accurate to 0.1 µm on a radius of 100 m
 constexpr double same_position = 1e-9;  // mm
-constexpr double reach = 100;           // of a tool, mm: the distance at which a wrong direction has its effect
-constexpr double lean_chord = 5e-4;     // mm: for a tilted tool, whose sweeps are accurate to 2.5 µm (docs/stock.md)
-constexpr double turn_of_chord = 5;     // chords by which the far end may deviate
-constexpr double undivided = 45;        // degrees: a longer rotation may return to its start, so it is always divided
+constexpr double reach = 100;        // mm; assumed distance of the far end of a tool from its tip, where an error of the direction counts
+constexpr double lean_chord = 5e-4;  // mm; tolerance for a tilted tool, whose sweeps are accurate to 2.5 µm (docs/stock.md)
+constexpr double turn_of_chord = 5;  // the far end of the tool may deviate by this many times the tolerance of the tip
+constexpr double undivided = 45;     // degrees; a longer rotation is always divided, since it may end at the direction where it starts
 constexpr int most_depth = 16;
 
 bool has_rotary_axis(const MachineTree& tree) {
@@ -24,7 +24,7 @@ bool has_rotary_axis(const MachineTree& tree) {
   return std::any_of(tree.tool().begin(), tree.tool().end(), turns) || std::any_of(tree.part().begin(), tree.part().end(), turns);
 }
 
-/// Largest rotation of a rotary axis in the step, degrees.
+/// Returns the largest rotation of a rotary axis in the step, degrees.
 double rotary_way(const Step& step) {
   const Motion& motion = *step.motion();
   double most = 0;
@@ -53,7 +53,8 @@ bool ToolWay::turns(const Step& step) const {
   return tree_ != nullptr || (space != nullptr && space->has_rotary());
 }
 
-/// The work system as in its table, without G52 or G92: such a shift is part of the origin or, if that is rotated, separate.
+/// Returns the work system as its table states it, without the shift by G52 or G92. The shift is part of the origin; if the origin is
+/// rotated, it is stored separately.
 Placement ToolWay::without_shift() const {
   Placement plain = placement_;
   plain.shift = {};
@@ -61,7 +62,7 @@ Placement ToolWay::without_shift() const {
   return plain;
 }
 
-/// If the tip is led, the tool length is applied only in the work space.
+/// Returns the tool length that applies to the step. If the control guides the tool tip, the length is applied only in work space.
 double ToolWay::length_on(const Step& step) const {
   const auto* const space = dynamic_cast<const PartSpace*>(step.from.space.get());
   if (space != nullptr && space->has_rotary()) {
@@ -71,8 +72,8 @@ double ToolWay::length_on(const Step& step) const {
   return chain_.tip(placement_.length).z;
 }
 
-/// With rotary axes or a frame in space, the position in the part comes from the work space or the machine's file; else it is the sum of
-/// origin and coordinates.
+/// Returns tip and direction of the tool. With rotary axes or a frame in space they come from work space or from the machine's file; else
+/// the position is the sum of origin and coordinates.
 Pose ToolWay::pose_of(const Step& step, const Axes& work, double part) const {
   const WorkSpace* const space = step.from.space.get();
   if (space != nullptr && space->has_rotary()) {
@@ -97,7 +98,7 @@ Axes ToolWay::axes_at(const Step& step, double part) {
   return machine_along(step.roles, step.from, *step.motion(), work_at(step, part), part);
 }
 
-/// Halves the piece until a tool that moves straight and rotates evenly from end to end is correct in the middle.
+/// Halves the piece until a tool that moves straight and rotates evenly between the ends is correct in the middle of each piece.
 void ToolWay::divide(const Step& step, const WayPiece& p, int depth, std::vector<WayPiece>& pieces) const {
   const double part = (p.begins + p.ends) / 2;
   const Pose middle = pose_at(step, part);
@@ -113,8 +114,8 @@ void ToolWay::divide(const Step& step, const WayPiece& p, int depth, std::vector
   divide(step, {middle.tip, p.to, part, p.ends, middle.direction, p.to_direction}, depth + 1, pieces);
 }
 
-/// Divides a rapid motion with independent axes into pieces from corner to corner. If rotary axes turn tool or part, its path is treated as
-/// a line.
+/// Divides a rapid motion with independent axes into pieces from corner to corner. Returns false if rotary axes turn tool or part: that
+/// path is treated as a straight line.
 bool ToolWay::bent(const Step& step, std::vector<WayPiece>& pieces) const {
   const auto leg = DogLeg::of(step, apart_);
   if (!leg || turns(step)) return false;

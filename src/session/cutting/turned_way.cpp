@@ -1,4 +1,4 @@
-// Converts positions in space to radius and height. Used by session/cutting.
+// Converts positions in space to positions in a half plane through the part's axis. Used by session/cutting.
 
 #include "session/cutting/turned_way.h"
 
@@ -8,12 +8,13 @@
 namespace kadr {
 namespace {
 
-constexpr double in_plane = 1e-6;  // mm of tolerance outside the plane
-constexpr int most_parts = 1000;   // of a piece that passes the axis at a distance
+constexpr double in_plane = 1e-6;  // mm; a path that leaves the plane by less counts as being in it
+constexpr int most_parts = 1000;   // parts into which a piece is divided that passes the axis at a distance
 
 Vec2 flat(Vec3 v) { return {v.x, v.y}; }
 
-/// Number of chords that approximate a hyperbola about the axis: sagitta = length² / (8 nearest).
+/// Returns the number of chords that approximate a path past the axis, whose radius over its length is a hyperbola: sagitta = length² /
+/// (8 · nearest radius).
 int parts_of(Vec2 from, Vec2 to, double chord) {
   const Vec2 way = to - from;
   const double far = length(way), nearest = far > 0 ? std::fabs(cross(from, to)) / far : 0;

@@ -1,6 +1,6 @@
 #pragma once
-// Merges the touches found by the stock of the whole and by the finer stock of a window, so that each touch comes once. Used by
-// session/cutting/cutting.
+// Merges the contacts (touches) that the stock of the whole blank and the finer stock of a window have found, so that each contact is
+// reported once. Used by session/cutting/cutting.
 
 #include <vector>
 
@@ -10,10 +10,10 @@ namespace kadr {
 
 bool lies_within(const Box3& inner, const Box3& outer);
 
-/// Inside the window the touches of the window count, outside it those of the whole. A touch that crosses a face of the window becomes
-/// one: the box around both, with the volume of the whole. Rings surround the axis, so those of the whole count too.
-///   whole, fine  of the same sweeps, in their order, one per sweep and tool part
-///   returns      in the same order
+/// Inside the window the window's contacts are used, outside it those of the whole. A contact that crosses a face of the window becomes
+/// one contact: with the box around both, and the volume of the whole. Rings around the axis are taken from the whole too.
+///   whole, fine  contacts of the same sweeps, sorted by sweep; at most one per sweep and tool part
+///   returns      the merged contacts, sorted in the same way
 std::vector<Touch> finer_touches(const Box3& window, const std::vector<Touch>& whole, const std::vector<Touch>& fine);
 
 }  // namespace kadr

@@ -1,4 +1,4 @@
-// Reports on a milled area. Used by cli/mill, view/page_making; tested by tests/mill.py, tests/serve_making.py.
+// Describes a milled area for the user. Used by cli/mill, view/page_making; tested by tests/mill.py, tests/serve_making.py.
 
 #include "session/milling/mill_summary.h"
 
@@ -18,7 +18,7 @@ std::string text_of_line(std::string_view text, std::uint32_t number) {
     if (end == std::string_view::npos) return {};
     text.remove_prefix(end + 1);
   }
-  constexpr std::size_t longest = 200;  // bytes shown
+  constexpr std::size_t longest = 200;  // bytes of a line of the drawing that a message shows
   std::string_view line = text.substr(0, std::min(text.find_first_of("\r\n"), longest));
   std::string utf8;
   return append_utf8(line, Encoding::utf8, utf8) ? utf8 : std::string();
@@ -66,8 +66,8 @@ class MillSummary {
   const char* mm() const { return word("mm", "мм"); }
   void line(const char* en, const char* russian, std::string value) { lines_.push_back({word(en, russian), std::move(value)}); }
 
-  /// INFERRED, as spec/correctors 4 only names the four types: half-open has its walls in one segment of the outline; combined has walls
-  /// and open sides alternately, or walls around islands in an outline with open sides.
+  /// Returns the type of the area. INFERRED, as spec/correctors 4 only names the four types: a half-open area has all its walls in one
+  /// segment of the outline; a combined area has walls and open sides alternately, or islands in an outline with open sides.
   std::string zone_text() const {
     std::size_t islands = 0, walls = 0, open = 0, stretches = 0;
     for (const area::Zone& zone : milled_.shape.zones) {
@@ -88,7 +88,7 @@ class MillSummary {
     return fmt::format("{}; {}: {}", kind, word("islands", "островков"), islands);
   }
 
-  /// How the tool enters uncut material. Straight plunges are mentioned, since not every tool cuts over its centre.
+  /// Describes how the tool enters uncut material. Straight plunges are mentioned, since not every tool can cut at its centre.
   std::string plunge_text(const area::Plunges& p) const {
     std::string text;
     const auto add = [&](std::size_t count, const char* en, const char* russian) {

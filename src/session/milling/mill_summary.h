@@ -1,5 +1,6 @@
 #pragma once
-// Reports on a milled area: lines, the warning about holes, the location of a fault in the drawing, the picture.
+// Describes a milled area for the user: the lines of the summary, the warning about plunge holes, the location of a fault in the drawing,
+// the picture.
 
 #include <string>
 #include <vector>
@@ -15,16 +16,17 @@ struct MillLine {
   std::string name, value;
 };
 
-/// Zone, scheme, path, wall, remaining stock, plunges, holes to be drilled, the program.
+/// Returns the lines of the summary: area, milling scheme, path, wall, remaining stock, plunges, holes to be drilled, the program.
 std::vector<MillLine> mill_summary(const Milled& milled, Lang lang);
 
-/// Warns of holes without which the tool breaks; empty if there are none. Displayed even if no summary is requested.
+/// Returns a warning of holes that must be drilled first, or the tool breaks; empty if none are needed. It is displayed even if no
+/// summary is requested.
 std::string warning_of_holes(const Milled& milled, Lang lang);
 
-/// Describes a fault with its line of the drawing; `file` is the name of the drawing.
+/// Describes a fault, with its line of the drawing. `file`: name of the drawing.
 AlarmReport report_of(const ContourFault& fault, std::string_view drawing, const std::string& file);
 
-/// The picture refers to `milled`, which must outlive it.
+/// Creates the picture. It refers to `milled`, which must outlive it.
 MillPicture mill_picture(const Milled& milled, const ControlDef& def, const std::string& title, Lang lang);
 
 }  // namespace kadr

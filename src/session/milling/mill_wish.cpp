@@ -1,4 +1,4 @@
-// Translates the words of a milling request into a job of path/area. Used by session/milling, cli/mill_command, view/page_making; tested by
+// Translates a user's request for milling into a job of path/area. Used by session/milling, cli/mill_command, view/page_making; tested by
 // tests/mill.py, tests/serve_making.py.
 
 #include "session/milling/mill_wish.h"
@@ -17,9 +17,10 @@ using area::Direction;
 using area::Plunge;
 using area::Scheme;
 
-constexpr double most_stepover = 100;  // % of the diameter: above it ridges remain
+constexpr double most_stepover = 100;  // % of the tool diameter; with a larger stepover, ridges remain
 
-/// A name as a user writes it, as printed in the source, and the latter in lower case. Blanks inside a name are ignored.
+/// A name in three forms: as a user writes it, as printed in the Russian source, and as printed but in lower case. Blanks inside a name
+/// are ignored.
 template <class T>
 struct Name {
   std::string_view name, source, small;
@@ -68,7 +69,7 @@ std::vector<std::string> names_of(const Name<T> (&names)[n]) {
   return list;
 }
 
-/// Finds a scheme, and the direction if the name ends with one, as printed: СПИР ПЧС, АСПИР ЧС.
+/// Finds a milling scheme by name. A printed name may end with a direction, which is stored too: СПИР ПЧС, АСПИР ЧС.
 bool find_scheme(std::string_view text, Scheme& scheme, std::optional<Direction>& direction) {
   if (find(schemes, text, scheme)) return true;
   for (const Name<Direction>& name : directions)
@@ -80,10 +81,10 @@ bool find_scheme(std::string_view text, Scheme& scheme, std::optional<Direction>
   return false;
 }
 
-/// The direction of climb milling: the uncut material is on the right.
+/// Returns the direction of climb milling, with the uncut material on the right of the tool.
 Direction climb(Scheme scheme) { return scheme == Scheme::spiral_in ? Direction::cw : Direction::ccw; }
 
-/// Stepover in mm.
+/// Returns the stepover in mm.
 Result<double> step_of(const MillWish& o) {
   const std::string text = !o.stepover.empty() ? o.stepover : o.task == "face" ? "70%" : "50%";
   char* end = nullptr;

@@ -1,4 +1,4 @@
-// Turns a drawing into a program. Used by cli/mill, view/page_making; tested by tests/mill.py, tests/session/milling_test.cpp.
+// Converts a drawing to a program. Used by cli/mill, view/page_making; tested by tests/mill.py, tests/session/milling_test.cpp.
 
 #include "session/milling/milling.h"
 
@@ -49,7 +49,7 @@ Technology technology_of(const MillWish& wish) {
   return technology;
 }
 
-/// Writes the program; the control's interpreter reads its path back, which is verified like the first one.
+/// Writes the program. Then the control's interpreter reads the program back, and the resulting path is verified like the original one.
 Result<PartProgram> written_program(const MillWish& wish, const ControlDef& def, const area::Verified& path, const MillShape& shape,
                                     const area::Job& job) {
   auto program = part_program(def, path.path.moves, technology_of(wish));

@@ -1,5 +1,5 @@
 #pragma once
-// Turns a drawing into a program: contour → path, verified → program → read back by the control itself, verified again
+// Converts a drawing to a program: contour → path, which is verified → program, which the control reads back and which is verified again
 // (docs/commands/mill.md).
 
 #include <string_view>
@@ -14,7 +14,7 @@
 
 namespace kadr {
 
-/// What is milled: zones, or lines that the tool follows.
+/// What is to be milled: areas, or lines that the tool follows.
 struct MillShape {
   std::vector<area::Zone> zones;
   std::vector<Edges> lines;
@@ -27,9 +27,9 @@ struct Milled {
   PartProgram program;
 };
 
-/// Performs all steps. `watch`: for a caller that waits and may interrupt.
-///   drawing  DXF, SVG or text, detected by content
-///   returns  a fault with its line of the drawing; line 0: it concerns the job as a whole
+/// Performs all steps. `watch`: shows the progress to the caller, which may interrupt the work.
+///   drawing  text of the drawing: DXF, SVG or plain text, detected by content
+///   returns  a fault with its line of the drawing; line 0: the fault concerns the job as a whole
 ///   alarms   those of mill_job(), read_contour(), area::chained(), area::zones_of(), area::verified_path(), part_program(), same_moves(),
 ///            interrupted
 tl::expected<Milled, ContourFault> milled(const MillWish& wish, std::string_view drawing, const ControlDef& def,
