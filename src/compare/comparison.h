@@ -63,21 +63,20 @@ struct CourseDifference {
 
 struct Comparison {
   bool cancelled = false;
-  double greatest = 0;                              // greatest distance where both follow the same path, mm
-  std::size_t moves_a = 0, moves_b = 0;             // number of blocks that move axes
-  std::vector<std::string> axes;                    // axis names
-  std::vector<CourseDifference> differences;        // in the order of the programs
-  std::size_t more = 0;                             // number of differences that are not listed
-  std::optional<AlarmReport> stopped_a, stopped_b;  // the alarm that stopped the program; what would follow is not compared
-  std::vector<std::string> read_a, read_b;          // names of the files that the program called
-  std::map<std::uint16_t, std::string> files_a{},
-      files_b{};                       // names by Origin::file of the files in segments, except the programs themselves
-  Vec3 zero;                           // origin of the work system of the first cut, in machine coordinates
-  std::size_t passed_messages = 0;     // messages of a that the rules exclude from the comparison
-  std::size_t passed_exact_stops = 0;  // exact stops of a that were not compared, because b's control has none
-  bool feeds_at_speed = false;         // at least one feed was equal only by CompareRules::feeds_at_speed
-  bool feeds_rounded = false;          // at least one feed was equal only by CompareRules::feed_step
-  bool lost = false;                   // after the last difference no common position was found
+  double greatest = 0;                                        // greatest distance where both follow the same path, mm
+  std::size_t moves_a = 0, moves_b = 0;                       // number of blocks that move axes
+  std::vector<std::string> axes;                              // axis names
+  std::vector<CourseDifference> differences;                  // in the order of the programs
+  std::size_t more = 0;                                       // number of differences that are not listed
+  std::optional<AlarmReport> stopped_a, stopped_b;            // the alarm that stopped the program; what would follow is not compared
+  std::vector<std::string> read_a, read_b;                    // names of the files that the program called
+  std::map<std::uint16_t, std::string> files_a{}, files_b{};  // names of called files in segments, by Origin::file
+  Vec3 zero;                                                  // origin of the work system of the first cut, in machine coordinates
+  std::size_t passed_messages = 0;                            // messages of a that the rules exclude from the comparison
+  std::size_t passed_exact_stops = 0;                         // exact stops of a that were not compared, because b's control has none
+  bool feeds_at_speed = false;                                // at least one feed was equal only by CompareRules::feeds_at_speed
+  bool feeds_rounded = false;                                 // at least one feed was equal only by CompareRules::feed_step
+  bool lost = false;                                          // after the last difference no common position was found
 
   bool equal() const { return !cancelled && differences.empty(); }
 };

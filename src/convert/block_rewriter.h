@@ -86,7 +86,7 @@ class BlockRewriter {
   bool motion_is_cycle_ = false;
   struct Stops {
     bool by_block = false,
-         by_mode = false;  // the target control has only exact stop per block (G9), or only as a mode (G61)
+         by_mode = false;  // the target control has only exact stop per block, or only as a mode
     bool is_mode = false;  // exact stop mode is in force in the source text
     bool goes_on = false;  // the mode ends after this block
   } stops_;
