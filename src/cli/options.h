@@ -28,14 +28,14 @@ struct Options {
   double rate = 1000;                          // rate of the samples, Hz
   double max_time = SampleOptions{}.max_time;  // end of the samples, s
   std::vector<OverrideChange> overrides;
-  std::string colour;      // colour of the plot by speed or limit; empty: by the type of motion
-  std::string plot_speed;  // file, .svg or .png
-  bool why = false;        // print the program lines that lose most time
-  bool json = false;       // print the summary as JSON; then nothing else is on standard output
-  std::string files;       // folder for files that the program writes; empty: it writes none
-  std::string state;       // file with the data that survives power-off; empty: none is kept
-  std::string lang;        // "ru", "en"; empty: by the environment variable LANG
-  // options of check
+  std::string colour;                    // colour of the plot by speed or limit; empty: by the type of motion
+  std::string plot_speed;                // file, .svg or .png
+  bool why = false;                      // print the program lines that lose most time
+  bool json = false;                     // print the summary as JSON; then nothing else is on standard output
+  std::string files;                     // folder for files that the program writes; empty: it writes none
+  std::string state;                     // file with the data that survives power-off; empty: none is kept
+  std::string lang;                      // "ru", "en"; empty: by the environment variable LANG
+                                         // options of check
   std::string format = "text";           // text, json, sarif
   std::string output;                    // output file of the findings; empty: text to stderr, other formats to stdout
   std::string baseline;                  // file with known findings, as --format json writes it
@@ -95,9 +95,8 @@ struct DiffOptions {
   std::string control_a, control_b, setup_a, setup_b;
   double tolerance = 0.001;  // mm
   bool all = false;          // print all differences instead of the first one
-  bool no_messages = false, tools_by_hand = false, feeds_at_speed = false,
-       feeds_rounded = false;  // rules of kadr convert: CompareRules
-  std::string plot;            // file, .svg or .png
+  bool no_messages = false, tools_by_hand = false, feeds_at_speed = false, feeds_rounded = false;  // rules of kadr convert: CompareRules
+  std::string plot;                                                                                // file, .svg or .png
 };
 int diff(const DiffOptions& options);
 

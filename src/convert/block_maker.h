@@ -90,8 +90,7 @@ class BlockMaker {
   std::string words_, comment_;
   std::string line_;  // a member so that its memory is reused
   std::uint32_t wanted_number_ = 0, last_number_ = 0;
-  std::uint32_t section_ = 0,
-                number_before_ = 0;  // number of the subprogram, 0: none; last block number before it
+  std::uint32_t section_ = 0, number_before_ = 0;  // number of the subprogram, 0: none; last block number before it
   std::uint8_t skip_ = 0;
   std::size_t blocks_ = 0;
 };

@@ -85,10 +85,9 @@ class BlockRewriter {
   const CodeRow* motion_ = nullptr;  // motion code in force in the source text
   bool motion_is_cycle_ = false;
   struct Stops {
-    bool by_block = false,
-         by_mode = false;  // the target control has only exact stop per block, or only as a mode
-    bool is_mode = false;  // exact stop mode is in force in the source text
-    bool goes_on = false;  // the mode ends after this block
+    bool by_block = false, by_mode = false;  // the target control has only exact stop per block, or only as a mode
+    bool is_mode = false;                    // exact stop mode is in force in the source text
+    bool goes_on = false;                    // the mode ends after this block
   } stops_;
   bool is_metric_ = false;  // the target control reads mm only
   bool is_inch_ = false, in_section_ = false;

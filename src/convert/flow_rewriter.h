@@ -50,10 +50,9 @@ class FlowRewriter {
   Status call_in_section(const std::string& label, std::uint32_t times, BlockMaker& out);
   struct Open {
     OWord word;
-    int loop = 0;                // m of the macro statement DOm
-    std::uint32_t variable = 0;  // number of the variable that counts the repetitions
-    std::uint32_t next = 0,
-                  over = 0;  // N of the next branch or repetition; N of the block after the loop; 0: not needed yet
+    int loop = 0;                      // m of the macro statement DOm
+    std::uint32_t variable = 0;        // number of the variable that counts the repetitions
+    std::uint32_t next = 0, over = 0;  // N of the next branch or repetition; N of the block after the loop; 0: not needed yet
   };
   Status begin_loop(Open open, std::string_view condition, BlockMaker& out);
   Status branch(OWord word, std::string_view condition, BlockMaker& out);

@@ -92,8 +92,7 @@ class Words {
   const WordFormat& format_;
   char letter_;
   int more_;
-  bool
-      counts_;  // in some modes a number without decimal point counts increments (spec/haas 1.2, spec/fanuc 1.3: in inches, per revolution)
+  bool counts_;  // without decimal point: counts increments in some modes (spec/haas 1.2, spec/fanuc 1.3: in inches, per revolution)
   int decimals_;
   double increment_, most_;  // value of the last digit; greatest number of such units that the format can write
 };
