@@ -118,7 +118,7 @@ class RunExtents {
   AxisRoles roles_;
   std::vector<std::string> axes_;
   std::vector<SystemExtents> systems_;
-  std::size_t now_ = 0;              // the reach that includes the tool's position: 2 × system index, + 1 if cutting
+  std::size_t now_ = 0;              // index of the work system in force
   std::size_t stands_in_ = nowhere;  // the reach that includes the tool's position: 2 × system index, + 1 if cutting
   AxisMask turned_ = 0;              // rotary axes that have moved
   MotionUnits units_;
