@@ -1,5 +1,5 @@
-// kadr setup: writes a set-up to be filled in, with just what a program uses. The interpreter determines what that is: the program is
-// executed past its faults, as by `kadr check`. Its comments are only used to propose figures.
+// kadr setup: writes a set-up for the user to complete, with only the keys that a program uses. To find them, the interpreter executes
+// the program and continues after its faults, as `kadr check` does. The comments of the program are only used to suggest values.
 
 #include <fmt/core.h>
 #include <sys/stat.h>
@@ -97,7 +97,7 @@ class TemplateMaker {
     const std::string name = std::to_string(use.number);
     auto row = std::find_if(made_.offsets.begin(), made_.offsets.end(), [&](const SetupTemplate::Row& r) { return r.name == name; });
     if (row == made_.offsets.end()) row = made_.offsets.insert(made_.offsets.end(), {name, {}});
-    if (std::any_of(row->cells.begin(), row->cells.end(), [&](const auto& cell) { return cell.first == what; })) return;  // by another tool
+    if (std::any_of(row->cells.begin(), row->cells.end(), [&](const auto& cell) { return cell.first == what; })) return;  // added by another tool
     const std::string tool = use.tool != 0 ? fmt::format("T{}, ", use.tool) : "";
     const bool is_radius = std::string_view(what) == "radius";
     const auto proposal = is_radius && use.tool != 0 ? proposal_for(use.tool) : std::nullopt;
@@ -129,14 +129,14 @@ class TemplateMaker {
     say(fmt::format("{}: {}; fill in", used.key, place(use.origin)), fmt::format("{}: {}; впишите", used.key, place(use.origin)));
   }
 
-  /// Returns the line of the block that calls the tool; 0: it is in another file.
+/// Returns the line of the block that calls the tool; 0: it is in another file.
   std::uint32_t called_at(std::uint32_t tool) const {
     const auto use = tools_.find(tool);
     return use == tools_.end() || use->second.origin.file != 0 ? 0 : use->second.origin.line;
   }
   std::optional<ToolProposal> proposal_for(std::uint32_t tool) const { return proposals_.of(tool, called_at(tool)); }
 
-  /// Returns, for a tool without a proposed size, the comment that mentions it.
+/// Returns, for a tool without a proposed size, the comment that mentions it.
   std::string not_sure(std::uint32_t tool) const {
     const auto comment = tool == 0 ? std::nullopt : proposals_.unsure(tool, called_at(tool));
     if (!comment) return {};
@@ -156,7 +156,7 @@ class TemplateMaker {
           fmt::format("T{}: {}{}", tool, place(use.origin), not_sure(tool)));
   }
 
-  /// True if the line has a block, and not only the number of the program.
+/// True if the line has a block, and not only the number of the program.
   static bool holds_block(const std::string& text) {
     const std::string rest = without_comments(text);
     if (rest.empty() || rest[0] == '%') return false;
@@ -164,7 +164,7 @@ class TemplateMaker {
     return !is_name;
   }
 
-  /// Reports the lines that no jump and no condition led to.
+/// Reports the line ranges that were not executed, since no jump or condition led to them.
   void tell_branches() {
     std::vector<std::pair<std::uint32_t, std::uint32_t>> ranges;
     bool open = false;
@@ -200,7 +200,7 @@ class TemplateMaker {
   SetupTemplate made_;
 };
 
-/// Returns a tools file to be filled in with the tools that the program uses.
+/// Returns a tools file for the user to complete, with the tools that the program uses.
 std::string tools_text(const Job& job, const Control& control, const MotionUnits& moved) {
   const ToolProposals proposals(lines_of(control), comments_in_inches(control, moved));
   ToolsTemplate made{std::filesystem::path(job.file).filename().string(), job.lang, {}};
@@ -217,7 +217,7 @@ std::string tools_text(const Job& job, const Control& control, const MotionUnits
   return tools_template_text(made);
 }
 
-/// Executes the program past its faults, a limited number of blocks.
+/// Executes a limited number of blocks of the program, continuing after faults.
 CarriedOut carry_out_past_faults(Session& session) {
   CarriedOut done;
   Outlets& outlets = session.outlets();
@@ -231,12 +231,12 @@ CarriedOut carry_out_past_faults(Session& session) {
     if (!fatal) ++done.faults;
     return !fatal && done.faults < gives_up_at;
   };
-  session.control().set_waiting(Control::Waiting::pass);  // the programs of the other channels are not here
+  session.control().set_waiting(Control::Waiting::pass);  // the other channels' programs are missing
   (void)session.run();
   return done;
 }
 
-/// Refuses to overwrite an existing file. Complains on errors.
+/// Refuses to overwrite an existing file; prints an error then.
 bool may_write(const Outputs& outputs, const std::string& name) {
   struct stat there {};
   if (name.empty() || name == "-" || ::lstat(name.c_str(), &there) != 0) return outputs.check();
