@@ -97,7 +97,7 @@ class TemplateMaker {
     const std::string name = std::to_string(use.number);
     auto row = std::find_if(made_.offsets.begin(), made_.offsets.end(), [&](const SetupTemplate::Row& r) { return r.name == name; });
     if (row == made_.offsets.end()) row = made_.offsets.insert(made_.offsets.end(), {name, {}});
-    if (std::any_of(row->cells.begin(), row->cells.end(), [&](const auto& cell) { return cell.first == what; })) return;  // added by another tool
+    if (std::any_of(row->cells.begin(), row->cells.end(), [&](const auto& cell) { return cell.first == what; })) return;  // by another tool
     const std::string tool = use.tool != 0 ? fmt::format("T{}, ", use.tool) : "";
     const bool is_radius = std::string_view(what) == "radius";
     const auto proposal = is_radius && use.tool != 0 ? proposal_for(use.tool) : std::nullopt;
@@ -129,14 +129,14 @@ class TemplateMaker {
     say(fmt::format("{}: {}; fill in", used.key, place(use.origin)), fmt::format("{}: {}; впишите", used.key, place(use.origin)));
   }
 
-/// Returns the line of the block that calls the tool; 0: it is in another file.
+  /// Returns the line of the block that calls the tool; 0: it is in another file.
   std::uint32_t called_at(std::uint32_t tool) const {
     const auto use = tools_.find(tool);
     return use == tools_.end() || use->second.origin.file != 0 ? 0 : use->second.origin.line;
   }
   std::optional<ToolProposal> proposal_for(std::uint32_t tool) const { return proposals_.of(tool, called_at(tool)); }
 
-/// Returns, for a tool without a proposed size, the comment that mentions it.
+  /// Returns, for a tool without a proposed size, the comment that mentions it.
   std::string not_sure(std::uint32_t tool) const {
     const auto comment = tool == 0 ? std::nullopt : proposals_.unsure(tool, called_at(tool));
     if (!comment) return {};
@@ -156,7 +156,7 @@ class TemplateMaker {
           fmt::format("T{}: {}{}", tool, place(use.origin), not_sure(tool)));
   }
 
-/// True if the line has a block, and not only the number of the program.
+  /// True if the line has a block, and not only the number of the program.
   static bool holds_block(const std::string& text) {
     const std::string rest = without_comments(text);
     if (rest.empty() || rest[0] == '%') return false;
@@ -164,7 +164,7 @@ class TemplateMaker {
     return !is_name;
   }
 
-/// Reports the line ranges that were not executed, since no jump or condition led to them.
+  /// Reports the line ranges that were not executed, since no jump or condition led to them.
   void tell_branches() {
     std::vector<std::pair<std::uint32_t, std::uint32_t>> ranges;
     bool open = false;
