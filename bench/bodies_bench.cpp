@@ -1,5 +1,5 @@
-// Measures motions per second with the bodies of a machine: eleven bodies, the nose of the spindle at a given distance in mm above the jaws
-// of a vise, over a surface in steps of half a millimetre; with three axes, and with five of which two rock.
+// Measures motions per second with collision checks of a machine's eleven solid bodies. The spindle nose moves at a given distance (mm)
+// above the jaws of a vise, over a surface in steps of 0.5 mm; with three axes, and with five, of which two swing to and fro.
 
 #include <benchmark/benchmark.h>
 
@@ -11,7 +11,7 @@ namespace kadr {
 namespace {
 
 constexpr int motions = 100'000, row_length = 200;
-constexpr double jaws = -330;  // Z of their top
+constexpr double jaws = -330;  // Z of the top of the jaws
 
 BodyShape box(Vec3 least, Vec3 most) { return {BodyShape::Form::box, least, most, {}, 0, 0, 0, {}}; }
 BodyShape cylinder(double bottom, double top, double diameter) {
@@ -51,7 +51,7 @@ MovingBodies bodies_of_mill(bool five) {
   return bodies;
 }
 
-/// Position along rows, up and down by a millimetre; A rocks by 5 degrees, C by 20.
+/// Returns the i-th position: along rows, up and down by 1 mm; with five axes A swings by 5 degrees, C by 20.
 Axes place(int i, double clear, bool five) {
   const int row = i / row_length, column = i % row_length;
   Axes axes{};

@@ -1,5 +1,5 @@
-// Measures compensated motions per second: the stage of cutter radius compensation alone, on a contour of lines and tangent arcs like the
-// load program comp_200k.
+// Measures the compensated motions per second of the cutter compensation stage alone, on a contour of lines and tangent arcs like that of
+// the load program comp_200k.
 
 #include <benchmark/benchmark.h>
 
@@ -27,7 +27,8 @@ Motion motion(MotionKind kind, Vec2 to, Vec2 center = {}, double turns = 0) {
   return m;
 }
 
-/// Returns a contour: right, a quarter circle to the left, up, a quarter circle to the right, all tangential; with `corners` the arcs
+/// Returns a contour: right, a quarter circle to the left, up, a quarter circle to the right, all tangential. With `corners` chords
+/// replace the arcs.
 /// become chords.
 std::vector<Motion> contour(bool corners) {
   std::vector<Motion> all{motion(MotionKind::feed, {20, 0})};

@@ -1,4 +1,4 @@
-// Measures blocks per second of single stages: reading lines, lexing, interpreting.
+// Measures the blocks per second of single stages: reading lines, lexing, interpreting.
 
 #include <benchmark/benchmark.h>
 
@@ -14,7 +14,7 @@ namespace {
 
 constexpr int lines = 100'000;
 
-/// Returns a zigzag over a surface, like the load program surf_1m.
+/// Returns a program that moves in a zigzag over a surface, like the load program surf_1m.
 std::string surface() {
   std::string text = "G21 G90 G17\nG1 X0 Y0 Z0 F3000\n";
   char line[64];

@@ -1,5 +1,5 @@
-// Measures NearestTriangle: the part is the surface of a ball-milled block, and a million points on it or near it are looked up. `kadr cut
-// --part` does this for each point of the surface that it has cut.
+// Measures NearestTriangle: looks up a million points on or near the surface of a ball-milled block. `kadr cut --part` does this for each
+// point of the surface that it has cut.
 //
 //   build/bench/bench/kadr_bench --benchmark_filter=Nearest
 
@@ -13,11 +13,11 @@ namespace {
 
 using namespace kadr;
 
-constexpr std::uint32_t points_along = 695;  // 964,664 triangles
+constexpr std::uint32_t points_along = 695;  // points along each side of the mesh: 964,664 triangles
 constexpr std::size_t questions = 1'000'000;
-constexpr double off = 0.01;  // mm, up or down
+constexpr double off = 0.01;  // distance of the points from the surface, mm, up or down
 
-/// Returns grooves next to each other, over 100 by 100 mm.
+/// Returns the mesh of parallel ball-milled grooves on 100 × 100 mm.
 Mesh milled() {
   Mesh mesh;
   const double step = 100.0 / (points_along - 1);

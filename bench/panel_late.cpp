@@ -1,10 +1,12 @@
-// Measures how late the servo clock of a machine at its panel comes, compared with two idle loops of the same period in the same process.
-// The two loops do the same, so the difference between them shows how much the figure means on this machine.
+// Measures the greatest lateness of the servo clock of a machine that a web page operates, compared with two idle loops of the same
+// period in the same process. Both loops do the same, so the difference between them shows how reliable the measurement is on this
+// computer.
 //
 //     build/bench/bench/panel_late [SECONDS=60]
 //
-// The machine runs in circles of short segments; another thread requests its state 60 times a second, as a page does. Prints the greatest
-// lateness of each in ms, every ten seconds and at the end. Exit status 1: the clock is later than both idle loops, and by more than 1 ms.
+// The machine follows circles of short segments; another thread requests its state 60 times a second, as the web page does. Prints the
+// greatest lateness of the clock and of each loop in ms, every ten seconds and at the end. Exit status 1: the clock is later than both
+// idle loops, by more than 1 ms.
 
 #include <fmt/core.h>
 
@@ -24,7 +26,7 @@ using Clock = std::chrono::steady_clock;
 
 double since(Clock::time_point then) { return std::chrono::duration<double>(Clock::now() - then).count(); }
 
-/// A program of circles of 400 segments that runs as long as anybody looks.
+/// Returns a program of circles of 400 segments each, which does not end before the measurement does.
 std::string rounds() {
   std::string text = "G21 G90 G94 G17\nG0 X30 Y0 Z0\nM98 P7 L100000\nM30\nO7\n";
   for (int i = 1; i <= 400; ++i) {
@@ -34,7 +36,7 @@ std::string rounds() {
   return text + "M99\n";
 }
 
-/// A loop that only sleeps to its next instant, and its greatest lateness, s.
+/// A loop that only sleeps until its next instant, and records its greatest lateness, s.
 class IdleLoop {
  public:
   ~IdleLoop() {

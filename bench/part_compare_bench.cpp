@@ -1,5 +1,5 @@
-// Measures what `kadr cut --part` does once the part is cut: compares a million points of a ball-milled surface, and the material beneath,
-// with a part of a million triangles.
+// Measures the comparison of `kadr cut --part` after the part is cut: a million points of a ball-milled surface, and the material below
+// it, are compared with a target part of a million triangles.
 //
 //   build/bench/bench/kadr_bench --benchmark_filter=Part
 
@@ -16,7 +16,7 @@ using namespace kadr;
 
 constexpr double side = 100;                            // mm
 constexpr double part_cell = 0.25, finer_cell = 0.167;  // mm: give 482,000 points with two triangles each, and a million points
-constexpr double step = 0.5, off = 0.004;               // mm: between rows; by how much the cut surface is higher than the part
+constexpr double step = 0.5, off = 0.004;               // mm: distance between rows; height of the cut surface above the target part
 
 double height(double x, double y) { return -8 + 4 * std::sin(x / 9) * std::cos(y / 13); }
 

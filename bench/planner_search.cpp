@@ -1,12 +1,14 @@
-// Measures how fast the planner of least time is by itself, and checks whether its plans keep tolerance and limits: at every micrometre of
-// the path by a search for the nearest point that has no knowledge of how the path was rounded, and at the instants of two clocks.
+// Measures the speed of the planner of least time alone, and checks that its plans keep the path tolerance and the axis limits. The
+// distance from the path is checked at every micrometre, by a search for the nearest point that does not use the planner's rounding of
+// corners; the limits are checked at the instants of two clocks.
 //
 //     build/bench/bench/planner_search PROGRAM... [--tolerance 0.01] [--times 5] [--fast]
 //
-// Programs of the control mach3 with lines and arcs; limits 200 mm/s, 1000 mm/s², 20,000 mm/s³ for each axis. Arcs are passed to the
-// planner as chords within 0.0004 mm, and searched as chords within 0.00001 mm. Prints for each program: pieces; µs of processor time per
-// piece on one thread; µs of wall time per piece with smoothing in parallel; cycle time; the greatest distance from the path, as a share of
-// the tolerance of the motions around, and in mm; the greatest share of a limit at 1 kHz and 20 kHz. --fast: no search.
+// The programs are for the control mach3, with lines and arcs; the limits are 200 mm/s, 1000 mm/s², 20,000 mm/s³ for each axis. The
+// planner gets arcs as chords within 0.0004 mm; the search uses chords within 0.00001 mm. Prints for each program: number of straight
+// segments; µs of processor time per segment on one thread; µs of elapsed time per segment with smoothing in parallel; cycle time;
+// greatest distance from the path in mm, and as a share of the tolerance of the motions there; greatest share of a limit at 1 kHz and 20
+// kHz. --fast: no search.
 
 #include <fmt/core.h>
 
@@ -35,14 +37,14 @@ using Point = std::array<double, 3>;
 
 struct Piece {
   Point to;
-  double feed, tolerance;  // mm/s; of the corner at its beginning, mm, 0: stop there
+  double feed, tolerance;  // mm/s; mm, tolerance of the corner at its start, 0: stop there
   bool on_curve;
 };
 
-/// The straight pieces that are searched, each with the tolerance that applies around it.
+/// The straight segments that are searched, each with the path tolerance in its neighbourhood.
 struct Ideal {
   std::vector<Point> points;
-  std::vector<double> tolerance;  // of the piece that ends at each point, mm
+  std::vector<double> tolerance;  // tolerance of the segment that ends at each point, mm
 };
 
 struct Program {
@@ -53,7 +55,7 @@ struct Program {
 
 Point point_of(const kadr::Axes& axes) { return {axes[0], axes[1], axes[2]}; }
 
-/// Turns motions into pieces as they come.
+/// Converts motions to straight segments as they arrive.
 class Reader {
  public:
   explicit Reader(double tolerance) : tolerance_(tolerance) {}
@@ -63,7 +65,7 @@ class Reader {
       if (step.pause > 0) stands_ = true;
       return;
     }
-    constexpr double searched = 1e-5, planned = 0.04;  // mm; share of the tolerance
+    constexpr double searched = 1e-5, planned = 0.04;  // chord error: mm in the search; share of the tolerance in the plan
     const kadr::MachinePath path(step);
     if (program_.ideal.points.empty()) program_.ideal = {{program_.start = point_of(path.start())}, {0}};
     const double tolerance = motion->tolerance > 0 ? motion->tolerance : tolerance_;
@@ -116,7 +118,7 @@ Program read(const std::string& file, const kadr::MotionLimits& limits, double t
   return reader.program();
 }
 
-/// Plans the program.
+/// Plans the program and passes the cells to `sink`.
 template <class Sink>
 void plan(const Program& program, const kadr::MotionLimits& limits, bool side_by_side, const Sink& sink) {
   kadr::Planner planner(limits, sink);
@@ -133,7 +135,7 @@ void plan(const Program& program, const kadr::MotionLimits& limits, bool side_by
 double processor_seconds() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
 double wall_seconds() { return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count(); }
 
-/// Median of `times` plans, s.
+/// Returns the median time of `times` plans, s.
 template <class Clock>
 double median_seconds(const Program& program, const kadr::MotionLimits& limits, bool side_by_side, int times, const Clock& clock) {
   std::vector<double> all;
@@ -146,7 +148,7 @@ double median_seconds(const Program& program, const kadr::MotionLimits& limits, 
   return all[all.size() / 2];
 }
 
-/// Finds the nearest piece within some millimetres of path around the last nearest one.
+/// Finds the nearest segment, within some millimetres of path around the one found last.
 class Search {
  public:
   explicit Search(const Ideal& ideal) : ideal_(ideal), at_(ideal.points.size(), 0) {
@@ -174,7 +176,7 @@ class Search {
   }
 
  private:
-  static constexpr double around = 1;  // mm
+  static constexpr double around = 1;  // mm of path searched on either side
   double way(std::size_t i) const {
     const Point &a = ideal_.points[i - 1], &b = ideal_.points[i];
     return std::hypot(b[0] - a[0], b[1] - a[1], b[2] - a[2]);
@@ -184,7 +186,7 @@ class Search {
   std::size_t last_ = 1;
 };
 
-/// Computes the shares of the limits at the instants of a clock that continues from cell to cell.
+/// Computes the shares of the limits that are used, at the instants of a clock that continues from cell to cell.
 class Instants {
  public:
   Instants(const kadr::MotionLimits& limits, double rate) : limits_(limits), period_(1 / rate) {}
@@ -213,7 +215,7 @@ class Instants {
 };
 
 void search(const Program& program, const kadr::MotionLimits& limits) {
-  constexpr double spacing = 0.001;  // mm
+  constexpr double spacing = 0.001;  // distance between checked points, mm
   Search nearest(program.ideal);
   Instants slow(limits, 1000), fast(limits, 20'000);
   double seconds = 0, farthest = 0, share = 0;

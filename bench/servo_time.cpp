@@ -1,11 +1,11 @@
-// Measures how long one call of the servo clock takes: Playback::fill for one instant, with a change of the override every 0.1 s.
+// Measures the time of one call of the servo clock: Playback::fill for one instant, with a change of the override every 0.1 s.
 //
 //     build/bench/bench/servo_time [SEGMENTS=20000] [RATE=1000]
 //
-// A freeform pass of short segments (limits of machines/linuxcnc-sim) is planned as fast as the clock needs it, then played. Prints the
-// percentiles of the times of a call in µs, compared with a loop that always does the same (what the machine itself adds). Then it is
-// played again and again, and the least time of each call is used: the time of the call alone, without what else the machine does. Last,
-// the seconds of motion per second of processor time, planned and played.
+// A freeform path of short segments (limits of machines/linuxcnc-sim) is planned as fast as the clock needs it, then played. Prints the
+// percentiles of the time of a call in µs, and for comparison those of a loop whose work is always the same (its variation comes from the
+// computer). Then the path is played several times, and the least time of each call is used: the time of the call alone, without other
+// work of the computer. Finally prints the seconds of motion that are planned and played per second of processor time.
 
 #include <fmt/core.h>
 
@@ -36,7 +36,7 @@ void change_override(kadr::Playback& playback, std::size_t call, double rate) {
   if (call % change_every == 0) playback.override_to(0.1 * static_cast<double>(call / change_every * 7 % 11));
 }
 
-/// Plays planned cells several times, passing cells when there is room. Returns the least time of each call, µs.
+/// Plays planned cells several times, adding cells when there is space. Returns the least time of each call, µs.
 std::vector<double> least_times(const kadr::MotionLimits& limits, double rate, const std::vector<kadr::TimedCells>& planned) {
   constexpr int rounds = 15;
   std::vector<double> least;
@@ -66,7 +66,7 @@ std::vector<double> least_times(const kadr::MotionLimits& limits, double rate, c
   return least;
 }
 
-/// Returns `count` times of the same 1200 additions, some µs each.
+/// Returns the times of `count` repetitions of the same 1200 additions, some µs each.
 std::vector<double> of_the_machine(std::size_t count) {
   std::vector<double> times(count);
   volatile double x = 0;

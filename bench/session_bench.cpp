@@ -1,4 +1,4 @@
-// Measures what a held session costs: a step of one block, a snapshot, a jump to a line of a million.
+// Measures what an interactive session costs: a step of one block, a snapshot, a jump to one of a million lines.
 
 #include <benchmark/benchmark.h>
 
@@ -41,7 +41,7 @@ void step_a_block(benchmark::State& state) {
 }
 BENCHMARK(step_a_block)->DenseRange(0, 1);
 
-/// With `planned`, the planner of least time is in the middle of its window.
+/// Takes a snapshot. With `planned`, the planner of least time is in the middle of its window.
 void take_snapshot(benchmark::State& state) {
   auto session = session_of(controls[state.range(0)], surface(20'000));
   if (state.range(1) != 0) session->plan(0);
@@ -60,7 +60,7 @@ void restore_snapshot(benchmark::State& state) {
 }
 BENCHMARK(restore_snapshot)->DenseRange(0, 1);
 
-/// Jumps to any line of a million, after a first pass.
+/// Jumps to random lines of a program of a million lines, after a first pass through it.
 void reach_a_line(benchmark::State& state) {
   constexpr int lines = 1'000'000;
   auto session = session_of(controls[state.range(0)], surface(lines));

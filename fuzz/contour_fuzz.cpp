@@ -1,4 +1,5 @@
-// Fuzz target for the contour readers: any bytes may be a drawing. What is read is finite and bounded; what closes can be put together.
+// Fuzz target for the contour readers. The input is a drawing file of any bytes. Coordinates that are read must be finite and bounded;
+// closed contours must be accepted as an area.
 
 #include <cmath>
 #include <cstddef>
@@ -10,7 +11,7 @@
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using kadr::fuzz::require;
-  constexpr std::size_t few = 300;  // edges that are put together: more only take time
+  constexpr std::size_t few = 300;  // greatest number of edges for which the area is built: more only cost time
   const auto edges = kadr::read_contour({reinterpret_cast<const char*>(data), size});
   if (!edges) return 0;
   require(!edges->empty() && edges->size() <= kadr::limits::contour_edges, "a contour has edges, and not too many");

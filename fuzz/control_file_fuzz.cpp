@@ -1,4 +1,5 @@
-// Fuzz target for config/control_file: any text may be a control's file. What is accepted also runs a program and has a page.
+// Fuzz target for config/control_file. The input is the text of a control's file. If the loader accepts it, a program is run with it and
+// its documentation page is written.
 
 #include <cstddef>
 #include <cstdint>
@@ -12,7 +13,7 @@ namespace {
 
 const char* const program = "%\nN1 G90 G0 X1 Y2 Z3 F100 S100 M3\nN2 G1 X5 T1 D1 H1 L1\nN3 G2 X1 I1 J1 R1\nN4 M2\n";
 
-/// What is accepted is within the ranges of config/range.h.
+/// Checks that all accepted values are within the ranges of config/range.h.
 void hold_ranges(const kadr::ControlDef& def) {
   for (const kadr::AddressRow& row : def.addresses) {
     kadr::fuzz::require(kadr::is_within(row.scale, kadr::ranges::scale), "a scale is a number that can be divided by");
@@ -30,7 +31,7 @@ void try_out(const kadr::ControlDef& def) {
   static kadr::fuzz::Shop shop = kadr::fuzz::Shop::open("gost");
   shop.def = def;
   shop.plain_frames = false;
-  shop.file = "/nonexistent/fuzz.nc";  // no program calls a file of the machine it runs on
+  shop.file = "/nonexistent/fuzz.nc";  // in a folder that does not exist, so that the program can call no file of this computer
   shop.limits = {200, 2};
   kadr::fuzz::run_text(shop, program, 0);
 }

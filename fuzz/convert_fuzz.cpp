@@ -1,5 +1,6 @@
-// Fuzz target for `kadr convert`: the first byte chooses the two controls, the rest is the program. It ends; what is taken is equal when
-// both are run once more; what is refused has its reasons, and the program stays as it was.
+// Fuzz target for `kadr convert`. The first byte selects the two controls, the rest is the program. The conversion must end. An accepted
+// conversion must compare equal when both programs are run once more; a refused one must state its reasons; the source program must not
+// change.
 
 #include <array>
 #include <cstddef>
@@ -19,7 +20,7 @@ using fuzz::require;
 
 constexpr std::array names = {"s2c42", "mach3", "correctors", "gost", "nct", "linuxcnc", "fanuc", "haas", "grbl"};
 
-/// A control, and what runs on it.
+/// A control with its alarm texts.
 struct Side {
   explicit Side(const char* name)
       : def(std::make_shared<const ControlDef>(std::move(*load_control(name)))), texts(std::move(*AlarmTexts::load(def.get()))) {}

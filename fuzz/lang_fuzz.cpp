@@ -1,4 +1,4 @@
-// Fuzz target for lang: bytes → blocks. The first byte names the control's grammar and the encoding, the rest is the program.
+// Fuzz target for lang: reads bytes as blocks. The first byte selects the control's grammar and the encoding, the rest is the program.
 
 #include <cmath>
 #include <cstddef>
@@ -16,7 +16,7 @@ namespace {
 using kadr::fuzz::require;
 
 constexpr const char* controls[] = {"s2c42", "mach3", "gost", "correctors"};
-constexpr std::size_t most_sought = 300;  // blocks that are jumped to
+constexpr std::size_t most_sought = 300;  // greatest number of blocks that the test jumps to
 
 const kadr::Grammar& grammar_of(std::size_t index) {
   static const std::vector<kadr::ControlDef> defs = [] {
@@ -34,7 +34,7 @@ std::optional<kadr::Encoding> encoding_of(std::size_t index) {
   return all[index];
 }
 
-constexpr unsigned as_utf16le = 32, as_utf16be = 64;  // of the first byte; else what the text looks like
+constexpr unsigned as_utf16le = 32, as_utf16be = 64;  // bits of the first byte; else the encoding is detected
 
 kadr::OpenedText opened(std::string text, unsigned switches) {
   kadr::SaidEncoding said;
@@ -44,12 +44,12 @@ kadr::OpenedText opened(std::string text, unsigned switches) {
   return kadr::as_text(kadr::text_source(std::move(text)), said);
 }
 
-/// What is left of a block when the next one has been read.
+/// A copy of the data of a block, for comparison after the next one has been read.
 struct Read {
   kadr::Position position;
   bool good = false;
   kadr::AlarmId alarm = kadr::no_alarm;
-  kadr::Span where;  // in the text as it is shown: a line with comments alone may be read undecoded
+  kadr::Span where;  // position in the displayed text; a line with comments only may be read undecoded
   std::vector<kadr::Word> words;
   std::uint32_t number = 0;
   std::size_t assignments = 0;
@@ -116,7 +116,8 @@ bool same_words(const Read& a, const Read& b) {
 
 bool comes_later(kadr::Position a, kadr::Position b) { return b.offset > a.offset || (b.offset == a.offset && b.nth > a.nth); }
 
-/// A jump to a block gives the block again. Only that a mark is missing may come to light later.
+/// Checks that a jump to a block reads the same block again. Exception: a missing end-of-block mark may be noticed only in the second
+/// reading.
 void check_jump(kadr::BlockReader& reader, kadr::Block& block, const Read& first) {
   bool at_end = false;
   reader.seek(first.position);

@@ -1,4 +1,4 @@
-// What looks at a fuzzed run. For fuzz/run_program.
+// The observer of a fuzzed run. Used by fuzz/run_program.
 
 #include "looks.h"
 
@@ -11,10 +11,10 @@
 namespace kadr::fuzz {
 namespace {
 
-constexpr std::size_t most_shown = 40;  // alarms that are put into words
-constexpr std::size_t most_kept = 200;  // blocks before which the state is kept, to be compared
-constexpr double farthest_end = 1e8;    // mm: what no motion may reach
-constexpr double same_place = 1e-5;     // mm: rounding of coordinates of ten kilometres
+constexpr std::size_t most_shown = 40;  // greatest number of alarms whose text is written
+constexpr std::size_t most_kept = 200;  // greatest number of blocks before which the state is saved for comparison
+constexpr double farthest_end = 1e8;    // mm; no motion may end farther away
+constexpr double same_place = 1e-5;     // mm; rounding error of coordinates of ten kilometres
 
 bool is_finite(const Axes& axes) {
   for (const double v : axes)
@@ -49,7 +49,7 @@ void check_other(const Action& action) {
   if (const auto* const message = std::get_if<Message>(&action.what)) require(is_utf8(message->text), "a message is UTF-8");
 }
 
-/// FNV-1a.
+/// A 64-bit FNV-1a hash.
 class Digest {
  public:
   void add(std::uint64_t value) {
@@ -94,10 +94,10 @@ void Looks::begin_at(const Place& place) {
   before_is_kept_ = false;
 }
 
-/// As the program says it, before cutter radius compensation.
+/// Observes an action as programmed, before cutter compensation.
 void Looks::programmed(const Action& action) {
   if (++actions_ > last_action_ && stop_ != nullptr) *stop_ = true;
-  before_is_kept_ = false;  // a cycle that has begun
+  before_is_kept_ = false;  // the action may be the first of a canned cycle: the state has changed
   if (const auto* const motion = std::get_if<Motion>(&action.what)) check_motion(*motion);
   if (const auto* const frame = std::get_if<FrameChange>(&action.what)) {
     require(is_finite(frame->placement.origin) && is_finite(frame->placement.length) && is_finite(frame->work), "the frame is of numbers");
@@ -107,7 +107,7 @@ void Looks::programmed(const Action& action) {
   stand_.take(action);
 }
 
-/// As the tool's centre goes.
+/// Observes a step of the tool centre, after cutter compensation.
 void Looks::stepped(const Step& step) {
   Digest digest;
   digest.add(step.action.what.index());
@@ -116,7 +116,7 @@ void Looks::stepped(const Step& step) {
     require(is_finite(m->to) && is_finite(m->machine), "the tool's centre goes somewhere");
     require(is_arc(m->kind) ? m->turns > 0 && std::isfinite(m->turns) : m->turns == 0, "its arcs turn, its lines do not");
     require(!is_arc(m->kind) || (std::isfinite(m->center.x) && std::isfinite(m->center.y)), "its arcs have a centre");
-    if (m->kind == MotionKind::probe) stand_.take(step.action);  // where it touched
+    if (m->kind == MotionKind::probe) stand_.take(step.action);  // the position at which the probe touched
     digest.add(m->to);
     digest.add(m->machine);
     digest.add(std::bit_cast<std::uint64_t>(m->feed));
@@ -135,7 +135,7 @@ void Looks::check_motion(const Motion& motion) const {
   require(is_arc(motion.kind) ? motion.turns > 0 : motion.turns == 0, "an arc turns, a line does not");
   for (std::size_t a = 0; a < control_.axes().size(); ++a) {
     require(std::fabs(motion.to[a]) < farthest_end && std::fabs(motion.machine[a]) < farthest_end, "a motion ends on this earth");
-    // An axis that does not move keeps a length that its next motion takes out (2С42).
+    // An axis that does not move keeps the difference of a cancelled tool length until its next motion (2С42).
     const double apart = motion.machine[a] - motion.to[a];
     const bool in_frame = !frame_ || near(apart, frame_->placement.origin[a] + frame_->placement.length[a]);
     require(!shop_.plain_frames || jumps || in_frame || near(apart, stand_.machine[a] - stand_.work[a]),
@@ -152,20 +152,19 @@ bool Looks::stopped(const AlarmReport& report) {
   digest.add(static_cast<std::uint64_t>(report.alarm.id));
   digest.add(report.origin.line);
   digest_.push_back(digest.sum());
-  // The machine refuses a motion beyond its limits: its block is taken back, and the control is elsewhere.
+  // A motion beyond the machine limits is refused: its block is undone, and the control's position differs from the end of the motions.
   if (!jumps && control_.holds_before && !control_.is_stopped()) jumps = true;
-  const bool is_known = !jumps && control_.holds_before && session_.channels().size() == 1;  // and the control is not ahead
+  const bool is_known = !jumps && control_.holds_before && session_.channels().size() == 1;  // the control does not execute ahead
   if (is_known && alarms_ <= most_compared) {
     const Ending after = control_.ending();
-    const bool in_space =
-        frame_ && frame_->placement.space;  // an ending is reported in the work system, not in the frame that is programmed
+    const bool in_space = frame_ && frame_->placement.space;  // the ending is reported in the work system, not in the programmed frame
     const Axes work = in_space ? frame_->placement.space->in_system(stand_.work) : stand_.work;
-    const bool frame_is_known = frame_ || shop_.plain_frames;  // not where it began in the middle
-    // Behind a refused motion the check goes on from where that motion leads to.
+    const bool frame_is_known = frame_ || shop_.plain_frames;  // false if the run began in mid-program
+    // After a refused motion the check uses the end position of that motion.
     require(alarms_ > 1 || ((!frame_is_known || near(after.position, work)) && near(after.machine_position, stand_.machine)),
             "after an alarm the control stands where the motions led");
     if (before_is_kept_ && report.alarm.id != AlarmId::call_too_deep)
-      same_state(before_block_, after);  // an interrupt macro may nest too deep
+      same_state(before_block_, after);  // an interrupt macro may exceed the depth of calls
   }
   before_is_kept_ = false;
   return goes_on_after_alarm();
@@ -180,7 +179,7 @@ void Looks::finish() {
   if (const auto state = control_.run_state(); state) {
     const std::string text = state_json(*state);
     require(nlohmann::json::accept(text), "the state is JSON");
-    if (state->frame.empty()) require(parse_setup(text).has_value(), "the state is a set-up");  // a frame in space is refused there
+    if (state->frame.empty()) require(parse_setup(text).has_value(), "the state is a set-up");  // a set-up cannot contain a frame in space
   }
 }
 

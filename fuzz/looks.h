@@ -1,6 +1,6 @@
 #pragma once
-// What looks at a fuzzed run: every action, step and alarm is checked; statistics, picture, trace and texts are made of them; a digest
-// tells two runs apart.
+// Looks: the observer of a fuzzed run. It checks every action, step and alarm, and computes statistics, picture, trace and texts from
+// them. Its digest shows whether two runs are the same.
 
 #include <atomic>
 #include <cstdint>
@@ -19,33 +19,33 @@ namespace kadr::fuzz {
 
 class Looks {
  public:
-  /// Attaches itself to the session's own channel; both must outlive the run.
+  /// Attaches the observer to the session's own channel. Session and observer must both live until the end of the run.
   Looks(const Shop& shop, Session& session);
 
-  /// The state before the next block is kept: a faulty one changes nothing of it.
+  /// Saves the state before the next block: a block with an alarm must leave it unchanged.
   void before_block();
-  /// What was kept belongs to another block.
+  /// Discards the saved state, because it belongs to another block.
   void forget_block() { before_is_kept_ = false; }
-  /// Asked at each alarm: does the run go on with the next block?
+  /// Called at each alarm; returns true if the run continues with the next block.
   std::function<bool()> goes_on_after_alarm = [] { return true; };
-  /// The end of the motions is not known any more: a session was restored without begin_at().
+  /// True if the position is not known any more, since a session was restored without begin_at().
   bool jumps = false;
-  /// After the end: summary, trace, state.
+  /// Call it after the end of the run: checks summary, trace and state.
   void finish();
 
-  /// The session is asked to stop after so many actions more.
+  /// Sets `flag`, which stops the session, after this number of further actions.
   void stop_after(std::size_t most, std::atomic<bool>& flag) { last_action_ = actions_ + most, stop_ = &flag; }
   std::size_t actions() const { return actions_; }
   std::size_t alarms() const { return alarms_; }
 
-  /// Where the run is looked at from, for another run that goes on from there.
+  /// Position and frame in the middle of a run, with which the observer of another run can continue.
   struct Place {
     ToolPosition stand;
-    std::optional<FrameChange> frame;  // nothing: not known
+    std::optional<FrameChange> frame;  // nullopt: not known
   };
   Place place() const { return {stand_, frame_}; }
   void begin_at(const Place& place);
-  /// Of each step and alarm so far, in order.
+  /// One hash for each step and alarm so far, in order.
   const std::vector<std::uint64_t>& digest() const { return digest_; }
 
  private:

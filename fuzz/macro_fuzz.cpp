@@ -1,4 +1,5 @@
-// Fuzz target for the macro language of nct: lines → words, statements, instructions → values. No control runs.
+// Fuzz target for the macro language of nct: reads lines as words and statements, compiles them to instructions, and evaluates these. No
+// control runs.
 
 #include <algorithm>
 #include <cmath>
@@ -39,7 +40,8 @@ const kadr::Grammar& grammar() {
   return def.grammar;
 }
 
-/// #n: vacant for every third number, else a number that depends on n; system variables after it.
+/// Values of the variables #n: every third number is vacant, the others have a value that depends on n; higher numbers are system
+/// variables.
 struct Variables {
   static double value(double n) { return std::fmod(n, 3) == 0 ? kadr::vacant : (n - 50) / 8; }
   bool known(double number, double& to) const {
@@ -63,7 +65,7 @@ struct Variables {
   }
 };
 
-/// How many values an instruction takes off the stack; each puts one there.
+/// Returns the number of values that an instruction pops from the stack; each instruction pushes one.
 std::size_t taken(Op op) {
   switch (op) {
     case Op::number:
@@ -88,7 +90,7 @@ void check_stack(const Block& block, Expression e) {
 
 bool inside(kadr::Span span, std::string_view text) { return span.begin <= span.end && span.end <= text.size(); }
 
-/// The value, or the alarm's number; the same text must give the same.
+/// Returns the value of the expression, or the number of its alarm. Checks that the same text gives the same result again.
 std::pair<double, AlarmId> check_value(const Block& block, Expression e) {
   if (!e) return {0, no_alarm};
   check_stack(block, e);
@@ -101,7 +103,7 @@ std::pair<double, AlarmId> check_value(const Block& block, Expression e) {
   return {*value, no_alarm};
 }
 
-/// What a line is, as far as it can be compared.
+/// The contents of a line, as far as they can be compared.
 struct Read {
   std::optional<AlarmId> alarm;
   std::vector<std::pair<double, AlarmId>> values;
@@ -195,7 +197,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     if (line.size() > kadr::limits::line_bytes) continue;
     const Read read = read_line(line);
     require(same(read, read_line(line)), "the same text is the same block");
-    // Letters of two cases are the same letters, but in files' names and comments, which no value shows.
+    // Capital and small letters are equivalent, except in file names and comments, on which no value depends.
     require(same(read_line(in_case(line, true)), read_line(in_case(line, false))), "small letters mean the same");
   }
   return 0;

@@ -1,5 +1,5 @@
-// Fuzz target for the readers of meshes: any bytes may be an STL or a 3MF file. What is read is closed, within reach, and can be a blank
-// and be written.
+// Fuzz target for the mesh readers. The input is an STL or 3MF file of any bytes. A mesh that is accepted must be closed and of limited
+// size, must be usable as a blank, and can be written again.
 
 #include <cmath>
 #include <cstddef>
@@ -14,7 +14,7 @@
 namespace {
 
 constexpr std::size_t memory = std::size_t(1) << 24;
-constexpr std::size_t few = 3000;  // triangles that more is done with: more only take time
+constexpr std::size_t few = 3000;  // number of triangles up to which the further checks are done: more only cost time
 
 void hold(const kadr::Mesh& mesh, const kadr::MeshRules& rules) {
   using kadr::fuzz::require;

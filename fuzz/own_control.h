@@ -1,7 +1,7 @@
 #pragma once
-// Random control files, and programs that use their codes: bytes → TOML and blocks. A file is a few changes laid over one of the five
-// controls, so that many are accepted: what is accepted must run, whatever the program is. For fuzz/own_control_fuzz.cpp and
-// tests/control/own_control_test.cpp.
+// Generates random control files, and programs that use their codes: bytes → TOML text and blocks. A file is one of the five controls
+// with a few changes, so that the loader accepts many of the files. An accepted control must run any program. Used by
+// fuzz/own_control_fuzz.cpp and tests/control/own_control_test.cpp.
 
 #include <array>
 #include <cstdint>
@@ -16,7 +16,7 @@ namespace kadr::fuzz {
 
 inline constexpr std::string_view bases[] = {"gost", "s2c42", "mach3", "correctors", "nct"};
 
-/// Bytes as choices; used up, every further choice is the first one.
+/// Makes random choices from the input bytes. When the bytes are used up, every further choice is the first option.
 class Dice {
  public:
   Dice(const std::uint8_t* data, std::size_t size) : data_(data), size_(size) {}
@@ -56,7 +56,7 @@ inline std::string_view some_function(Dice& dice) {
   return traits_of(static_cast<Function>(dice.below(static_cast<std::size_t>(Function::count)))).name;
 }
 
-/// A row of [g] or [m].
+/// Returns a table row of [g] or [m] for a code with this function.
 inline std::string code_row(Dice& dice, std::string_view function) {
   std::string row = "{ does = \"" + std::string(function) + "\"";
   if (!dice.one_in(3)) row += ", takes = \"" + some_letters(dice, 8) + "\"";
@@ -172,12 +172,12 @@ inline std::string variable_table(Dice& dice) {
   return text;
 }
 
-/// A whole file. `function`: what G300 does, or none.
+/// Returns a complete control file. `function` is the function of the code G300; it may be none.
 inline std::string control_file(Dice& dice, std::string_view base, std::string_view function) {
   std::string grammar, behaviour, address, codes, others, rest, parameters;
   const auto number = [&] { return "\"30" + std::to_string(dice.below(4) + 1) + "\" = "; };
   if (!function.empty()) codes = "\"300\" = " + code_row(dice, function);
-  std::array<bool, 5> used{};  // a key stands once
+  std::array<bool, 5> used{};  // for each key, whether it has been written: a key may occur only once
   for (std::size_t changes = dice.below(function.empty() ? 6 : 3); changes > 0; --changes) {
     const std::size_t kind = dice.below(9);
     if (kind < used.size() && std::exchange(used[kind], true)) continue;
@@ -224,7 +224,7 @@ inline std::string some_words(Dice& dice) {
   return text;
 }
 
-/// Blocks that use the file's codes; numbered from 1, so that the controls with required numbers take them.
+/// Returns blocks that use the codes of the file. They are numbered from 1, since some controls require block numbers.
 inline std::string program_of(Dice& dice, std::size_t blocks) {
   constexpr const char* lines[] = {"G300 X1 Y2 Z3",
                                    "G300",
@@ -313,10 +313,10 @@ inline std::string program_of(Dice& dice, std::size_t blocks) {
   return text;
 }
 
-/// What came of a file.
+/// The loader's result for a control file.
 enum class Tried : std::uint8_t { refused, ran };
 
-/// A file that is accepted runs the program through all rooms. `refusal`: why not.
+/// Loads the file; if it is accepted, runs the program on the control. `refusal` receives the loader's error sentence.
 inline Tried try_own(const std::string& file, const std::string& program, unsigned switches, std::string* refusal = nullptr) {
   static Shop shop = Shop::open("gost");
   auto def = parse_control(file, "own.toml");
@@ -327,7 +327,7 @@ inline Tried try_own(const std::string& file, const std::string& program, unsign
   }
   shop.def = std::move(*def);
   shop.plain_frames = false;
-  shop.file = "/nonexistent/own.nc";  // no program calls a file of the machine it runs on
+  shop.file = "/nonexistent/own.nc";  // in a folder that does not exist, so that the program can call no file of this computer
   shop.limits = {300, 2};
   run_text(shop, program, switches);
   return Tried::ran;

@@ -1,6 +1,6 @@
-// Fuzz target for a user's own control: random files (own_control.h) and programs that use their codes. Whatever the loader accepts
-// must run through all rooms, with alarms or without. An input that is a file and a program as text, parted by a line `----`, is taken
-// as it is: findings can be written down so.
+// Fuzz target for a user's own control: random control files (own_control.h) and programs that use their codes. Every file that the
+// loader accepts must run any program, with or without alarms. An input that consists of a control file and a program as text, separated
+// by a line `----`, is used unchanged, so that a finding can be saved in readable form.
 
 #include <cstddef>
 #include <cstdint>

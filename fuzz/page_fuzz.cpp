@@ -1,5 +1,6 @@
-// A page's session: whatever messages come, a line each, every question has one answer, all that is said is JSON and frames are as long as
-// their heads say. Over a folder with a program of several controls, what they call, a set-up, tools and a control of one's own.
+// Fuzz target for the session of a web page. The input is any messages, one per line. Each request must get one answer, all answers must
+// be JSON, and binary frames must be as long as their headers state. The session has a folder with a program for each of several
+// controls, the files that they call, a set-up, tools and a user's own control.
 
 #include <unistd.h>
 
@@ -25,9 +26,9 @@ namespace {
 using namespace kadr;
 namespace fs = std::filesystem;
 
-constexpr std::size_t most_lines = 24;                     // of an input
-constexpr auto patience = std::chrono::milliseconds(150);  // of a message: then it is stopped
-constexpr std::size_t most_frames = 40, most_said = 4000;  // of an input: then nobody is there any more
+constexpr std::size_t most_lines = 24;                     // messages in an input
+constexpr auto patience = std::chrono::milliseconds(150);  // time for a message; then it is stopped
+constexpr std::size_t most_frames = 40, most_said = 4000;  // limits for an input; after that the client is treated as disconnected
 constexpr std::pair<const char*, const char*> files[] = {
     {"part.nc",
      "(</script>)\nG21 G90 G17\nT1 M6\nS1000 M3\nG0 X0 Y0 Z5\nG1 Z-2 F200\nX40 F600\nG41 D1 X40 Y1\nG3 X40 Y20 J10\nG40 G1 X0\nY0\nM30\n"},
@@ -79,7 +80,7 @@ class Taker : public PageLine {
   std::size_t answers = 0, said = 0, frames = 0;
 };
 
-/// Stops what takes too long.
+/// Stops a message that takes too long.
 class Watch {
  public:
   explicit Watch(PageSession& session) : session_(session), thread_([this] { wait(); }) {}
@@ -110,7 +111,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   static const fs::path place = make_folder();
   static const auto folder = ServedFolder::open(place.string());
   PanelJournal journal;
-  PanelHub hub;  // its machines are switched off with the input
+  PanelHub hub;  // its machines are switched off at the end of the input
   const PageServer server{*folder, "t", false, Lang::en, "0", nullptr, &hub, &journal};
   std::string_view text(reinterpret_cast<const char*>(data), size);
   Taker line;

@@ -1,5 +1,5 @@
-// Feeds a fuzz target every file of the folders given, without libFuzzer: replay_NAME FOLDER...
-// A folder that is missing or empty is an error, so that a test over it cannot pass unnoticed.
+// Runs a fuzz target on every file of the given folders, without libFuzzer: replay_NAME FOLDER...
+// A missing or empty folder is an error, so that a test with a wrong folder fails.
 #include <cstddef>
 #include <cstdint>
 #include <cstdio>
@@ -24,7 +24,7 @@ bool replay(const std::filesystem::path& file) {
   }
   const auto exact = std::make_unique<std::uint8_t[]>(bytes.size());
   for (std::size_t i = 0; i < bytes.size(); ++i) exact[i] = static_cast<std::uint8_t>(bytes[i]);
-  // On a crash the last line says which file did it.
+  // If the target crashes, the last line printed names the file.
   std::printf("%s\n", file.c_str());
   std::fflush(stdout);
   LLVMFuzzerTestOneInput(exact.get(), bytes.size());

@@ -1,5 +1,5 @@
 #pragma once
-// What the fuzz targets share: an invariant that does not hold is a finding.
+// The assertion that all fuzz targets use: an invariant that is violated is a finding.
 
 #include <cstdio>
 #include <cstdlib>
@@ -9,7 +9,7 @@
 
 namespace kadr::fuzz {
 
-/// `what`: the sentence that does not hold, for the person who reads the log.
+/// Aborts if `holds` is false. `what` is the sentence that does not hold, for the reader of the log.
 inline void require(bool holds, const char* what) {
   if (holds) return;
   std::fprintf(stderr, "does not hold: %s\n", what);

@@ -1,4 +1,4 @@
-// Fuzz target for a whole run of GOST-code programs (run_control.h).
+// Fuzz target: complete runs of GOST-code programs (run_control.h).
 
 #include "run_control.h"
 

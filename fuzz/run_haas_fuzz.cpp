@@ -1,4 +1,4 @@
-// Fuzz target for a whole run of Haas programs (run_control.h).
+// Fuzz target: complete runs of Haas programs (run_control.h).
 
 #include "run_control.h"
 

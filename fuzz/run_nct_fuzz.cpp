@@ -1,5 +1,6 @@
-// Fuzz target for a whole run of NCT programs (run_program.h): macros, calls, bound codes, tool tables, the interrupt macro.
-// Called files lie in a temporary folder and are the same in every run; nothing is written, and nothing outside the folder is read.
+// Fuzz target: complete runs of NCT programs (run_program.h), with macros, calls, codes bound to macros, tool tables and the interrupt
+// macro. The called files are in a temporary folder and are the same in every run. Nothing is written, and nothing outside the folder is
+// read.
 
 #include <stdlib.h>
 #include <unistd.h>
@@ -14,10 +15,11 @@ namespace {
 namespace fs = std::filesystem;
 using kadr::fuzz::require;
 
-// five_axes: with calls_inside a head-head, with stops a head-table, else a table-table (fuzz/nct_seeds).
+// five_axes: a machine with two rotary axes. With calls_inside both are in the head, with stops one in the head and one in the table,
+// else both in the table (fuzz/nct_seeds).
 enum : unsigned { five_axes = 1, calls_inside = 2, stops = 4, narrow = 8, letters_bound = 128 };
 
-/// The program memory: a folder of its own for this process, taken away at its end.
+/// The program memory: a temporary folder of this process, deleted at its end.
 class Memory {
  public:
   Memory() {
@@ -56,7 +58,7 @@ kadr::ParameterKey key(const char* text) { return *kadr::parameter_key(text); }
 void add_tools(kadr::Setup& s) {
   const auto tool = [&](int row, double type, double life, double counter, double offset) {
     kadr::ToolRow& r = s.tool_table[row];
-    r.type = type, r.life = life, r.counter = counter, r.h = r.d = offset, r.info = 17, r.status = 1;  // SENCV, not used
+    r.type = type, r.life = life, r.counter = counter, r.h = r.d = offset, r.info = 17, r.status = 1;  // letters SENCV, tool not used
   };
   tool(1, 5, 3, 2, 1);
   tool(2, 5, 100, 0, 2);
@@ -88,12 +90,12 @@ void add_parameters(kadr::Setup& s, unsigned switches) {
   for (const char* const bit : {"N1746#3", "N1746#4", "N1757#0"}) s.parameters[key(bit)] = (switches & letters_bound) != 0 ? 1.0 : 0.0;
 }
 
-/// As parameters, for nothing reads a set-up's text here (spec/nct/25a); A is axis 4, C axis 5.
+/// Sets the kinematics as parameters, since no set-up text is read here (spec/nct/25a). A is axis 4, C is axis 5.
 void add_kinematics(kadr::Setup& s, unsigned switches) {
   if ((switches & five_axes) == 0) return;
   const auto set = [&](const char* const name, double value) { s.parameters[key(name)] = value; };
   const bool heads = (switches & calls_inside) != 0, mixed = !heads && (switches & stops) != 0;
-  const double a[] = {4, 1}, c[] = {5, 3};  // index, letter
+  const double a[] = {4, 1}, c[] = {5, 3};  // axis number, letter
   set("N3200", heads ? 1 : mixed ? 3 : 2);
   set("N3201", 3);
   set("N3204", heads ? c[0] : a[0]);
@@ -103,7 +105,7 @@ void add_kinematics(kadr::Setup& s, unsigned switches) {
   set("N3212#RD2", mixed ? 1 : 0);
   set("N3212#4", (switches & letters_bound) != 0 ? 1 : 0);                       // BSE
   set("N3212#7", (switches & narrow) != 0 ? 1 : 0);                              // FOS
-  const double offsets[] = {300, -200, -450, 0, 4, -60, 5, -3, 200, 20, 8, 50};  // T1, T2, E, D
+  const double offsets[] = {300, -200, -450, 0, 4, -60, 5, -3, 200, 20, 8, 50};  // offsets T1, T2, E, D
   for (std::size_t i = 0; i < std::size(offsets); ++i) set(("N" + std::to_string(3213 + i)).c_str(), offsets[i]);
 }
 
@@ -133,14 +135,14 @@ kadr::Setup nct_setup(unsigned switches) {
   return s;
 }
 
-/// The machine asks for the interrupt macro now and then.
+/// The logic of the machine: calls the interrupt macro now and then.
 void logic(kadr::Control& control, const kadr::Origin& origin, bool at_end) {
   control.set_signal("CP_MINT", origin.line % 3 == 0 ? 1 : 0);
   if (at_end) control.set_time(origin.line * 10.0, origin.line * 5.0);
   if (at_end) control.set_answer(origin.line % 4);
 }
 
-/// Files that this process holds open and that lie elsewhere; /proc does not count: the sanitizers read there now and then.
+/// Returns the number of open files of this process outside the folder. /proc does not count, because the sanitizers read it.
 std::size_t files_elsewhere(const fs::path& folder) {
   std::size_t count = 0;
   for (const auto& entry : fs::directory_iterator("/proc/self/fd")) {
@@ -152,7 +154,7 @@ std::size_t files_elsewhere(const fs::path& folder) {
   return count;
 }
 
-/// Calls by name may climb out of the folder of the program (14.4.2): such programs are left alone here.
+/// True if the program contains calls by name that may leave the program folder (14.4.2); such programs are not run.
 bool climbs(const std::uint8_t* data, std::size_t size) {
   const std::string_view text(reinterpret_cast<const char*>(data), size);
   return text.find("..") != std::string_view::npos;
@@ -165,9 +167,9 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   static const kadr::fuzz::Shop shop = [] {
     kadr::fuzz::Shop s = kadr::fuzz::Shop::open("nct");
     s.file = (memory.folder() / "main.nct").string();
-    s.limits.files = memory.folder().string();  // and writes_files stays false
+    s.limits.files = memory.folder().string();  // limits.writes_files stays false
     s.setup = nct_setup;
-    s.plain_frames = false;  // basic rotations, polar interpolation
+    s.plain_frames = false;  // because of basic rotations and polar interpolation
     s.logic = logic;
     s.second_channel = "G1 U5 F100\nM530 P12\n#500=#500+1\nG0 V#500\nM531 P12\nM98 P101\nM99\n";
     return s;

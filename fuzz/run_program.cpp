@@ -1,4 +1,4 @@
-// A whole run as a fuzz target. For fuzz/run_*_fuzz, fuzz/own_control.
+// A complete run of a program as a fuzz target. Used by fuzz/run_*_fuzz and fuzz/own_control.
 
 #include "run_program.h"
 
@@ -36,17 +36,17 @@ Setup some_setup(unsigned switches) {
 
 namespace {
 
-constexpr std::size_t most_actions = 20'000;  // of one run
-constexpr std::size_t most_planned = 24;      // a sharp corner takes the planner a millisecond, with sanitizers a hundred
+constexpr std::size_t most_actions = 20'000;  // limit for a run
+constexpr std::size_t most_planned = 24;      // actions; at a sharp corner the planner needs 1 ms, with sanitizers 100 ms
 constexpr std::size_t most_cells = 150;
 constexpr std::size_t most_alarms = 200;
-constexpr std::size_t most_calls = 4000;  // of go_on(): loops without an action
+constexpr std::size_t most_calls = 4000;  // limit for calls of go_on(), for loops without actions
 constexpr std::size_t most_commands = 60;
-constexpr std::size_t most_commanded = 5000;  // actions, of stepping or searching
+constexpr std::size_t most_commanded = 5000;  // limit of actions while single-stepping or searching
 
 enum class Way : std::uint8_t { watched, rewound, fresh, planned, stepped, searched, count };
 
-/// Made of the text: the same text runs the same way.
+/// A random generator seeded with the text, so that the same text always runs in the same way.
 class Chance {
  public:
   explicit Chance(std::string_view text) {
@@ -56,7 +56,7 @@ class Chance {
   }
   std::size_t below(std::size_t count) { return count == 0 ? 0 : engine_() % count; }
   bool one_in(std::size_t count) { return below(count) == 0; }
-  /// Some line of the text, or part of it.
+  /// Returns a random line of the text, from a random character on.
   std::string piece_of(const std::string& text) {
     const std::size_t begin = below(text.size()), end = text.find('\n', begin);
     return text.substr(begin, std::min<std::size_t>(end - begin, 80));
@@ -75,11 +75,11 @@ class Run {
         chance_(text),
         way_(static_cast<Way>(chance_.below(static_cast<std::size_t>(Way::count)))) {
     has_logic_ = shop.logic && (switches & machine_logic) != 0;
-    if (has_logic_ && way_ != Way::stepped) way_ = Way::watched;  // what the logic remembers is in no snapshot
+    if (has_logic_ && way_ != Way::stepped) way_ = Way::watched;  // the state of the logic is not part of snapshots
     has_channels_ = !shop.second_channel.empty() && chance_.one_in(4);
   }
 
-  /// `then`: while the session still stands.
+  /// Runs the program in the selected way. `then` is called while the session still exists.
   void carry_out(const std::function<void()>& then) {
     const std::unique_ptr<Session> session = open();
     if (!session) return;
@@ -98,7 +98,7 @@ class Run {
   }
 
  private:
-  /// Nothing: the control has not what the shop's set-up names, not even an empty one.
+  /// Returns nullptr if the control accepts neither the set-up of the shop nor an empty one.
   std::unique_ptr<Session> open() const {
     for (Setup setup : {shop_.setup(switches_), Setup()}) {
       if (has_channels_) setup.channels[2] = {shop_.second_channel, {"U", "V"}};
@@ -131,17 +131,17 @@ class Run {
     while (goes_on(looks)) state_ = session.go_on();
   }
 
-  /// A command may execute many blocks, and a block many motions.
+  /// Limits the actions: a command may execute many blocks, and a block many motions.
   void stop_after_some(Session& session, Looks& looks) {
     looks.stop_after(most_commanded, stop_);
     session.outlets().stop = StopToken(stop_);
   }
 
-  /// The state before each block is kept; alarms stop the session, and it goes on.
+  /// Saves the state before each block for comparison. Continues after alarms.
   void watch(Session& session, Looks& looks) {
     looks.goes_on_after_alarm = [this] { return !chance_.one_in(3); };
     session.control().holds_before = [&looks, this](const Origin&) {
-      if (has_logic_) looks.forget_block();  // the logic tells of it, unless it cannot be read
+      if (has_logic_) looks.forget_block();  // the logic's callback saves the state, unless the block cannot be read
       else looks.before_block();
       return false;
     };
@@ -153,9 +153,9 @@ class Run {
     }
   }
 
-  /// Taken back now and then: what comes is what came.
+  /// Restores an earlier snapshot now and then: the steps that follow must be the same as the first time.
   void rewind(Session& session, Looks& looks) {
-    session.outlets().works_long = true;  // the control runs ahead
+    session.outlets().works_long = true;  // the control may execute ahead of the machine
     while (goes_on(looks)) {
       state_ = session.go_on();
       if (state_ == Session::State::running && chance_.one_in(8)) repeat(session, looks);
@@ -252,7 +252,7 @@ class Run {
     return {.line = static_cast<std::uint32_t>(1 + chance_.below(20)), .pass = static_cast<std::uint32_t>(chance_.below(3))};
   }
 
-  /// Checkpoints, then lines reached from them; restart there.
+  /// Sets checkpoints, jumps to lines from them, and restarts there.
   void search(Session& session, Looks& looks) {
     if (session.channels().size() > 1) return run(session, looks);
     looks.goes_on_after_alarm = [&looks] { return looks.alarms() < most_alarms; };
@@ -287,7 +287,7 @@ class Run {
   bool has_logic_ = false, has_channels_ = false;
   Session::State state_ = Session::State::running;
   std::size_t calls_ = 0;
-  std::size_t cells_ = 0;  // of the planner
+  std::size_t cells_ = 0;  // cells received from the planner
   std::atomic<bool> planned_enough_ = false, stop_ = false;
 };
 

@@ -1,7 +1,7 @@
 #pragma once
-// A whole run as a fuzz target: a session of the text, looked at by all that looks at runs (looks.h). By chance, which the text itself
-// decides: it is watched block by block, planned, stopped and gone on with from snapshots in the same or a fresh session, stepped,
-// searched from checkpoints; on a machine of several channels. The first byte holds the switches below, the rest is the program.
+// A complete run of a program as a fuzz target; the observer of fuzz/looks checks it. A hash of the text selects how the program is run:
+// block by block, with the planner, stopped and continued from snapshots in the same or a new session, single-stepped, or searched from
+// checkpoints; also on a machine with several channels. The first byte of the input contains the switches below, the rest is the program.
 
 #include <cstddef>
 #include <cstdint>
@@ -18,12 +18,12 @@ namespace kadr::fuzz {
 
 inline const RunLimits few_passes{2000, 5};
 
-/// Switches in the first byte; '@' is none of them.
+/// Switches in the first byte; '@' has none of them.
 enum : unsigned { mirror_x = 1, mirror_y = 2, skip_blocks = 4, narrow_limits = 8, as_cp1251 = 16, machine_logic = 32 };
 
 Setup some_setup(unsigned switches);
 
-/// What all runs of a control share.
+/// Data that all runs on one control share.
 struct Shop {
   ControlDef def;
   AlarmTexts texts;
@@ -32,10 +32,10 @@ struct Shop {
   std::string file = "fuzz.nc";
   RunLimits limits = few_passes;
   std::function<Setup(unsigned switches)> setup = some_setup;
-  bool plain_frames = true;  // machine = work + origin + length always
+  bool plain_frames = true;  // machine coordinates = work coordinates + origin + tool length in every motion
   std::function<void(Control&, const Origin&, bool at_end)>
-      logic{};                   // of the machine, around each block (nct), with the switch `machine_logic`
-  std::string second_channel{};  // its program, where the machine has several
+      logic{};                   // machine logic, called around each block (nct) if the switch `machine_logic` is set
+  std::string second_channel{};  // program of the second channel, if the machine has several
 
   static Shop open(const char* control) {
     auto def = load_control(control);
@@ -49,7 +49,7 @@ struct Shop {
   }
 };
 
-/// Carries a program out in the shop, and looks at all that comes of it. `then`: while it still stands.
+/// Runs the program and checks every result. `then` is called while the session still exists.
 void run_text(const Shop& shop, const std::string& text, unsigned switches, const std::function<void()>& then = {});
 
 inline int run_program(const Shop& shop, const std::uint8_t* data, std::size_t size) {

@@ -1,4 +1,4 @@
-// Fuzz target for config/setup: any text may be a set-up file. What is accepted also begins a run.
+// Fuzz target for config/setup. The input is the text of a set-up file. If it is accepted, a run is started with it.
 
 #include <cstddef>
 #include <cstdint>
@@ -17,7 +17,7 @@ void try_out(const kadr::Setup& setup) {
   kadr::fuzz::run_text(shop, program, 0);
 }
 
-/// What is accepted is within the ranges of config/range.h: no motion that never ends.
+/// Checks that accepted values are within the ranges of config/range.h, so that no motion takes endless time.
 void hold_ranges(const kadr::Setup& setup) {
   const auto holds = [](const auto& number, const kadr::NumberRange& range) {
     if (number) kadr::fuzz::require(kadr::is_within(*number, range), "an accepted number is within its range");

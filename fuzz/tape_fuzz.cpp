@@ -1,4 +1,4 @@
-// Fuzz target for lang/text/tape and lang/text/encoding: any bytes may be a tape, or a text of any encoding.
+// Fuzz target for lang/text/tape and lang/text/encoding. The input is a punched tape, or a text in any encoding.
 
 #include <cstddef>
 #include <cstdint>
@@ -22,7 +22,8 @@ bool is_utf8(std::string_view text) {
   return true;
 }
 
-/// Text that has once been through the code stays as it is (a literal ПС or LF at the end of a line is gone by then).
+/// Checks that text which has been encoded and decoded once does not change when this is repeated. (A literal ПС or LF at the end of a
+/// line is removed the first time.)
 void check_tape(std::string_view bytes) {
   const kadr::TapeText first = kadr::decode_tape(bytes);
   require(is_utf8(first.text));
@@ -46,7 +47,7 @@ void check_encodings(std::string_view bytes) {
     const kadr::Status status = kadr::append_utf8(bytes, encoding, text);
     require(is_utf8(text));
     if (!status) require(status.error().where.end <= bytes.size() && status.error().where.begin < status.error().where.end);
-    if (guess && *guess == Encoding::koi8r) require(encoding != Encoding::koi8r || status);  // KOI8-R has all 256
+    if (guess && *guess == Encoding::koi8r) require(encoding != Encoding::koi8r || status);  // in KOI8-R all 256 bytes are valid
   }
 }
 

@@ -1,4 +1,4 @@
-// Tools files of every form: whatever stands in them ends in tools with a shape, or in a sentence.
+// Fuzz target for tools files. Any text must give either tools with a shape, or an error sentence.
 
 #include <cmath>
 #include <string_view>
@@ -11,7 +11,7 @@ namespace {
 
 using namespace kadr;
 
-/// Of an insert: closed, counter-clockwise, of finite places.
+/// Checks that the outline of an insert is closed, counter-clockwise and has finite coordinates.
 void look_at_insert(const InsertBody& body) {
   fuzz::require(body.corners.size() >= 3 && body.outward.size() == body.corners.size(), "an edge behind each corner");
   for (const InsertCorner& c : body.corners)

@@ -25,7 +25,7 @@ namespace {
 
 using Mesh = fcl::BVHModel<fcl::OBBRSSd>;
 
-constexpr int sides = 128;          // of a circle: the polygon reaches beyond it by 0.03 % of its radius at most
+constexpr int sides = 128;          // sides of the polygon that replaces a circle; it exceeds the circle by at most 0.03 % of its radius
 constexpr double tolerance = 1e-9;  // mm between two steps of the search: the result is then within 5e-6 of the distance
 constexpr double doubtful = 1e-4;   // mm: a distance with a greater error is not trusted
 
@@ -36,7 +36,7 @@ fcl::Transform3d placed(const double* pose) {
   return t;
 }
 
-/// Exceptions end here.
+/// Calls `make` and stops all exceptions, which must not leave the module.
 template <class Make>
 int added(KadrBodies* bodies, const Make& make) {
   try {

@@ -1,5 +1,5 @@
 #pragma once
-// Jet: a number with its gradient and Hessian in a few variables, so that the derivatives of a limit need not be written by hand.
+// Jet: a number with its gradient and Hessian with respect to a few variables. It computes the derivatives of a formula automatically.
 
 #include <array>
 #include <cstddef>

@@ -1,4 +1,5 @@
-// Compares Kadr's planner of least time with reference solvers on the same path and limits: bench/optimality.
+// Compares the cycle time of Kadr's planner of least time with that of reference solvers, on the same path and with the same limits. Used
+// by bench/optimality.
 //
 //   kadr_reference PROGRAM [--jerk J] [--parts N] [--starts N] [--seconds S] [--no-jerk]
 
@@ -60,7 +61,7 @@ PathMotion best_with_jerk(const Stretch& stretch, const MotionLimits& limits, co
 }
 
 void measure(const Stretch& stretch, const MotionLimits& limits, const Asked& asked, Sums& sums) {
-  constexpr double longest = 0.0025, longest_without_jerk = 0.0005;  // of the stretch
+  constexpr double longest = 0.0025, longest_without_jerk = 0.0005;  // greatest length of a grid interval, as a share of the stretch
   const Grid grid = grid_of(stretch, limits, asked.parts, asked.no_jerk ? longest_without_jerk : longest);
   const PathMotion motion = asked.no_jerk ? without_jerk(grid, limits) : best_with_jerk(stretch, limits, grid, asked, sums);
   sums.kadr += stretch.cells.seconds();

@@ -1,4 +1,4 @@
-// Turns a program into the planner's cells, cut at the rests.
+// Plans a program and collects the planner's cells (short segments of the timed path), divided where the axes are at rest.
 
 #include <cmath>
 #include <fstream>
@@ -12,8 +12,8 @@
 namespace kadr::reference {
 namespace {
 
-constexpr double standing = 1e-9;       // mm/s
-constexpr double without_force = 1e-3;  // mm/s²
+constexpr double standing = 1e-9;       // mm/s; a slower speed counts as rest
+constexpr double without_force = 1e-3;  // mm/s²; a smaller acceleration counts as 0
 
 MachineProfile profile_of(const Machine& machine, const std::vector<std::string>& axes) {
   MachineProfile profile;
@@ -28,7 +28,7 @@ MachineProfile profile_of(const Machine& machine, const std::vector<std::string>
   return profile;
 }
 
-/// Turns cells into stretches as they come.
+/// Collects cells into stretches, from rest to rest, as they arrive.
 class Collector {
  public:
   void take(const TimedCells& cells) {

@@ -9,12 +9,13 @@ namespace {
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
 
-/// p u + q b ≤ r, in u = s̈ and b = ṡ² at the start of an interval.
+/// The inequality p u + q b ≤ r for one limit. u = s̈ and b = ṡ² are path acceleration and squared path speed at the start of an
+/// interval.
 struct Row {
   double p, q, r;
 };
 
-/// The limits of one interval. At its end ṡ² is b + 2 h u.
+/// The limits of one interval of length h. At its end ṡ² is b + 2 h u.
 class Rows {
  public:
   Rows(const Grid& grid, const MotionLimits& limits, std::size_t interval, double most_at_end) {
@@ -29,7 +30,7 @@ class Rows {
     add(-2 * h, -1, 0);
   }
 
-  /// Returns the greatest b, up to `most`, for which a u exists: no lower bound of u exceeds an upper one.
+  /// Returns the greatest b, up to `most`, for which a u exists, that is, no lower bound of u is above an upper bound.
   double greatest_b(double most) const {
     for (const Row& row : rows_)
       if (row.p == 0 && row.q > 0) most = std::min(most, row.r / row.q);
@@ -60,7 +61,7 @@ class Rows {
 
 PathMotion without_jerk(const Grid& grid, const MotionLimits& limits) {
   const std::size_t n = grid.intervals();
-  std::vector<double> most(n + 1, 0);  // ṡ² at each knot from which the end can be reached
+  std::vector<double> most(n + 1, 0);  // greatest ṡ² at each knot from which the motion can still stop at the end
   for (std::size_t i = n; i-- > 0;) most[i] = Rows(grid, limits, i, most[i + 1]).greatest_b(grid.most(i));
   PathMotion motion{{0}, {}, {}};
   for (std::size_t i = 0; i < n; ++i) {

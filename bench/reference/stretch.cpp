@@ -20,7 +20,7 @@ State state_of(const TimeLaw& law, double t) {
   return {v, law.a + law.j * law.way(t), law.j * v};
 }
 
-/// Returns when a distance along a cell is reached.
+/// Returns the time at which the motion has covered the distance `way` of a cell.
 double time_at(const TimeLaw& law, double way) {
   if (way <= 0) return 0;
   if (way >= law.length) return law.seconds;
@@ -106,7 +106,7 @@ void Shares::take(const Place& at, const MotionLimits& limits, double v, double 
   }
 }
 
-constexpr int looks = 16;  // points in each cell or interval where the limits are checked
+constexpr int looks = 16;  // points in each cell or interval at which the limits are checked
 
 Shares shares_planned(const Stretch& stretch, const MotionLimits& limits) {
   Shares shares;
@@ -136,7 +136,7 @@ double seconds_as_one_window(const Stretch& stretch, const MotionLimits& limits)
   path.axes = stretch.cells.axes;
   path.acceleration = limits.acceleration;
   path.jerk = limits.jerk;
-  constexpr std::size_t fewest = 8;  // a straight line from rest to rest has seven phases
+  constexpr std::size_t fewest = 8;  // a straight line from rest to rest has seven phases of constant jerk, so at most seven cells
   if (stretch.cells.laws.size() < fewest) return stretch.cells.seconds();
   for (std::size_t k = 0; k < stretch.cells.laws.size(); ++k) {
     const double h = stretch.cells.laws[k].length;

@@ -14,14 +14,14 @@ namespace {
 using Ipopt::Index;
 using Ipopt::Number;
 
-constexpr Index near = 5;  // variables that an interval depends on: its own v a t, and v a of the next
+constexpr Index near = 5;  // number of variables that an interval depends on: its own v a t, and v a of the next interval
 constexpr Number boundless = 1e20;
 using NearJet = Jet<static_cast<std::size_t>(near)>;
 
 constexpr std::size_t at(Index i) { return static_cast<std::size_t>(i); }
 
-/// The programme in Ipopt's form. Variables in the order v a t, v a t, … v a, in units of the start's mean speed, the limit, and the
-/// start's time.
+/// The optimisation problem in the form of Ipopt. The variables are v a t, v a t, … v a, divided by the mean speed of the start motion,
+/// by the acceleration limit, and by the time of the start motion.
 class Programme : public Ipopt::TNLP {
  public:
   Programme(const Grid& grid, const MotionLimits& limits, const PathMotion& start) : grid_(grid), limits_(limits), start_(start) {
@@ -48,7 +48,7 @@ class Programme : public Ipopt::TNLP {
   }
 
   bool get_bounds_info(Index n, Number* low, Number* high, Index m, Number* row_low, Number* row_high) override {
-    constexpr double least_time = 1e-3, most_time = 1e3;  // in units of the start's time
+    constexpr double least_time = 1e-3, most_time = 1e3;  // bounds of t, in units of the start motion's time
     std::fill_n(row_low, m, -1.0);
     std::fill_n(row_high, m, 1.0);
     for (Index k = 0; k <= intervals(); ++k) {
@@ -119,7 +119,7 @@ class Programme : public Ipopt::TNLP {
 
   void finalize_solution(Ipopt::SolverReturn, Index, const Number* x, const Number*, const Number*, Index m, const Number* g, const Number*,
                          Number, const Ipopt::IpoptData*, Ipopt::IpoptCalculatedQuantities*) override {
-    constexpr double kept = 1e-5;  // relative
+    constexpr double kept = 1e-5;  // relative error up to which a limit counts as kept
     for (Index i = 0, k = 0; i < m; ++i) {
       while (first_row_[at(k) + 1] <= i) ++k;
       if (std::fabs(g[i]) > kept + (i - first_row_[at(k)] < equations ? 0 : 1)) return;
@@ -136,7 +136,7 @@ class Programme : public Ipopt::TNLP {
   static constexpr Index equations = 2;
   Index intervals() const { return static_cast<Index>(grid_.intervals()); }
   Index variables() const { return 3 * intervals() + 2; }
-  /// Weight of an interval in the sum to be minimised: 1 on average, so that Ipopt's tolerances are meaningful.
+  /// Weight of an interval in the sum that is minimised: 1 on average, so that Ipopt's tolerances have a meaning.
   double weight(Index k) const { return start_.seconds[at(k)] * intervals() / total_; }
 
   bool moves(std::size_t k, std::size_t axis) const {
@@ -152,7 +152,7 @@ class Programme : public Ipopt::TNLP {
     return all;
   }
 
-  /// Passes the equations and limits of an interval, one after the other.
+  /// Calls `take` for each equation and limit of an interval, in order.
   template <class Number, class Take>
   void rows_of(Index interval, const Number* x, const Take& take) const {
     const std::size_t k = at(interval);
@@ -184,8 +184,8 @@ class Programme : public Ipopt::TNLP {
 
 std::optional<Found> with_jerk(const Grid& grid, const MotionLimits& limits, const PathMotion& start, double most_seconds) {
   constexpr Index most_steps = 1000;  // 30 to 60 are needed
-  constexpr Number tolerance = 1e-5;  // of the mean interval's time: each limit costs at most this much
-  constexpr Number first_mu = 1e-2;   // far enough from the limits for any start
+  constexpr Number tolerance = 1e-5;  // share of the mean interval's time: the greatest time that each limit costs
+  constexpr Number first_mu = 1e-2;   // first barrier parameter: far enough from the limits for any start motion
   const Ipopt::SmartPtr<Programme> programme = new Programme(grid, limits, start);
   Ipopt::IpoptApplication solver(false);
   solver.Options()->SetIntegerValue("print_level", 0);

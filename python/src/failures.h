@@ -1,5 +1,6 @@
 #pragma once
-// What becomes an exception of Python's (module.cpp), and findings as values that outlive what they are of.
+// The C++ exceptions that module.cpp translates into Python exceptions. Findings are copied, so that they stay valid after the session
+// ends.
 
 #include <kadr/kadr.h>
 
@@ -7,23 +8,23 @@
 
 namespace kadr::python {
 
-/// kadr.Error: what was asked for cannot be done.
+/// Becomes kadr.Error: the request cannot be fulfilled.
 struct Failed {
   std::string text;
 };
 
-/// OSError, of an errno: FileNotFoundError, PermissionError, …
+/// Becomes the OSError of this errno: FileNotFoundError, PermissionError, …
 struct FileFailed {
   int error = 0;
   std::string file;
 };
 
-/// kadr.Alarm: the program was stopped.
+/// Becomes kadr.Alarm: an alarm has stopped the program.
 struct Alarmed {
   Finding finding;
 };
 
-/// Ctrl-C: what Python's own handler makes of it.
+/// Ctrl-C was pressed: Python's own signal handler decides what is raised (normally KeyboardInterrupt).
 struct Interrupted {};
 
 }  // namespace kadr::python

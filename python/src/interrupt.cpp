@@ -1,4 +1,4 @@
-// For run.cpp, views.cpp; tested by tests/python_binding.py.
+// Handles Ctrl-C while a program runs. Used by run.cpp and views.cpp; tested by tests/python_binding.py.
 
 #include "interrupt.h"
 
@@ -9,7 +9,7 @@ namespace kadr::python {
 namespace {
 
 std::atomic<std::atomic<bool>*> flag_now = nullptr;
-static_assert(std::atomic<std::atomic<bool>*>::is_always_lock_free);  // a signal handler reads it
+static_assert(std::atomic<std::atomic<bool>*>::is_always_lock_free);  // a signal handler reads it, so the access must be lock-free
 struct sigaction handled_before;
 
 void on_interrupt(int signal, siginfo_t* info, void* context) {
@@ -27,7 +27,7 @@ CatchInterrupt::CatchInterrupt(std::atomic<bool>& flag) {
   if (!is_main_thread() || ::sigaction(SIGINT, nullptr, &handled_before) != 0) return;
   const bool by_nobody =
       (handled_before.sa_flags & SA_SIGINFO) == 0 && (handled_before.sa_handler == SIG_DFL || handled_before.sa_handler == SIG_IGN);
-  if (by_nobody) return;  // Python handles none: nor do we
+  if (by_nobody) return;  // Python does not handle SIGINT: neither does Kadr
   flag_now = &flag;
   now.sa_sigaction = on_interrupt;
   now.sa_flags = SA_SIGINFO | SA_RESTART;

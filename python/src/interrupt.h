@@ -1,13 +1,13 @@
 #pragma once
-// Ctrl-C while the interpreter lock is released: sets what a StopToken looks at, and tells Python.
+// Handles Ctrl-C while the Python interpreter lock (GIL) is released: sets the flag of a StopToken, then calls Python's own handler.
 
 #include <atomic>
 #include <csignal>
 
 namespace kadr::python {
 
-/// While it lives, SIGINT sets the flag, and the handler that was there before handles it afterwards. In Python's main thread only, as its
-/// handlers.
+/// During the lifetime of this object SIGINT sets the flag; then the previous handler is called. Works only in Python's main thread,
+/// which is the only one that handles signals.
 class CatchInterrupt {
  public:
   explicit CatchInterrupt(std::atomic<bool>& flag);

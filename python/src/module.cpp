@@ -1,4 +1,4 @@
-// kadr._kadr: what kadr/*.py stands on. The interpreter lock is released while programs run.
+// The extension module kadr._kadr, which the Python files kadr/*.py use. It releases the interpreter lock (GIL) while programs run.
 
 #include <pybind11/pybind11.h>
 #include <pybind11/stl.h>
@@ -16,7 +16,7 @@ namespace {
 
 using Released = py::call_guard<py::gil_scoped_release>;
 
-py::object text_of(const std::string& bytes) {  // a file may be called anything
+py::object text_of(const std::string& bytes) {  // a file name may contain any bytes
   return py::reinterpret_steal<py::object>(PyUnicode_DecodeUTF8(bytes.data(), static_cast<Py_ssize_t>(bytes.size()), "replace"));
 }
 
@@ -61,7 +61,7 @@ void translate(std::exception_ptr thrown) {
     errno = failed.error;
     PyErr_SetFromErrnoWithFilename(PyExc_OSError, failed.file.c_str());
   } catch (const Interrupted&) {
-    if (PyErr_CheckSignals() == 0) PyErr_SetNone(PyExc_KeyboardInterrupt);  // or what the program's own handler raises
+    if (PyErr_CheckSignals() == 0) PyErr_SetNone(PyExc_KeyboardInterrupt);  // or whatever the Python program's handler raises
   }
 }
 

@@ -1,4 +1,4 @@
-// For run.cpp; tested by tests/python_binding.py.
+// Stores motions as rows of bytes. Used by run.cpp; tested by tests/python_binding.py.
 
 #include "motion_rows.h"
 
@@ -6,7 +6,7 @@
 
 namespace kadr::python {
 
-/// Where a row is added; one that a snapshot holds too is copied.
+/// Returns the chunk to which the next row is appended. If a snapshot shares that chunk, it is copied first.
 std::string& MotionRows::last_chunk() {
   if (count_ % rows_of_chunk == 0) chunks_.push_back(std::make_shared<std::string>());
   else if (chunks_.back().use_count() > 1) chunks_.back() = std::make_shared<std::string>(*chunks_.back());

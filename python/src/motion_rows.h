@@ -1,5 +1,5 @@
 #pragma once
-// MotionRows: motions as rows of bytes, which numpy takes for a structured array (kadr/motions.py has the same fields).
+// MotionRows: stores motions as rows of bytes, which numpy reads as a structured array (kadr/motions.py defines the same fields).
 
 #include <kadr/kadr.h>
 
@@ -10,19 +10,20 @@
 
 namespace kadr::python {
 
-/// What each row begins with; after it four values of each axis: from, to in work coordinates, from, to in those of the machine.
+/// The fixed fields of a row. After them come four values for each axis: start and end in work coordinates, start and end in machine
+/// coordinates.
 struct MotionRow {
-  double begins = 0, seconds = 0, length = 0, feed = 0;  // s, s, mm, mm/min
-  double center_x = 0, center_y = 0, turns = 0;          // of an arc: in its plane, mm; swept angle / 360
+  double begins = 0, seconds = 0, length = 0, feed = 0;  // units: s, s, mm, mm/min
+  double center_x = 0, center_y = 0, turns = 0;          // of an arc: its centre in its plane, mm; swept angle / 360°
   std::uint32_t line = 0;
-  std::int32_t block = -1;  // N…; -1: none
+  std::int32_t block = -1;  // block number N; -1: none
   std::uint32_t tool = 0;
   std::uint16_t file = 0;
   std::uint8_t kind = 0, channel = 1;
 };
-static_assert(sizeof(MotionRow) == 72);  // kadr/motions.py
+static_assert(sizeof(MotionRow) == 72);  // kadr/motions.py relies on this size
 
-/// Copies share what they hold: a snapshot keeps one.
+/// Copies share their rows: a snapshot therefore needs little memory.
 class MotionRows {
  public:
   explicit MotionRows(std::size_t axes) : axes_(axes) {}

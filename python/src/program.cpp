@@ -1,4 +1,4 @@
-// A program with all it is run on. For run.cpp, views.cpp; tested by tests/python_binding.py.
+// A program with its control, machine and set-up. Used by run.cpp and views.cpp; tested by tests/python_binding.py.
 
 #include "program.h"
 
@@ -8,21 +8,21 @@
 namespace kadr::python {
 namespace {
 
-/// A value, or its error sentence thrown.
+/// Returns the value, or throws its error sentence as Failed.
 template <class T>
 T got(tl::expected<T, std::string> value) {
   if (!value) throw Failed{std::move(value.error())};
   return std::move(*value);
 }
 
-/// What a control is guessed from: UTF-8.
+/// Returns the beginning of the text as UTF-8; the control is guessed from it.
 std::string beginning_of(OpenedText text) {
   LineReader reader(std::move(text.source));
   const std::string_view sample = reader.sample();
   const auto encoding = text.encoding ? text.encoding : detect_encoding(sample);
   if (!encoding) return std::string(sample);
   std::string utf8;
-  (void)append_utf8(sample, *encoding, utf8);  // up to the first damaged byte
+  (void)append_utf8(sample, *encoding, utf8);  // decodes until the first invalid byte
   return utf8;
 }
 
@@ -40,7 +40,7 @@ ProgramSpec::ProgramSpec(const Wanted& wanted) : file_(wanted.file), text_(wante
   machine_ = got(load_machine(wanted.machine));
   setup_ = setup_of(wanted);
   texts_ = got(AlarmTexts::load(control_.get()));
-  (void)source();  // a missing file is reported now
+  (void)source();  // opens the file now, so that a missing file is reported at once
 }
 
 Setup ProgramSpec::setup_of(const Wanted& wanted) const {

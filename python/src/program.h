@@ -1,5 +1,6 @@
 #pragma once
-// ProgramSpec: a program with all it is run on, verified, opened as often as wanted.
+// ProgramSpec: a program with its control, machine and set-up, checked at construction. It can be opened as a session any number of
+// times.
 
 #include <atomic>
 #include <memory>
@@ -10,14 +11,14 @@
 
 namespace kadr::python {
 
-/// What Python says of it.
+/// The arguments that Python passes.
 struct Wanted {
-  std::string file;                 // path; or, of a text, what it is called
-  std::optional<std::string> text;  // bytes in any encoding that Kadr knows
-  std::string control;              // id, file, or empty: guessed
-  std::string machine;              // id or file
-  std::string setup_file;           // or …
-  std::string setup_json;           // … text; both empty: none
+  std::string file;                 // path of the program; if `text` is set, the name used in messages
+  std::optional<std::string> text;  // the program text, bytes in any encoding that Kadr supports
+  std::string control;              // id or file of the control; empty: guessed
+  std::string machine;              // id or file of the machine
+  std::string setup_file;           // path of the set-up file, or
+  std::string setup_json;           // the set-up as JSON text; both empty: no set-up
   Lang lang = Lang::en;
 };
 
@@ -26,8 +27,8 @@ class ProgramSpec {
   ///   throws  Failed, FileFailed
   explicit ProgramSpec(const Wanted& wanted);
 
-  /// A chain of its own, at the start of the program.
-  ///   stop    ends it when set; must outlive it
+  /// Opens a new, independent session at the start of the program.
+  ///   stop    the session ends when this flag is set; must outlive the session
   ///   throws  Failed, FileFailed
   std::unique_ptr<Session> open(const std::atomic<bool>& stop, RunLimits limits = {}) const;
 
@@ -50,7 +51,7 @@ class ProgramSpec {
   AlarmTexts texts_;
 };
 
-/// The times of a session by programmed feeds: who wants times needs it.
+/// Returns a clock that times the motions of a channel by programmed feeds.
 TimeEstimate clock_of(Session& session, std::size_t channel);
 
 }  // namespace kadr::python

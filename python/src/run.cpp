@@ -1,4 +1,4 @@
-// One way through a program. For module.cpp; tested by tests/python_binding.py.
+// One execution of a program. Used by module.cpp; tested by tests/python_binding.py.
 
 #include "run.h"
 
@@ -59,7 +59,7 @@ void Run::take(const Step& step, std::size_t channel) {
   else rows_.add(step, *motion, tools_[channel], session_->channels()[channel].number);
 }
 
-/// Until it stands: before a block, or for good.
+/// Runs until the session stops before a block, or ends.
 void Run::go() {
   at_block_ = false;
   {
@@ -67,7 +67,7 @@ void Run::go() {
     do state_ = session_->go_on();
     while (state_ == Session::State::running);
   }
-  if (too_many_) throw Failed{"more than " + std::to_string(most_) + " motions: max_motions"};  // it may be at its end
+  if (too_many_) throw Failed{"more than " + std::to_string(most_) + " motions: max_motions"};  // even at the end of the program
   if (state_ == Session::State::held) return void(at_block_ = true);
   if (state_ != Session::State::stopped) return;
   if (stop_) throw Interrupted{};

@@ -1,5 +1,6 @@
 #pragma once
-// Run: one way through a program, with the motions it has made so far. Not for two threads at once: the second is refused.
+// Run: one execution of a program, with the motions executed so far. Only one thread at a time may use it: a call from a second thread is
+// refused.
 
 #include <map>
 #include <mutex>
@@ -11,32 +12,32 @@
 
 namespace kadr::python {
 
-/// A block, by its place.
+/// The location of a block in the program.
 struct Place {
   std::string file;
   std::uint32_t line = 0;
-  std::int64_t block = -1;  // N…; -1: none
-  std::uint32_t depth = 0;  // calls around it
+  std::int64_t block = -1;  // block number N; -1: none
+  std::uint32_t depth = 0;  // number of subprogram calls around the block
 };
 
 class Run {
  public:
-  ///   most  motions that are kept at most
+  ///   most  greatest number of motions that are stored
   Run(std::shared_ptr<const ProgramSpec> spec, std::size_t most);
-  Run(const Run&) = delete;  // its session calls it back
+  Run(const Run&) = delete;  // its session calls back into this object
   Run& operator=(const Run&) = delete;
 
-  // ---- with the interpreter lock released (module.cpp)
-  /// To the end.
+  // ---- the interpreter lock is released during these calls (module.cpp)
+  /// Runs the program to its end.
   ///   throws  Alarmed, Interrupted, Failed
   void run();
-  /// Carries the next block out, and stands before the one after it.
-  ///   returns  the block; nothing: the program is at its end
+  /// Executes the next block and stops before the one after it.
+  ///   returns  the block executed; nullopt if the program is at its end
   ///   throws   as run()
   std::optional<Place> step();
-  /// Everything that decides how it goes on.
+  /// A snapshot: the complete state that decides how the run continues.
   struct Kept {
-    const ProgramSpec* spec;  // only compared
+    const ProgramSpec* spec;  // only compared, to refuse a snapshot of another program
     SessionSnapshot session;
     std::vector<TimeEstimate> clocks;
     std::vector<std::uint32_t> tools;
@@ -50,7 +51,7 @@ class Run {
   std::shared_ptr<const Kept> snapshot();
   void restore(const Kept& from);
 
-  // ---- what is known now
+  // ---- the present state
   std::string rows() const;
   std::size_t motions() const { return rows_.size(); }
   std::vector<std::string> axes() const { return session_->control().axes(); }
@@ -65,7 +66,7 @@ class Run {
   std::vector<std::string> modal() const { return session_->control().ending().modal; }
 
  private:
-  class Alone;  // keeps others out
+  class Alone;  // lock that refuses calls from other threads
 
   void look_at(std::size_t channel);
   void take(const Step& step, std::size_t channel);
@@ -76,17 +77,17 @@ class Run {
   std::atomic<bool> stop_ = false;
   std::mutex busy_;
   std::unique_ptr<Session> session_;
-  std::vector<TimeEstimate> clocks_;  // of each channel
-  std::vector<std::uint32_t> tools_;  // in the spindle of each channel
+  std::vector<TimeEstimate> clocks_;  // programmed time, by channel
+  std::vector<std::uint32_t> tools_;  // tool in the spindle, by channel
   MotionRows rows_;
   std::size_t most_;
   bool too_many_ = false;
-  std::vector<ToolPosition> at_;  // where the machine stands, of each channel
+  std::vector<ToolPosition> at_;  // machine position, by channel
   std::vector<Finding> warnings_;
   Session::State state_ = Session::State::running;
   bool stepping_ = false;
   bool may_pass_ = false;
-  bool at_block_ = false;  // stands before next_
+  bool at_block_ = false;  // the run is stopped before the block next_
   Origin next_;
 };
 

@@ -1,4 +1,4 @@
-// Faults, picture and samples of a program. For module.cpp; tested by tests/python_binding.py.
+// Faults, picture and samples of a program. Used by module.cpp; tested by tests/python_binding.py.
 
 #include "views.h"
 
@@ -21,18 +21,18 @@
 namespace kadr::python {
 namespace {
 
-/// As `kadr check` (cli/check.cpp).
+/// The same limit as in `kadr check` (cli/check.cpp).
 constexpr std::size_t most_faults = 1000;
-constexpr std::size_t most_again = 100'000;  // repetitions of known faults: a loop that only fails
+constexpr std::size_t most_again = 100'000;  // limit for repetitions of known faults, which a loop may produce endlessly
 
-/// Collects faults, each once, however often its block is executed.
+/// Collects the faults of a run; a fault in a block that is executed several times is stored once.
 class Faults {
  public:
   explicit Faults(const ProgramSpec& spec) : spec_(spec) {}
-  /// False: it is enough.
+  /// Returns false if enough faults were found, to end the run.
   bool take(const AlarmReport& report) {
     const AlarmId id = report.alarm.id;
-    if (id == AlarmId::program_begins_again || id == AlarmId::passes_done) return true;  // one pass is looked at
+    if (id == AlarmId::program_begins_again || id == AlarmId::passes_done) return true;  // not faults: one pass of the program is checked
     if (id == AlarmId::interrupted) return false;
     if (!seen_.insert({report.origin.file, report.origin.line, report.origin.column, id}).second) return ++again_ < most_again;
     found.push_back(spec_.finding(report));
@@ -51,7 +51,7 @@ void run(Session& session, std::atomic<bool>& stop) {
   (void)session.run();
 }
 
-/// A folder that goes away with what is in it.
+/// A temporary folder that is deleted with its contents.
 class OwnFolder {
  public:
   OwnFolder() : path_((std::filesystem::temp_directory_path() / "kadr-XXXXXX").string()) {
@@ -69,7 +69,7 @@ class OwnFolder {
   std::string path_;
 };
 
-/// What a SampleWriter writes, as numbers.
+/// A stream that receives the CSV text of a SampleWriter and stores its values as doubles.
 class Samples {
  public:
   Samples() {
@@ -80,7 +80,7 @@ class Samples {
   Samples(const Samples&) = delete;
   Samples& operator=(const Samples&) = delete;
   std::FILE* file() const { return file_; }
-  /// The rows, all that is buffered too.
+  /// Flushes the stream and returns all rows.
   std::string take() {
     (void)std::fflush(file_);
     return std::move(rows_);
@@ -92,7 +92,7 @@ class Samples {
     for (std::size_t i = 0; i < size; ++i) samples.take(text[i]);
     return static_cast<ssize_t>(size);
   }
-  /// "t,X,Y,Z\n", then lines of numbers.
+  /// Parses the CSV character by character: the heading "t,X,Y,Z", then lines of numbers.
   void take(char c) {
     if (c != ',' && c != '\n') return number_.push_back(c);
     if (heading_) {
@@ -124,7 +124,7 @@ std::vector<Finding> check(const ProgramSpec& spec) {
     session->outlets(i).warning = [&](const AlarmReport& report) { (void)faults.take(report); };
     session->outlets(i).alarm = [&](const AlarmReport& report) { return faults.take(report); };
   }
-  if (channels.size() == 1) session->control().set_waiting(Control::Waiting::pass);  // the other channels' programs are not here
+  if (channels.size() == 1) session->control().set_waiting(Control::Waiting::pass);  // the other channels' programs are missing
   run(*session, stop);
   if (stop) throw Interrupted{};
   for (const Channel& channel : channels) channel.control->check_uncalled([&](const AlarmReport& report) { (void)faults.take(report); });

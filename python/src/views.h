@@ -1,5 +1,5 @@
 #pragma once
-// What is made of a whole program, by a way through it of its own: its faults, its picture, its axes in time.
+// Results that need a run of the whole program in a session of its own: its faults, its picture, its axis positions over time.
 
 #include <map>
 #include <string>
@@ -9,23 +9,23 @@
 
 namespace kadr::python {
 
-/// Every fault that the program has, each once, in the order in which they are met.
+/// Returns every fault of the program, each once, in the order in which the run meets them.
 ///   throws  Interrupted, Failed
 std::vector<Finding> check(const ProgramSpec& spec);
 
-/// The path as SVG or PNG, up to where an alarm stops it.
+/// Returns a picture of the path as SVG or PNG; it ends where an alarm stops the program.
 ///   kind    ".svg", ".png"
 ///   throws  Interrupted, Failed
 std::string picture(const ProgramSpec& spec, const std::string& kind);
 
-/// The axes in time by the planner of least time.
+/// The axis positions over time, computed by the planner of least time.
 struct AxesInTime {
   std::vector<std::string> axes;
-  std::string rows;                       // of doubles: t, then each axis
-  std::map<std::string, double> seconds;  // what the time is made of
+  std::string rows;                       // rows of doubles: the time t, then the position of each axis
+  std::map<std::string, double> seconds;  // the parts that the machining time consists of, s
 };
-///   rate     Hz; 0: the times only
-///   longest  s
+///   rate     samples per second; 0: compute the times only
+///   longest  time at which the samples end, s
 ///   throws   Alarmed, Interrupted, Failed
 AxesInTime axes_in_time(const ProgramSpec& spec, double rate, double longest);
 

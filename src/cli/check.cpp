@@ -29,9 +29,9 @@ struct Count {
   std::size_t faults = 0, warnings = 0, advices = 0;
 };
 
-/// Collects findings, and prints them as they come or all at the end.
+/// Collects the findings, and prints them at once or at the end.
 struct Report {
-  std::FILE* text = nullptr;  // for --format text: prints findings as they come; else nullptr
+  std::FILE* text = nullptr;  // stream for --format text, to which findings are printed at once; else nullptr
   std::vector<Finding> findings;
   std::optional<Baseline> baseline;
   Count count;
@@ -43,7 +43,7 @@ struct Report {
   }
 };
 
-/// Collects what is found in the programs of one file, and leaves out what the baseline has.
+/// Collects the findings in one file, without those in the baseline.
 class Collector {
  public:
   Collector(const Job& job, const Options& options, Report& report, Found& found)
@@ -81,8 +81,8 @@ Checked check_program(const Job& job, const RunLimits& limits, ProgramCheck& che
   return Checked::clean;
 }
 
-/// Checks the file: every program of a tape with several, if none is named.
-///   basis  shared by all files
+/// Checks the file; on a tape with several programs all of them, unless --program names one.
+///   basis  data shared by all files
 Checked check_file(const Options& options, const GuessedControls& controls, const std::string& file, ChecklistBasis basis, Report& report) {
   const auto control = controls.of(file);
   if (!control) return Checked::unreadable;
@@ -91,7 +91,7 @@ Checked check_file(const Options& options, const GuessedControls& controls, cons
   if (!job) return Checked::unreadable;
   const std::size_t programs = options.program == 0 ? count_programs(*job) : 1;
   RunLimits limits = options.limits;
-  const bool one_pass = limits.restarts == RunLimits{}.restarts;  // unless --max-passes asks for more
+  const bool one_pass = limits.restarts == RunLimits{}.restarts;  // unless --max-passes requests more passes
   if (one_pass) limits.restarts = 0;
   const bool only_program = programs == 1 && options.program == 0;  // not one of several on a tape
   if (!basis.tools) basis.tools = tool_table_beside(file);
@@ -133,7 +133,7 @@ void print_count(const Options& options, std::size_t files, Count count, std::si
   type_out("\n");
 }
 
-/// Reads the baseline, if one is named; complains on errors.
+/// Reads the baseline if --baseline names one; prints errors.
 bool read_baseline(const Options& options, Report& report) {
   constexpr std::size_t longest = std::size_t{256} << 20;  // bytes
   if (options.baseline.empty()) return true;
@@ -148,7 +148,7 @@ bool read_baseline(const Options& options, Report& report) {
   return true;
 }
 
-/// Reads the tools file, if one is named; complains on errors.
+/// Reads the tools file if one is named; prints errors.
 bool read_table(const Options& options, std::shared_ptr<const ToolTable>& to) {
   if (options.table.empty()) return true;
   auto tools = load_tools(options.table);
@@ -209,10 +209,10 @@ int check(const Options& given) {
       status = wrong_usage;
     }
     if (interrupted()) return interrupted_status();
-    if (report.text != nullptr && std::ferror(report.text) != 0) break;  // the reader has gone
+    if (report.text != nullptr && std::ferror(report.text) != 0) break;  // the reader of the pipe has closed it
   }
   if (report.text == nullptr) write_findings(output->get(), options, report, status);
-  if (checked == 0 && status == ok) {  // in the folders' files
+  if (checked == 0 && status == ok) {  // among the files of the folders
     complain(told("no program of a control that Kadr knows is there: --control says which it is",
                   "там нет УП известного Kadr УЧПУ: какое оно, скажет --control"));
     status = wrong_usage;

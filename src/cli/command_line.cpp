@@ -129,7 +129,7 @@ void add_pages(CLI::App& app, Commands& c) {
   complete->footer(completion_examples());
 }
 
-/// CLI11 would read the next option as the value of an option without one: `--trace --why` would write a file of that name.
+/// Requires values for options: CLI11 would read the next option as the value, so that `--trace --why` would write a file named --why.
 void want_values(CLI::App& app) {
   for (CLI::Option* const option : app.get_options({})) {
     if (takes_nothing(*option)) continue;

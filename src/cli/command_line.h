@@ -1,5 +1,6 @@
 #pragma once
-// The command line: commands, options, and help with examples. The manual page and the shell completion are built from the same tree.
+// The command line: commands, options, and help with examples. The manual page and the shell completion are generated from the same
+// definitions.
 
 #include <memory>
 #include <string>
@@ -25,24 +26,24 @@ struct Commands {
   ConvertOptions convert;
   ServeOptions serve;
   ReportOptions report;
-  std::string machine;  // of `machines`; empty: all
-  std::string shell;    // of `completion`
+  std::string machine;  // value of `machines`; empty: all machines
+  std::string shell;    // value of `completion`
 };
 
-/// Returns the parser; its texts are in the language of told().
+/// Returns the parser. Its texts are in the language of told().
 std::unique_ptr<CLI::App> make_app(Commands& commands);
 
-/// Returns the language that --lang names anywhere on the line, so that a faulty line too is answered in that language; empty if there is
-/// none.
+/// Returns the language that --lang specifies anywhere on the command line; empty if it is absent. It is read before parsing, so that the
+/// errors of a wrong command line are in that language too.
 std::string language_on(int argc, const char* const* argv);
 
-/// Sets the language in which every command answers.
+/// Sets the language of the output of every command.
 void speak(Commands& commands, const std::string& lang);
 
 std::string manual_page(const CLI::App& app);
 ///   shell  bash, zsh or fish
 std::string completion(const CLI::App& app, const std::string& shell);
-/// Returns what `kadr explain CONTROL` can explain, one per line; empty if there is no such control.
+/// Returns the names that `kadr explain CONTROL` can explain, one per line; empty if there is no such control.
 std::string codes_of(const std::string& control);
 
 }  // namespace kadr::cli

@@ -1,5 +1,6 @@
 #pragma once
-// The parts that command_line.cpp assembles: each adds its commands. Their texts are written in both languages (told.h).
+// The functions with which command_line.cpp assembles the command line: each adds commands or options. Their texts are in both languages
+// (told.h).
 
 #include <array>
 
@@ -7,37 +8,37 @@
 
 namespace kadr::cli {
 
-/// run, debug, check, setup (program_commands.cpp).
+/// Adds run, debug, check and setup (program_commands.cpp).
 void add_run(CLI::App& app, Commands& commands);
 void add_debug(CLI::App& app, Commands& commands);
 void add_check(CLI::App& app, Commands& commands);
 void add_setup(CLI::App& app, Commands& commands);
-/// mill (mill_command.cpp).
+/// Adds mill (mill_command.cpp).
 void add_mill(CLI::App& app, Commands& commands);
 
-/// cut (cut_command.cpp).
+/// Adds cut (cut_command.cpp).
 void add_cut(CLI::App& app, Commands& commands);
 
-/// diff (diff.cpp).
+/// Adds diff (diff.cpp).
 void add_diff(CLI::App& app, Commands& commands);
-/// convert (convert.cpp).
+/// Adds convert (convert.cpp).
 void add_convert(CLI::App& app, Commands& commands);
 
-/// report (report_command.cpp).
+/// Adds report (report_command.cpp).
 void add_report(CLI::App& app, Commands& commands);
 
-/// --stock and --tools of cut and report, returned in this order, and --fixture (cut_command.cpp).
+/// Adds --fixture, and returns --stock and --tools, which it adds too: options of cut and report (cut_command.cpp).
 std::array<CLI::Option*, 2> blank_options(CLI::App& app, CutOptions& options);
-/// --resolution.
+/// Adds --resolution.
 void cell_option(CLI::App& app, CutOptions& options);
 
-/// serve (serve.cpp).
+/// Adds serve (serve.cpp).
 void add_serve(CLI::App& app, Commands& commands);
 
-/// The argument and the options of a program, for all commands that read one (program_commands.cpp).
+/// Adds the program argument and its options, for all commands that read a program (program_commands.cpp).
 void program_argument(CLI::App& app, Options& options);
 void program_options(CLI::App& app, Options& options);
-/// --files, for the commands in which a program writes nothing.
+/// Adds --files, the folder of the program memory, for commands in which the program writes no files.
 void memory_option(CLI::App& app, Options& options);
 
 void control_option(CLI::App& app, std::string& control);

@@ -15,9 +15,9 @@ namespace {
 /// The possible values of an option or argument.
 struct Values {
   std::string words;   // separated by blanks
-  std::string ending;  // of files, as an extended pattern of names: "json", "@(svg|png)"; empty: any
+  std::string ending;  // pattern of file name endings: "json", "@(svg|png)"; empty: any
   bool folders = false;
-  bool files = false;  // any file
+  bool files = false;  // the value may be any file
 };
 
 std::string joined(const std::vector<std::string>& words) {
@@ -34,7 +34,8 @@ std::vector<const CLI::Option*> named_options(const CLI::App& app) {
   return app.get_options([](const CLI::Option* option) { return option->nonpositional() && !option->get_group().empty(); });
 }
 
-/// A set of words has the name "text|json|sarif" (one_of in cli/option_values).
+/// Derives the possible values from the value's name in the help: a list of words is named "text|json|sarif" (one_of in
+/// cli/option_values).
 Values values_of(const std::string& name, const CLI::Option& option) {
   if (name == "--control") return {joined(control_names()), "toml", false};
   if (name == "--machine") return {joined(built_in_machines()), "toml", false};
@@ -102,7 +103,7 @@ std::string shell_groups(const CLI::App& app) {
   return groups;
 }
 
-// Functions of bash and zsh that the tables below call: they offer what begins with $word, in small or capital letters.
+// Functions of bash and zsh that the tables below call: they suggest the words that begin with $word, in any case.
 constexpr const char* bash_functions = R"sh(# bash completion of kadr; made by `kadr completion bash`
 _kadr_words() {
   local one
@@ -164,7 +165,7 @@ constexpr const char* zsh_beginning = R"sh(_kadr() {
   if ((CURRENT > first + 1)); then group="$command ${words[first + 1]}"; fi
 )sh";
 
-/// Returns the tables that both shells read.
+/// Returns the tables that the bash and zsh functions read.
 std::string tables(const CLI::App& app) {
   std::string values, words;
   shell_values(app, "", values);
@@ -178,7 +179,7 @@ std::string bash_script(const CLI::App& app) {
   return std::string(bash_functions) + bash_beginning + tables(app) + "complete -F _kadr kadr\n";
 }
 
-/// In a file of fpath the script is the function itself; read by `source` it must be registered.
+/// Returns the zsh script. In a folder of fpath the script itself is the function; if `source` reads it, the function must be registered.
 std::string zsh_script(const CLI::App& app) {
   return std::string(zsh_functions) + zsh_beginning + tables(app) +
          "if [[ ${funcstack[1]} == _kadr ]]; then _kadr \"$@\"; else compdef _kadr kadr; fi\n";
@@ -190,7 +191,7 @@ std::string in_quotes(const std::string& text) {
   return "'" + out + "'";
 }
 
-/// Returns what fish offers after an option.
+/// Returns what fish suggests as the value of an option.
 std::string fish_values(const Values& values) {
   std::string offer;
   if (!values.words.empty()) offer += values.words + " ";

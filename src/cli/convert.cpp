@@ -24,7 +24,7 @@
 namespace kadr::cli {
 namespace {
 
-constexpr double least_apart = 1e-5, most_apart = 10;  // mm
+constexpr double least_apart = 1e-5, most_apart = 10;  // limits of --tolerance, mm
 
 constexpr std::array<const char*, 5> ways = {"text", "words", "codes", "centre", "plain"};  // in the order of ConvertedAs
 
@@ -136,7 +136,7 @@ class ConvertCommand {
     return ok;
   }
 
-  /// Returns as much as a guess reads.
+  /// Returns the beginning of the text, as long as guessing a control needs.
   static std::string beginning_of(const ConversionTry& one) {
     constexpr std::size_t looked_at = std::size_t{256} << 10;  // bytes
     std::string text;
@@ -147,7 +147,7 @@ class ConvertCommand {
     return text;
   }
 
-  /// Writes the program in its letters.
+  /// Writes the converted program in its encoding.
   ///   alarms  bad_encoding
   Status write(const ConversionTry& one, bool unproven) {
     std::FILE* const file = outputs_.stream("--out");
@@ -159,7 +159,7 @@ class ConvertCommand {
     };
     const auto in_letters = [&](std::string_view text) { return unproven ? transliterated(text, letters_).text : std::string(text); };
     const std::string mark = unproven ? in_letters(unproven_mark()) : std::string();
-    if (is_tape(letters_.encoding)) return put(mark + in_letters(whole_text(*one.text)));  // the whole text goes between leader and trailer
+    if (is_tape(letters_.encoding)) return put(mark + in_letters(whole_text(*one.text)));  // with leader and trailer around the whole text
     Status status = put(mark);
     (void)each_piece(*one.text, [&](std::string_view piece) {
       if (status) status = put(in_letters(piece));
@@ -176,7 +176,7 @@ class ConvertCommand {
       say(fmt::format("  {}:{}: {}: {}\n", job_->file, lines, told("written out", "расписано"), why_written_out(out, sides)));
     }
   }
-  /// Prints why the first `count` ways were not used; ways with the same reason share a line.
+  /// Prints the reasons why the first `count` ways were not used; ways with the same reason share a line.
   void tell_whys(const Converted& made, std::size_t count, const ConversionSides& sides) const {
     std::vector<ConversionRefusal> whys;
     for (std::size_t i = 0; i < count; ++i) {

@@ -30,9 +30,9 @@ namespace kadr::cli {
 namespace {
 
 constexpr double bytes_of_mb = 1 << 20;
-constexpr double allowed = 0.01, allowed_of_cell = 0.1;  // a gouge, mm; error of a surface point, cells: docs/stock.md
+constexpr double allowed = 0.01, allowed_of_cell = 0.1;  // a gouge, mm; error of a surface point, in cells: docs/stock.md
 
-/// Returns the files of the command, none of them opened yet.
+/// Returns the output files of the command, not opened yet.
 Outputs outputs_of(const CutOptions& options, const Job& job) {
   Outputs outputs(language(options.run));
   outputs.reads(job.file);
@@ -66,7 +66,7 @@ struct Cut {
   const Stock& stock;  // the stock of that surface
 };
 
-/// Draws the picture, if one is requested. Returns an error sentence.
+/// Draws the picture if --plot requests one. Returns an error sentence.
 tl::expected<void, std::string> draw(const CutOptions& options, const Job& job, const Outputs& outputs, const Cut& cut,
                                      const CutResult& result) {
   if (options.run.plot.empty()) return {};
@@ -97,7 +97,7 @@ bool write_results(const CutOptions& options, const Job& job, Outputs& outputs, 
   return outputs.keep();
 }
 
-/// Complains if a result cannot be written in the requested format.
+/// Checks that each result can be written in the requested format; prints an error if not.
 bool can_write(const CutOptions& options) {
   if (!can_write_meshes(options)) return false;
   const std::string fault = options.run.plot.empty() ? "" : page_fault(options.run.plot);
@@ -105,7 +105,7 @@ bool can_write(const CutOptions& options) {
   return fault.empty();
 }
 
-/// Reports figures, part and files after the program was executed. Returns the exit status.
+/// Prints the numbers, compares the part and writes the files, after the program was executed. Returns the exit status.
 int tell_results(const CutOptions& options, const Job& job, const CutJob& cut_job, const CutRun& run, const std::optional<Mesh>& part,
                  Outputs& outputs) {
   const Stock* const window = run.cutting().window();
@@ -129,7 +129,7 @@ int tell_results(const CutOptions& options, const Job& job, const CutJob& cut_jo
   return run.alarms() != 0 || !result.collisions.empty() || part_is_wrong ? alarms : ok;
 }
 
-/// Returns the watch over the machine's bodies, nullptr if it has none; nullopt after a complaint.
+/// Returns the collision watch over the machine's solid bodies, nullptr if the machine has none; nullopt after printing an error.
 std::optional<std::unique_ptr<MachineWatch>> watch_of(const CutOptions& options, const Session& session, const CutJob& cut) {
   std::vector<std::string> notes;
   auto watch =

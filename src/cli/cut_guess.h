@@ -1,5 +1,5 @@
 #pragma once
-// --stock guess, --tools guess: guesses the blank and the tools of a program by executing it once before it is cut. Used by cli/cut.
+// --stock guess, --tools guess: finds a blank and tools that suit a program by running it once before it is cut. Used by cli/cut.
 
 #include "cli/job.h"
 #include "config/tool_library.h"
@@ -8,10 +8,10 @@ namespace kadr::cli {
 
 inline constexpr const char* guess_word = "guess";
 
-/// Replaces each of the two that is to be guessed by the result, and prints it; complains on errors.
-///   options  its stock becomes a body as the user could have written it
-///   tools    get the tools that the program cuts with
-///   returns  false if nothing is cut, a tool's shape is not known, or the program cannot be read twice
+/// Replaces --stock guess and --tools guess by what it finds, and prints it; prints an error if that fails.
+///   options  its stock becomes the description of a body, as a user could have typed it
+///   tools    gets the tools with which the program cuts
+///   returns  false if the program cuts nothing, a tool's shape is not known, or the program cannot be read twice
 bool guess_blank_and_tools(CutOptions& options, const Job& job, ToolLibrary& tools);
 
 }  // namespace kadr::cli

@@ -1,4 +1,4 @@
-// Finds blank, fixtures, tools and part. Used by cli/cut.
+// Loads blank, fixtures, tools and target part. Used by cli/cut.
 
 #include "cli/cut_job.h"
 
@@ -34,7 +34,7 @@ std::optional<double> seconds_of(const std::string& text, std::string& line) {
   return seconds;
 }
 
-/// Reads a body of the command line; complains on errors.
+/// Reads a solid body described on the command line; prints errors.
 std::shared_ptr<const Blank> named_body(const char* option, const std::string& text, double most) {
   const auto named = body_of(text, most);
   if (!named) {
@@ -45,7 +45,7 @@ std::shared_ptr<const Blank> named_body(const char* option, const std::string& t
   return named->body;
 }
 
-/// Reads the target part, if one is named; complains on errors.
+/// Reads the target part if --part names one; prints errors.
 bool find_part(const CutOptions& options, std::optional<Mesh>& part) {
   if (options.part.empty()) {
     const char* const lonely = options.allow >= 0                  ? "--allow"
@@ -69,8 +69,8 @@ bool find_part(const CutOptions& options, std::optional<Mesh>& part) {
   return true;
 }
 
-/// Finds the window of --window and both cell sizes: --resolution is that of the window, or of the whole if there is no window. Complains
-/// on errors.
+/// Determines the window of --window and both cell sizes: --resolution is that of the window, or of the whole blank without a window.
+/// Prints errors.
 bool find_lattices(const CutOptions& options, const std::optional<Mesh>& part, double most, CutJob& job) {
   std::optional<Box3> window;
   if (!options.window.empty()) {
@@ -92,7 +92,7 @@ bool find_lattices(const CutOptions& options, const std::optional<Mesh>& part, d
   return true;
 }
 
-/// Chooses cells and bodies within the memory limit; complains on errors.
+/// Chooses the cell size and creates the material within the memory limit; prints errors.
 bool find_material(const CutOptions& options, const std::optional<Mesh>& part, CutJob& job) {
   const double most = options.max_memory * bytes_per_mb;
   job.blank = named_body("--stock", options.stock, most);
@@ -114,7 +114,7 @@ bool find_material(const CutOptions& options, const std::optional<Mesh>& part, C
   return false;
 }
 
-/// Reads the tools before the material, since they help to choose the cell. Guessed tools are already there. Complains on errors.
+/// Reads the tools before the material is created, since the cell size depends on them. Guessed tools are already loaded. Prints errors.
 bool find_tools(const CutOptions& options, CutJob& job) {
   if (options.tools == guess_word) return true;
   auto tools = load_tools(options.tools);

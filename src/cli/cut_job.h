@@ -1,5 +1,5 @@
 #pragma once
-// Finds what kadr cut needs from its options: blank, fixtures, tools, part. Used by cli/cut.
+// Loads what kadr cut needs from its options: blank, fixtures, tools, target part. Used by cli/cut.
 
 #include <optional>
 
@@ -10,12 +10,12 @@
 
 namespace kadr::cli {
 
-/// Finds all that is not given by the program and its set-up; complains on errors.
-///   options  --to gets the line of --until
-///   part     gets the target part, if one is named
+/// Loads everything that does not come from the program and its set-up; prints errors.
+///   options  its --to gets the line of --until
+///   part     gets the target part if --part names one
 bool find_cut_job(CutOptions& options, CutJob& job, std::optional<Mesh>& part);
 
-/// Finds the row of the work system that --stock-zero names; complains on errors.
+/// Finds the number of the work system that --stock-zero names; prints errors.
 bool find_system(const CutOptions& options, const Job& job, std::optional<std::uint16_t>& system);
 
 }  // namespace kadr::cli

@@ -1,5 +1,5 @@
 #pragma once
-// Writes the meshes of kadr cut: --out, --simplify, --deviation. Used by cli/cut.
+// Writes the surface meshes of kadr cut: --out, --simplify, --deviation. Used by cli/cut.
 
 #include "cli/options.h"
 #include "cli/outputs.h"
@@ -10,11 +10,11 @@
 
 namespace kadr::cli {
 
-/// Returns whether the meshes can be written in the formats that their names ask for; complains if not.
+/// Returns true if the meshes can be written in the formats that the file names select; prints an error if not.
 bool can_write_meshes(const CutOptions& options);
 
-/// Writes the meshes into the open files; complains on errors.
-///   surface  what `cutting` has left, in its window if there is one
+/// Writes the meshes into the open files; prints errors.
+///   surface  surface of the part after `cutting`, or of its window if there is one
 ///   result   gets `simplified`
 bool write_meshes(const CutOptions& options, const Outputs& outputs, const Surface& surface, const PartComparison& held,
                   const Cutting& cutting, CutResult& result);

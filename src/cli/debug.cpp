@@ -20,7 +20,7 @@
 namespace kadr::cli {
 namespace {
 
-/// A command line: its first word, and what follows.
+/// A command of the debugger: its first word, and the rest of the line.
 struct Said {
   std::string word, rest;
 };
@@ -87,7 +87,7 @@ class Debugger : public PartOfProgram {
     const bool asks = ::isatty(STDIN_FILENO) != 0;
     for (std::string line; !quit_ && !interrupted();) {
       if (asks) type_out("(kadr) ");
-      if (std::fflush(stdout) != 0 || !std::getline(std::cin, line)) break;  // nobody reads, or there are no more commands
+      if (std::fflush(stdout) != 0 || !std::getline(std::cin, line)) break;  // output is closed, or there are no more commands
       obey(split(line));
     }
     if (state_ == Session::State::held) (void)session_->stop_here();
@@ -131,7 +131,7 @@ class Debugger : public PartOfProgram {
     return false;
   }
 
-  /// Saves the state, so that back() can return to it.
+  /// Saves the state before a command, so that back() can restore it.
   void keep() {
     constexpr std::size_t most = 200;
     if (auto now = stepping().snapshot()) kept_.push_back(std::move(*now));
@@ -155,7 +155,7 @@ class Debugger : public PartOfProgram {
     show();
   }
 
-  /// Returns LINE or LINE:PASS; nullopt if it is wrong, after a message.
+  /// Reads LINE or LINE:PASS; prints an error and returns nullopt if it is wrong.
   std::optional<StopPoint> target_of(const std::string& rest) const {
     const std::size_t colon = rest.find(':');
     const auto line = count_of(rest.substr(0, colon), 0);
@@ -187,7 +187,7 @@ class Debugger : public PartOfProgram {
     if (first_)  // the search starts from the beginning
       if (const Status restored = stepping().restore(*first_); !restored) return tell(restored.error(), "");
     tell_search(*session_, stepping(), *target, job_->lang);
-    state_ = stepping().next() ? Session::State::held : session_->go_on();  // at the end, the state shows what ended it
+    state_ = stepping().next() ? Session::State::held : session_->go_on();  // at the end of the program, the state shows why it ended
     show();
   }
 
@@ -293,7 +293,7 @@ class Debugger : public PartOfProgram {
     show();
   }
 
-  /// Prints the position, and what is watched.
+  /// Prints the position and the watched expressions.
   void show() {
     if (interrupted()) return;
     if (stepping().hit() != 0) type_out("{} {}\n", told("breakpoint", "точка останова"), stepping().hit());
@@ -304,7 +304,7 @@ class Debugger : public PartOfProgram {
 
   void wrong(const std::string& text) const { type_out("{}: {}\n", text, told("not understood (help)", "непонятно (help)")); }
 
-  /// Prints an alarm in what was typed.
+  /// Prints an alarm about the text that the user typed.
   void tell(const Alarm& alarm, const std::string& typed) const {
     AlarmReport report{alarm, told("command", "команда"), typed, {}, {}, {}};
     report.origin.line = 1;

@@ -27,7 +27,7 @@ constexpr double least_tolerance = 1e-5, most_tolerance = 10;  // mm
 constexpr std::size_t shown = 20;                              // differences, unless all are requested
 constexpr std::size_t most_shown = 100'000, most_of_line = 100;
 
-/// One of the two: its program, what runs it, its lines.
+/// One of the two programs, with what is needed to run it, and its text.
 struct Side {
   std::string name;
   std::optional<Job> job;
@@ -43,7 +43,7 @@ Options options_of(const DiffOptions& o, bool b) {
   return options;
 }
 
-/// Complains on errors.
+/// Opens a session of one program; prints errors.
 std::unique_ptr<Session> open_side(const Options& options, Side& side) {
   side.name = options.programs.front();
   side.job = make_job(options, side.name);
@@ -58,7 +58,7 @@ std::unique_ptr<Session> open_side(const Options& options, Side& side) {
   return session;
 }
 
-using Names = std::array<std::string, 2>;  // of the two programs
+using Names = std::array<std::string, 2>;  // names of the two programs
 
 /// Returns "part.nc:5-7".
 std::string place(const std::string& name, const CourseSpot& from, const CourseSpot& to) {
@@ -79,7 +79,7 @@ std::string places(const Names& names, const CourseDifference& d) {
 }
 
 struct Showing {
-  std::size_t most;  // differences
+  std::size_t most;  // greatest number of differences to print
   bool numbered;     // numbered as in the picture
   Lang lang;
 };
@@ -124,14 +124,14 @@ CompareRules rules_of(const DiffOptions& o, const ControlDef& of_b, DifferencePl
   return rules;
 }
 
-/// Returns the files that both have called.
+/// Returns the files that both programs have called.
 std::vector<std::string> files_of(const Comparison& made) {
   std::vector<std::string> files = made.read_a;
   files.insert(files.end(), made.read_b.begin(), made.read_b.end());
   return files;
 }
 
-/// Returns the files of the command, none of them opened yet.
+/// Returns the output files of the command, not opened yet.
 Outputs outputs_of_diff(const DiffOptions& o, const Side& a, const Side& b) {
   Outputs outputs(language(o.both));
   for (const Side* const side : {&a, &b}) outputs.reads(side->name), outputs.reads(side->job->setup_file);
@@ -148,7 +148,7 @@ struct Drawing {
   bool all;  // show the numbers of all differences
 };
 
-/// Complains on errors.
+/// Draws the comparison; prints errors.
 bool draw(const Drawing& to, const Side& a, const Side& b, const Comparison& made) {
   const Lang lang = to.lang;
   const auto control = [lang](const Side& side) { return lang == Lang::ru ? side.job->def->name.ru : side.job->def->name.en; };

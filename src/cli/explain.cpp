@@ -54,7 +54,7 @@ std::string unknown_code(const ControlDef& def, const std::string& code, Lang la
   return text;
 }
 
-/// Prints what every built-in control states about a code, an alarm or words; equal texts only once.
+/// Prints what all built-in controls state about a code, an alarm or words; controls with the same text are grouped.
 int explain_everywhere(const std::string& what, const std::string& refusal, Lang lang) {
   std::vector<std::pair<std::string, std::vector<std::string>>> said;  // the texts, and the controls that state each
   const std::vector<std::string> all = built_in_controls();

@@ -1,4 +1,4 @@
-// Prints what a run finds. Used by the rest of cli; tested by tests/run_faulty.py and tests/found.py.
+// Prints the findings of a run. Used by the rest of cli; tested by tests/run_faulty.py and tests/found.py.
 
 #include "cli/found.h"
 

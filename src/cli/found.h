@@ -1,6 +1,6 @@
 #pragma once
-// Found: prints what a run finds, for people: the first warning of each id in full; further ones are counted and reported in one line at
-// the end.
+// Found: prints the findings of a run for the user. The first warning of each id is printed in full; further ones are counted and summed
+// up in one line at the end.
 
 #include <cstdint>
 #include <cstdio>
@@ -15,18 +15,18 @@ namespace kadr::cli {
 
 class Found {
  public:
-  ///   to     where they are printed: stderr, or a file without colours
-  ///   every  print each of them in full
+  ///   to     stream to print to: stderr, or a file without colours
+  ///   every  print every finding in full
   Found(const AlarmTexts& texts, Lang lang, std::FILE* to, bool every) : texts_(texts), lang_(lang), to_(to), every_(every) {}
 
   void tell(const AlarmReport& report);
-  /// Prints the lines of the findings that were only counted; call it once, at the end.
+  /// Prints the lines that sum up the counted findings; call it once, at the end.
   void finish();
 
  private:
   struct Repeated {
     std::size_t more = 0;
-    std::vector<std::uint32_t> lines;  // of the first few, each once
+    std::vector<std::uint32_t> lines;  // the first few line numbers, each once
   };
   void print(const std::string& text) const;
 
@@ -34,7 +34,7 @@ class Found {
   const Lang lang_;
   std::FILE* const to_;
   const bool every_;
-  std::map<std::pair<std::string, AlarmId>, Repeated> repeated_;  // by file
+  std::map<std::pair<std::string, AlarmId>, Repeated> repeated_;  // by file name and alarm id
 };
 
 }  // namespace kadr::cli

@@ -1,4 +1,4 @@
-// Used by cli/job and cli/check; tested by tests/guess.py.
+// Guesses the control of a program. Used by cli/job and cli/check; tested by tests/guess.py.
 
 #include "cli/guessed_control.h"
 
@@ -48,7 +48,7 @@ bool remembers(const Options& options, const std::string& file) {
   return error.empty();
 }
 
-/// Returns the files whose control --remember could not save; tries each folder once, before anything is guessed.
+/// Returns the files for which --remember cannot save the control; tries each folder once, before the first guess.
 std::set<std::string> forgotten_of(const Options& options, const std::vector<std::string>& files) {
   std::set<std::string> forgotten, remembering;
   for (const std::string& file : files)

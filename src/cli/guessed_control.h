@@ -1,5 +1,5 @@
 #pragma once
-// Guesses the control of a program for which none is named, from its text and from the files next to it.
+// Guesses the control of a program from its text and from the files next to it, if the user names none.
 
 #include <optional>
 #include <set>
@@ -11,14 +11,15 @@
 
 namespace kadr::cli {
 
-/// Returns the control that the options name for the file, or that its folder's .kadr.toml remembers; empty if there is none.
+/// Returns the control that the options name for the file, or that .kadr.toml in its folder stores; empty if there is none.
 std::string named_control(const Options& options, const std::string& file);
 
-/// Returns the named control, or the one guessed from text, name and neighbours of the file; a guess and its reasons are printed on stderr.
-///   returns  nullopt if the file cannot be read; empty if it is no program of a control that Kadr supports
+/// Returns the named control, or the control guessed from the text, the name and the neighbours of the file; prints a guess and its
+/// reasons on stderr.
+///   returns  nullopt if the file cannot be read; an empty text if the file is no program of a control that Kadr supports
 std::optional<std::string> control_of(const Options& options, const std::string& file);
 
-/// The same for many programs, each with the others as its neighbours.
+/// Finds the controls of many programs; a guess for one program also considers the others.
 class GuessedControls {
  public:
   GuessedControls(const Options& options, const std::vector<std::string>& files);
@@ -29,7 +30,7 @@ class GuessedControls {
   bool refuses(const std::string& file, const std::string& control) const;
 
   const Options& options_;
-  std::set<std::string> forgotten_;  // files whose control --remember could not save
+  std::set<std::string> forgotten_;  // files for which --remember could not save the control
   FolderGuess guesses_;
 };
 

@@ -14,10 +14,10 @@ namespace kadr::cli {
 /// Lays out option names and descriptions in two columns, counted in characters, in the language of told().
 std::shared_ptr<CLI::FormatterBase> help_formatter();
 
-/// Returns the whole name of a command: "kadr tape decode".
+/// Returns the full name of a command: "kadr tape decode".
 std::string whole_name(const CLI::App& command);
 
-/// Examples and exit status of each command, in the language of told().
+/// The *_examples() functions return examples and exit status of a command, in the language of told().
 std::string run_examples();
 std::string check_examples();
 std::string debug_examples();

@@ -1,4 +1,4 @@
-// Collects, from what the command line names, a program and everything that is needed to run it. Used by the rest of cli.
+// Loads the program that the command line names, and everything needed to run it. Used by the rest of cli.
 
 #include "cli/job.h"
 
@@ -19,7 +19,7 @@
 namespace kadr::cli {
 namespace {
 
-/// Reads the set-up file and applies the options over it; complains if something is wrong.
+/// Reads the set-up file and applies the command-line options over it; prints errors.
 bool take_setup(Job& job, const Options& options) {
   std::vector<SetupSource> sources;
   if (!options.setup.empty()) {
@@ -50,8 +50,8 @@ bool take_setup(Job& job, const Options& options) {
   return true;
 }
 
-/// Returns the control. For a command with many programs each control is read once and stays as it was then. Complains on errors.
-///   returns  nullptr if it cannot be read
+/// Returns the control. For a command with many programs each control file is read only once. Prints errors.
+///   returns  nullptr if the control cannot be read
 std::shared_ptr<const ControlDef> control_named(const std::string& name) {
   static std::map<std::string, std::shared_ptr<const ControlDef>> known;
   if (const auto found = known.find(name); found != known.end()) return found->second;
@@ -63,7 +63,7 @@ std::shared_ptr<const ControlDef> control_named(const std::string& name) {
   return known[name] = std::make_shared<const ControlDef>(std::move(*def));
 }
 
-/// The same for its alarm texts.
+/// Returns the alarm texts of a control, also read only once.
 std::shared_ptr<const AlarmTexts> texts_of(const std::shared_ptr<const ControlDef>& def) {
   static std::map<std::shared_ptr<const ControlDef>, std::shared_ptr<const AlarmTexts>> known;
   std::shared_ptr<const AlarmTexts>& of = known[def];

@@ -1,5 +1,5 @@
 #pragma once
-// Collects, from what the command line names, a program and everything that is needed to run it.
+// Job: the program that the command line names, and everything needed to run it.
 
 #include <memory>
 #include <optional>
@@ -19,15 +19,15 @@ struct Job {
   MachineProfile profile;
   Setup setup;
   SaidEncoding encoding;
-  std::uint32_t program = 0;                 // number of the program, on a tape with several
-  std::optional<std::size_t> program_index;  // or its index there, from 0
-  KeyLines setup_lines;                      // the lines of the set-up's keys
-  std::set<std::string> stated;              // PlacedSetup::stated
+  std::uint32_t program = 0;                 // number of the program, on a tape with several programs
+  std::optional<std::size_t> program_index;  // or its index on the tape, from 0
+  KeyLines setup_lines;                      // line numbers of the keys in the set-up file
+  std::set<std::string> stated;              // keys of the set-up that the user states: PlacedSetup::stated
   Lang lang = Lang::en;
 
-  /// Reads the alarm texts at the first alarm, so that a run without one need not wait for them.
+  /// Returns the alarm texts; they are read at the first call, so that a run without alarms does not wait for them.
   const AlarmTexts& texts() const;
-  /// Returns the location of a key of the set-up: "shop.json:3".
+  /// Returns the file and line of a set-up key: "shop.json:3".
   std::string place_of(const std::string& key) const;
 
  private:
@@ -37,20 +37,21 @@ struct Job {
 /// Returns the error message for an unknown encoding.
 std::string no_encoding(const std::string& name, bool ru);
 
-/// Loads what the options name; complains to stderr.
+/// Loads the files that the options name; prints errors to stderr.
 ///   returns  nullopt if something is missing or wrong (exit status 2)
 std::optional<Job> make_job(const Options& options, const std::string& file);
 
 std::optional<Job> make_job(const Options& options, const std::string& file, const std::string& control);
 
-/// Opens the program, on a tape with several the one that the job names; complains if it cannot be read or is not there.
+/// Opens the program; on a tape with several programs the one that the job names. Prints an error if the program is missing or cannot be
+/// read.
 std::optional<Program> open_program(const Job& job);
 
-/// Creates a session with all channels of the machine; complains if the control lacks something.
+/// Creates a session with all channels of the machine; prints an error if the control lacks a required feature.
 ///   returns  nullptr for wrong usage
 std::unique_ptr<Session> make_session(const Job& job, Program program, const RunLimits& limits);
 
-/// Returns the number of programs in the file: 1, or more on a tape (spec/gost 1); 1 if the file cannot be read.
+/// Returns the number of programs in the file: 1, or more on a tape (spec/gost 1). Returns 1 if the file cannot be read.
 std::size_t count_programs(const Job& job);
 
 }  // namespace kadr::cli

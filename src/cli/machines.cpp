@@ -68,7 +68,7 @@ std::string joint_text(const std::string& name, const AxisJoint& joint) {
                      vector(joint.through), joint.reversed ? told(", reversed", ", обратно") : "");
 }
 
-/// Prints which axis carries which and, if so, why the parameters of an NCT cannot express it.
+/// Prints the order in which the axes carry each other and, where it applies, why NCT parameters cannot express it.
 void print_chains(const MachineProfile& machine) {
   const auto chain = [&](const std::string& what, const std::vector<std::string>& names) {
     std::string text = told("bed", "станина");

@@ -1,4 +1,4 @@
-// The program: reads the command line, runs one command, returns its exit status.
+// The main program: reads the command line, runs one command, returns its exit status.
 
 #include <fmt/core.h>
 
@@ -73,7 +73,7 @@ void take_usual_words(int argc, char** argv) {
   argv[argc - 1] = help;
 }
 
-/// Checks the output; a command that failed has already reported it.
+/// Checks that the output was written, unless the command has already reported an error. Returns the exit status.
 int printed(int status) { return status == wrong_usage || came_out() ? status : wrong_usage; }
 
 }  // namespace
@@ -103,7 +103,7 @@ int main(int argc, char** argv) {
     return printed(perform(*app, commands));
   } catch (const std::bad_alloc&) {
     complain(kadr::told("out of memory", "не хватает памяти"));
-  } catch (const std::exception& error) {  // from a library: a bug, but reported in plain words
+  } catch (const std::exception& error) {  // thrown by a library: a bug of Kadr, but reported in a sentence
     complain(error.what());
   }
   return wrong_usage;

@@ -1,5 +1,5 @@
 #pragma once
-// The values of options: their names in the help, and checks. A wrong value is refused in words, with the nearest right one.
+// The values of options: their names in the help, and checks. The error for a wrong value suggests the nearest right one.
 
 #include <limits>
 #include <string>
@@ -12,25 +12,25 @@ class Option;
 
 namespace kadr::cli {
 
-/// Sets the name of the value in the help: `--trace FILE`, in Russian `--trace ФАЙЛ`.
+/// Sets the name of the option's value in the help: `--trace FILE`, in Russian `--trace ФАЙЛ`.
 CLI::Option* takes(CLI::Option* option, const char* en, const char* ru);
 CLI::Option* takes_file(CLI::Option* option);
 
-/// The value is a file that is written. A word that means "none" (`off`, `no`, `none`, `false`) or a name like an option's (`--help`, `-q`)
-/// is refused with a hint: a user who types `--trace off` wants no file. "-" means standard output and is accepted.
+/// The value is the name of an output file. Words that mean "none" (`off`, `no`, `none`, `false`) and values that look like an option
+/// (`--help`, `-q`) are refused with a hint: a user who types `--trace off` wants no file. "-" means standard output.
 CLI::Option* writes_file(CLI::Option* option);
 
-/// The value is one of these words, in small or capital letters; the help shows `text|json|sarif`.
+/// The value is one of these words, in small or capital letters; the help shows them: `text|json|sarif`.
 CLI::Option* one_of(CLI::Option* option, const std::vector<std::string>& words);
 
-/// The value is a word that `knows` accepts; `words` are listed if it does not.
+/// The value is a word for which `knows` returns true; the error message lists `words`.
 CLI::Option* known_by(CLI::Option* option, const char* en, const char* ru, bool (*knows)(std::string_view),
                       const std::vector<std::string>& words);
 
-/// Returns true if the option is a flag.
+/// Returns true if the option is a flag, that is, has no value.
 bool takes_nothing(const CLI::Option& option);
 
-/// The value is a number, or a whole number, within limits.
+/// The value is a number (or a whole number) within limits.
 constexpr double any_number = std::numeric_limits<double>::infinity();
 CLI::Option* number(CLI::Option* option, const char* en, const char* ru, double least = -any_number, double most = any_number);
 CLI::Option* whole_number(CLI::Option* option, double least, double most);

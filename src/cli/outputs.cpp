@@ -1,4 +1,5 @@
-// Used by cli/run, cli/mill, cli/tape_command and cli/check; tested by tests/run_outputs.py.
+// Opens, checks and completes the files that a command writes. Used by cli/run, cli/mill, cli/tape_command and cli/check; tested by
+// tests/run_outputs.py.
 
 #include "cli/outputs.h"
 
@@ -17,13 +18,13 @@
 namespace kadr::cli {
 namespace {
 
-/// True for a device, which discards or shows what is written: two outputs may share it, and it may be read too.
+/// True for a device (terminal, /dev/null): two outputs may share it, and it may be an input too.
 bool is_device(const std::string& name) {
   struct stat there {};
   return ::stat(name.c_str(), &there) == 0 && S_ISCHR(there.st_mode);
 }
 
-/// Returns the file itself, also if "-" means one of the standard streams; empty if the stream is not a file.
+/// Returns the identity of the file; "-" is the file that the standard stream is redirected to. Empty if the stream is not a file.
 FileSet set_of(const std::string& name, int stream) {
   FileSet set;
   if (name != "-") set.add(name);
@@ -54,7 +55,7 @@ std::string Outputs::clash(const Output& output, const char* en, const char* ru,
   return fmt::format("{} {}: {} {}", output.option, output.name, lang_ == Lang::ru ? ru : en, other);
 }
 
-/// Returns why the output cannot be written; empty if it can.
+/// Returns the reason why the output cannot be written; empty if it can.
 std::string Outputs::fault_of(std::size_t index) const {
   const Output& output = outputs_[index];
   const auto same = [](const std::string& a, const std::string& b, int stream_of_b) {
@@ -72,7 +73,7 @@ std::string Outputs::fault_of(std::size_t index) const {
     if (output.name == "-" || (input != "-" && is_device(input))) continue;
     if (same(output.name, input, STDIN_FILENO)) return clash(output, "would be written over the input", "затёр бы исходный файл", input);
   }
-  // The summary goes to this file as well: one would destroy the other.
+  // Standard output goes to the same file: the summary and this output would overwrite each other.
   if (output.name != "-" && !is_device("/dev/stdout") && same(output.name, "-", STDOUT_FILENO))
     return clash(output, "is what standard output goes to; write", "туда идёт стандартный вывод; укажите", output.option + " -");
   return {};

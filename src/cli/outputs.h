@@ -1,5 +1,5 @@
 #pragma once
-// Outputs: the files that one command writes. It may not write a file that it reads, and no file twice.
+// Outputs: the files that a command writes. An output file must be neither an input file nor another output file.
 
 #include <map>
 #include <optional>
@@ -12,22 +12,23 @@
 
 namespace kadr::cli {
 
-/// Checks that everything printed was written, and complains if not: a full disk or a closed pipe is an error of every command.
+/// Checks that everything printed to standard output was written; prints an error if not (disk full, pipe closed).
 bool came_out();
 
 class Outputs {
  public:
   explicit Outputs(Lang lang) : lang_(lang) {}
 
-  /// Registers an input: "-" is standard input, an empty name means no file.
+  /// Registers an input file: "-" is standard input, an empty name means no file.
   void reads(const std::string& path);
-  /// Registers an output of the option; an empty name means no file. `opened`: by_its_owner if its owner opens it himself (the state file).
+  /// Registers the output file of an option; an empty name means no file. by_its_owner: open() does not open it, since its owner does
+  /// (the state file).
   enum class Opened : std::uint8_t { here, by_its_owner };
   void writes(const std::string& option, const std::string& name, Opened opened = Opened::here);
 
-  /// Checks that no output is an input or another output; complains of the first that is.
+  /// Checks that no output is also an input or another output; prints an error for the first one that is.
   bool check() const;
-  /// Opens all outputs, or none; complains of the first that cannot be opened.
+  /// Opens all outputs, or none; prints an error for the first one that cannot be opened.
   ///   pre  check() returned true
   bool open();
   /// Returns nullptr if the option was not given.
@@ -37,7 +38,8 @@ class Outputs {
   /// All files that must not change while the command runs: inputs and outputs.
   FileSet all() const;
 
-  /// Completes the files and puts them in their places, standard output last. Keeps none of them if `read` names one. Complains on errors.
+  /// Completes the files and moves them to their final paths, standard output last. Keeps no file if `read`, the files that the run has
+  /// read, contains one of them. Prints errors.
   bool keep(const std::vector<std::string>& read = {});
 
  private:

@@ -1,4 +1,4 @@
-// Used by cli/check; tested by tests/run_check.py.
+// Finds the programs in folders. Used by cli/check; tested by tests/run_check.py.
 
 #include "cli/program_files.h"
 
@@ -29,7 +29,7 @@ bool is_program(const fs::path& path) {
   return tells == NameTells::nothing ? looks_like_program(path.string()) : tells == NameTells::program;
 }
 
-/// Searches one folder after the other; neither their number nor their depth is limited by the stack.
+/// Searches folders one after the other without recursion, so that the depth of folders is not limited by the stack.
 class Search {
  public:
   Search(const std::vector<std::string>& exclude, ProgramFiles& found) : exclude_(exclude), found_(found) {}

@@ -1,4 +1,4 @@
-// Progress: shows a line on the terminal during long work. Used by the rest of cli.
+// Progress: shows a progress bar on the terminal during long work. Used by the rest of cli.
 
 #include "cli/progress.h"
 

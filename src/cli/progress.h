@@ -1,5 +1,5 @@
 #pragma once
-// Progress: shows a line on the terminal during long work; shows nothing if the output is not a terminal.
+// Progress: shows a progress bar on the terminal during long work; shows nothing if the output is not a terminal.
 
 #include <chrono>
 #include <string>
@@ -11,14 +11,14 @@ namespace kadr::cli {
 class Progress : public Onlooker {
  public:
   explicit Progress(bool quiet);
-  /// Removes the line.
+  /// Removes the progress bar.
   ~Progress() override;
   Progress(const Progress&) = delete;
   Progress& operator=(const Progress&) = delete;
-  /// Returns true if it is time to update the line; never without a terminal.
+  /// Returns true if it is time to update the progress bar; always false without a terminal.
   bool is_due() const override;
   void show(const Control& control) override;
-  /// Shows the part done, 0..1, and what is being done.
+  /// Shows the fraction done, 0 … 1, and a description of the work.
   void show(double part, const std::string& what);
 
  private:

@@ -1,4 +1,4 @@
-// kadr report: executes a program, and writes the page's viewer with the results into one file. Tested by tests/report.py.
+// kadr report: executes a program, and writes the HTML viewer with the results into one file. Tested by tests/report.py.
 
 #include "view/report.h"
 
@@ -35,7 +35,7 @@ Outputs outputs_of(const ReportOptions& options, const Job& job) {
   return outputs;
 }
 
-/// Reads standard input once, since the program is read several times. Complains on errors.
+/// Reads all of standard input into memory, since the program is read several times. Prints errors.
 std::optional<std::string> text_of_input(const Job& job) {
   OpenedText text = open_text(job.file, job.encoding);
   if (text.source) return SourceText(std::move(text)).whole();
@@ -43,7 +43,7 @@ std::optional<std::string> text_of_input(const Job& job) {
   return std::nullopt;
 }
 
-/// Opens the program as the view does; complains on errors.
+/// Opens the program in the same way as the web page; prints errors.
 std::optional<OpenedProgram> opened_by(const Job& job, const Options& options) {
   OpenedProgram opened;
   opened.path = job.file;
@@ -65,7 +65,7 @@ class ReportRun {
   ReportRun(const Job& job, const Options& options)
       : job_(job), progress_(options.quiet), found_(job.texts(), job.lang, stderr, options.every) {}
 
-  /// Complains on errors.
+  /// Opens the session; prints errors.
   bool open(const OpenedProgram& opened) {
     auto run = ProgramRun::make(opened, stop_token());
     if (!run) {
@@ -85,7 +85,7 @@ class ReportRun {
   void carry_out() {
     run_->on_alarm = [this](const AlarmReport& report, double at, int channel) {
       AlarmReport told_report = report;
-      if (channel != 0) told_report.origin.line = 0;  // it belongs to another program
+      if (channel != 0) told_report.origin.line = 0;  // the line belongs to the program of another channel
       take(told_report, at);
     };
     run_->on_progress = [this](double part, std::uint64_t blocks, double) {
@@ -102,7 +102,7 @@ class ReportRun {
   }
   const ProgramRun& run() const { return *run_; }
 
-  /// Cuts the blank. Complains on errors.
+  /// Cuts the blank; prints errors.
   bool cut(const CutOptions& options, const ToolLibrary& tools) {
     PartWish wish{options.stock, options.fixtures, options.fixtures, tools, options.resolution};
     auto part = PartRun::make(run_->opened(), wish, stop_token());
@@ -145,7 +145,7 @@ class ReportRun {
 
 std::string shown_name(const std::string& file) { return file == "-" ? file : std::filesystem::path(file).filename().string(); }
 
-/// Writes the page, and prints the summary unless the page goes to standard output. Returns the exit status.
+/// Writes the HTML file. Prints the summary, unless the HTML goes to standard output. Returns the exit status.
 int write(const ReportOptions& options, const ReportRun& report, const std::string& html, Outputs& outputs) {
   std::FILE* const file = outputs.stream("--out");
   if (std::fwrite(html.data(), 1, html.size(), file) != html.size()) {

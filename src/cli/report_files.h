@@ -1,5 +1,5 @@
 #pragma once
-// The viewer of a report and the licence notices, embedded by dev/embed.cpp.
+// The HTML viewer of a report and the licence texts, embedded into the executable by dev/embed.cpp.
 
 #include <string_view>
 
@@ -7,10 +7,10 @@
 
 namespace kadr {
 
-/// "report.html", which is missing if there was no npm at build time, and "licences.txt".
+/// Returns "report.html", which is missing if npm was not available at build time, and "licences.txt".
 std::span<const EmbeddedFile> report_files();
 
-/// Returns an empty text if the file is missing.
+/// Returns the contents of the embedded file; empty if the file is missing.
 inline std::string_view report_file(std::string_view name) {
   for (const EmbeddedFile& file : report_files())
     if (file.name == name) return file.text;

@@ -30,31 +30,31 @@
 namespace kadr::cli {
 namespace {
 
-/// Complains if the option's picture cannot be drawn.
+/// Checks that the picture of the option can be drawn; prints an error if not.
 bool can_draw(const char* option, const std::string& name) {
   const std::string fault = name.empty() ? "" : page_fault(name);
   if (!fault.empty()) complain(fmt::format("{} {}", option, fault));
   return fault.empty();
 }
 
-/// True if something needs the axes' motion in time.
+/// True if an output needs the planner of least time.
 bool needs_planner(const Options& options, const MachineProfile& profile) {
   const bool counts = profile.planner == PlannerMode::optimal && (!options.quiet || options.json);
   return counts || !options.samples.empty() || options.why || !options.plot_speed.empty() || !options.colour.empty();
 }
 
-/// True if only the samples use the plan: then its time is shown in the summary as additional information only.
+/// True if only the samples use the planner: its time is then shown in the summary as additional information.
 bool is_for_samples_alone(const Options& options, const MachineProfile& profile) {
   const bool counts = profile.planner == PlannerMode::optimal && (!options.quiet || options.json);
   return !counts && !options.why && options.plot_speed.empty() && options.colour.empty();
 }
 
-/// True if the control moves axes in step with the spindle.
+/// True if the control moves axes synchronously with the spindle (threads).
 bool has_threads(const ControlDef& def) {
   return std::any_of(def.codes.begin(), def.codes.end(), [](const CodeRow& row) { return row.function == Function::thread; });
 }
 
-/// A progress bar between the lines of a trace would spoil both.
+/// True if the trace goes to the terminal: a progress bar between its lines would make both unreadable.
 bool writes_to_terminal(const Options& options) { return (options.trace == "-" || options.samples == "-") && ::isatty(STDOUT_FILENO) != 0; }
 
 class RunCommand {
@@ -123,7 +123,7 @@ class RunCommand {
   }
 
  private:
-  /// Returns the outlets of one channel, without its steps.
+  /// Returns the functions that observe one channel, except the one for steps.
   Outlets outlets_of(View& view) {
     const auto say = [this, &view](const AlarmReport& report) {
       view.statistics.count(report.alarm.severity);
@@ -178,7 +178,7 @@ class RunCommand {
     if (views_[writes]->trace) views_[writes]->trace->flush();
   }
 
-  /// Marks the stop in the picture. The line of an alarm in another channel does not belong to this program.
+  /// Marks the position of the stop in the picture. The line of an alarm in another channel is not a line of this program.
   static void mark_stop(View& view, const Stopped& stopped) {
     if (!view.plot || !stopped.report) return;
     const Origin& origin = stopped.report->origin;
@@ -256,7 +256,7 @@ class RunCommand {
     return view.statistics.text(channels_[i].control->blocks(), lang_, view.planned ? view.planned->time() : nullptr, job_.profile.planner);
   }
 
-  /// For several channels: those of the program itself, as with the samples.
+  /// Prints the lines that lose most time; with several channels only those of the program's own channel, like the samples.
   void print_why() const {
     for (std::size_t i = 0; i < channels_.size(); ++i) {
       if (!views_[i]->planned) continue;
@@ -265,7 +265,8 @@ class RunCommand {
     }
   }
 
-  /// If data for programs goes to standard output, it is alone there, and the summary goes to standard error.
+  /// Returns standard error if standard output receives data for programs, which must not be mixed with the summary; else standard
+  /// output.
   std::FILE* text_goes_to() const {
     const auto is_data = [](const std::string& name) { return name == "-"; };
     return options_.json || is_data(options_.trace) || is_data(options_.samples) || is_data(options_.samples_tip) ? stderr : stdout;
@@ -307,7 +308,8 @@ class RunCommand {
   bool plan_failed_ = false;  // there is no plan, or its samples ended early (exit status 1)
 };
 
-///   fault  the first error that keeps a change from being saved
+/// From now on, saves every change of the tables and variables to the state file.
+///   fault  set to the first error
 void save_changes(StateFile& file, Control& control, std::string& fault) {
   control.on_changes = [&](const StateChanges& changes) {
     const auto saved = file.save(changes);
@@ -315,7 +317,7 @@ void save_changes(StateFile& file, Control& control, std::string& fault) {
   };
 }
 
-/// Returns the files of the command, none of them opened yet.
+/// Returns the output files of the command, not opened yet.
 Outputs outputs_of(const Options& options, const Job& job) {
   Outputs outputs(language(options));
   outputs.reads(job.file);

@@ -1,4 +1,4 @@
-// Used by cli/run.
+// Observes one channel of a run. Used by cli/run.
 
 #include "cli/run_view.h"
 

@@ -1,5 +1,5 @@
 #pragma once
-// View: observes one channel of a run: its statistics, and trace, picture and planner if requested.
+// View: observes one channel of a run: collects statistics, and writes trace, plot and planner data if the options request them.
 
 #include <functional>
 #include <memory>
@@ -16,20 +16,20 @@ namespace kadr::cli {
 struct View {
   View(const Channel& channel, const Rates& rates);
 
-  /// Shows a step when the machine executes it. The time of motions still in the look-ahead counts as programmed.
+  /// Observes a step when the machine executes it. The time of motions that are still in the look-ahead counts as programmed.
   void show(const Step& step);
 
-  /// Shows a step with the machine's time for it.
+  /// Observes a step of which the machine's time is known: `longer` s more than programmed.
   void show_timed(const Step& step, double longer);
 
-  /// Returns the observer of motions as programmed, before compensation; empty if nothing needs them.
+  /// Returns the function that observes motions as programmed, before cutter compensation; empty if nothing needs it.
   std::function<void(const Action&)> programmed();
 
   Statistics statistics;
   std::optional<TraceWriter> trace;
-  std::optional<Plot> plot;    // of the program's own channel
-  Planned* planned = nullptr;  // of the program's own channel
-  double waited = 0;           // s
+  std::optional<Plot> plot;    // only for the channel of the program itself
+  Planned* planned = nullptr;  // only for the channel of the program itself
+  double waited = 0;           // time that the channel waited for others, s
 };
 
 }  // namespace kadr::cli

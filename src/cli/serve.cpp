@@ -1,4 +1,4 @@
-// kadr serve: serves the page of a folder over HTTP, until Ctrl-C. Tested by tests/serve.py.
+// kadr serve: serves a web page for the programs of a folder over HTTP, until Ctrl-C. Tested by tests/serve.py.
 
 #include <fmt/core.h>
 #include <spawn.h>
@@ -27,7 +27,7 @@ namespace {
 
 constexpr double most_port = 65535;
 
-/// Opens the address with the desktop's own program; if there is none, the printed address must do.
+/// Opens the address in the desktop's web browser; does nothing if there is none, since the address is also printed.
 void open_browser(const std::string& address) {
   std::string program = "xdg-open", where = address;
   char* const words[] = {program.data(), where.data(), nullptr};

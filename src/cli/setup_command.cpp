@@ -1,5 +1,5 @@
-// kadr setup: writes a set-up to be filled in, with just what a program uses. The interpreter determines what that is: the program is
-// executed past its faults, as by `kadr check`. Its comments are only used to propose figures.
+// kadr setup: writes a set-up for the user to complete, with only the keys that a program uses. To find them, the interpreter executes
+// the program and continues after its faults, as `kadr check` does. The comments of the program are only used to suggest values.
 
 #include <fmt/core.h>
 #include <sys/stat.h>
@@ -164,7 +164,7 @@ class TemplateMaker {
     return !is_name;
   }
 
-  /// Reports the lines that no jump and no condition led to.
+  /// Reports the line ranges that were not executed, since no jump or condition led to them.
   void tell_branches() {
     std::vector<std::pair<std::uint32_t, std::uint32_t>> ranges;
     bool open = false;
@@ -200,7 +200,7 @@ class TemplateMaker {
   SetupTemplate made_;
 };
 
-/// Returns a tools file to be filled in with the tools that the program uses.
+/// Returns a tools file for the user to complete, with the tools that the program uses.
 std::string tools_text(const Job& job, const Control& control, const MotionUnits& moved) {
   const ToolProposals proposals(lines_of(control), comments_in_inches(control, moved));
   ToolsTemplate made{std::filesystem::path(job.file).filename().string(), job.lang, {}};
@@ -217,7 +217,7 @@ std::string tools_text(const Job& job, const Control& control, const MotionUnits
   return tools_template_text(made);
 }
 
-/// Executes the program past its faults, a limited number of blocks.
+/// Executes a limited number of blocks of the program, continuing after faults.
 CarriedOut carry_out_past_faults(Session& session) {
   CarriedOut done;
   Outlets& outlets = session.outlets();
@@ -231,12 +231,12 @@ CarriedOut carry_out_past_faults(Session& session) {
     if (!fatal) ++done.faults;
     return !fatal && done.faults < gives_up_at;
   };
-  session.control().set_waiting(Control::Waiting::pass);  // the programs of the other channels are not here
+  session.control().set_waiting(Control::Waiting::pass);  // the other channels' programs are missing
   (void)session.run();
   return done;
 }
 
-/// Refuses to overwrite an existing file. Complains on errors.
+/// Refuses to overwrite an existing file; prints an error then.
 bool may_write(const Outputs& outputs, const std::string& name) {
   struct stat there {};
   if (name.empty() || name == "-" || ::lstat(name.c_str(), &there) != 0) return outputs.check();

@@ -1,5 +1,5 @@
 #pragma once
-// --tool, --zero, --corrector: set-up data that no file states, or that overrides the file.
+// --tool, --zero, --corrector: set-up data from the command line, which adds to the set-up file or overrides it.
 
 #include <string>
 #include <tl/expected.hpp>
@@ -11,8 +11,8 @@
 
 namespace kadr::cli {
 
-/// Returns a set-up for each option, to be applied over the set-up file.
-///   returns  an error sentence if an option is not understood
+/// Returns a set-up for each option; apply them after the set-up file.
+///   returns  an error sentence if the value of an option cannot be read
 tl::expected<std::vector<SetupSource>, std::string> setup_of_options(const Options& options, const ControlDef& def, Lang lang);
 
 }  // namespace kadr::cli

@@ -1,5 +1,5 @@
 #pragma once
-// --state FILE: keeps the control's memory from run to run.
+// --state FILE: stores the data that a control keeps at power-off, from run to run.
 
 #include <memory>
 #include <optional>
@@ -10,7 +10,7 @@
 
 namespace kadr::cli {
 
-/// Opens the file and adds its contents to the job's set-up; values of the set-up take precedence. Complains on errors.
+/// Opens the state file and adds its contents to the job's set-up; values stated in the set-up take precedence. Prints errors.
 std::optional<StateFile> open_state(const std::string& path, Job& job);
 
 }  // namespace kadr::cli

@@ -1,4 +1,4 @@
-// Used by cli/main; tested by tests/run_interrupts.py.
+// Ends a command early on a signal. Used by cli/main; tested by tests/run_interrupts.py.
 
 #include "cli/stop.h"
 
@@ -25,7 +25,7 @@ namespace kadr::cli {
 namespace {
 
 constexpr int first_of_signals = 128;                   // added to the signal's number: the exit status, as in shells
-constexpr auto grace = std::chrono::milliseconds(150);  // a command ends within 0.2 s in all
+constexpr auto grace = std::chrono::milliseconds(150);  // time that a command has to end by itself, so that it ends within 0.2 s in all
 
 std::atomic<bool> asked = false;
 
@@ -43,7 +43,7 @@ sigset_t held_back() {
   return signals;
 }
 
-volatile std::sig_atomic_t handled = 0;  // the signal that came, if there is no thread that waits for it
+volatile std::sig_atomic_t handled = 0;  // the signal that arrived, if no thread waits for signals
 
 /// Returns the signal that was sent; 0: none.
 int pending() {
@@ -68,7 +68,7 @@ void watch(int signals) {
   ::_exit(first_of_signals + signal);
 }
 
-/// Does the same without a thread, as far as a handler may; the timer's signal comes at the end of the grace period.
+/// Handles the signals without a thread, as far as a signal handler can; a timer signal marks the end of the grace period.
 void handle_instead(const sigset_t& signals) {
   std::signal(SIGALRM, [](int) {
     ResultFile::discard_all();

@@ -1,5 +1,5 @@
 #pragma once
-// Ends a command early: Ctrl-C, SIGTERM, a terminal that closes (SIGHUP), Ctrl-\ (SIGQUIT). Long work gets a token to check; a command that
+// Ends a command early: Ctrl-C, SIGTERM, a closed terminal (SIGHUP), Ctrl-\\ (SIGQUIT). Long work checks a stop token; a command that
 // does not check it in time is ended.
 
 #include <spawn.h>
@@ -8,22 +8,22 @@
 
 namespace kadr::cli {
 
-/// From here on these signals request the end, except one that was ignored from the beginning (nohup). Call it once, before any other
-/// thread starts. A command that has not ended 0.15 s later is ended where it is: its unfinished files are deleted (ResultFile), and the
-/// state file keeps its last complete block.
+/// From here on these signals request a stop, except signals that were ignored when the command started (nohup). Call it once, before any
+/// other thread starts. A command that has not ended 0.15 s after the signal is ended at once: its unfinished files are deleted
+/// (ResultFile), and the state file keeps its last complete block.
 void catch_interrupts();
 
-/// Checked in every long loop.
+/// Returns the token that every long loop checks.
 StopToken stop_token();
 bool interrupted();
 
 /// Exit status of a command that was ended by a signal: 128 + the signal.
 int interrupted_status();
 
-/// Makes a pipe whose reader has gone, and a file beyond its size limit (ulimit -f), errors of writing instead of the end of the process.
+/// Writing to a closed pipe, or beyond the file size limit (ulimit -f), becomes a write error instead of ending the process.
 void survive_refused_writing();
 
-/// Signal settings for a child process: as this process found them.
+/// Signal settings for a child process: the settings that this process had at its start.
 struct SignalsOfChild {
   SignalsOfChild();
   ~SignalsOfChild() { posix_spawnattr_destroy(&attributes); }

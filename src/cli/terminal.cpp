@@ -1,4 +1,4 @@
-// Prints what people read. Used by the rest of cli; tested by tests/every_command.py (names, texts, no reader).
+// Prints text for people. Used by the rest of cli; tested by tests/every_command.py (names, texts, no reader).
 
 #include "cli/terminal.h"
 
@@ -18,12 +18,12 @@
 namespace kadr::cli {
 namespace {
 
-std::mutex writing;                // the thread that waits for Ctrl-C erases the bar, too
-std::size_t characters_shown = 0;  // characters of the bar
+std::mutex writing;                // locked while writing: the thread that waits for Ctrl-C also erases the bar
+std::size_t characters_shown = 0;  // length of the progress bar on the terminal
 
 void erase_shown() {
   if (characters_shown == 0) return;
-  fmt::print(stderr, "\r{}\r", std::string(characters_shown, ' '));  // not by an escape sequence: every terminal understands a blank
+  fmt::print(stderr, "\r{}\r", std::string(characters_shown, ' '));  // blanks, since not every terminal understands escape sequences
   std::fflush(stderr);
   characters_shown = 0;
 }

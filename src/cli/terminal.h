@@ -1,6 +1,6 @@
 #pragma once
-// Prints everything that people read on standard output and standard error. A message never follows half a progress bar, colours go only to
-// terminals, and no control character of a name, a program or a command line reaches a terminal.
+// Prints all text for the user on standard output and standard error. A message never appears in the middle of a progress bar, colours
+// are sent to terminals only, and control characters in names, programs or command lines never reach a terminal.
 
 #include <fmt/core.h>
 
@@ -13,12 +13,12 @@
 
 namespace kadr::cli {
 
-/// True if standard error is a terminal with colours, and NO_COLOR (no-color.org) does not forbid them.
+/// True if standard error is a terminal that supports colours, and the variable NO_COLOR (no-color.org) is not set.
 bool has_colours();
 
-/// Shows the bar on its line in place of the one before; does nothing unless standard error is a terminal.
+/// Shows the progress bar, which replaces the previous one; does nothing if standard error is not a terminal.
 void show_bar(const std::string& bar);
-/// Removes the bar if there is one: before anything else is written to a terminal, standard output included. Any thread may call it.
+/// Removes the progress bar if there is one; called before any other output to a terminal, also on standard output. Thread-safe.
 void erase_bar();
 
 /// Width of the terminal in characters; 80 if it is not known.
@@ -27,15 +27,16 @@ int terminal_width();
 /// The colours for alarms on standard error.
 inline Colours colours() { return has_colours() ? Colours::terminal : Colours::none; }
 
-/// Writes text for people to standard error; control characters are shown as pictures.
+/// Writes text for people to standard error; control characters are replaced by symbols (␀ …).
 void say(const std::string& text);
-/// Writes text of alarm_text(), which has replaced control characters already and may contain colours.
+/// Writes text returned by alarm_text(): control characters are replaced already, and it may contain colours.
 void say_coloured(const std::string& text);
 
-/// Writes data for programs, unchanged. The owner of the file checks that it was written.
+/// Writes data for programs, unchanged. The owner of the stream checks that it was written.
 void write_data(std::FILE* to, std::string_view data);
 
-/// Writes text for people to standard output or another file; control characters become pictures. came_out() checks that it was written.
+/// Writes text for people to standard output or another file; control characters are replaced by symbols. came_out() checks that it was
+/// written.
 void type_into(std::FILE* to, std::string_view text);
 template <class... Values>
 void type_out(fmt::format_string<Values...> form, Values&&... values) {

@@ -1,4 +1,4 @@
-// Describes the error in a command line, and what was perhaps meant. Used by cli/main.
+// Describes an error in the command line, and suggests what the user may have meant. Used by cli/main.
 
 #include "cli/usage_error.h"
 
@@ -17,7 +17,7 @@
 namespace kadr::cli {
 namespace {
 
-/// Returns the command that was called, as far as the line names one.
+/// Returns the command that the command line names, or its last command that exists.
 const CLI::App& called(const CLI::App& app) {
   const auto parsed = app.get_subcommands();
   return parsed.empty() ? app : called(*parsed.front());
@@ -44,7 +44,8 @@ std::string no_command(const CLI::App& app, const std::string& word) {
          (meant.empty() ? fmt::format("{}{}", told("; there are: ", "; есть: "), fmt::join(names, ", ")) : meant);
 }
 
-/// The message for the first word that nothing accepts; options come first, since their values are left over with them.
+/// Returns the message for the first argument that nothing accepts. Options come first, since the value of an unknown option is left over
+/// too.
 std::optional<std::string> left_over(const CLI::App& app, const CLI::App& command) {
   const std::vector<std::string> words = app.remaining(true);
   const auto is_option = [](const std::string& word) { return word.size() > 1 && word[0] == '-' && word != "--"; };
@@ -70,13 +71,13 @@ std::string missing(const CLI::App& command) {
                      fmt::join(commands_of(command), ", "));
 }
 
-/// Returns the option that CLI11's sentence is about: it is named first in the sentence, or after the first ": ".
+/// Returns the option that CLI11's message is about: the message names it at the beginning, or after the first ": ".
 const CLI::Option* option_of(const CLI::App& command, const std::string& sentence) {
   const CLI::Option* found = nullptr;
   std::size_t first = std::string::npos;
   for (const CLI::Option* const option : command.get_options({})) {
     const std::size_t at = sentence.find(option->get_name());
-    // Where --plot and --plot-speed match at the same position, the longer one is meant.
+    // If --plot and --plot-speed both match at the same position, the longer name is meant.
     if (at < first || (at != std::string::npos && at == first && option->get_name().size() > found->get_name().size()))
       first = at, found = option;
   }
@@ -103,7 +104,7 @@ std::string sentence_of(const CLI::App& app, const CLI::App& command, const CLI:
   if (required || dynamic_cast<const CLI::ExtrasError*>(&error) != nullptr)
     if (const auto word = left_over(app, command)) return *word;
   if (required) return missing(command);
-  if (dynamic_cast<const CLI::ValidationError*>(&error) != nullptr) return error.what();  // our own: cli/option_values
+  if (dynamic_cast<const CLI::ValidationError*>(&error) != nullptr) return error.what();  // from Kadr's own checks (cli/option_values)
   return wrong_count(command, error.what());
 }
 

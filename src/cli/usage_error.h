@@ -1,5 +1,5 @@
 #pragma once
-// Describes the error in a command line, and what was perhaps meant.
+// Describes an error in the command line, and suggests what the user may have meant.
 
 #include <string>
 
@@ -10,7 +10,7 @@ class ParseError;
 
 namespace kadr::cli {
 
-/// Returns two lines. `app` is in the state in which the parser threw `error`.
+/// Returns two lines: the error, and a suggestion or a hint to --help. `app` must be in the state in which the parser threw `error`.
 std::string usage_error(const CLI::App& app, const CLI::ParseError& error);
 
 }  // namespace kadr::cli

@@ -1,5 +1,5 @@
-// What a program itself writes (--files): its folder, what it would have written, and the files that it has read and must not overwrite.
-// Used by cli/run.
+// Files that a program itself writes (--files): their folder, the report without --files, and the files that the program has read and
+// must not overwrite. Used by cli/run.
 
 #include "cli/written_files.h"
 

@@ -1,5 +1,6 @@
 #pragma once
-// What a program itself writes (--files): its folder, what it would have written, and the files that it has read and must not overwrite.
+// Files that a program itself writes (--files): their folder, the report without --files, and the files that the program has read and
+// must not overwrite.
 
 #include <string>
 #include <vector>
@@ -8,13 +9,13 @@
 
 namespace kadr::cli {
 
-/// Makes the folder for what the program writes, if only the last part of its path is missing.
+/// Creates the folder for the files that the program writes, if its parent folder exists.
 bool make_folder(const std::string& folder);
 
-/// Reports what a program would have written: without --files it writes nothing.
+/// Reports which files the program would have written: without --files it writes none.
 void tell_unwritten(const Options& options, const std::vector<Channel>& channels);
 
-/// Returns the files that the run has read besides the program; they must not be overwritten either.
+/// Returns the files that the run has read besides the program; output files must not overwrite them either.
 std::vector<std::string> files_read(const std::vector<Channel>& channels);
 
 }  // namespace kadr::cli

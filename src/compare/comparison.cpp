@@ -1,4 +1,4 @@
-// Compares two courses. Used by view/page_compare; tested by tests/compare/comparison_test.cpp.
+// Compares the courses of two programs. Used by view/page_compare; tested by tests/compare/comparison_test.cpp.
 
 #include "compare/comparison.h"
 
@@ -17,11 +17,11 @@ namespace {
 
 using Kind = CourseDifference::Kind;
 constexpr double chord_of_tolerance = 1.0 / 16;
-constexpr double same_value = 1e-6;         // of a dwell or feed: relative
-constexpr std::size_t most_ahead = 3000;    // items that are searched for a common position
-constexpr std::size_t most_sliver = 1000;   // moves within the tolerance of one position
-constexpr std::size_t most_measured = 500;  // vertices of a difference
-constexpr int most_searches = 200;          // of far searches: beyond, they count as two unrelated programs
+constexpr double same_value = 1e-6;         // relative tolerance of dwell times and feeds
+constexpr std::size_t most_ahead = 3000;    // items of each course in which a common position is searched
+constexpr std::size_t most_sliver = 1000;   // greatest number of motions that stay within the tolerance of one position
+constexpr std::size_t most_measured = 500;  // vertices of a difference between which the distance is measured
+constexpr int most_searches = 200;          // greatest number of searches far ahead; with more, the programs count as unrelated
 
 bool is_same(double a, double b) { return std::abs(a - b) <= same_value * std::max({1.0, std::abs(a), std::abs(b)}); }
 
@@ -33,10 +33,11 @@ double per_minute(const CourseState& s) {
   return s.unit == FeedUnit::mm_per_rev && !s.surface ? s.feed * s.speed : 0;
 }
 
-/// True if the feeds differ no more than the increment of the F word explains, and never by much of the feed, however coarse the word.
+/// True if the feeds differ by no more than the increment of the F word, and by a small share of the feed, however large the increment
+/// is.
 bool is_rounded(double a, double b, double step) { return std::abs(a - b) <= std::min(step / 2 + same_value, 0.01 * std::abs(a)); }
 
-/// Returns the first difference in what is in force, the unit of the feed aside; nullopt if there is none.
+/// Returns the first difference between the states, apart from the feed unit; nullopt if there is none.
 std::optional<Kind> first_difference(const CourseState& a, const CourseState& b, const CompareRules& rules) {
   if (a.move != b.move) return Kind::move;
   const bool at_speed = rules.feeds_at_speed && a.unit != b.unit && per_minute(a) > 0 && is_same(per_minute(a), per_minute(b));
@@ -110,7 +111,7 @@ class Comparer {
     (of_b ? out_.read_b : out_.read_a) = control.files_read();
   }
 
-  /// Both do the same act; the states in force meanwhile are compared too.
+  /// Passes an act that both courses do; also compares the states in force at it.
   void act() {
     if (const auto differs = difference(as_act(a_.item(0).state), as_act(b_.item(0).state)))
       follower_.begin(ComparedPiece::Part::changed, tell_state(*differs));
@@ -142,7 +143,7 @@ class Comparer {
     if (!result.together) meet_again();
   }
 
-  /// Passes moves that stay near the other's position, up to an item that is wanted.
+  /// Passes motions that stay near the other course's position, up to an item for which `wanted` is true.
   template <class Wanted>
   bool pass_sliver(Lane& lane, const Lane& other, const Wanted& wanted) {
     for (std::size_t i = 0; i < most_sliver; ++i) {
@@ -156,7 +157,8 @@ class Comparer {
     return false;
   }
 
-  /// returns  the index of the difference
+  /// Adds a difference of the state.
+  ///   returns  its index
   std::size_t tell_state(Kind kind) {
     const std::string a_says = words_of_state(a_.item(0).state, kind), b_says = words_of_state(b_.item(0).state, kind);
     const CourseDifference d{kind, spot(a_), spot(b_), spot(a_), spot(b_), 0, {}, {}, a_says, b_says};
@@ -164,8 +166,8 @@ class Comparer {
     add(d);
     return number;
   }
-  /// Compares how both end, and what spindle and coolant do then. b's end may switch off what a's end leaves on, since most controls do so
-  /// by themselves; the reverse is a difference.
+  /// Compares the ends of both courses, and the state of spindle and coolant there. b's end may switch off what a's end leaves on, since
+  /// most controls do so by themselves; the reverse is a difference.
   void ends() {
     const CourseItem &a = a_.item(0), &b = b_.item(0);
     if (a.fault != b.fault) return ends_differ();
@@ -189,7 +191,7 @@ class Comparer {
     return spot;
   }
 
-  /// Both follow different paths or do different things: continues at the nearest position ahead from which they do the same.
+  /// Called where the courses differ: searches ahead for the nearest position from which both do the same, and continues there.
   void meet_again() {
     std::size_t da = 0, db = 0;
     if (rules_.first_only) da = items_ahead(a_), db = items_ahead(b_);
@@ -204,7 +206,7 @@ class Comparer {
     add(d);
   }
 
-  /// Number of items ahead, limited, up to the end: shows whether it ends by an alarm.
+  /// Returns the number of items to the end of the course, up to a limit: reading them shows whether the course ends by an alarm.
   static std::size_t items_ahead(Lane& lane) {
     constexpr std::size_t most_looked_at = 50;
     std::size_t count = 0;
@@ -243,7 +245,7 @@ class Comparer {
     return std::abs(a[0] - b[0]) <= rules_.tolerance && space_.distance(a, b) <= rules_.tolerance;
   }
 
-  /// Describes an act that only one has, or a different path.
+  /// Describes the difference: an act that only one course has, or a different path.
   void describe(CourseDifference& d, std::size_t da, std::size_t db) {
     const auto acts = [](Lane& lane, std::size_t count) {
       std::string text;
@@ -269,7 +271,7 @@ class Comparer {
     double distance = 0;  // mm
     Axes vertex{}, nearest{};
   };
-  /// Of the first vertices of one, returns the one farthest from the other's path.
+  /// Returns the vertex, among the first `count` of one course, that is farthest from the path of the other course.
   Apart farthest(Lane& of, std::size_t count, Lane& from, std::size_t pieces) {
     Apart most{0, of.at(), from.at()};
     const std::size_t step = count / most_measured + 1, other_step = pieces / most_measured + 1;
@@ -294,7 +296,7 @@ class Comparer {
   std::size_t number_of_next(const CourseDifference& d) const {
     return out_.differences.size() + out_.more - (goes_on_from_last(d) ? 1 : 0);
   }
-  /// Adds a difference; one that continues where the last one ended is joined with it.
+  /// Adds a difference; joins it with the last one if it begins where that one ended.
   void add(CourseDifference d) {
     if (goes_on_from_last(d)) {
       CourseDifference& last = out_.differences.back();
@@ -312,8 +314,8 @@ class Comparer {
   Comparison out_;
 };
 
-/// Maps M functions of both to the numbers of b, or to the coolant that they switch on either control. A number of a that means another
-/// function on b gets a number of its own.
+/// Maps the M functions of both courses to the numbers of b, or to the coolant that they switch on either control. A number of a that has
+/// another function on b gets a number that b does not use.
 void match_codes(Course& a, Course& b) {
   using Meaning = Course::CodeMeaning;
   const ControlDef &of_a = a.session().def(), &of_b = b.session().def();
@@ -350,7 +352,7 @@ Comparison compare_sessions(std::unique_ptr<Session> a, std::unique_ptr<Session>
   if (rules.tools_by_hand) course_a.change_tools_by_hand(), course_b.change_tools_by_hand();
   const PathModes of_b = path_modes_of(course_b.session().def());
   PathModes modes = path_modes_of(course_a.session().def()) & of_b;
-  modes.exact = of_b.exact;  // if a's control cannot stop exactly, b's should not
+  modes.exact = of_b.exact;  // if a's control has no exact stops, b's course should have none
   course_a.look_at(modes), course_b.look_at(modes);
   match_codes(course_a, course_b);
   Comparison made = Comparer(course_a, course_b, frame.size(), rules).all();

@@ -1,11 +1,11 @@
 #pragma once
-// Comparison: checks whether two programs do the same. Each is run by its own control, and their courses are compared step by step: the
-// paths of the axes as curves (a line cut in two is still the same line), in order, with tool, feed, spindle and coolant along them, and
-// what happens in between.
+// Comparison: checks whether two programs, a and b, do the same. Each is run by its own control, and their courses (compare/course) are
+// compared step by step: the paths of the axes as curves (a line cut in two is still the same line), in order; tool, feed, spindle and
+// coolant along the paths; and what happens between the motions.
 //
 //   compare_sessions(a, b, rules)
 //
-// Follows both once, in constant memory; where they part, it searches for the next position that they have in common.
+// Follows both courses once, in constant memory. Where they separate, it searches for the next position that they have in common.
 
 #include <functional>
 #include <map>
@@ -16,76 +16,76 @@
 
 namespace kadr {
 
-/// A piece of one of the two paths. The pieces of both come interleaved, each path in its order.
+/// A straight segment of the path of program a or b. The segments of both arrive interleaved, those of each path in order.
 struct ComparedPiece {
-  enum class Part : std::uint8_t { together, changed, apart };  // changed: on the same path, with another feed, tool …
+  enum class Part : std::uint8_t { together, changed, apart };  // changed: both follow the same path, with another feed, tool …
   Part part = Part::together;
   bool of_b = false;
-  bool act = false;  // something happens while the axes are at rest; reported only where it differs
+  bool act = false;  // an act while the axes are at rest (dwell, message …); only acts that differ are reported
   CourseMove move = CourseMove::rapid;
   Axes from{}, to{};
   Origin origin;
-  std::size_t number = 0;  // index of the difference in Comparison::differences
+  std::size_t number = 0;  // index in Comparison::differences of the difference that contains the segment
   double distance = 0;     // CourseDifference::distance of that difference
 };
 
 struct CompareRules {
-  double tolerance = 0.001;     // mm; degrees of rotary axes
-  bool messages = true;         // messages to the operator are compared
-  bool tools_by_hand = false;   // a tool change counts as a stop
-  bool feeds_at_speed = false;  // a feed per revolution equals the feed per minute that results at the speed in force
-  double feed_step = 0;         // the least increment of b's F word, mm/min or mm/rev: feeds that it cannot distinguish are equal
-  std::map<std::string, double> zero_of_b{};  // mm by axis: b's control has no work offsets; the operator sets its origin here
+  double tolerance = 0.001;                   // allowed distance of the paths, mm (degrees of rotary axes)
+  bool messages = true;                       // compare the messages to the operator
+  bool tools_by_hand = false;                 // a tool change counts as a program stop
+  bool feeds_at_speed = false;                // a feed per revolution equals the feed per minute that it gives at the speed in force
+  double feed_step = 0;                       // least increment of b's F word, mm/min or mm/rev; feeds that differ by less are equal
+  std::map<std::string, double> zero_of_b{};  // mm by axis: origin set by the operator, since b's control has no work offsets
   bool first_only = false;                    // stop at the first difference
-  bool times = true;                          // fill CourseSpot::at
-  std::size_t most_told = 1000;               // differences that are listed one by one
+  bool times = true;                          // compute CourseSpot::at
+  std::size_t most_told = 1000;               // greatest number of differences that are listed one by one
   StopToken stop{};
-  std::function<void(const ComparedPiece&)> on_piece{};  // called while both are followed
+  std::function<void(const ComparedPiece&)> on_piece{};  // called for each segment while both paths are followed
 };
 
 /// A position in one of the two programs.
 struct CourseSpot {
-  Origin origin;       // of what comes next there
-  std::string file{};  // the file of that line, if it is not the program itself
-  double at = 0;       // s since the start, as programmed; 0 if the rules want no times
-  Axes stand{};        // machine coordinates, in the order of Comparison::axes
+  Origin origin;       // the block that comes next at this position
+  std::string file{};  // name of the called file that contains the block; empty for the program itself
+  double at = 0;       // programmed time since the start, s; 0 if the rules request no times
+  Axes stand{};        // axis positions in machine coordinates, in the order of Comparison::axes
 };
 
 struct CourseDifference {
   enum class Kind : std::uint8_t { way, move, feed, tool, spindle, coolant, corners, act, end };
   Kind kind = Kind::way;
-  CourseSpot a, b;             // where it begins
-  CourseSpot a_to, b_to;       // where both do the same again
-  double distance = 0;         // mm, for a path: the greatest distance of a vertex of either from the other's path in this difference
-  Axes a_far{}, b_far{};       // the positions of the two that are that far apart
-  std::string a_says, b_says;  // values that differ: "F200", "M8"; empty if the other does not have the act
+  CourseSpot a, b;             // where the difference begins in each program
+  CourseSpot a_to, b_to;       // where the difference ends: both do the same again from there
+  double distance = 0;         // mm, for paths: greatest distance of a vertex of one path from the other path, within this difference
+  Axes a_far{}, b_far{};       // the two positions between which `distance` was measured
+  std::string a_says, b_says;  // values that differ: "F200", "M8"; empty in the program that lacks the act
 };
 
 struct Comparison {
   bool cancelled = false;
-  double greatest = 0;                                        // mm, where both follow the same path
-  std::size_t moves_a = 0, moves_b = 0;                       // blocks that move
-  std::vector<std::string> axes;                              // names
+  double greatest = 0;                                        // greatest distance where both follow the same path, mm
+  std::size_t moves_a = 0, moves_b = 0;                       // number of blocks that move axes
+  std::vector<std::string> axes;                              // axis names
   std::vector<CourseDifference> differences;                  // in the order of the programs
   std::size_t more = 0;                                       // number of differences that are not listed
-  std::optional<AlarmReport> stopped_a, stopped_b;            // the alarm that stopped it; nothing is known of what would follow
-  std::vector<std::string> read_a, read_b;                    // files that they have called
-  std::map<std::uint16_t, std::string> files_a{}, files_b{};  // by Origin::file: the files of the pieces, except the programs themselves
+  std::optional<AlarmReport> stopped_a, stopped_b;            // the alarm that stopped the program; what would follow is not compared
+  std::vector<std::string> read_a, read_b;                    // names of the files that the program called
+  std::map<std::uint16_t, std::string> files_a{}, files_b{};  // names of called files in segments, by Origin::file
   Vec3 zero;                                                  // origin of the work system of the first cut, in machine coordinates
-  std::size_t passed_messages = 0;                            // of a; ignored by the rules
-  std::size_t passed_exact_stops = 0;                         // of a, if b's control has no exact stops
-  bool feeds_at_speed = false;                                // somewhere the feeds were equal by CompareRules::feeds_at_speed only
-  bool feeds_rounded = false;                                 // somewhere the feeds were equal by CompareRules::feed_step only
+  std::size_t passed_messages = 0;                            // messages of a that the rules exclude from the comparison
+  std::size_t passed_exact_stops = 0;                         // exact stops of a that were not compared, because b's control has none
+  bool feeds_at_speed = false;                                // at least one feed was equal only by CompareRules::feeds_at_speed
+  bool feeds_rounded = false;                                 // at least one feed was equal only by CompareRules::feed_step
   bool lost = false;                                          // after the last difference no common position was found
 
   bool equal() const { return !cancelled && differences.empty(); }
 };
 
-/// Returns the names of the axes of both, each once.
+/// Returns the axis names of both sessions, each once.
 std::vector<std::string> common_frame(const Session& a, const Session& b);
 Comparison compare_sessions(std::unique_ptr<Session> a, std::unique_ptr<Session> b, const CompareRules& rules);
 
-/// Returns what happens as words that users of any control understand: "F200", "S1200 M3", ….
+/// Describes the act in words that users of any control understand: "F200", "S1200 M3", ….
 std::string text_of(const CourseAct& act);
 
 }  // namespace kadr

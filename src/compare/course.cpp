@@ -1,4 +1,4 @@
-// Course: turns a program's steps into a course. Used by compare/comparison; tested by tests/compare/comparison_test.cpp.
+// Course: converts the steps of a program into comparable items. Used by compare/comparison; tested by tests/compare/comparison_test.cpp.
 
 #include "compare/course.h"
 
@@ -11,7 +11,7 @@
 namespace kadr {
 namespace {
 
-constexpr int most_pieces = 16'384;  // per motion
+constexpr int most_pieces = 16'384;  // greatest number of segments of a motion
 
 CourseMove move_of(MotionKind kind) {
   switch (kind) {
@@ -23,7 +23,7 @@ CourseMove move_of(MotionKind kind) {
   }
 }
 
-/// True if the path is the straight line to the end of the motion: MachinePath would give the same.
+/// True if the path is the straight line to the end of the motion: MachinePath would compute the same.
 bool is_plain_line(const Step& step, const Motion& motion) {
   return !motion.detail && !is_arc(motion.kind) && motion.kind != MotionKind::spline && !leads_tip(step.from, motion);
 }
@@ -67,7 +67,7 @@ void Course::more(ItemRing& to) {
   }
 }
 
-/// The other axes stay at 0.
+/// Copies the axes of the control into the order of the frame; the other axes of the frame stay at 0.
 void Course::put_in_frame(Axes& to, const Axes& machine) const {
   for (std::size_t i = 0; i < axis_of_.size(); ++i) to[i] = axis_of_[i] >= 0 ? machine[std::size_t(axis_of_[i])] + shift_[i] : 0;
 }
@@ -78,7 +78,7 @@ void Course::shift(const Axes& by) {
 }
 
 void Course::take(const Step& step) {
-  // Calls and ends are reported to the machine; what the control itself does then comes as separate actions.
+  // Calls and ends of programs are not items; the actions that the control itself executes for them arrive separately.
   if (is_by_control(step.action)) return;
   end_.begins = end_.ends = step.begins + step.time.seconds + step.pause;
   if (const std::uint32_t block = step.action.origin.number; block != end_.origin.number) before_block_ = state_;
@@ -129,7 +129,7 @@ void Course::take_function(const Step& step, std::uint32_t code) {
   else take_act(step, CourseAct::Kind::function, meaning->second.code);
 }
 
-/// Adds an exact stop. It counts only if the axes move on from it: if something is done first, they are at rest anyway.
+/// Adds an exact stop if the next step moves the axes: before any other action they are at rest anyway.
 void Course::stop_exactly(const Step& next) {
   static const auto act = std::make_shared<const CourseAct>(CourseAct{CourseAct::Kind::exact_stop, 0, {}});
   CourseItem& item = ahead_->add();
@@ -157,7 +157,7 @@ void Course::take_act(const Step& step, CourseAct::Kind kind, double value, std:
   item.kind = CourseItem::Kind::act;
   put_in_frame(item.to, step.from.machine);
   item.state = state_;
-  if (kind == CourseAct::Kind::tool) {  // whether spindle and coolant stop for the change depends on the machine
+  if (kind == CourseAct::Kind::tool) {  // whether spindle and coolant stop for a tool change depends on the machine
     item.state.spindle = SpindleDir::stop, item.state.speed = 0, item.state.surface = false;
     item.state.coolant = Coolant::off;
     if (tools_by_hand_) kind = CourseAct::Kind::stop, value = 0;

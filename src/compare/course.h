@@ -1,6 +1,6 @@
 #pragma once
-// Course: what a program makes the machine do, in the order of time, in a form in which two programs can be compared: straight pieces of
-// the axes' path with what is in force along them, and acts between them.
+// Course: what a program makes the machine do, in order of time, in a form that can be compared with another program: straight segments
+// of the path with the state in force along them, and acts (dwell, stop, message …) between the segments.
 
 #include <map>
 #include <memory>
@@ -15,42 +15,42 @@
 
 namespace kadr {
 
-/// Runs a program alone in its channel, only as far as items are requested.
+/// Runs one program, without other channels, only as far as items are requested.
 class Course {
  public:
-  ///   frame  names of the axes of the positions; an axis that the control does not have stays at 0
-  ///   chord  mm by which a piece may differ from a curved path
+  ///   frame  axis names, in the order of the positions; an axis that the control does not have stays at 0
+  ///   chord  mm by which a straight segment may deviate from a curved path
   Course(std::unique_ptr<Session> session, const std::vector<std::string>& frame, double chord, const StopToken& stop);
 
-  /// Leaves out messages to the operator.
+  /// Excludes messages to the operator from the course.
   void pass_messages() { messages_ = false; }
-  /// Adds this shift to its positions, mm by axis of the frame: where the operator has set the origin. Call it before the first item.
+  /// Adds this vector (mm, by axis of the frame) to all positions: the origin that the operator has set. Call it before the first item.
   void shift(const Axes& by);
-  /// Does without times, which nobody needs. Call it before the first item.
+  /// Computes no times. Call it before the first item.
   void pass_times() { session_->outlets().clock = nullptr; }
-  /// The exact stops that look_at() excludes.
+  /// Number of exact stops excluded by look_at().
   std::size_t passed_exact_stops() const { return passed_exact_stops_; }
   std::size_t passed_messages() const { return passed_messages_; }
-  /// Treats a tool change as a stop, whichever tool it is: the tool is changed by hand.
+  /// Treats each tool change as a stop, whatever tool it selects: the operator changes the tool by hand.
   void change_tools_by_hand() { tools_by_hand_ = true; }
-  /// Sets which modes of corners and exact stops are compared.
+  /// Sets which exact stops and corner modes the course contains.
   void look_at(const PathModes& modes) { modes_ = modes; }
-  /// What an M function of the machine means on the other control, by the tables of both (config/machine_codes).
+  /// What an M function of the machine means on the other control, by the tables of both controls (config/machine_codes).
   struct CodeMeaning {
-    std::optional<Coolant> coolant{};  // it switches the coolant; else
-    std::uint32_t code = 0;            // it is the function with this number
+    std::optional<Coolant> coolant{};  // set if the function switches the coolant
+    std::uint32_t code = 0;            // else the number of the function on the other control
   };
   void read_codes(std::map<std::uint32_t, CodeMeaning> codes) { codes_ = std::move(codes); }
-  /// What was in force before the last block so far.
+  /// The state before the last block read so far.
   const CourseState& before_last_block() const { return before_block_; }
-  /// Position of the axes before the first item.
+  /// Position of the axes before the first item, machine coordinates.
   const Axes& start() const { return start_; }
-  /// Adds the next items, one or more; adds nothing after the end.
+  /// Appends the next items (at least one) to the ring; appends nothing after the end.
   void more(ItemRing& to);
   Session& session() { return *session_; }
-  /// Origin of the work system of the first cut so far, in machine coordinates.
+  /// Origin of the work system in which the first cut was made, in machine coordinates; nullopt before that cut.
   const std::optional<Vec3>& zero() const { return zero_; }
-  /// The alarm that stopped the program.
+  /// The alarm that stopped the program, if one did.
   const std::optional<AlarmReport>& stopped() const { return stopped_; }
 
  private:
@@ -64,18 +64,18 @@ class Course {
   void put_in_frame(Axes& to, const Axes& machine) const;
 
   std::unique_ptr<Session> session_;
-  std::vector<int> axis_of_;  // axis of the frame → axis of the control; -1: it has none
+  std::vector<int> axis_of_;  // number of the control's axis, by axis of the frame; -1: the control has no such axis
   double chord_;
   StopToken stop_;
   Chain chain_;
   std::unique_ptr<TimeEstimate> clock_;
   Vec3 frame_zero_;
   std::optional<Vec3> zero_;
-  ItemRing* ahead_ = nullptr;  // receives the items while they are requested
+  ItemRing* ahead_ = nullptr;  // receives the items during more()
   CourseState state_, before_block_;
   PathModes modes_;
   std::map<std::uint32_t, CodeMeaning> codes_;
-  std::optional<Origin> exact_end_;  // of the motion that the axes have just stopped after
+  std::optional<Origin> exact_end_;  // the motion with an exact stop that has just ended
   double rpm_ = 0;
   bool surface_ = false;
   Axes start_{}, shift_{};

@@ -1,5 +1,6 @@
 #pragma once
-// CourseItem: a straight piece of the axes' path with what is in force along it, or an act. Part of compare/course.
+// CourseItem: one element of a course (compare/course): a straight segment of the path with the state in force along it, or an act
+// (dwell, stop …).
 
 #include <cstdint>
 #include <memory>
@@ -12,16 +13,16 @@ namespace kadr {
 
 enum class CourseMove : std::uint8_t { rapid, feed, thread, probe };
 
-/// What is in force while the machine moves or acts.
+/// The state in force while the machine moves or acts.
 struct CourseState {
   CourseMove move = CourseMove::rapid;
   FeedUnit unit = FeedUnit::mm_per_min;
-  double feed = 0;  // in `unit`, as commanded; 0 at rapid
-  double lead = 0;  // of a thread, mm
+  double feed = 0;  // in `unit`, as commanded; 0 for a rapid
+  double lead = 0;  // thread lead, mm
   std::uint32_t tool = 0;
   SpindleDir spindle = SpindleDir::stop;
-  bool surface = false;  // constant surface speed: `speed` is m/min
-  double speed = 0;      // of a rotating spindle
+  bool surface = false;  // constant surface speed is in force: `speed` is in m/min
+  double speed = 0;      // speed of the rotating spindle, rev/min
   Coolant coolant = Coolant::off;
   double tolerance = 0;  // mm by which corners may be rounded (G64 P)
   CornerSpeed corners = CornerSpeed::limited;
@@ -29,24 +30,24 @@ struct CourseState {
   friend bool operator==(const CourseState&, const CourseState&) = default;
 };
 
-/// What happens while the axes are at rest, apart from what it leaves in force.
+/// An act while the axes are at rest. The modes that it leaves in force belong to CourseState.
 struct CourseAct {
   enum class Kind : std::uint8_t { tool, dwell, stop, optional_stop, message, function, exact_stop, other };
   Kind kind = Kind::other;
-  double value = 0;  // the tool; s; number of a message or function
-  std::string text;  // of a message; for `other`, which act
+  double value = 0;  // by kind: tool number; dwell time in s; number of the message or function
+  std::string text;  // text of a message; for `other`, the name of the act
   friend bool operator==(const CourseAct&, const CourseAct&) = default;
 };
 
 struct CourseItem {
   enum class Kind : std::uint8_t { move, act, end };
   Kind kind = Kind::end;
-  Axes to{};  // machine coordinates at its end, in the order of the frame's axes
+  Axes to{};  // position at the end of the item, machine coordinates, in the order of the frame's axes
   CourseState state;
-  std::shared_ptr<const CourseAct> act;  // if it is an act
+  std::shared_ptr<const CourseAct> act;  // set if the item is an act
   Origin origin;
-  double begins = 0, ends = 0;   // s since the start, as programmed
-  std::optional<AlarmId> fault;  // if it is the end: the alarm that caused it
+  double begins = 0, ends = 0;   // programmed time since the start, s
+  std::optional<AlarmId> fault;  // for the end of the course: the alarm that stopped the program
 };
 
 }  // namespace kadr

@@ -12,7 +12,7 @@
 namespace kadr {
 
 std::string words_of_state(const CourseState& s, CourseDifference::Kind of) {
-  using Words = std::pair<const char*, const char*>;  // in both languages
+  using Words = std::pair<const char*, const char*>;  // English, Russian
   constexpr std::array<Words, 4> moves = {
       {{"rapid", "быстрый ход"}, {"feed", "рабочая подача"}, {"thread", "резьба"}, {"probe", "касание щупа"}}};
   constexpr std::array<Words, 3> units = {{{"mm/min", "мм/мин"}, {"mm/rev", "мм/об"}, {"1/min", "1/мин"}}};

@@ -1,5 +1,5 @@
 #pragma once
-// Describes what one course states where the other differs, in the language of this thread (config/told).
+// Describes values of one course that differ from the other, in the language of the current thread (config/told).
 
 #include <cstdint>
 #include <string>
@@ -8,10 +8,10 @@
 
 namespace kadr {
 
-/// Added to numbers of M functions of a that b does not have.
+/// Added to the numbers of a's M functions that b's control does not have.
 constexpr std::uint32_t not_of_b = 1'000'000'000;
 
-/// Returns what is in force of that kind: "F100 mm/min".
+/// Describes the value in the state that this kind of difference is about: "F100 mm/min".
 std::string words_of_state(const CourseState& state, CourseDifference::Kind of);
 
 }  // namespace kadr

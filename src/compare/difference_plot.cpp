@@ -1,4 +1,4 @@
-// Draws a comparison. Used by cli/diff; tested by tests/diff_plot.py and tests/compare/difference_sketch_test.cpp.
+// Draws a comparison of two programs. Used by cli/diff; tested by tests/diff_plot.py and tests/compare/difference_sketch_test.cpp.
 
 #include "compare/difference_plot.h"
 
@@ -11,12 +11,12 @@
 namespace kadr {
 namespace {
 
-constexpr std::size_t most_points = 100'000, most_close_points = 20'000;  // per path
-constexpr double whole_chord = 0.002, close_chord = 1e-5;                 // mm by which a picture may be inexact
-constexpr std::size_t most_around = 500;                                  // common pieces before and after a difference
-constexpr std::size_t most_numbers = 500;                                 // shown in the picture
+constexpr std::size_t most_points = 100'000, most_close_points = 20'000;  // points of a path: main picture, close-up
+constexpr double whole_chord = 0.002, close_chord = 1e-5;                 // mm of deviation: main picture, close-up
+constexpr std::size_t most_around = 500;                                  // common segments that are kept before and after a difference
+constexpr std::size_t most_numbers = 500;                                 // differences with a number in the picture
 constexpr double same_place = 1e-3;                                       // mm
-constexpr std::uint16_t file_of_b = 0x8000;                               // added to ProgramLine::file for files of b
+constexpr std::uint16_t file_of_b = 0x8000;                               // added to ProgramLine::file to mark files of b
 
 using Part = ComparedPiece::Part;
 using Layer = SketchPiece::Layer;
@@ -73,7 +73,7 @@ void DifferencePlot::take(const ComparedPiece& piece) {
   const std::size_t side = piece.of_b ? 1 : 0;
   if (!first_[side]) first_[side] = drawn.from, first_line_[side] = drawn.line;
   last_[side] = drawn.to, last_line_[side] = drawn.line;
-  if (piece.of_b && piece.part != Part::apart) return;  // the piece of a is drawn
+  if (piece.of_b && piece.part != Part::apart) return;  // only the segment of a is drawn
   if (piece.part != Part::together) {
     if (begun_ != piece.number) begin(piece);
     measure(piece, drawn);
@@ -129,7 +129,7 @@ PlotNumber DifferencePlot::number_of(const CourseDifference& d, std::size_t inde
   return {index + 1, tip(d.a.stand), true};
 }
 
-/// Returns the starts and ends of both; marks at the same position once.
+/// Returns the symbols at the starts and ends of both paths; one symbol if both have the same position.
 std::vector<PlotMark> DifferencePlot::marks(const Comparison& made) const {
   std::vector<PlotMark> all;
   const auto add = [&](PlotMark mark) {
@@ -153,7 +153,7 @@ DifferenceWindow DifferencePlot::window_on(const Closeup& closeup, const Compari
   return window_of(closeup.sketch->box(), tip(d.b_far) - tip(d.a_far), tip(d.b_far), whole_.same().box());
 }
 
-/// Returns the greatest difference and the first of the others, if a close-up shows more of them.
+/// Returns up to two close-ups: the greatest difference, and the first other one of which a close-up shows more than the main picture.
 std::vector<const DifferencePlot::Closeup*> DifferencePlot::chosen(const Comparison& made) const {
   std::vector<const Closeup*> all;
   for (const std::size_t i : {2U, 0U, 1U}) {

@@ -1,6 +1,6 @@
 #pragma once
-// DifferencePlot: draws a comparison. Collects its pieces while it runs, in constant memory, and more closely those of the first two
-// differences and of the greatest one.
+// DifferencePlot: draws a comparison of two programs. It collects the segments while the comparison runs, in constant memory, and keeps
+// more detail of the first two differences and of the greatest one.
 
 #include <array>
 #include <deque>
@@ -16,38 +16,38 @@
 
 namespace kadr {
 
-/// Returns the names of two files, without their folders if they still differ.
+/// Returns two file names, without their folders if they are different then.
 std::array<std::string, 2> short_names(const std::string& a, const std::string& b);
 
 struct DifferenceTitle {
-  std::string a, b;     // names of the programs
-  std::string control;  // of both programs
+  std::string a, b;     // names of programs a and b
+  std::string control;  // name of the control, the same for both programs
   Lang lang = Lang::en;
-  std::vector<std::string> lines{};  // the differences in words, as many as fit below the picture
-  std::size_t numbers = 0;           // how many differences have their numbers in the picture; those with a close-up always have
-  /// Returns where a difference begins: "part.nc:6 | new.nc:6-7".
+  std::vector<std::string> lines{};  // descriptions of the differences, as many as fit below the picture
+  std::size_t numbers = 0;           // how many differences get a number in the picture; differences with a close-up always have one
+  /// Returns the program lines at which a difference begins: "part.nc:6 | new.nc:6-7".
   std::function<std::string(const CourseDifference&)> place;
 };
 
 class DifferencePlot {
  public:
-  ///   frame  names of the axes (common_frame)
+  ///   frame  axis names (common_frame)
   explicit DifferencePlot(const std::vector<std::string>& frame);
 
   void take(const ComparedPiece& piece);
 
-  /// Draws the picture, once, after the last piece; the ending of the file's name (.svg, .png) selects the format.
+  /// Draws the picture; call it once, after the last segment. The ending of the file's name (.svg, .png) selects the format.
   ///   returns  an error sentence
   tl::expected<void, std::string> write(const ResultFile& file, const DifferenceTitle& title, const Comparison& made);
 
  private:
-  /// A difference, with what both programs do before and after it.
+  /// One difference in detail, with the common path before and after it.
   struct Closeup {
-    std::size_t number = 0;                    // from 0
-    std::unique_ptr<DifferenceSketch> sketch;  // nullptr: no such difference
-    std::size_t left = 0;                      // common pieces still to be collected
+    std::size_t number = 0;                    // index of the difference, from 0
+    std::unique_ptr<DifferenceSketch> sketch;  // nullptr: there is no such difference
+    std::size_t left = 0;                      // number of common segments after the difference that are still to be collected
   };
-  /// The longest changed piece of a difference.
+  /// The longest segment of a difference in which only the state (feed, tool …) differs.
   struct Longest {
     double length = 0;
     Vec3 middle;
@@ -67,13 +67,13 @@ class DifferencePlot {
 
   Chain chain_;
   DifferenceSketch whole_;
-  std::deque<SketchPiece> recent_;   // the last common pieces
-  std::array<Closeup, 3> closeups_;  // of the first two differences and of the greatest
+  std::deque<SketchPiece> recent_;   // the last segments that both programs follow
+  std::array<Closeup, 3> closeups_;  // close-ups of the first two differences and of the greatest one
   double greatest_ = 0;
-  std::optional<std::size_t> begun_;  // the last difference that a piece belonged to
-  std::vector<Longest> longest_;      // for the first differences
+  std::optional<std::size_t> begun_;  // the last difference of which a segment has arrived
+  std::vector<Longest> longest_;      // by difference, for the first differences
   Vec3 zero_;
-  std::array<std::optional<Vec3>, 2> first_, last_;  // positions of a and of b
+  std::array<std::optional<Vec3>, 2> first_, last_;  // first and last positions of a and of b
   std::array<ProgramLine, 2> first_line_, last_line_;
 };
 

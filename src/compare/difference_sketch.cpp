@@ -56,7 +56,7 @@ DifferenceSketch::DifferenceSketch(std::size_t most, double chord)
       a_pen_(a_, chord),
       b_pen_(b_, chord) {}
 
-/// What differs must be visible, even if it is rapid motion.
+/// Adds a segment. A path that differs must be visible, even if it is a rapid.
 void DifferenceSketch::take(const SketchPiece& piece) {
   using Layer = SketchPiece::Layer;
   if (piece.layer != Layer::same) {

@@ -1,21 +1,22 @@
 #pragma once
-// DifferenceSketch: the paths of two programs as paths of a picture: what both do, and what only one does. Used by compare/difference_plot.
+// DifferenceSketch: the paths of two programs, prepared for drawing: the path that both follow, and the paths that only one follows. Used
+// by compare/difference_plot.
 
 #include "out/picture/plot_path.h"
 
 namespace kadr {
 
-/// A piece of a comparison in the picture's coordinates.
+/// A segment of a comparison in the coordinates of the picture.
 struct SketchPiece {
   enum class Layer : std::uint8_t { same, changed, a, b } layer = Layer::same;
   Vec3 from, to;
   Stroke stroke = Stroke::feed;
   ProgramLine line;
-  bool act = false;  // a position only, no path
+  bool act = false;  // an act: a position without a path
   friend bool operator==(const SketchPiece&, const SketchPiece&) = default;
 };
 
-/// Builds a path from pieces. Pieces of a curve that are finer than the picture are joined again.
+/// Builds a path from segments. Joins segments of a curve that are shorter than the picture can show.
 class SketchPen {
  public:
   SketchPen(PlotPath& path, double chord) : path_(path), chord_(chord) {}
@@ -24,17 +25,17 @@ class SketchPen {
 
  private:
   PlotPath& path_;
-  double chord_;  // mm by which the path may become less exact
-  Vec3 corner_;   // the end of the path
+  double chord_;  // mm by which the joined path may deviate
+  Vec3 corner_;   // end of the path so far
   SketchPiece held_{};
   bool holds_ = false, begun_ = false;
   double lost_ = 0;
 };
 
-/// The paths of a comparison, limited in memory.
+/// The paths of a comparison, with a limited number of points.
 class DifferenceSketch {
  public:
-  ///   most  points in each of its paths
+  ///   most  greatest number of points in each path
   DifferenceSketch(std::size_t most, double chord);
   DifferenceSketch(const DifferenceSketch&) = delete;
   DifferenceSketch& operator=(const DifferenceSketch&) = delete;
@@ -43,14 +44,14 @@ class DifferenceSketch {
   void finish();
   void move_all(Vec3 by);
 
-  /// The common path; its box includes the other paths too.
+  /// The path that both programs follow; its box also includes the other paths.
   const PlotPath& same() const { return same_; }
   const PlotPath& changed() const { return changed_; }
   const PlotPath& a() const { return a_; }
   const PlotPath& b() const { return b_; }
-  /// The box of what differs.
+  /// The box of the paths that differ.
   const Box& box() const { return box_; }
-  /// Returns the greatest distance, in mm, between the true paths and what is drawn.
+  /// Returns the greatest distance, mm, between the true paths and the drawn ones.
   double error() const;
 
  private:

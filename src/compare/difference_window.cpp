@@ -8,17 +8,17 @@
 namespace kadr {
 namespace {
 
-constexpr double most_times = 12;      // times the distance apart: a larger window does not show it well,
-constexpr double good_times = 6;       // a window of this size does
-constexpr double little_part = 0.6;    // of the part: a larger window shows no more than the view of the whole
-constexpr double margin_part = 0.15;   // of the window
-constexpr double place_part = 0.06;    // of the part, around a position
+constexpr double most_times = 12;      // times the distance between the paths: a larger window does not show that distance well,
+constexpr double good_times = 6;       // a window of this many times does
+constexpr double little_part = 0.6;    // share of the part: a larger window shows no more than the view of the whole part
+constexpr double margin_part = 0.15;   // margin, as a share of the window
+constexpr double place_part = 0.06;    // size of the window around a single position, as a share of the part
 constexpr double least_window = 0.02;  // mm
-constexpr double page_size = 500;      // of a view, approximately
+constexpr double page_size = 500;      // approximate size of a view in units of the page
 
 double greatest_of(Vec3 v) { return std::max({v.x, v.y, v.z}); }
 
-/// Returns the plane that shows best how far the two are apart and, second, most of their path.
+/// Returns the plane in which the distance between the two paths, and second the paths themselves, are seen best.
 View best_view(Vec3 apart, Vec3 size) {
   const double all = size.x + size.y + size.z, far = length(apart);
   View best = View::xy;

@@ -1,5 +1,5 @@
 #pragma once
-// Selects what a close-up shows of a difference, and from which side. Used by compare/difference_plot.
+// Selects the section of the part that a close-up of a difference shows, and the direction of view. Used by compare/difference_plot.
 
 #include "out/picture/plot_view.h"
 
@@ -8,14 +8,14 @@ namespace kadr {
 struct DifferenceWindow {
   View view = View::xy;
   Box box;
-  double finest = 0;    // mm: smaller details are not visible
-  bool closer = false;  // it shows more detail than the view of the whole part
+  double finest = 0;    // mm; smaller details are not visible in the close-up
+  bool closer = false;  // the close-up shows more detail than the view of the whole part
 };
 
-///   differing  box of what differs
-///   apart      vector from a's to b's position where they are farthest apart; zero: the positions are equal
-///   at         that position
-///   part       box of all that both do
+///   differing  box of the paths that differ
+///   apart      vector from a's position to b's where the paths are farthest apart; zero if the positions are equal
+///   at         that position of b
+///   part       box of the path that both follow
 DifferenceWindow window_of(const Box& differing, Vec3 apart, Vec3 at, const Box& part);
 
 }  // namespace kadr

@@ -1,6 +1,6 @@
 #pragma once
-// ItemRing: the items of a course in the look-ahead, in order. It reuses its memory: items that have been passed are overwritten, so that a
-// long program needs no allocation for each of its blocks.
+// ItemRing: the items of a course that have been read but not passed yet, in order. Items that were passed are overwritten, so that a
+// long program needs no memory allocation for each block.
 
 #include <algorithm>
 #include <cstddef>
@@ -15,12 +15,12 @@ class ItemRing {
  public:
   bool empty() const { return size_ == 0; }
   std::size_t size() const { return size_; }
-  /// An item stays at its address until it is removed.
+  /// Returns the i-th item; its address stays valid until the item is removed.
   CourseItem& operator[](std::size_t i) { return at(first_ + i); }
   CourseItem& front() { return at(first_); }
   CourseItem& back() { return at(first_ + size_ - 1); }
 
-  /// Adds an item at the end. It still has its old contents, so every member must be written.
+  /// Adds an item at the end and returns it. It contains the data of an earlier item, so write every member.
   CourseItem& add() {
     if (first_ + size_ == chunks_.size() * chunk) chunks_.push_back(std::make_unique<CourseItem[]>(chunk));
     return at(first_ + size_++);
@@ -31,15 +31,15 @@ class ItemRing {
     first_ = 0;
     std::rotate(chunks_.begin(), chunks_.begin() + 1, chunks_.end());
   }
-  /// Keeps only the first items.
+  /// Keeps only the first `size` items.
   void cut(std::size_t size) { size_ = size; }
 
  private:
-  static constexpr std::size_t chunk = 64;  // items
+  static constexpr std::size_t chunk = 64;  // number of items in a chunk
   CourseItem& at(std::size_t i) { return chunks_[i / chunk][i % chunk]; }
 
-  std::vector<std::unique_ptr<CourseItem[]>> chunks_;  // those with items first, in order
-  std::size_t first_ = 0, size_ = 0;                   // first_: index within the first chunk
+  std::vector<std::unique_ptr<CourseItem[]>> chunks_;  // chunks with items first, in order, then free chunks
+  std::size_t first_ = 0, size_ = 0;                   // index of the first item within the first chunk; number of items
 };
 
 }  // namespace kadr

@@ -1,4 +1,4 @@
-// Lane: a course with look-ahead. Used by compare/comparison and compare/stretch.
+// Lane: a course with its look-ahead. Used by compare/comparison and compare/stretch.
 
 #include "compare/lane.h"
 
@@ -8,8 +8,8 @@
 namespace kadr {
 namespace {
 
-constexpr double no_length = 1e-12;  // mm²: a piece without length
-constexpr double whole = 1 - 1e-9;   // the whole piece, less rounding
+constexpr double no_length = 1e-12;  // mm², square of the length: a shorter segment counts as a point
+constexpr double whole = 1 - 1e-9;   // a fraction from here on counts as the whole segment, because of rounding
 
 }  // namespace
 
@@ -66,13 +66,13 @@ void Lane::look_ahead(std::size_t i) {
   }
 }
 
-/// Removes moves without length from the new items.
+/// Removes motions of length 0 from the items from index `from` on.
 void Lane::tidy(std::size_t from) {
   std::size_t kept = from;
   for (std::size_t k = from; k < ahead_.size(); ++k) {
     CourseItem& item = ahead_[k];
     const Axes& before = kept == 0 ? at_ : ahead_[kept - 1].to;
-    if (item.kind != CourseItem::Kind::move) item.to = before;  // the frame may have changed while the axes are at rest
+    if (item.kind != CourseItem::Kind::move) item.to = before;  // the frame may change while the axes are at rest
     else if (item.to == before) continue;
     if (kept != k) ahead_[kept] = std::move(item);
     ++kept;

@@ -1,6 +1,6 @@
 #pragma once
-// PathModes: which modes for corners a control has. Two programs are compared only by the modes that both controls have; by exact stops if
-// the second control has them.
+// PathModes: which codes for corners and exact stops a control has. Two programs are compared only in the modes that both controls have;
+// in exact stops only if the second control has them.
 
 #include "config/control_def.h"
 
@@ -8,8 +8,8 @@ namespace kadr {
 
 struct PathModes {
   bool exact = false;      // exact stops by code: G9, G60, G61
-  bool tolerance = false;  // a tolerance for the path: G64 P
-  bool speeds = false;     // slower at inner corners, or not slowed down: G62, G63
+  bool tolerance = false;  // a path tolerance: G64 P
+  bool speeds = false;     // slower at inner corners (G62), or not slowed down (G63)
   bool smoothing = false;  // G5.1 Q
   friend PathModes operator&(PathModes a, PathModes b) {
     return {a.exact && b.exact, a.tolerance && b.tolerance, a.speeds && b.speeds, a.smoothing && b.smoothing};

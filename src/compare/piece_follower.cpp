@@ -1,11 +1,12 @@
-// PieceFollower: passes on the pieces of a comparison. Used by compare/comparison; tested by tests/compare/comparison_test.cpp.
+// PieceFollower: sends the segments of a comparison to its observer. Used by compare/comparison; tested by
+// tests/compare/comparison_test.cpp.
 
 #include "compare/piece_follower.h"
 
 namespace kadr {
 namespace {
 
-constexpr std::size_t most_waiting = 1000;  // within the tolerance of one position: beyond, they are passed on as Part::together
+constexpr std::size_t most_waiting = 1000;  // segments held back near one position; with more, they are sent as Part::together
 
 }  // namespace
 

@@ -1,6 +1,6 @@
 #pragma once
-// PieceFollower: passes the pieces of both paths, and the difference that they belong to, to the observer of a comparison. Used by
-// compare/comparison.
+// PieceFollower: sends the segments of both paths, each with the difference that it belongs to, to the observer of a comparison
+// (CompareRules::on_piece). Used by compare/comparison.
 
 #include <vector>
 
@@ -11,20 +11,21 @@ namespace kadr {
 
 class PieceFollower {
  public:
-  ///   told  receives the pieces; empty if nobody follows
+  ///   told  receives the segments; empty if there is no observer
   PieceFollower(std::function<void(const ComparedPiece&)> told, const CourseSpace& space, double tolerance)
       : told_(std::move(told)), space_(space), tolerance_(tolerance) {}
 
-  /// Sets part and difference of the pieces until end().
+  /// Sets the type (ComparedPiece::Part) and the difference of the segments until end() is called.
   void begin(ComparedPiece::Part part, std::size_t number, double distance = 0);
-  /// The pieces belong to the difference only if they lead farther than the tolerance from here; until then they wait.
+  /// Like begin(), but the segments belong to the difference only if they lead farther than the tolerance from `here`. Until that is
+  /// known they are held back.
   void begin_waiting(std::size_t number, const Axes& here);
-  ///   counts  pieces that still wait belong to the difference
+  ///   counts  segments that are still held back belong to the difference
   void end(bool counts = true);
 
   void take(const CourseItem& item, const Axes& from, const Axes& to, bool of_b);
 
-  /// The files of the pieces, except the programs themselves; the caller fills in their names.
+  /// Numbers of the files that the segments come from, except the programs themselves; the caller fills in their names.
   std::map<std::uint16_t, std::string>& files(bool of_b) { return of_b ? files_b_ : files_a_; }
 
  private:
@@ -33,7 +34,7 @@ class PieceFollower {
   std::function<void(const ComparedPiece&)> told_;
   const CourseSpace& space_;
   double tolerance_;
-  ComparedPiece now_;  // what the pieces have in common
+  ComparedPiece now_;  // values that all segments have in common
   Axes here_{};
   bool waits_ = false;
   std::vector<ComparedPiece> waiting_;

@@ -1,4 +1,5 @@
-// The free space of two paths, computed one column at a time. Used by compare/comparison; tested by tests/compare/stretch_test.cpp.
+// Follows two paths in parallel: the free-space diagram of both, computed one column at a time. Used by compare/comparison; tested by
+// tests/compare/stretch_test.cpp.
 
 #include "compare/stretch.h"
 
@@ -9,9 +10,9 @@ namespace kadr {
 namespace {
 
 using Interval = CourseSpace::Interval;
-constexpr std::size_t most_open = 20'000;  // pieces of one path that are near a single position of the other
+constexpr std::size_t most_open = 20'000;  // segments of one path that are near a single position of the other
 
-constexpr std::size_t most_lag = 4, most_alike = 16;  // pieces
+constexpr std::size_t most_lag = 4, most_alike = 16;  // in segments
 constexpr double same_projection = 1e-12;             // mm
 
 Interval common(Interval a, double from) { return {std::max(a.first, from), a.last}; }
@@ -54,7 +55,7 @@ class FreeSpace {
   }
   Interval free_of_b(const Axes& point, std::size_t j) { return space_.within(point, b_.begin(j), b_.item(j).to, tolerance_); }
 
-  /// Starts along b while a is at rest.
+  /// Moves along b while a stays at its start.
   void begin() {
     for (std::size_t j = 0; goes_on(b_, state_b_, j) && j <= most_open; ++j) {
       const Interval free = free_of_b(a_.at(), j);
@@ -66,18 +67,20 @@ class FreeSpace {
     if (column_.empty()) column_.push_back({0, 0}), near_.push_back(tolerance_);  // rounding: both are at the same position
   }
 
-  // Identical pieces need not be searched. Let both be at v0, on the diagonal of the free space, and let the next pieces of both be the
-  // same, v0 v1 … vE. Then (v1, v1) can be reached, and whatever can be reached can be reached through it, if
-  //   - vE is farther than the tolerance from all of v0 v1, and
+  // Identical segments need not be searched. Assume that both paths are at the vertex v0, on the diagonal of the free space, and that
+  // their next segments are the same, v0 v1 … vE. Then (v1, v1) can be reached, and everything that can be reached can be reached through
+  // it, if
+  //   - vE is farther than the tolerance from every point of v0 v1, and
   //   - v2 … vE-1 are within the tolerance of v1.
-  // Take a path through the free space on which one (a, say) is ahead. When b comes to v1, a has not passed vE, as it could not pass vE
-  // while b was between v0 and v1. So a is then between v1 and vE, and all that is there within the tolerance of v1 is connected: a gets
-  // there while b is at v1. If b has lagged behind v0, the same is true if vE is farther than the tolerance from all of that part as well.
-  // Near a position where both differ there is no such vE within the identical pieces: there the free space decides as usual.
+  // Proof: take a path through the free space on which one of the two (a, say) is ahead. When b comes to v1, a has not passed vE, as it
+  // could not pass vE while b was between v0 and v1. So a is then between v1 and vE, and all of that range within the tolerance of v1 is
+  // connected: a gets there while b is at v1. If b has lagged behind v0, the same is true if vE is also farther than the tolerance from
+  // that part. Near a position where the paths differ there is no such vE within the identical segments: there the free space decides as
+  // usual.
 
-  /// Passes identical pieces. Returns false, and changes nothing, if there are none.
+  /// Passes identical segments. Returns false, and changes nothing, if there are none.
   bool pass_alike() {
-    std::size_t lag = 0;  // pieces of b up to a's position
+    std::size_t lag = 0;  // number of segments by which b is behind a
     while (b_.begin(lag) != a_.at())
       if (++lag > most_lag || lag > column_.size()) return false;
     if (!is_reached(lag) || !are_alike(lag)) return false;
@@ -91,8 +94,8 @@ class FreeSpace {
     return true;
   }
 
-  /// True if both can be at a's position, if b is ahead of it only by what is connected with that position, and if no vertex that is left
-  /// behind has a distance to report.
+  /// True if both can be at a's position, b is ahead of that position only by a connected part of the free space, and no vertex that is
+  /// passed has a distance to report.
   bool is_reached(std::size_t lag) const {
     if (lag > 0) {
       if (column_[lag - 1].empty() || column_[lag - 1].last < 1) return false;
@@ -106,7 +109,7 @@ class FreeSpace {
     return true;
   }
 
-  /// True if v0 v1 … vE are the same for both, with the pieces of b from `lag` on.
+  /// True if v0 v1 … vE are the same in both paths, with the segments of b from index `lag` on.
   bool are_alike(std::size_t lag) {
     for (std::size_t i = 0; i < most_alike; ++i) {
       const CourseItem &a = a_.item(i), &b = b_.item(lag + i);
@@ -124,8 +127,8 @@ class FreeSpace {
     return false;
   }
 
-  /// Follows a piece of a: from the reachable intervals of b at its beginning to those at its end.
-  ///   returns  false if there are none; then `ends_` is the part of a's piece from which b's end can be reached
+  /// Follows a segment of a: from the reachable intervals of b at the segment's start to the reachable intervals at its end.
+  ///   returns  false if there are none; `ends_` is then the part of a's segment from which b's end can be reached
   bool advance() {
     const Axes from = a_.at(), to = a_.item(0).to;
     next_.clear();
@@ -171,7 +174,7 @@ class FreeSpace {
     return space_.distance(point, space_.between(begin, end, space_.nearest(point, begin, end, in)));
   }
 
-  /// Passes pieces of b that can no longer be reached.
+  /// Removes the segments of b that can no longer be reached.
   void drop() {
     std::size_t count = 0;
     while (count < column_.size() && column_[count].empty()) ++count;
@@ -205,7 +208,7 @@ class FreeSpace {
     bring_b();
     return result_;
   }
-  /// b ends within the present piece of a: cuts that piece.
+  /// b ends within the present segment of a: cuts that segment in two.
   StretchResult cut_a() {
     std::size_t last = 0;
     while (goes_on(b_, state_b_, last)) ++last;
@@ -228,8 +231,8 @@ class FreeSpace {
   const double tolerance_;
   const CourseState state_a_, state_b_;
   const Axes begins_a_, begins_b_;
-  std::vector<Interval> column_, next_;  // by piece of b ahead, at a's present vertex: the part that can be reached
-  std::vector<double> near_;             // by piece of b: how near its end can be passed
+  std::vector<Interval> column_, next_;  // by segment of b ahead: the part that can be reached while a is at its present vertex
+  std::vector<double> near_;             // by segment of b: the least distance at which its end can be passed
   Interval ends_;
   StretchResult result_;
 };

@@ -1,21 +1,21 @@
 #pragma once
-// Follows two paths side by side as far as both stay near each other in order: the continuous Fréchet distance (Alt, Godau 1995, "Computing
-// the Fréchet distance between two polygonal curves"), computed from left to right with only the reachable part of the free space in
-// memory.
+// Follows two paths in parallel as long as both stay near each other in order. The measure is the continuous Fréchet distance (Alt, Godau
+// 1995, "Computing the Fréchet distance between two polygonal curves"). It is computed from left to right; only the reachable part of the
+// free-space diagram is in memory.
 
 #include "compare/lane.h"
 
 namespace kadr {
 
 struct StretchResult {
-  bool together = true;  // true: to where one of them ends or its state changes; false: they part where the lanes are now
-  double reach = 0;      // mm, the greatest distance of either from where it began
-  double greatest = 0;   // mm, the greatest of the distances that no matching can avoid, over the vertices of both
+  bool together = true;  // true: followed until one path ends or its state changes; false: the paths separate where the lanes are now
+  double reach = 0;      // mm, the greatest distance of either path from its start
+  double greatest = 0;   // mm, the greatest distance between the paths that no matching can avoid, at the vertices of both
 };
 
-/// Follows both lanes from where they are, at most `tolerance` apart, along moves with the same state on each. Where one ends, the other is
-/// cut in two at the nearest position.
-///   pre  the first item of both is a move
+/// Follows both lanes from their current positions, which are at most `tolerance` apart, along motions whose state does not change within
+/// a lane. Where one path ends, the other is cut in two at the nearest position.
+///   pre  the first item of both lanes is a motion
 StretchResult go_along(Lane& a, Lane& b, const CourseSpace& space, double tolerance);
 
 }  // namespace kadr

@@ -19,38 +19,38 @@ std::uint8_t group_of_motions(const ControlDef& def) {
 
 bool is_axis(const AddressRow& row) { return row.function == Function::axis || row.function == Function::machine_axis; }
 
-/// True if the letter counts lengths: its numbers have a point, or the point is implied.
+/// True if the word is a length: its number has a decimal point, or an implied one.
 bool is_length(const AddressRow& row) { return row.unit == WordUnit::length; }
 
 constexpr std::int32_t tenths_of_code = 10;
 
-/// Returns the number of a code.
+/// Returns the number of a code word.
 std::uint32_t number_of(const Word& word) { return static_cast<std::uint32_t>(word.code / tenths_of_code); }
 
-constexpr int more_decimals = 3;  // added to three decimals, since the program may have more: inches, finer CAM programs
+constexpr int more_decimals = 3;  // added to three decimals, since the source program may have more: inches, or a fine CAM program
 
-/// Returns H, or D if H is a number of repetitions (spec/s2c42 4).
+/// Returns the letter of the length offset: H, or D if H is a number of repetitions (spec/s2c42 4).
 char letter_of_lengths(const ControlDef& def) {
   return def.grammar.word('H').known && def.address('H').function != Function::repeat_word ? 'H' : 'D';
 }
 
-/// Returns the letter of the number of repetitions of a canned cycle.
+/// Returns the letter for the number of repetitions of a canned cycle.
 char repeats_of(const ControlDef& def) { return def.behaviour.repeats_by_k ? 'K' : 'L'; }
 
 }  // namespace
 
-/// What a block contains.
+/// The codes of a block, sorted by their role.
 struct BlockRewriter::Kinds {
-  const CodeRow* motion = nullptr;  // code of the group of motions
+  const CodeRow* motion = nullptr;  // code of the modal group of motions
   const CodeRow* dwell = nullptr;
   const CodeRow* call = nullptr;
   const CodeRow* macro = nullptr;       // G65
-  const CodeRow* exact_stop = nullptr;  // acts at the end of this block only
-  std::uint64_t left_out = 0;           // words of a corner mode that the other control's mode does not have
-  bool returns = false;                 // M99
+  const CodeRow* exact_stop = nullptr;  // an exact stop at the end of this block only
+  std::uint64_t left_out = 0;           // words of a corner mode that the target control's mode lacks
+  bool returns = false;                 // the block has M99
   bool has_axes = false, has_feed = false;
   bool takes_axes = false;  // a code other than a motion uses the axis words
-  bool drills = false;      // a canned cycle is in force or named
+  bool drills = false;      // a canned cycle is in force or in the block
   bool is_arc = false;
 };
 
@@ -74,7 +74,7 @@ BlockRewriter::BlockRewriter(const ControlDef& from, const ControlDef& to)
 
 Status BlockRewriter::cannot(std::string_view what) { return fail(alarm(AlarmId::function_has_no_code, {}, what)); }
 
-/// Fast path for most blocks of a long program, which have axis words only. word() would write the same.
+/// Fast path for blocks with axis words only, which are most blocks of a long program. word() would write the same.
 Status BlockRewriter::write_plain(const Block& block, BlockMaker& out) {
   for (std::uint32_t i = 0; i < block.word_count; ++i) {
     const Word& one = block.words[i];
@@ -145,7 +145,7 @@ Status BlockRewriter::write_label(std::uint32_t label, BlockMaker& out) {
   return {};
 }
 
-/// L0205 of the 2С42: number 2 five times (spec/s2c42 6).
+/// Rewrites the word L0205 of the 2С42: call subprogram 2 five times (spec/s2c42 6).
 Status BlockRewriter::section_call(const Word& word, BlockMaker& out) const {
   constexpr std::uint32_t hundred = 100;
   const auto value = static_cast<std::uint32_t>(word.value);
@@ -155,7 +155,7 @@ Status BlockRewriter::section_call(const Word& word, BlockMaker& out) const {
   const bool is_own_cycle =
       std::any_of(from_.cycles.begin(), from_.cycles.end(), [&](const CycleRow& cycle) { return cycle.call_number == label; });
   if (!call || word.expression || is_own_cycle) return cannot("L" + std::to_string(value));
-  KADR_TRY(out.end());  // the block's other words act before the call
+  KADR_TRY(out.end());  // the block's other words take effect before the call
   out.text(*call + fmt::format(" P{}", label));
   if (times != 1) out.text(fmt::format("L{}", times));
   return {};
@@ -167,15 +167,14 @@ Status BlockRewriter::code(const CodeRow& row, BlockMaker& out) const {
   return out.code_text(with_digits(to_, *match));
 }
 
-/// True if the word's number means another function on the other control.
+/// True if this code number has another function on the target control.
 bool BlockRewriter::is_other_code(const Word& word, const CodeRow& row) const {
   const std::uint32_t number = number_of(word);
   return row.function == Function::machine_function && !codes_.there(number) && codes_.here(number);
 }
 
-/// Matches an M code by its number: by what the tables of both controls state, or unchanged if it is a machine function without a row of
-/// its own.
-///   returns  false if the code must be matched by what it does
+/// Writes an M code by its number: by the tables of both controls, or unchanged if it is a machine function without a row of its own.
+///   returns  false if the code must be matched by its function
 bool BlockRewriter::machine_code(const Word& word, const CodeRow& row, BlockMaker& out) const {
   const std::uint32_t number = number_of(word);
   const auto mapped = codes_.there(number);
@@ -205,7 +204,7 @@ Status BlockRewriter::number(const Word& word, char letter, BlockMaker& out) con
   return out.word(letter, value_of(word), is_length(row) ? more_decimals : 0);
 }
 
-/// Returns the other control's letter for this word; nullopt if the letter has another meaning there.
+/// Returns the target control's letter for this word; nullopt if the letter has another meaning on that control.
 std::optional<char> BlockRewriter::letter_of(const Word& word, const Kinds& kinds) const {
   constexpr Function own[] = {Function::repeat_word, Function::call_word, Function::corrector_word, Function::dwell_word,
                               Function::formal_parameter};
@@ -214,7 +213,7 @@ std::optional<char> BlockRewriter::letter_of(const Word& word, const Kinds& kind
   const Function here = from_.address(letter).function;
   if (kinds.call != nullptr && letter != 'P' && (letter == 'L' || letter == 'Q')) letter = 'L';
   else if (kinds.drills && letter == repeats_of(from_)) letter = repeats_of(to_);
-  else if (letter == 'H' && !is_own(here) && is_own(to_.address('H').function)) letter = 'D';  // correctors of both kinds (spec/s2c42 4)
+  else if (letter == 'H' && !is_own(here) && is_own(to_.address('H').function)) letter = 'D';  // offsets of both kinds (spec/s2c42 4)
   const Function there = to_.address(letter).function;
   return (is_own(here) || is_own(there)) && here != there ? std::nullopt : std::optional(letter);
 }
@@ -250,7 +249,7 @@ Status BlockRewriter::word(const Block& block, const Word& word, const Kinds& ki
   return number(word, letter, out);
 }
 
-/// RS274/NGC uses the number of the tool if H or D is left out (spec/linuxcnc 7.6); the other controls need the word.
+/// RS274/NGC uses the tool number if H or D is missing (spec/linuxcnc 7.6); the other controls need the word.
 Status BlockRewriter::implied_number(const Block& block, const CodeRow& row, BlockMaker& out) const {
   if (!from_.has_parameter_file() || to_.has_parameter_file() || tool_ == 0) return {};
   if (row.function == Function::tool_length && row.arg == 0 && !block.has('H')) return out.word(letter_of_lengths(to_), tool_);
@@ -259,7 +258,7 @@ Status BlockRewriter::implied_number(const Block& block, const CodeRow& row, Blo
   return is_side && !block.has('D') ? out.word('D', tool_) : Status();
 }
 
-/// Repeats the motion code for a motion without one after blocks that were written otherwise.
+/// Writes the motion code again if the block has none and other blocks were inserted before it.
 Status BlockRewriter::said_again(const Kinds& kinds, BlockMaker& out) {
   if (!says_again_ || !kinds.has_axes || kinds.takes_axes) return {};
   if (kinds.motion == nullptr && motion_ != nullptr) {
@@ -296,7 +295,7 @@ Status BlockRewriter::write(const Block& block, BlockMaker& out) {
   return words_of(block, kinds, out);
 }
 
-/// Converts an exact stop if one control has a mode for it and the other a code of the single block.
+/// Converts an exact stop if one control has it as a mode and the other as a code for a single block.
 Status BlockRewriter::exact_stop(const Kinds& kinds, BlockMaker& out) {
   const bool cuts = motion_ != nullptr && kinds.has_axes && !kinds.takes_axes && !kinds.drills && motion_->function != Function::rapid;
   if (!cuts) return {};
@@ -312,7 +311,7 @@ Status BlockRewriter::end(BlockMaker& out) {
   return out.end();
 }
 
-/// What follows a condition becomes a block of its own there.
+/// Writes an O line; the statement after a condition becomes a block of its own on the target control.
 Status BlockRewriter::o_line(const Block& block, BlockMaker& out) {
   return o_lines_.write(
       block,
@@ -349,7 +348,7 @@ Status BlockRewriter::macro_call(const Block& block, BlockMaker& out) {
 }
 
 Status BlockRewriter::words_of(const Block& block, const Kinds& kinds, BlockMaker& out) {
-  std::size_t next = 0;  // index of the next assignment
+  std::size_t next = 0;  // index of the next assignment in the block
   const auto assignments_before = [&](std::uint32_t at) -> Status {
     for (; next < block.assignments.size() && block.assignments[next].where.begin < at; ++next) {
       if (!to_.grammar.expressions || from_.grammar.parameter_address != to_.grammar.parameter_address)

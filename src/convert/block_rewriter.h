@@ -1,6 +1,7 @@
 #pragma once
-// BlockRewriter: rewrites a block of one control word by word as a block of another one: codes by what they do, words in the other's form,
-// variables and expressions unchanged. It looks at the text only, not at what the block does; the proof checks that (convert/conversion).
+// BlockRewriter: rewrites a block of the source control word by word as a block of the target control. Codes are matched by their
+// function, words are reformatted, variables and expressions stay. It reads only the text, not what the block does; the proof checks that
+// (convert/conversion).
 
 #include <array>
 #include <optional>
@@ -17,38 +18,38 @@ namespace kadr {
 
 class BlockRewriter {
  public:
-  /// Both must outlive this object.
+  ///   from, to  the source control and the target control; both must outlive this object
   BlockRewriter(const ControlDef& from, const ControlDef& to);
 
-  /// Writes the words of a block into `out`; after an alarm the block may be incomplete.
-  ///   alarms  function_has_no_code, word_has_no_room  the other control cannot express it
+  /// Writes the words of a block into `out`. After an alarm the block may be incomplete.
+  ///   alarms  function_has_no_code, word_has_no_room  the target control cannot express the block
   Status write(const Block& block, BlockMaker& out);
-  /// Called after the block: ends what it has put in force for itself only.
+  /// Call it after each block: ends the modes that the rewritten block has switched on for itself only.
   Status end(BlockMaker& out);
   /// Sets the numbers of the variables that the program uses.
   void set_used(std::set<std::uint32_t> used) { flow_.set_used(std::move(used)); }
   void set_macros(MacroShape shape) { o_lines_.set_shape(std::move(shape)); }
   /// Writes the first block of a subprogram.
   Status write_label(std::uint32_t label, BlockMaker& out);
-  /// Sets whether the blocks belong to a section of subprograms, where a program end does not end anything (spec/s2c42 6).
+  /// Sets whether the blocks belong to the section of subprograms, in which a program end code ends nothing (spec/s2c42 6).
   void set_in_section(bool is) { in_section_ = is; }
-  /// Records a block that is written otherwise: what it puts in force in the text still counts.
+  /// Call it for a block that is not rewritten here: only tracks the modes that the block puts in force.
   void pass(const Block& block);
-  /// Other blocks were inserted: the next motion repeats its code and, in inches, its feed.
+  /// Call it when other blocks were inserted: the next motion then repeats its code and, in inches, its feed.
   void say_again() { says_again_ = true, says_feed_again_ = is_inch_; }
-  /// True if the lengths of the text are inches from here on.
+  /// True if the lengths in the text are inches from the present block on.
   bool is_inch() const { return is_inch_; }
 
  private:
   struct Kinds;
   struct PlainWord {
-    Words form;    // of the other control
-    double scale;  // of the control converted from
+    Words form;    // format of the target control's word
+    double scale;  // factor from the number in the source text to mm, degrees, s, …
   };
   bool is_plain(const Block& block) const {
     return block.shape && (block.letters & ~plain_letters_) == 0 && !says_again_ && !(stops_.is_mode && stops_.by_block);
   }
-  /// Returns the alarm for a word that the other control does not have.
+  /// Returns the alarm for a word that the target control does not have.
   static Status cannot(std::string_view what);
   Status write_plain(const Block& block, BlockMaker& out);
   const CodeRow* row_of(const Word& word) const;
@@ -80,21 +81,21 @@ class BlockRewriter {
   const MachineCodes codes_;
   FlowRewriter flow_;
   OLineRewriter o_lines_;
-  std::uint8_t motion_group_ = 0;    // of the codes of `from_`
-  const CodeRow* motion_ = nullptr;  // in force in the text
+  std::uint8_t motion_group_ = 0;    // modal group of the motion codes of `from_`
+  const CodeRow* motion_ = nullptr;  // motion code in force in the source text
   bool motion_is_cycle_ = false;
   struct Stops {
-    bool by_block = false, by_mode = false;  // the other control has only this one of the two
-    bool is_mode = false;                    // exact stop mode is in force in the text
-    bool goes_on = false;                    // after this block the mode ends
+    bool by_block = false, by_mode = false;  // the target control has only exact stop per block, or only as a mode
+    bool is_mode = false;                    // exact stop mode is in force in the source text
+    bool goes_on = false;                    // the mode ends after this block
   } stops_;
-  bool is_metric_ = false;  // the other control counts in mm only
+  bool is_metric_ = false;  // the target control reads mm only
   bool is_inch_ = false, in_section_ = false;
   bool says_again_ = false, says_feed_again_ = false;
-  double feed_ = -1;                                // last F in the text
-  double tool_ = 0;                                 // last T in the text
-  std::array<std::optional<PlainWord>, 26> plain_;  // by letter: words whose meaning depends on nothing else in their block
-  std::uint64_t plain_letters_ = 0;                 // the letters of plain_
+  double feed_ = -1;                                // last F in the source text
+  double tool_ = 0;                                 // last T in the source text
+  std::array<std::optional<PlainWord>, 26> plain_;  // by letter: words whose meaning does not depend on other words of the block
+  std::uint64_t plain_letters_ = 0;                 // bits of the letters in plain_
 };
 
 }  // namespace kadr

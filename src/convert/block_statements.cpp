@@ -8,7 +8,7 @@
 
 namespace kadr {
 
-/// RS274/NGC needs brackets around a value with operators; macros do not.
+/// Writes an assignment. RS274/NGC needs brackets around a value with operators; macros do not.
 std::string BlockRewriter::assignment(std::string_view text) const {
   const std::size_t equals = text.find('=');
   if (!from_.grammar.sums_without_brackets() || to_.grammar.sums_without_brackets() || equals == std::string_view::npos)
@@ -27,7 +27,7 @@ Status BlockRewriter::slice(std::string_view text, BlockMaker& out) {
   return {};
 }
 
-/// Writes a macro statement unchanged: the controls that have them write them alike (spec/fanuc 5, spec/haas 2, nct 23).
+/// Writes a macro statement unchanged: all controls with macro statements write them in the same way (spec/fanuc 5, spec/haas 2, nct 23).
 Status BlockRewriter::statement(const Block& block, BlockMaker& out) {
   if (block.statement.kind == StatementKind::o_word && from_.grammar.o_words && !to_.grammar.o_words &&
       (to_.grammar.has_statements() || to_.grammar.label_address != 0 || flow_.has_sections()))

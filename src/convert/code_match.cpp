@@ -1,4 +1,4 @@
-// CodeMatch: matches codes of two controls by what they do. Used by convert/block_rewriter; tested by tests/convert.
+// CodeMatch: matches the codes of two controls by their functions. Used by convert/block_rewriter; tested by tests/convert.
 
 #include "convert/code_match.h"
 
@@ -13,7 +13,7 @@ namespace {
 
 struct Meaning {
   Function function = Function::count;
-  int arg = 0;  // any_argument matches every argument
+  int arg = 0;  // argument of the function; any_argument matches every argument
 };
 
 /// Functions of different families with the same effect.
@@ -98,7 +98,7 @@ const CodeRow* match_of(const CodeRow& row, const ControlDef& from, const Contro
   if (const CodeRow* const same = first_that(
           to, row.code, [&](const CodeRow& one) { return one.function == row.function && one.arg == row.arg && one.cycle == 0; })) {
     if (row.function != Function::machine_function || same->code == row.code) return same;
-    return nullptr;  // the machine's M codes keep their number
+    return nullptr;  // M codes of the machine keep their number
   }
   for (const auto& family : families) {
     if (std::none_of(family.begin(), family.end(),

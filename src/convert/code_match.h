@@ -1,6 +1,6 @@
 #pragma once
-// CodeMatch: finds the code of one control that does what a code of another control does. Codes are matched by what they do, never by their
-// numbers; canned cycles, whose functions differ between controls, by their steps or names.
+// CodeMatch: finds the code of one control that has the same function as a code of another control. Code numbers are never compared.
+// Canned cycles, whose functions differ between controls, are matched by their steps or names.
 
 #include <vector>
 
@@ -15,7 +15,7 @@ class CodeMatch {
  public:
   CodeMatch(const ControlDef& from, const ControlDef& to);
 
-  /// Returns nullptr if the other control has no such code that works.
+  /// Returns the target control's code for the row of the source control; nullptr if it has none that is implemented.
   ///   pre  row is one of from.codes
   const CodeRow* of(const CodeRow& row) const {
     const int index = rows_[static_cast<std::size_t>(&row - from_.codes.data())];
@@ -25,12 +25,12 @@ class CodeMatch {
  private:
   const ControlDef& from_;
   const ControlDef& to_;
-  std::vector<int> rows_;  // by row of `from_`; -1: no match
+  std::vector<int> rows_;  // row number in the target control, by row number in `from_`; -1: no match
 };
 
-/// True for a canned cycle, G73 to G89, whatever function the control has for it.
+/// True for the canned cycles G73 to G89, whatever function the control's table gives them.
 bool is_canned_cycle(const CodeRow& row);
-/// True if the code ends canned cycles.
+/// True if the code cancels canned cycles.
 bool ends_cycles(const CodeRow& row);
 
 }  // namespace kadr

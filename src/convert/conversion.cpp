@@ -1,4 +1,4 @@
-// Converts a program from one control to another. Used by cli/convert; tested by tests/convert.py and tests/convert.
+// Converts a program from a source control to a target control. Used by cli/convert; tested by tests/convert.py and tests/convert.
 
 #include "convert/conversion.h"
 
@@ -20,7 +20,7 @@
 namespace kadr {
 namespace {
 
-/// Writes the flat text in one of the ways.
+/// Writes the whole program as flat blocks, in one of the ways of FlatWay.
 class Writing {
  public:
   Writing(const ConversionSpec& spec, ConvertedAs as)
@@ -80,7 +80,7 @@ class Writing {
         for (const std::string& comment : comments_.up_to(origin.line)) blocks_.comment(comment), note(blocks_.end());
         may_change = comments_.names_rows();
       }
-      if (may_change || has_changed_) now_ = offsets_of(session_->control());  // this costs more than the block itself
+      if (may_change || has_changed_) now_ = offsets_of(session_->control());  // reading the offsets takes longer than the block itself
       has_changed_ = may_change;
       if (origin.has_block && origin.file == 0 && origin.line != numbered_) blocks_.set_number(origin.block);
       numbered_ = origin.line;
@@ -96,13 +96,13 @@ class Writing {
   std::unique_ptr<Session> session_;
   FlatProgram* flat_ = nullptr;
   Origin at_;
-  std::uint32_t numbered_ = 0;  // line of the last block number
-  bool has_changed_ = true;     // the block before may have changed what is in force
+  std::uint32_t numbered_ = 0;  // line of the last block that was given a number
+  bool has_changed_ = true;     // the previous block may have changed the offsets in force
   OffsetsInForce now_;
 };
 
-/// Proves the text from the set-ups other than the given one, too.
-///   returns  an error sentence: a session could not be opened
+/// Proves the text from the other states too, which add values that the given set-up does not state.
+///   returns  an error sentence if a session could not be opened
 tl::expected<void, std::string> prove_in_others(const Proving& proving, ConversionTry& one) {
   auto other = proving.from_others(one.text, one.as, one.counts_from);
   if (!other) return tl::unexpected(other.error());
@@ -140,7 +140,7 @@ bool is_written_so(ByteSource& text, const WrittenLetters& letters) {
   return each_piece(text, [&](std::string_view piece) { return kadr::is_written_so(piece, letters); });
 }
 
-/// Replaces letters that the other control's text does not have; the text is then read and proven once more.
+/// Replaces letters that the target control lacks; the text is then read and proven once more.
 tl::expected<void, std::string> write_in_letters(const ConversionSpec& spec, ConversionTry& one, const Proving& proving) {
   const WrittenLetters letters = spec.letters.value_or(spec.to->letters);
   if (is_written_so(*one.text, letters)) return {};
@@ -155,7 +155,7 @@ tl::expected<void, std::string> write_in_letters(const ConversionSpec& spec, Con
   one.transliterated = characters;
   one.text = text.source();
   const std::size_t passed = one.proof.passed_messages;
-  auto proof = proving.from_given(one.text, one.as, false);  // the letters of messages differ now; that the messages come is already proven
+  auto proof = proving.from_given(one.text, one.as, false);  // without messages: their letters differ now
   if (!proof) return tl::unexpected(proof.error());
   one.proof = std::move(*proof);
   one.proof.passed_messages = passed;
@@ -168,13 +168,13 @@ std::string sentence_of(const MachineCodes::Fault& fault) {
                      fault.control, fault.code, fault.there, fault.other);
 }
 
-/// True for an exact stop, or a return to rounding corners: every control with exact stops has its own code for it.
+/// True for the code of an exact stop, or of the return to rounding corners: each control with exact stops has its own codes for them.
 bool is_of_exact_stop(const CodeRow& row) {
   return row.function == Function::exact_stop_block || row.function == Function::exact_stop_mode ||
          row.function == Function::constant_velocity || (row.function == Function::feed_control && row.arg == continuous_cutting);
 }
 
-/// True if written-out blocks express the code too.
+/// True if expanded blocks can express the code too.
 bool is_said_there(const CodeRow& code, const PathModes& there) {
   if (there.exact && is_of_exact_stop(code)) return true;
   return (there.speeds && code.function == Function::feed_control) || (there.smoothing && code.function == Function::smoothing);
@@ -190,7 +190,7 @@ double usual_tolerance(const ControlDef& from, const ControlDef& to, bool arcs) 
     return coarser / 2;
   };
   constexpr std::pair<char, char> axes[] = {{'X', 'I'}, {'Y', 'J'}, {'Z', 'K'}};
-  double lines = 0, around = 0;  // sums of squares; spec/gost 3 has hundredths for Z only
+  double lines = 0, around = 0;  // sums of squared rounding errors; spec/gost 3 has hundredths for Z only
   for (const auto& [axis, centre] : axes) {
     const double end = half_increment(axis), off = end + 2 * half_increment(centre);
     lines += end * end;

@@ -1,10 +1,10 @@
 #pragma once
-// Converts a program of one control to a program of another, and proves that both do the same. The text is written in several ways, the one
-// that keeps most of the program first; each text is run by its control, and the first that does the same is used. It must do the same from
-// the given set-up, and from others that differ in the work offsets, tool lengths, radii and reference points that the given one does not
-// state (convert/proving).
+// Converts a program of a source control to a program of a target control, and proves that both do the same. The program is expressed in
+// several ways, the one that keeps most of the text first. The target control runs each text; the first text that does the same as the
+// source program is used. It must do the same from the given set-up, and from other set-ups with other values for the work offsets, tool
+// lengths, radii and reference points that the given set-up does not state (convert/proving).
 //
-//   as it stands ─▶ word by word ─▶ contours and offsets as codes ─▶ offsets as codes ─▶ all offsets applied to the coordinates
+//   unchanged ─▶ word by word ─▶ contours and offsets as codes ─▶ offsets as codes ─▶ all offsets applied to the coordinates
 
 #include <functional>
 #include <memory>
@@ -17,78 +17,78 @@
 
 namespace kadr {
 
-/// How the program is expressed.
+/// How the converted program is expressed. "Expanded" means: written as single motions, without calls, loops and canned cycles.
 enum class ConvertedAs : std::uint8_t {
   as_it_stands,
-  words,     // word by word, and written out (without calls, loops and cycles) only where it must be (convert/word_by_word)
-  contours,  // all written out, as in the following ways: FlatWay
+  words,     // rewritten word by word; lines are expanded only where necessary (convert/word_by_word)
+  contours,  // this and the following ways: the whole program is expanded, see FlatWay
   lengths,
   plain,
 };
 
-/// What is converted, and how its sessions are created.
+/// The program to convert, and the functions that create sessions of both controls.
 struct ConversionSpec {
   using Opens = std::function<tl::expected<std::unique_ptr<Session>, std::string>(const Setup& setup)>;
   using OpensText =
       std::function<tl::expected<std::unique_ptr<Session>, std::string>(std::shared_ptr<ByteSource> text, const Setup& setup)>;
-  Opens source;                             // opens the program under its own control, from that set-up
-  Setup setup;                              // in which the program begins
-  OpensText target;                         // opens a text under the other control, from that set-up
-  std::shared_ptr<ByteSource> source_text;  // UTF-8, lines divided by '\n'
+  Opens source;                             // opens the program under its own control, with this set-up
+  Setup setup;                              // the set-up with which the program begins
+  OpensText target;                         // opens a text under the target control, with this set-up
+  std::shared_ptr<ByteSource> source_text;  // the program, UTF-8, lines separated by '\n'
   const ControlDef* to = nullptr;
-  bool flat = false;                        // calls, loops and canned cycles are written out even if the other control has them
-  std::optional<ConvertedAs> only{};        // try this way only
-  double tolerance = 0;                     // mm; 0: usual_tolerance()
-  std::optional<WrittenLetters> letters{};  // letters allowed in the text; nullopt: those of the control
+  bool flat = false;                        // calls, loops and canned cycles are expanded even if the target control supports them
+  std::optional<ConvertedAs> only{};        // try only this way
+  double tolerance = 0;                     // allowed distance of the paths, mm; 0: usual_tolerance()
+  std::optional<WrittenLetters> letters{};  // letters allowed in the text; nullopt: those of the target control
   StopToken stop{};
 };
 
-/// Lines that are written out while the others are rewritten.
+/// Lines that are expanded into single motions, while the other lines are rewritten word by word.
 struct WrittenOut {
   TextLines lines;
-  std::optional<Alarm> cannot_say{};          // the reason: the other control cannot express them,
-  std::optional<CourseDifference> differs{};  // or it would do something else, here or nearby,
-  bool varies = false;                        // or they do not do the same each time. No reason: contours and frames, which are calculated
+  std::optional<Alarm> cannot_say{};          // the reason: the target control cannot express the lines,
+  std::optional<CourseDifference> differs{};  // or it would do something else in them or nearby,
+  bool varies = false;                        // or each execution differs. No reason: contours and frames, which are computed
 };
 
-/// One of the ways that were tried, and why it was not used.
+/// One of the ways that were tried, and the reason if it was not used.
 struct ConversionTry {
   ConvertedAs as = ConvertedAs::as_it_stands;
-  std::optional<Alarm> cannot_say;  // what the other control cannot express
-  Origin at;                        // the block of cannot_say
-  Comparison proof;                 // the comparison, if the program could be expressed
-  bool differs_unstated = false;    // `proof` is of another state: the text depends on something that the set-up does not state
-  bool differs_elsewhere = false;   // `proof` is of a probe that touches at another point
-  bool zero_by_operator = false;    // proven with the part's origin set on the machine itself, since one control has no code for it
-  std::optional<std::uint16_t> counts_from{};  // for `plain`: the work system of all its motions
+  std::optional<Alarm> cannot_say;  // what the target control cannot express
+  Origin at;                        // the block that cannot_say refers to
+  Comparison proof;                 // the comparison of both programs, if the target control can express the program
+  bool differs_unstated = false;    // `proof` uses values for tables that the set-up does not state: the text depends on them
+  bool differs_elsewhere = false;   // `proof` is from a run in which the probe touches at another point
+  bool zero_by_operator = false;    // proven with the origin set by hand at the machine, since one of the controls has no code for it
+  std::optional<std::uint16_t> counts_from{};  // for `plain`: the work system that all motions of the program use
   std::shared_ptr<ByteSource> text = text_source({});
   bool is_equal() const { return !cannot_say && text->size() != 0 && proof.equal() && !proof.stopped_a && !proof.stopped_b; }
   bool is_proven() const { return is_equal() && told_states.has_value(); }
-  std::optional<std::size_t> told_states{};  // number of other states in which it was proven; nullopt: not yet proven
-  std::size_t transliterated = 0;            // characters that the other control's text does not have
-  std::vector<WrittenOut> written_out{};     // for `words`, in the order in which they were found
+  std::optional<std::size_t> told_states{};  // number of other states in which it was proven; nullopt: not proven yet
+  std::size_t transliterated = 0;            // number of characters replaced because the target control lacks their letters
+  std::vector<WrittenOut> written_out{};     // for `words`, in the order in which the lines were found
 };
 
 struct Converted {
-  /// The set-ups from which each of the tries was run: corresponding_setup().
+  /// The set-ups with which the target control ran the texts (corresponding_setup()); plain_setup is for ConvertedAs::plain.
   Setup setup, plain_setup;
-  /// Codes that are not compared: those of smoothing and the like that the program names and that written-out blocks do not express, also
-  /// exact stops if the other control has none; and, second, those that the other control does not have at all.
+  /// Codes that are not compared. path_modes: smoothing codes and the like that the program contains and that expanded blocks cannot
+  /// express, also exact stops if the target control has none. path_modes_unknown: codes that the target control does not have at all.
   std::vector<std::string> path_modes, path_modes_unknown;
-  bool tools_by_hand = false;  // the other control cannot change tools: it stops for a change by hand
+  bool tools_by_hand = false;  // the target control has no tool change code; it stops, and the operator changes the tool
   const Setup& setup_of(ConvertedAs as) const { return as == ConvertedAs::plain ? plain_setup : setup; }
   std::optional<std::size_t> taken;  // index in `tries`; nullopt: the conversion is refused
   std::vector<ConversionTry> tries;
   double tolerance = 0;
 };
 
-/// Returns the distance in mm by which a path may differ because its words are rounded, each by half an increment of the coarser word
-/// format. Along lines the three axes are rounded. An arc has a rounded start and a rounded centre, so its radius differs too: opposite its
-/// start it is off by the error of the start once and by that of the centre twice.
+/// Returns the distance, mm, by which a path may differ because words are rounded, each by half an increment of the coarser word format.
+/// On lines each of the three axes is rounded. On an arc the start and the centre are rounded, so its radius differs too: opposite the
+/// start the error is that of the start plus twice that of the centre.
 ///   arcs  the program may contain arcs
 double usual_tolerance(const ControlDef& from, const ControlDef& to, bool arcs);
 
-///   returns  an error sentence: a session could not be opened
+///   returns  an error sentence if a session could not be opened
 tl::expected<Converted, std::string> converted(const ConversionSpec& spec);
 
 }  // namespace kadr

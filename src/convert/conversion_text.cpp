@@ -1,5 +1,5 @@
-// Names the ways of a conversion, and states why one was not used. Used by cli/convert and view/page_conversion; tested by tests/convert.py
-// and tests/serve_convert.py.
+// Names the ways of a conversion, and describes why a way was not used. Used by cli/convert and view/page_conversion; tested by
+// tests/convert.py and tests/serve_convert.py.
 
 #include "convert/conversion_text.h"
 
@@ -14,7 +14,7 @@
 namespace kadr {
 namespace {
 
-/// Returns "M6 (tool change)" if a single code of the control does it, "T" if a word does, else the engine's name of the function.
+/// Returns "M6 (tool change)" if one code of the control has the function, "T" if a word has it, else the engine's name of the function.
 std::string function_in_words(std::string_view name, const ControlDef& def) {
   const Function function = function_named(name);
   if (function == Function::count) return std::string(name);
@@ -72,7 +72,7 @@ ConversionRefusal refusal_of(const ConversionTry& one, const ConversionSides& si
   if (one.proof.stopped_b) {
     const AlarmReport& alarm = *one.proof.stopped_b;
     const std::string sentence = sentence_of(alarm, sides.of_target, lang);
-    if (one.as == ConvertedAs::as_it_stands) return {sentence, alarm.origin};  // the text is the program itself
+    if (one.as == ConvertedAs::as_it_stands) return {sentence, alarm.origin};  // the text is the source program itself
     if (alarm.origin.file != 0) return {sentence, {}};
     return {sentence, {}, {}, alarm.origin.line, alarm.line_text};
   }
@@ -116,7 +116,7 @@ std::vector<std::string> notes_on(const Converted& made, const ConversionTry& on
   std::vector<std::string> lost = one.as == ConvertedAs::as_it_stands ? std::vector<std::string>()
                                   : one.as == ConvertedAs::words      ? made.path_modes_unknown
                                                                       : made.path_modes;
-  // Canned cycles stop exactly without a code in the program.
+  // Canned cycles contain exact stops without a code in the program.
   if (lost.empty() && one.proof.passed_exact_stops != 0) lost.push_back(told("exact stops", "точные остановы"));
   if (!lost.empty())
     notes.push_back(told(fmt::format("not carried over: {} (how corners are gone round)", fmt::join(lost, ", ")),

@@ -1,5 +1,5 @@
 #pragma once
-// Describes a conversion in words, in the language of this thread (config/told.h): the same for the command line and the page.
+// Describes a conversion in words, in the language of the current thread (config/told.h). Used by the command line and the web page.
 
 #include <string>
 #include <vector>
@@ -9,36 +9,36 @@
 
 namespace kadr {
 
-/// Returns "as it stands", "with the path of the tool's centre", ….
+/// Returns the way in words: "as it stands", "with the path of the tool's centre", ….
 std::string way_in_words(ConvertedAs as);
-/// Returns "as_it_stands", "contours", …: for programs.
+/// Returns the way as a key for programs: "as_it_stands", "contours", ….
 const char* name_of(ConvertedAs as);
 
-/// Why a way was not used, and where.
+/// The reason why a way was not used, with the program line.
 struct ConversionRefusal {
   std::string text;
-  Origin at;                       // in the program that is converted, or in a file that it calls; line 0: at no line of it
-  std::string file{};              // the called file that `at` is in, if its name is known
-  std::uint32_t written_line = 0;  // in the text that was written; 0: none
-  std::string written_text{};      // the text of that line, for an alarm
+  Origin at;                       // line of the source program or of a file that it calls; line 0: no line
+  std::string file{};              // name of the called file that contains `at`, if known
+  std::uint32_t written_line = 0;  // line of the converted text; 0: none
+  std::string written_text{};      // the text of written_line, for an alarm
 };
-/// The controls whose wording is used.
+/// The two controls, whose wording is used.
 struct ConversionSides {
-  const ControlDef& from;       // the control of the program
-  const AlarmTexts& of_source;  // of that control
-  const AlarmTexts& of_target;  // of the control that the program is converted to
+  const ControlDef& from;       // the source control
+  const AlarmTexts& of_source;  // alarm texts of the source control
+  const AlarmTexts& of_target;  // alarm texts of the target control
 };
 ConversionRefusal refusal_of(const ConversionTry& one, const ConversionSides& sides);
-/// Returns why these lines are not rewritten word by word.
+/// Returns the reason why these lines are expanded instead of rewritten word by word.
 std::string why_written_out(const WrittenOut& lines, const ConversionSides& sides);
 
-/// Returns what the user must know about a try that was used.
+/// Returns the notes that the user must read about a way that was used.
 std::vector<std::string> notes_on(const Converted& made, const ConversionTry& one);
 
-/// Of the written-out texts that the other control can express, though none is proven, returns the one that keeps most; nullopt if there is
-/// none.
+/// Returns the index of the best expanded text that the target control can express but that is not proven: the one that keeps most of the
+/// program. Returns nullopt if there is none.
 std::optional<std::size_t> best_unproven(const Converted& made);
-/// Returns the line that is put before an unproven text.
+/// Returns the comment line that is put at the top of a text that is not proven.
 std::string unproven_mark();
 
 std::string nothing_proven();

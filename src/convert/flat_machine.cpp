@@ -1,4 +1,4 @@
-// Writes motions to positions of the machine: G53, G28, G30. Part of convert/flat_program; tested by tests/convert_open.py.
+// Writes motions to machine positions: G53, G28, G30. Part of convert/flat_program; tested by tests/convert_open.py.
 
 #include <algorithm>
 
@@ -6,7 +6,7 @@
 
 namespace kadr {
 
-/// True if no code cancels the work offsets: G53 of a single block does.
+/// True if the control has no modal code that cancels the work offsets, only G53 for a single block.
 bool FlatProgram::has_no_zeroless_system() const { return row_that_does(blocks_.def(), {{Function::work_zero, 0}}) == nullptr; }
 
 namespace {
@@ -15,7 +15,7 @@ constexpr std::initializer_list<Wanted> machine_codes = {
     {Function::machine_coordinates, any_argument}, {Function::machine_block, any_argument}, {Function::machine_move, any_argument}};
 
 const CodeRow* reference_code(const ControlDef& def, int point) {
-  const int row = std::min(point, 2);  // G28, G30
+  const int row = std::min(point, 2);  // row number of the code: G28, G30
   const CodeRow* const found = row_that_does(
       def,
       {{Function::reference_return, row}, {Function::home_through, row}, {Function::reference_move, row}, {Function::stored_move, row}});
@@ -24,7 +24,7 @@ const CodeRow* reference_code(const ControlDef& def, int point) {
 
 }  // namespace
 
-/// True if the other control cancels the work offset by a code of its own (G53 of the 2С42 and of GOST): its words are then machine
+/// True if the target control has a modal code that cancels the work offset (G53 of the 2С42 and of GOST): its words are then machine
 /// coordinates, except for the tool length.
 bool FlatProgram::is_without_zero(const Motion& motion) const {
   return way_ != FlatWay::plain && motion.end_given == EndGiven::by_machine && row_that_does(blocks_.def(), machine_codes) == nullptr &&
@@ -54,7 +54,7 @@ bool FlatProgram::is_in_machine(const Motion& motion) const {
   return way_ != FlatWay::plain && source_.has_systems && motion.system == 0 && has_no_zeroless_system();
 }
 
-/// True if machine coordinates are also possible with G1.
+/// True if G1 can move in machine coordinates too.
 bool FlatProgram::cuts_in_machine() const {
   return row_that_does(blocks_.def(), {{Function::machine_coordinates, any_argument}, {Function::machine_block, any_argument}}) != nullptr;
 }
@@ -79,7 +79,7 @@ bool FlatProgram::is_by_reference(const Motion& motion) const {
   return point != 0 && reference_code(blocks_.def(), point) != nullptr;
 }
 
-/// Writes a move by increments of 0: straight to the reference point, wherever the machine has it.
+/// Writes a reference point motion over an intermediate point 0 increments away: straight to the reference point of the machine.
 Status FlatProgram::reference_motion(const Motion& motion) {
   const int point = reference_of(motion.end_given);
   const CodeRow* const row = reference_code(blocks_.def(), point);

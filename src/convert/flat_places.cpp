@@ -1,4 +1,4 @@
-// Writes out ranges of lines. Used by convert/word_by_word; tested by tests/convert.
+// Expands ranges of lines into flat blocks. Used by convert/word_by_word; tested by tests/convert.
 
 #include "convert/flat_places.h"
 
@@ -35,7 +35,7 @@ class PlaceWriter {
     Outlets& outlets = session_.outlets();
     outlets.stop = stop;
     if (centres_) {
-      // Paths come later than their blocks: an action belongs to the block of its origin.
+      // A path arrives later than its block was read: an action belongs to the block in its origin.
       outlets.step = [this](const Step& step) {
         if (step.action.origin.number != number_) begin_block(step.action.origin);
         take(step.action);
@@ -49,7 +49,7 @@ class PlaceWriter {
       };
     }
     if (const Status begun = flat_.begin(session_.stand(), control_.placement()); !begun) return fail(begun.error());
-    text_.clear();  // the rewritten blocks express it
+    text_.clear();  // the rewritten blocks express this action
     while (!is_over_ && !is_full_ && session_.go_on() == Session::State::running) {
     }
     close();
@@ -66,7 +66,7 @@ class PlaceWriter {
     return !is_full_;
   }
 
-  /// Returns the range that a block belongs to: that of the outermost line of the program by which it was executed.
+  /// Returns the range that a block belongs to: the range of the outermost line of the main program that led to the block.
   std::size_t place_of(const Origin& origin, std::uint32_t& line, bool& is_own) const {
     if (origin.depth > 0)
       for (const AlarmReport::Call& call : control_.calls_of(origin))
@@ -100,7 +100,7 @@ class PlaceWriter {
     else is_over_ = straight_on_ && origin.depth == 0 && origin.file == 0 && origin.line > places_.back().lines.last;
   }
 
-  ///   afresh  rewritten blocks come before this range
+  ///   afresh  rewritten blocks come directly before this range
   void open(std::size_t place, bool afresh) {
     open_ = place;
     text_.clear();
@@ -112,7 +112,7 @@ class PlaceWriter {
   }
   FlatBefore in_force() const {
     FlatBefore modes;
-    for (const std::string& code : control_.state_now().modal) {  // not the variables, of which there may be thousands
+    for (const std::string& code : control_.state_now().modal) {  // only the codes, not the variables, of which there may be thousands
       for (const CodeRow* const row : codes_of_modes_) {
         if (row->code != code) continue;
         modes.incremental = modes.incremental || row->function == Function::incremental;
@@ -126,12 +126,12 @@ class PlaceWriter {
     return modes;
   }
 
-  ///   at_end  rewritten blocks follow
+  ///   at_end  rewritten blocks follow this range
   void close(bool at_end = true) {
     if (open_ == nowhere) return;
     note(at_end ? close_flat() : flat_.end_block());
     FlatPlace& place = places_[open_];
-    // A line that is only skipped, such as a subprogram before it is called, is not executed.
+    // Lines that the control only skips, such as a subprogram before it is called, do not count as executed.
     if (!std::exchange(has_acted_, false)) return void(open_ = nowhere);
     place.probed = place.probed || flat_.has_probed();
     if (place.times++ == 0) place.text = text_, kept_ += text_.size(), place.motions = flat_.motions() - begun_at_;
@@ -166,10 +166,10 @@ class PlaceWriter {
   BlockMaker blocks_;
   FlatProgram flat_;
   const bool centres_, straight_on_;
-  std::vector<const CodeRow*> codes_of_modes_;  // the codes that FlatBefore describes
+  std::vector<const CodeRow*> codes_of_modes_;  // codes of the modes in FlatBefore
   OffsetsInForce now_;
-  std::uint32_t number_ = ~std::uint32_t{0};  // number of the block in the run
-  std::size_t kept_ = 0;                      // bytes of the ranges so far
+  std::uint32_t number_ = ~std::uint32_t{0};  // sequence number of the block in the run
+  std::size_t kept_ = 0;                      // bytes of all ranges so far
   std::size_t open_ = nowhere, begun_at_ = 0;
   bool is_new_ = true, has_acted_ = false, inch_ = false, is_over_ = false, is_full_ = false;
 };

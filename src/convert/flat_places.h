@@ -1,6 +1,7 @@
 #pragma once
-// FlatPlaces: writes some ranges of lines as flat blocks of another control, between lines that are rewritten. The program is run, and what
-// it does in those lines is written action by action (convert/flat_program). A range that does the same each time becomes one text.
+// FlatPlaces: expands ranges of lines into flat blocks (single motions) of the target control; the lines between them are rewritten. The
+// program is run, and each action in these ranges is written (convert/flat_program). A range that does the same in each execution becomes
+// one text.
 
 #include <functional>
 #include <memory>
@@ -16,21 +17,21 @@ namespace kadr {
 
 struct FlatPlace {
   TextLines lines;
-  bool follows = false;           // no block lies between this range and the one before
-  std::string text{};             // of one execution
-  std::size_t times = 0;          // how often it was executed
-  std::size_t motions = 0;        // in one execution
-  bool differs = false;           // it does not do the same each time
-  std::optional<Alarm> cannot{};  // the other control cannot express it
-  bool probed = false;            // the program has probed before: its figures may be valid for this run only
+  bool follows = false;           // no block lies between the previous range and this one
+  std::string text{};             // the flat blocks of one execution
+  std::size_t times = 0;          // number of executions
+  std::size_t motions = 0;        // number of motions in one execution
+  bool differs = false;           // two executions of the range differ
+  std::optional<Alarm> cannot{};  // the target control cannot express the range
+  bool probed = false;            // a probe motion came earlier: coordinates of this range may depend on what it touched in this run
   bool settled() const { return !differs && !cannot; }
 };
 
-/// Runs the program once and writes `places`, which are in order and do not overlap.
-///   centres      radius compensation is applied to the coordinates: contours are written out as a whole
-///   straight_on  nothing after the last range leads back: the run ends there
+/// Runs the program once and fills in `places`, which must be in order and must not overlap.
+///   centres      cutter compensation is applied to the coordinates; contours are expanded as a whole
+///   straight_on  nothing after the last range leads back to it, so the run may end there
 ///   returns      number of blocks executed
-///   alarms       conversion_too_long  for all ranges together; what cannot be expressed is noted in `places`
+///   alarms       conversion_too_long if all ranges together are too long; what cannot be expressed is stored in `places`
 Result<std::size_t> write_flat_places(Session& source, const ControlDef& to, std::vector<FlatPlace>& places, bool centres, bool straight_on,
                                       const StopToken& stop);
 

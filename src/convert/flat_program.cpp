@@ -1,4 +1,4 @@
-// FlatProgram: writes a program for another control action by action. Used by convert/conversion; tested by tests/convert.
+// FlatProgram: writes the actions of a run as flat blocks of the target control. Used by convert/conversion; tested by tests/convert.
 
 #include "convert/flat_program.h"
 
@@ -18,9 +18,9 @@ namespace {
 
 constexpr double same_value = 1e-9;
 constexpr int most_turns = 1000;
-constexpr int first_system = 53;  // G54 is system number 1
+constexpr int first_system = 53;  // G54 is work system number 1
 
-/// Returns 17, 18 or 19 by the plane of an arc; 0 if it is in none.
+/// Returns 17, 18 or 19 for the plane of an arc; 0 if the arc lies in no coordinate plane.
 int plane_of(const Motion& motion, const std::vector<std::string>& axes) {
   const auto is = [&](const char* a, const char* b) {
     const std::string &first = axes[motion.first], &second = axes[motion.second];
@@ -40,7 +40,7 @@ Status FlatProgram::begin(const ToolPosition& stand, const Placement& placement)
   said_origin_ = placement.origin;
   at_ = stand.machine;
   blocks_.begin();
-  if (blocks_.def().grammar.percent_frames) {  // the number under which the control's memory keeps the program
+  if (blocks_.def().grammar.percent_frames) {  // the number under which the control stores the program
     blocks_.text(blocks_.program_label(1));
     KADR_TRY(blocks_.end());
   }
@@ -163,7 +163,7 @@ Status FlatProgram::close(const FlatBefore& after) {
   return blocks_.end();
 }
 
-/// Writes what needs blocks of its own: plane and work offset.
+/// Writes the codes that need blocks of their own before the motion: plane and work offset.
 Status FlatProgram::said_before(const Motion& motion, const OffsetsInForce& now) {
   if (is_arc(motion.kind) || motion.side != 0) {
     const int plane = plane_of(motion, axes_);
@@ -178,9 +178,9 @@ Status FlatProgram::said_before(const Motion& motion, const OffsetsInForce& now)
   KADR_TRY(length_by_word(now));
   if (is_between() && system_is_said_) system_ = motion.system;
   if (way_ == FlatWay::plain || motion.system == system_ || !source_.has_systems) return {};
-  known_ = 0;  // work offsets that are equal here may differ on the machine
+  known_ = 0;  // work offsets that are equal in this set-up may differ on the machine
   const int system = motion.system;
-  if (system == 0 && has_no_zeroless_system()) return {};  // then each motion gives its machine coordinates
+  if (system == 0 && has_no_zeroless_system()) return {};  // each motion is then written in machine coordinates
   if (std::size_t(system) < source_.systems.size() && !source_.systems[std::size_t(system)].empty())
     blocks_.text(source_.systems[std::size_t(system)]);
   else if (!blocks_.code_if_there({{Function::work_system, system},
@@ -193,7 +193,7 @@ Status FlatProgram::said_before(const Motion& motion, const OffsetsInForce& now)
   return blocks_.end();
 }
 
-/// Writes what goes into the block of the motion: tool lengths and compensation sides.
+/// Writes the codes that go into the block of the motion: tool length and cutter compensation.
 Status FlatProgram::said_with(const Motion& motion, const OffsetsInForce& now) {
   if (is_by_codes() && motion.side != side_) {
     if (motion.side == 0)
@@ -253,7 +253,7 @@ Status FlatProgram::motion(const Motion& motion, const OffsetsInForce& now) {
       break;
     case MotionKind::probe:
       KADR_TRY(feed(motion));
-      code_ = Function::count;  // another code of its group may have replaced the motion
+      code_ = Function::count;  // another code of the same group may have replaced the motion code
       KADR_TRY(blocks_.code({{Function::probe, any_argument}, {Function::measure, any_argument}, {Function::probe_move, 2}}));
       KADR_TRY(axis_words(motion));
       break;
@@ -261,7 +261,7 @@ Status FlatProgram::motion(const Motion& motion, const OffsetsInForce& now) {
     case MotionKind::spline: return no_code("spline");
   }
   at_ = motion.machine;
-  // The work coordinates of these axes now depend on the work offset: they are written again.
+  // The work coordinates of these axes now depend on the work offset, so they are written again.
   if (motion.end_given != EndGiven::by_work) known_ &= ~motion.named;
   else note_system(motion);
   ++motions_;
@@ -279,7 +279,7 @@ Status FlatProgram::motion_code(Function function) {
   return blocks_.code({{function, any_argument}});
 }
 
-/// Leaves out axes that are already at their target, except those whose position is not known.
+/// Writes a straight motion without the axes that are already at their target. Axes whose position is not known are always written.
 Status FlatProgram::straight(Function function, const Motion& motion) {
   KADR_TRY(motion_code(function));
   return axis_words(motion);
@@ -333,7 +333,7 @@ Status FlatProgram::arc(const Motion& motion) {
   return {};
 }
 
-/// Returns where the arc begins for the control: its words have been rounded, and the centre is measured from there.
+/// Returns the start of the arc as the target control has it: the words before were rounded. The centre is measured from there.
 Axes FlatProgram::said_place(const Axes& zero) const {
   Axes place = at_;
   for (std::size_t a = 0; a < axes_.size() && a < max_axes && !relative_; ++a)
@@ -341,14 +341,14 @@ Axes FlatProgram::said_place(const Axes& zero) const {
   return place;
 }
 
-/// Returns how far the words move an axis.
+/// Returns how far the rounded words move an axis.
 double FlatProgram::rise_of(std::size_t axis, const Axes& to) const {
   const Words form(blocks_.def(), axes_[axis].front());
   const double zero = base()[axis];
   return std::fabs(relative_ ? form.rounded(to[axis] - at_[axis]) : form.rounded(to[axis] - zero) - form.rounded(at_[axis] - zero));
 }
 
-/// True if a helix of several revolutions can be one block, because its lead can be written (spec/s2c42 7).
+/// True if a helix of several revolutions can be one block, because the control has a word for its lead (spec/s2c42 7).
 bool FlatProgram::is_said_by_lead(const Motion& motion, int turns) const {
   if (!blocks_.def().behaviour.helix_by_lead() || turns < 2) return false;
   for (std::size_t a = 0; a < axes_.size() && a < max_axes; ++a) {
@@ -360,7 +360,7 @@ bool FlatProgram::is_said_by_lead(const Motion& motion, int turns) const {
 }
 
 ///   centre, to  machine coordinates
-///   turns       whole revolutions, of which it may need only a part for the last
+///   turns       number of revolutions, rounded up: the last one may be incomplete
 Status FlatProgram::one_arc(Function function, const Motion& motion, Vec2 centre, const Axes& to, int turns) {
   KADR_TRY(motion_code(function));
   const Axes zero = base();

@@ -1,6 +1,7 @@
 #pragma once
-// FlatProgram: writes what a control does, action by action, as flat blocks of another one: without calls, loops, canned cycles and
-// variables. It writes what that control can express and nothing else; the proof checks that both do the same (convert/conversion).
+// FlatProgram: writes the actions of a run of the source program as flat blocks of the target control: single motions and codes, without
+// calls, loops, canned cycles and variables. It does not check the result; the proof checks that both programs do the same
+// (convert/conversion).
 
 #include <array>
 #include <map>
@@ -15,39 +16,39 @@
 
 namespace kadr {
 
-/// How the path is expressed.
+/// How the path is expressed in flat blocks.
 enum class FlatWay : std::uint8_t {
-  contours,  // as programmed: radius compensation, tool lengths and work offsets as codes of their own
-  lengths,   // radius compensation is applied to the coordinates; tool lengths and work offsets are codes
-  plain,     // all offsets are applied: machine coordinates
-  places,    // as contours, between rewritten blocks that have put shifts in force: coordinates as programmed
-  centres,   // as places, with radius compensation applied to the coordinates
+  contours,  // as programmed: cutter compensation, tool lengths and work offsets are codes
+  lengths,   // cutter compensation is applied to the coordinates; tool lengths and work offsets are codes
+  plain,     // all offsets are applied: the words are machine coordinates
+  places,    // like `contours`, for ranges between rewritten blocks, which may have put shifts in force: coordinates as programmed
+  centres,   // like `places`, with cutter compensation applied to the coordinates
 };
 
-/// The offsets of the tables that are in force.
+/// The rows of the offset tables that are in force.
 struct OffsetsInForce {
-  std::int8_t length_sign = 0;      // +1, -1; 0: none
-  std::uint32_t length_number = 0;  // H, or the word that the control has for it
-  std::uint32_t radius_number = 0;  // D
+  std::int8_t length_sign = 0;      // +1 (G43), -1 (G44); 0: no length compensation
+  std::uint32_t length_number = 0;  // number of the length offset: H, or the word that the control uses for it
+  std::uint32_t radius_number = 0;  // number of the radius offset: D
   friend bool operator==(const OffsetsInForce&, const OffsetsInForce&) = default;
 };
 
-/// Modes that the rewritten blocks before have put in force.
+/// The modes that the preceding rewritten blocks have put in force.
 struct FlatBefore {
   bool incremental = false, inch = false;
-  bool exact = false;  // exact stop mode
+  bool exact = false;  // exact stop mode is in force
   CornerSpeed corners = CornerSpeed::limited;
 };
 
-/// What is known of the program that is converted.
+/// Properties of the source program that its actions do not contain.
 struct FlatSource {
-  std::vector<std::string> axes;  // names
-  std::map<int, Axes> zeros;      // of its set-up, by number of the work system
-  bool has_systems = true;        // its control has work systems
-  bool same_messages = true;  // the other control shows messages in the same way, for which no code exists; false: messages become comments
-  std::map<std::uint32_t, std::uint32_t> machine_codes{};  // M functions with another number there, by the tables of both controls
-  std::array<std::optional<std::uint32_t>, 3> coolants{};  // the M codes that switch the coolant there, if the tables state them
-  std::vector<std::string> systems{};                      // of the other control, by number: "G54", "G54.1 P1"
+  std::vector<std::string> axes;  // axis names
+  std::map<int, Axes> zeros;      // work offsets of the set-up, by number of the work system
+  bool has_systems = true;        // the source control has work systems
+  bool same_messages = true;      // both controls display messages in the same way, without a code; false: messages become comments
+  std::map<std::uint32_t, std::uint32_t> machine_codes{};  // M functions that have another number on the target control, by both tables
+  std::array<std::optional<std::uint32_t>, 3> coolants{};  // target control's M codes by Coolant, if its tables state them
+  std::vector<std::string> systems{};                      // work system codes of the target control, by number: "G54", "G54.1 P1"
 };
 
 class FlatProgram {
@@ -55,29 +56,29 @@ class FlatProgram {
   FlatProgram(BlockMaker& blocks, FlatSource source, FlatWay way)
       : blocks_(blocks), source_(std::move(source)), axes_(source_.axes), way_(way), modes_(path_modes_of(blocks.def())) {}
 
-  ///   stand  where the axes are at the beginning; `placement` has the work offset in force
+  ///   stand  position of the axes at the beginning; `placement` contains the work offset in force
   Status begin(const ToolPosition& stand, const Placement& placement);
   /// Writes an action.
-  ///   alarms  function_has_no_code  the control has no code for it
+  ///   alarms  function_has_no_code  the target control has no code for it
   ///           word_has_no_room
   Status take(const Action& action, const OffsetsInForce& now);
-  /// Ends what was written for one block of the source; the next one begins.
+  /// Ends the output for one block of the source program.
   Status end_block();
   Status finish();
 
-  /// Records an action that is written by other blocks: only follows the state after it.
+  /// Call it for an action that other blocks express: only tracks the state after it.
   void pass(const Action& action);
-  /// Begins flat blocks after rewritten ones.
-  ///   before, now  what those have put in force
+  /// Begins flat blocks after rewritten blocks.
+  ///   before, now  modes and offsets that the rewritten blocks have put in force
   Status open(const FlatBefore& before, const OffsetsInForce& now);
-  /// From here on these blocks, and no others, select the work system.
+  /// Call it if only the flat blocks, and no rewritten ones, select the work system from here on.
   void system_changes() { system_is_said_ = false; }
-  /// Ends flat blocks before rewritten ones, which rely on what the program has put in force by then.
+  /// Ends flat blocks: restores the modes that the source program has in force here, since the rewritten blocks that follow rely on them.
   Status close(const FlatBefore& after);
-  /// Allows motions after a probe motion: the caller checks whether their figures depend on the probing.
+  /// Allows motions after a probe motion: the caller checks whether their coordinates depend on what the probe touched.
   void allow_after_probe() { after_probe_allowed_ = true; }
   bool has_probed() const { return has_probed_; }
-  /// Returns the one work system that all motions to work coordinates refer to; nullopt if there are several or none.
+  /// Returns the work system that all motions in work coordinates use; nullopt if there are several or none.
   std::optional<std::uint16_t> counts_from() const { return counts_from_several_ ? std::nullopt : counts_from_; }
   /// Number of motions written so far.
   std::size_t motions() const { return motions_; }
@@ -91,7 +92,7 @@ class FlatProgram {
   Status axis_words(const Motion& motion);
   Status arc(const Motion& motion);
   struct Arms {
-    double begin = 0, end = 0;  // radii, mm
+    double begin = 0, end = 0;  // radii at the beginning and the end of a spiral, mm
   };
   bool is_spiral(const Arms& arms) const;
   Status spiral(const Motion& motion, Vec2 centre, const Arms& arms);
@@ -136,21 +137,21 @@ class FlatProgram {
   double word_of(std::size_t axis, double to, double zero) const { return relative_ ? to - at_[axis] : to - zero; }
   bool is_by_codes() const { return way_ == FlatWay::contours || way_ == FlatWay::places; }
   bool is_between() const { return way_ == FlatWay::places || way_ == FlatWay::centres; }
-  /// Machine coordinates of the origin that the target's words refer to.
+  /// Machine coordinates of the origin of the words in the target text.
   Axes base() const;
 
   BlockMaker& blocks_;
   const FlatSource source_;
   const std::vector<std::string>& axes_;
   const FlatWay way_;
-  const PathModes modes_;  // of the other control
+  const PathModes modes_;  // path modes of the target control
 
-  Axes at_{};  // machine coordinates
+  Axes at_{};  // position in machine coordinates
   Placement placement_;
   AxisMask known_ = 0;
   Function code_ = Function::count;
-  std::optional<FeedUnit> unit_;                 // the unit in force in the text
-  FeedUnit source_unit_ = FeedUnit::mm_per_min;  // the program's unit
+  std::optional<FeedUnit> unit_;                 // feed unit in force in the target text
+  FeedUnit source_unit_ = FeedUnit::mm_per_min;  // feed unit in force in the source program
   double feed_ = -1;
   int plane_ = 17;
   std::uint16_t system_ = 0;
@@ -160,21 +161,21 @@ class FlatProgram {
   std::size_t motions_ = 0;
   std::optional<std::uint16_t> counts_from_;
   bool counts_from_several_ = false;
-  Axes said_origin_{};  // origin of the work system, with the shifts that the rewritten blocks have put in force
+  Axes said_origin_{};  // origin of the work system in the target text, with the shifts that the rewritten blocks have put in force
   bool after_probe_allowed_ = false;
-  bool has_probed_ = false;  // what follows may depend on what was touched, so figures of this run would be wrong
+  bool has_probed_ = false;  // later coordinates may depend on what the probe touched: they would be wrong in another run
   bool system_is_said_ = true;
-  bool relative_ = false;  // incremental programming is in force
+  bool relative_ = false;  // incremental programming is in force in the target text
   double rpm_ = -1;
   SpindleDir turns_ = SpindleDir::stop;
   Coolant coolant_ = Coolant::off;
-  double said_length_ = 0;  // mm, on a control with the length as a word
+  double said_length_ = 0;  // mm; on a control that states the tool length itself as a word
   bool surface_ = false, has_acts_ = false;
-  bool is_exact_ = false;  // exact stop mode
-  double tolerance_ = 0;   // mm by which corners may be rounded
+  bool is_exact_ = false;  // exact stop mode is in force in the target text
+  double tolerance_ = 0;   // mm by which corners may be rounded (G64 P)
   CornerSpeed corners_ = CornerSpeed::limited;
-  std::uint8_t smoothing_ = 0, smoothing_before_ = 0;  // Q of G5.1; its value in the rewritten blocks
-  bool wants_direction_ = false;                       // the block has an S, so it needs M3 or M4 too
+  std::uint8_t smoothing_ = 0, smoothing_before_ = 0;  // Q of G5.1, in the flat blocks and in the rewritten blocks before them
+  bool wants_direction_ = false;                       // the block has an S word, so it needs M3 or M4 too
 };
 
 }  // namespace kadr

@@ -1,5 +1,5 @@
-// Writes arcs whose radii differ as short lines, for controls that do not allow such arcs. Used by convert/flat_program; tested by
-// tests/convert_real.py.
+// Writes arcs with different start and end radii as short lines, for controls that do not allow such arcs. Used by convert/flat_program;
+// tested by tests/convert_real.py.
 
 #include <algorithm>
 #include <cmath>
@@ -11,7 +11,7 @@ namespace kadr {
 namespace {
 
 constexpr int most_pieces = 20'000;
-constexpr double chord_of_increment = 1.0 / 8;  // added to what rounding uses of the tolerance, half an increment of each axis
+constexpr double chord_of_increment = 1.0 / 8;  // chord error in increments; adds to the rounding error, half an increment of each axis
 
 double increment_of(const ControlDef& def, const std::string& axis) {
   const Words form(def, axis.front());
@@ -22,18 +22,18 @@ double increment_of(const ControlDef& def, const std::string& axis) {
 
 bool FlatProgram::is_spiral(const Arms& arms) const {
   const ControlDef& def = blocks_.def();
-  const bool is_free = def.has_parameter("arc_difference");  // 0, which does not check the difference, unless the set-up sets it
+  const bool is_free = def.has_parameter("arc_difference");  // its default 0 switches the check off
   return !is_free && std::fabs(arms.end - arms.begin) > def.behaviour.arc_radius_difference;
 }
 
-/// The radius grows linearly with the angle; all other axes move in proportion.
+/// Writes the lines. The radius grows linearly with the angle; all other axes move in proportion.
 Status FlatProgram::spiral(const Motion& motion, Vec2 centre, const Arms& arms) {
   const std::size_t first = motion.first, second = motion.second;
   const double increment = std::max(increment_of(blocks_.def(), axes_[first]), increment_of(blocks_.def(), axes_[second]));
   const double angle = 2 * pi * motion.turns, chord = increment * chord_of_increment;
   const double pieces = std::ceil(std::fabs(angle) / std::sqrt(8 * chord / std::max(arms.begin, arms.end)));
-  const bool is_led = motion.side != 0 && is_by_codes();   // by cutter compensation of the other control
-  const bool is_whole = motion.unit == FeedUnit::per_min;  // the feed applies to the whole arc
+  const bool is_led = motion.side != 0 && is_by_codes();   // the cutter compensation of the target control is active
+  const bool is_whole = motion.unit == FeedUnit::per_min;  // the feed is for the arc as a whole
   if (is_led || is_whole || !(pieces >= 1 && pieces <= most_pieces)) return fail(alarm(AlarmId::function_has_no_code, {}, "arc_cw"));
   const Axes from = at_;
   const double begin = std::atan2(from[second] - centre.y, from[first] - centre.x), sense = motion.kind == MotionKind::arc_ccw ? 1 : -1;

@@ -1,4 +1,4 @@
-// Writes spindle, tool, dwells and M functions of a flat program. Used by convert/flat_program; tested by tests/convert.
+// Writes the spindle, tool, dwells and M functions of a flat program. Used by convert/flat_program; tested by tests/convert.
 
 #include <algorithm>
 
@@ -65,7 +65,7 @@ Status FlatProgram::coolant(Coolant what) {
   return blocks_.code({{by[std::size_t(what)], any_argument}});
 }
 
-/// True for a control without a tool table that has a code with the length as a word (spec/grbl 4.15).
+/// True for a control without a tool table whose length code contains the length as a word (spec/grbl 4.15).
 bool FlatProgram::is_length_by_word() const {
   const auto has = [&](std::initializer_list<Wanted> wanted) { return row_that_does(blocks_.def(), wanted) != nullptr; };
   return has({{Function::length_by_word, any_argument}}) &&
@@ -87,7 +87,7 @@ Status FlatProgram::length_by_word(const OffsetsInForce& now) {
   return blocks_.end();
 }
 
-/// Stops for a tool change by hand, with the spindle stopped.
+/// Writes a stop for a tool change by hand, with the spindle stopped.
 Status FlatProgram::tool_by_hand(std::uint32_t number) {
   KADR_TRY(end_block());
   const SpindleDir turned = turns_;
@@ -117,7 +117,7 @@ Status FlatProgram::tool(std::uint32_t number, std::uint32_t corrector, bool cha
         {{Function::change_tool, any_argument}, {Function::exchange_tool, any_argument}, {Function::load_tool, any_argument}}));
   if (!change) return {};
   KADR_TRY(end_block());
-  KADR_TRY(spindle_on());  // some controls stop the spindle at the change
+  KADR_TRY(spindle_on());  // some controls stop the spindle at the tool change
   return end_block();
 }
 
@@ -130,7 +130,7 @@ Status FlatProgram::dwell(double seconds) {
   return end_block();
 }
 
-/// A control whose file has none of these codes counts mm/min.
+/// Writes the code of the feed unit. A control without such codes always uses mm/min.
 Status FlatProgram::feed_unit(FeedUnit unit) {
   if (unit_ == unit) return {};
   constexpr Function by[] = {Function::feed_per_minute, Function::feed_per_revolution, Function::feed_inverse_time};
@@ -142,8 +142,8 @@ Status FlatProgram::feed_unit(FeedUnit unit) {
   return blocks_.code({{by[std::size_t(unit)], any_argument}});
 }
 
-/// Writes the feed. A feed per revolution that the control cannot write, or that its format would round to 0, is written per minute at the
-/// speed in force.
+/// Writes the feed. A feed per revolution that the target control cannot write, or that its format would round to 0, becomes a feed per
+/// minute at the spindle speed in force.
 Status FlatProgram::feed(const Motion& motion) {
   FeedUnit unit = source_unit_ = motion.unit;
   double feed = motion.feed;
@@ -171,8 +171,8 @@ Status FlatProgram::stop_mode(bool exact) {
   return exact ? blocks_.code({{Function::exact_stop_mode, any_argument}}) : blocks_.code(go_on_codes);
 }
 
-/// Writes, in the block of the motion, whether the axes stop at its end. A control that has no code for it does not stop; this is reported
-/// (convert/conversion).
+/// Writes, in the block of the motion, whether the axes stop exactly at its end. A control without a code for it does not stop; the
+/// conversion reports that (convert/conversion).
 Status FlatProgram::end_of_motion(bool exact) {
   if (exact == is_exact_) return {};
   const bool has_modes = has_stop_modes();
@@ -180,21 +180,21 @@ Status FlatProgram::end_of_motion(bool exact) {
   return has_modes ? stop_mode(exact) : Status();
 }
 
-/// Writes G64 P if the control has it.
+/// Writes the path tolerance G64 P if the control has it.
 Status FlatProgram::rounding(const Motion& motion) {
   if (motion.exact || motion.tolerance == tolerance_) return {};
   tolerance_ = motion.tolerance;
   if (!modes_.tolerance) return {};
   is_exact_ = false;
   KADR_TRY(blocks_.code({{Function::constant_velocity, any_argument}}));
-  constexpr int more = 3;  // extra digits, where P may have any number of them: 0.000001 mm
+  constexpr int more = 3;  // additional decimals if P may have any number of them: 0.000001 mm
   return tolerance_ > 0 ? blocks_.word('P', tolerance_, more) : Status();
 }
 
-/// Writes G62, G63 or the return from them in the block of the motion.
+/// Writes the corner mode in the block of the motion: G62, G63 or the code that ends them.
 Status FlatProgram::corners(const Motion& motion) {
   if (motion.corner_speed == corners_ || !modes_.speeds) return {};
-  const bool exact_by_mode = motion.exact && !is_between() && has_stop_modes();  // the exact stop mode replaces them
+  const bool exact_by_mode = motion.exact && !is_between() && has_stop_modes();  // exact stop mode replaces the corner modes
   return exact_by_mode ? Status() : corner_mode(motion.corner_speed);
 }
 
@@ -205,7 +205,7 @@ Status FlatProgram::corner_mode(CornerSpeed corners) {
   return blocks_.code({{Function::feed_control, by[std::size_t(corners)]}});
 }
 
-/// Writes G5.1 before the block of the motion. Only straight motions can be smoothed (nct 4.7); Q1 joins short ones.
+/// Writes G5.1 before the block of the motion. Only straight motions can be smoothed (nct 4.7); Q1 joins short motions.
 Status FlatProgram::smoothing(const Motion& motion) {
   if (motion.kind != MotionKind::feed || motion.exact || !modes_.smoothing) return {};
   const std::uint8_t wanted = motion.smoothing != 0 ? motion.smoothing : std::uint8_t(motion.join != 0 ? 1 : 0);
@@ -220,7 +220,7 @@ Status FlatProgram::smoothing_mode(std::uint8_t smoothing) {
   return blocks_.end();
 }
 
-/// Writes an M code by the tables, or under its own number if the other control also passes that number to its machine.
+/// Writes an M code by the tables of both controls, or unchanged if the target control also passes this number to its machine.
 Status FlatProgram::machine_code(std::uint32_t code) {
   const ControlDef& def = blocks_.def();
   const auto mapped = source_.machine_codes.find(code);

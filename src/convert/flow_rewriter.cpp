@@ -14,8 +14,8 @@ namespace kadr {
 namespace {
 
 constexpr int most_nested = 3;                                                   // DO1 to DO3
-constexpr std::uint32_t first_named = 8000;                                      // for subprograms with names
-constexpr std::uint32_t last_local = 33, first_global = 100, last_global = 199;  // variables (spec/fanuc 5.1)
+constexpr std::uint32_t first_named = 8000;                                      // first number for named subprograms
+constexpr std::uint32_t last_local = 33, first_global = 100, last_global = 199;  // ranges of variable numbers (spec/fanuc 5.1)
 
 Status no_way(std::string_view what) { return fail(alarm(AlarmId::function_has_no_code, {}, what)); }
 
@@ -25,7 +25,7 @@ std::string_view trimmed(std::string_view text) {
   return text;
 }
 
-/// Returns what follows the keyword.
+/// Returns the text after the keyword.
 std::string_view behind_word(const Block& block) {
   std::string_view rest = block.text.substr(block.statement.label_where.end, block.where.end - block.statement.label_where.end);
   rest = rest.substr(0, rest.find_first_of("(;"));
@@ -35,7 +35,7 @@ std::string_view behind_word(const Block& block) {
   return trimmed(rest);
 }
 
-/// Returns "12" for o12, "<name>" for O< Name >: case and blanks do not count.
+/// Returns "12" for o12, "<name>" for O< Name >: upper and lower case are equal, blanks are ignored.
 std::string label_of(std::string_view word) {
   std::string label;
   for (const char c : word.substr(std::min<std::size_t>(1, word.size())))
@@ -43,7 +43,7 @@ std::string label_of(std::string_view word) {
   return label;
 }
 
-/// Returns the end of a bracket that begins with the text.
+/// Returns the position after the bracket expression with which the text begins.
 std::size_t end_of_bracket(std::string_view text) {
   int depth = 0;
   for (std::size_t i = 0; i < text.size(); ++i) {
@@ -217,7 +217,7 @@ Status FlowRewriter::begin_section(const std::string& label, BlockMaker& out) {
   return {};
 }
 
-/// The block's other words act before the call (spec/s2c42 3).
+/// Writes the call. The block's other words take effect before the call (spec/s2c42 3).
 Status FlowRewriter::call_in_section(const std::string& label, std::uint32_t times, BlockMaker& out) {
   const auto call = sections_.call(label, times);
   if (!call) return no_way("L");
@@ -226,7 +226,7 @@ Status FlowRewriter::call_in_section(const std::string& label, std::uint32_t tim
 }
 
 Status FlowRewriter::call_in_section(const Block& block, BlockMaker& out) {
-  constexpr double most_label = 9999;  // a number with more digits contains times and label together (spec/fanuc 9.1)
+  constexpr double most_label = 9999;  // a greater number in P consists of repetitions and label (spec/fanuc 9.1)
   std::optional<std::uint32_t> label;
   std::uint32_t times = 1;
   for (std::uint32_t i = 0; i < block.word_count; ++i) {
@@ -240,7 +240,7 @@ Status FlowRewriter::call_in_section(const Block& block, BlockMaker& out) {
   return call_in_section(std::to_string(*label), times, out);
 }
 
-/// Returns the opposite of a comparison; for any other expression, the condition that it is 0.
+/// Returns the negated comparison; for any other expression the condition that it is 0.
 Result<std::string> FlowRewriter::not_that(std::string_view condition) {
   auto text = expression(condition);
   if (!text) return text;

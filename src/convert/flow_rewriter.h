@@ -1,6 +1,6 @@
 #pragma once
-// FlowRewriter: rewrites loops, conditions, subprograms and calls of RS274/NGC (O lines, spec/linuxcnc 6) as macro statements (spec/fanuc
-// 5, nct 23), and named variables as numbered ones.
+// FlowRewriter: rewrites the loops, conditions, subprograms and calls of RS274/NGC (O lines, spec/linuxcnc 6) as macro statements
+// (spec/fanuc 5, nct 23), and named variables as numbered ones.
 
 #include <cstdint>
 #include <map>
@@ -16,43 +16,43 @@
 
 namespace kadr {
 
-/// Letters of a macro call's arguments for #1, #2 … (spec/fanuc 9.3); '\0': no letter.
+/// The argument letters of a macro call for #1, #2 …, in this order (spec/fanuc 9.3); '\0': the variable has no letter.
 inline constexpr std::string_view argument_letters = std::string_view("ABCIJKDEF\0H\0M\0\0\0QRSTUVWXYZ", 26);
 
 class FlowRewriter {
  public:
-  ///   to  needs macros, or at least subprograms with labels, if O lines are rewritten
+  ///   to  must have macros, or at least subprograms with labels, if the program has O lines
   FlowRewriter(const ControlDef& from, const ControlDef& to) : from_(from), to_(to), numbers_(from, to), sections_(to) {}
 
-  /// Sets the numbers of the variables that the program itself uses.
+  /// Sets the variable numbers that the program itself uses; they are not assigned to names.
   void set_used(std::set<std::uint32_t> used) { used_ = std::move(used); }
   /// Rewrites an O line.
   ///   alarms  function_has_no_code
   Status write(const Block& block, BlockMaker& out);
-  /// Rewrites an expression, an assignment or a word with one: system variables get the other control's numbers, names become numbers if it
-  /// has no names.
-  ///   alarms  function_has_no_code  no number is left
+  /// Rewrites an expression, an assignment or a word that contains an expression. System variables get the numbers of the target control;
+  /// names become numbers if the target control has no named variables.
+  ///   alarms  function_has_no_code if no free number is left
   Result<std::string> expression(std::string_view text);
-  /// True if the line begins a subprogram, to which the next lines belong; or if it ends one.
+  /// begins_subprogram: true if the line begins a subprogram. ends_subprogram: true if the line ends it.
   static bool begins_subprogram(const Block& block);
   static bool ends_subprogram(const Block& block);
 
-  /// True if the other control keeps its subprograms in a section before the program.
+  /// True if the target control has its subprograms in a section before the main program.
   bool has_sections() const { return sections_.are_there(); }
-  /// On such a control: the subprogram with that label follows.
-  ///   alarms  function_has_no_code  no number is left
+  /// On a control with such a section: begins the subprogram with this label.
+  ///   alarms  function_has_no_code if no free number is left
   Status begin_section(const std::string& label, BlockMaker& out);
-  /// Writes M98 P2 L5 as L0205.
-  ///   alarms  function_has_no_code  the block has other words
+  /// Rewrites the call M98 P2 L5 as L0205.
+  ///   alarms  function_has_no_code if the block has other words
   Status call_in_section(const Block& block, BlockMaker& out);
 
  private:
   Status call_in_section(const std::string& label, std::uint32_t times, BlockMaker& out);
   struct Open {
     OWord word;
-    int loop = 0;                      // m of DOm
-    std::uint32_t variable = 0;        // the loop's counter
-    std::uint32_t next = 0, over = 0;  // labels: of the next branch or pass; of what follows the loop; 0: not needed yet
+    int loop = 0;                      // m of the macro statement DOm
+    std::uint32_t variable = 0;        // number of the variable that counts the repetitions
+    std::uint32_t next = 0, over = 0;  // N of the next branch or repetition; N of the block after the loop; 0: not needed yet
   };
   Status begin_loop(Open open, std::string_view condition, BlockMaker& out);
   Status branch(OWord word, std::string_view condition, BlockMaker& out);
@@ -71,10 +71,10 @@ class FlowRewriter {
   const VariableNumbers numbers_;
   SectionNumbers sections_;
   std::vector<Open> open_;
-  std::map<std::string, std::uint32_t> labels_;     // of subprograms with names
-  std::map<std::string, std::uint32_t> variables_;  // by scope and name
+  std::map<std::string, std::uint32_t> labels_;     // block number assigned to each named subprogram
+  std::map<std::string, std::uint32_t> variables_;  // number assigned to each named variable, by scope and name
   std::set<std::uint32_t> used_;
-  std::string scope_;  // the present subprogram
+  std::string scope_;  // label of the subprogram that is being rewritten
   std::uint32_t next_label_ = 9000;
 };
 

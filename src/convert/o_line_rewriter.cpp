@@ -12,7 +12,7 @@ namespace {
 
 Status no_line(std::string_view what) { return fail(alarm(AlarmId::function_has_no_code, {}, what)); }
 
-/// Returns the first bracket of a text, and its end in `end`.
+/// Returns the first bracket expression of a text, and stores the position after it in `end`.
 std::string_view first_bracket(std::string_view text, std::size_t& end) {
   const std::size_t begin = text.find('[');
   if (begin == std::string_view::npos) {
@@ -31,7 +31,7 @@ std::string_view first_bracket(std::string_view text, std::size_t& end) {
   return {};
 }
 
-/// True if the text compares with an empty variable (#0), whose value is not a number there.
+/// True if the text compares with the vacant variable #0, whose value is not a number on the target control.
 bool asks_for_vacant(std::string_view text) {
   for (std::size_t at = text.find("#0"); at != std::string_view::npos; at = text.find("#0", at + 1))
     if (at + 2 >= text.size() || std::isdigit(static_cast<unsigned char>(text[at + 2])) == 0) return true;

@@ -1,6 +1,6 @@
 #pragma once
-// OLineRewriter: rewrites macro statements (spec/fanuc 5, nct 23) as O lines of RS274/NGC (spec/linuxcnc 6): loops, conditions, nested
-// jumps, and calls with arguments.
+// OLineRewriter: rewrites macro statements (spec/fanuc 5, nct 23) as O lines of RS274/NGC (spec/linuxcnc 6): loops, conditions, jumps
+// that nest like loops, and calls with arguments.
 
 #include <cstdint>
 #include <functional>
@@ -16,27 +16,27 @@
 
 namespace kadr {
 
-/// What is known of the program's jumps and macros before it is rewritten.
+/// The jumps and macros of the program, collected before it is rewritten.
 struct MacroShape {
-  std::set<std::uint32_t> jumped_back;            // N of blocks that a later GOTO jumps back to
-  std::set<std::uint32_t> leaves;                 // lines with a GOTO that leaves the loop around it
-  std::map<std::uint32_t, std::uint32_t> macros;  // label of a subprogram called with arguments → its last line
+  std::set<std::uint32_t> jumped_back;            // block numbers N that a later GOTO jumps back to
+  std::set<std::uint32_t> leaves;                 // lines with a GOTO that jumps out of the surrounding loop
+  std::map<std::uint32_t, std::uint32_t> macros;  // for each subprogram called with arguments: its label → its last line
 };
 
 class OLineRewriter {
  public:
-  /// `flow` rewrites expressions; it must outlive this object.
+  /// `flow` rewrites the expressions; it must outlive this object.
   explicit OLineRewriter(FlowRewriter& flow) : flow_(flow) {}
   void set_shape(MacroShape shape) { shape_ = std::move(shape); }
 
-  /// Handles N of a block: jumps to it end or begin there.
+  /// Call it for the N of each block: ends the jumps that lead to this block, or begins the loop of jumps back to it.
   Status number(std::uint32_t number, BlockMaker& out);
-  /// Rewrites a statement; `words` writes the words of the block that follow a condition.
+  /// Rewrites a macro statement. `words` writes the other words of the block, which follow a condition.
   ///   alarms  function_has_no_code
   Status write(const Block& block, const std::function<Status()>& words, BlockMaker& out);
   /// Rewrites a macro call, G65.
   Status call(const Block& block, const std::function<Status(const Word&, std::string&)>& value, BlockMaker& out);
-  /// True if this O… begins a subprogram that is called with arguments; end() writes its M99.
+  /// True if this O word begins a subprogram that is called with arguments. end() writes its return.
   bool begins(std::uint32_t label) const { return shape_.macros.count(label) != 0; }
   Status begin(std::uint32_t label, BlockMaker& out);
   bool is_in_macro() const { return macro_ != 0; }
@@ -44,17 +44,17 @@ class OLineRewriter {
 
  private:
   struct Skip {
-    std::uint32_t to, label;  // N; label of the O line
+    std::uint32_t to, label;  // `to`: block number that the jump leads to; `label`: number of the O line that replaces it
   };
   Status line(std::string text, BlockMaker& out) const;
   std::uint32_t next_label() { return ++last_label_; }
 
   FlowRewriter& flow_;
   MacroShape shape_;
-  std::vector<std::uint32_t> loops_;              // labels of O lines
-  std::vector<Skip> skips_;                       // forward jumps that are open
-  std::map<std::uint32_t, std::uint32_t> backs_;  // N → label of its `do`
-  std::uint32_t macro_ = 0;                       // the present subprogram; 0: none
+  std::vector<std::uint32_t> loops_;              // labels of the O lines of the open loops
+  std::vector<Skip> skips_;                       // forward jumps whose target has not come yet
+  std::map<std::uint32_t, std::uint32_t> backs_;  // block number N → label of the `do` line written there
+  std::uint32_t macro_ = 0;                       // label of the subprogram that is being rewritten; 0: none
   std::uint32_t last_label_ = 70000;
 };
 

@@ -1,4 +1,5 @@
-// Fills in what a set-up leaves open. Used by convert/conversion and convert/word_by_word; tested by tests/convert_open.py.
+// Adds values for the table rows that a set-up leaves open. Used by convert/conversion and convert/word_by_word; tested by
+// tests/convert_open.py.
 
 #include "convert/open_states.h"
 
@@ -16,7 +17,7 @@ constexpr std::size_t most_systems = 64;
 constexpr int most_offsets = 99, most_zeros = 16;
 constexpr std::uint32_t first_seed = 20999;
 
-/// Random values, in steps that the words of every control can express.
+/// Generates random values, as multiples of steps that the words of every control can express.
 class Values {
  public:
   explicit Values(std::uint32_t seed) : random_(seed) {}
@@ -26,7 +27,7 @@ class Values {
   double reference() { return between(-200, 200) / 10; }
 
  private:
-  double between(int least, int most) {  // never 0
+  double between(int least, int most) {  // never returns 0
     const int value = least + int(random_() % std::uint32_t(most - least + 1));
     return value == 0 ? most : value;
   }
@@ -58,7 +59,7 @@ class Filler {
       return;
     }
     if (!allows_key(def_, "work_offsets")) return;
-    // G110 and G154 P1 of the Haas are two names of the same system.
+    // G110 and G154 P1 of the Haas name the same work system.
     std::map<std::uint32_t, std::string> name_of;
     for (const WorkSystem& system : work_systems(def_))
       if (system.works && system.row != 0 && (name_of.size() < most_systems || setup.work_offsets.contains(system.name)))
@@ -74,13 +75,13 @@ class Filler {
   void offsets() {
     if (!allows_key(def_, "offsets")) return;
     std::vector<int> numbers;
-    // M6 looks in a tool table (spec/linuxcnc 5): each added row is an added tool.
+    // M6 looks the tool up in a tool table (spec/linuxcnc 5), so each added row is an added tool.
     if (def_.has_parameter_file()) numbers.assign(names_.tools.begin(), names_.tools.end());
     else
       for (int number = 1; number <= most_offsets; ++number) numbers.push_back(number);
     for (const int number : numbers) {
       if (number == 0 || !known_.allows(SetupNames::offset, std::to_string(number))) continue;
-      if (state_.setup.correctors.contains(number)) continue;  // another name of the same row
+      if (state_.setup.correctors.contains(number)) continue;  // another name of the same table row
       const auto [at, is_open] = state_.setup.offsets.try_emplace(number);
       if (is_open) at->second.length = values_.length(), at->second.radius = values_.radius();
     }

@@ -1,6 +1,7 @@
 #pragma once
-// OpenStates: a program is converted from one set-up, but runs on a machine whose work offsets, tool lengths, radii and reference points
-// differ wherever the set-up does not state them. A conversion must do the same from several such states, not only from zeros.
+// OpenStates: a program is converted with one set-up, but may run on machines with other values for the work offsets, tool lengths, radii
+// and reference points that the set-up does not state. A conversion must do the same from several such states, not only if these values
+// are 0.
 
 #include <map>
 #include <optional>
@@ -12,16 +13,16 @@
 
 namespace kadr {
 
-/// A state with values for what a set-up leaves open.
+/// A set-up with values for the table rows that the given set-up leaves open.
 struct OpenState {
-  Setup setup;                      // the given set-up of the program's control, and values for what it does not state
-  std::map<int, AxisValues> zeros;  // the work offsets among these values, mm, by number of the system
+  Setup setup;                      // the given set-up of the source control, plus values for the rows that it does not state
+  std::map<int, AxisValues> zeros;  // the work offsets that were added, mm, by number of the work system
 };
 
-/// Returns `count` states in which the program may start, the same ones each time. No two tables share a value; lengths are in tenths of a
-/// millimetre, radii in hundredths.
-///   axes   names of the program's axes; X, Y and Z get values
-///   tools  numbers that the program names
+/// Returns `count` states in which the program may start; the same states in each call. No two table rows have the same value; lengths
+/// are multiples of 0.1 mm, radii of 0.01 mm.
+///   axes   axis names of the program; X, Y and Z get values
+///   tools  tool numbers that the program contains
 std::vector<OpenState> open_states(const Setup& given, const ControlDef& def, const std::vector<std::string>& axes,
                                    const ProgramNames& names, int count);
 

@@ -1,4 +1,4 @@
-// ProgramShape: finds loops, subprograms and calls of a text. Used by convert/word_by_word; tested by tests/convert.
+// ProgramShape: finds the loops, subprograms and calls in the text of a program. Used by convert/word_by_word; tested by tests/convert.
 
 #include "convert/program_shape.h"
 
@@ -28,7 +28,7 @@ bool returns(Function function) {
          function == Function::return_numbered;
 }
 
-/// True for motions and modes: they do not jump or call, and read no other blocks.
+/// True for motions and modes: blocks with only these neither jump nor call, and the next block follows.
 bool is_straight(Function function) {
   constexpr Phase phases[] = {Phase::unit,    Phase::feed_mode,   Phase::speed_mode, Phase::spindle,  Phase::spindle_stop,
                               Phase::coolant, Phase::coolant_off, Phase::dwell,      Phase::plane,    Phase::compensation,
@@ -42,7 +42,7 @@ constexpr std::uint32_t first_name_label = 1'000'000'000, most_variable = 10'000
 constexpr double most_tool = 100'000;
 constexpr std::uint32_t hundred = 100;
 
-/// True for functions whose motions are lines, canned cycles of holes included.
+/// True for functions whose motions are straight lines; canned drilling cycles are among them.
 bool leads_along_lines(Function function) {
   constexpr Function lines[] = {
       Function::rapid,           Function::linear,           Function::cycle,         Function::canned_cycle,
@@ -72,13 +72,13 @@ ProgramShape::ProgramShape(std::shared_ptr<ByteSource> source, const ControlDef&
   }
   close_subprogram();
   const std::vector<TextLines> own = loops_;
-  for (const auto& [line, number] : jumps_) {  // lines that a jump skips or repeats are written out together
+  for (const auto& [line, number] : jumps_) {  // lines that a jump skips or repeats are expanded together
     const auto at = numbers_.find(number);
     if (at == numbers_.end()) continue;
     TextLines passed{std::min(line, at->second), std::max(line, at->second)};
     if (passed.first == line) passed.last = block_before(passed.last);
     if (const auto around = loop_around({line, line}); around && around->last == passed.last) leaves_.insert(line);
-    for (const TextLines& loop : own)  // whole loops only
+    for (const TextLines& loop : own)  // only complete loops
       if (loop.first <= passed.last && passed.first <= loop.last && !(loop.first <= passed.first && passed.last <= loop.last))
         passed = {std::min(passed.first, loop.first), std::max(passed.last, loop.last)};
     if (passed.first < passed.last) loops_.push_back(passed);
@@ -117,7 +117,7 @@ void ProgramShape::take_jump(const Block& block, const ControlDef& def) {
   if (number != 0) jumps_.emplace_back(block.position.line, number);
 }
 
-/// Fast path for most blocks of a long program, which have axis words only.
+/// Fast path for blocks with axis words only, which are most blocks of a long program.
 bool ProgramShape::take_plain(const Block& block) {
   if (!block.shape || (block.letters & ~plain_letters_) != 0 || in_section_) return false;
   names_of_words_.letters |= block.letters;
@@ -159,7 +159,7 @@ void ProgramShape::take(const Block& block, const ControlDef& def) {
   take_calls(block, def);
 }
 
-/// Finds subprograms of the 2С42: N02001 begins number 2 (spec/s2c42 6).
+/// Finds subprograms of the 2С42: N02001 begins subprogram 2 (spec/s2c42 6).
 void ProgramShape::take_section(const Block& block) {
   constexpr std::uint32_t blocks_a_subprogram = 1000;
   if (block.marker == Marker::section || block.marker == Marker::program_start) {
@@ -174,7 +174,7 @@ void ProgramShape::take_section(const Block& block) {
   label_ = label, labelled_ = block.position.line;
 }
 
-/// Finds subprograms of RS274/NGC and their calls (spec/linuxcnc 6); those with names get labels that no number uses.
+/// Finds subprograms of RS274/NGC and their calls (spec/linuxcnc 6). Named subprograms get labels that no number in the program uses.
 void ProgramShape::take_o_line(const Block& block) {
   const Statement& s = block.statement;
   if (s.kind != StatementKind::o_word) return;
@@ -213,7 +213,7 @@ void ProgramShape::close_subprogram() {
 void ProgramShape::take_calls(const Block& block, const ControlDef& def) {
   bool is_call = false;
   names_of_words_.letters |= block.letters;
-  has_arcs_ = has_arcs_ || block.codes_vary || (block.letters >> ('Z' - 'A' + 1)) != 0;  // G#1; ,R
+  has_arcs_ = has_arcs_ || block.codes_vary || (block.letters >> ('Z' - 'A' + 1)) != 0;  // a computed code, G#1, or a corner rounding, ,R
   if (const Word* const speed = block.find('S'); speed != nullptr && !speed->expression)
     names_of_words_.most_speed = std::max(names_of_words_.most_speed, speed->value);
   if (const Word* const t = block.find('T'); t != nullptr && !t->expression && t->value >= 0 && t->value < most_tool)
@@ -222,7 +222,7 @@ void ProgramShape::take_calls(const Block& block, const ControlDef& def) {
   for (std::uint32_t i = 0; i < block.word_count; ++i) {
     const Word& word = block.words[i];
     if (def.address(word.address).function == Function::call_word && !word.expression) {
-      const auto value = static_cast<std::uint32_t>(word.value);  // L0205: number 2 five times
+      const auto value = static_cast<std::uint32_t>(word.value);  // L0205: call subprogram 2 five times
       callers_.emplace(value >= hundred ? value / hundred : value, block.position.line);
     }
     if (word.code < 0) {

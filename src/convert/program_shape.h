@@ -1,6 +1,6 @@
 #pragma once
-// ProgramShape: where the loops and subprograms of a program are and who calls them, as far as its text shows it. A range to be written out
-// grows along these: from a line to its loop, from a subprogram to its calls.
+// ProgramShape: finds the loops and subprograms of a program and their callers, from the text alone. If a range of lines must be
+// expanded, it grows along this structure: from a line to its loop, from a subprogram to its calls.
 
 #include <algorithm>
 #include <cstdint>
@@ -24,45 +24,45 @@ struct TextLines {
   friend bool operator==(const TextLines&, const TextLines&) = default;
 };
 
-/// Tools, letters and speeds that a program names.
+/// The tools, address letters and speeds that occur in a program.
 struct ProgramNames {
   std::set<std::uint32_t> tools;
-  std::uint64_t letters = 0;  // of its words: bit (address - 'A')
-  double most_speed = 0;      // S, rev/min
+  std::uint64_t letters = 0;  // address letters of its words: bit (address - 'A')
+  double most_speed = 0;      // greatest S, rev/min
 };
 
 class ProgramShape {
  public:
   ProgramShape(std::shared_ptr<ByteSource> source, const ControlDef& def, const StopToken& stop = {});
 
-  /// Returns the smallest loop that contains these lines and more; nullopt if there is none.
+  /// Returns the smallest loop that contains these lines and at least one more; nullopt if there is none.
   std::optional<TextLines> loop_around(TextLines lines) const;
-  /// Returns the subprogram that a line belongs to.
+  /// Returns the lines of the subprogram that contains this line.
   std::optional<TextLines> subprogram_of(std::uint32_t line) const;
   /// Returns the lines that call this subprogram.
   std::vector<std::uint32_t> callers_of(TextLines subprogram) const;
-  /// Returns the line of the block before the block of this line; 0: none.
+  /// Returns the line of the block before the block in this line; 0: none.
   std::uint32_t block_before(std::uint32_t line) const;
   /// True if the line begins a subprogram or returns from it.
   bool is_edge(std::uint32_t line) const { return std::binary_search(edges_.begin(), edges_.end(), line); }
-  /// Lines that rotate, mirror or scale what follows, or that end it.
+  /// Lines that switch a rotation, mirroring or scaling of the coordinates on or off.
   const std::vector<std::uint32_t>& transforms() const { return transforms_; }
   /// Ranges from a block with G41 or G42 to the block with G40.
   const std::vector<TextLines>& contours() const { return contours_; }
   /// Returns the lines that call other files.
   std::vector<std::uint32_t> calls_outside() const;
-  /// Codes of exact stop, smoothing and the like that the program names, as indices in ControlDef::codes.
+  /// Codes for exact stop, smoothing and the like that the program contains, as indices in ControlDef::codes.
   const std::set<std::size_t>& path_modes() const { return path_modes_; }
-  /// True if the program allows a tolerance at its corners: G64 P.
+  /// True if the program allows a path tolerance at corners: G64 P.
   bool rounds_corners() const { return rounds_corners_; }
-  /// True if the program may contain arcs; false if all that it names moves along lines.
+  /// True if the program may contain arcs; false if certainly all its motions are straight.
   bool has_arcs() const { return has_arcs_ || !contours_.empty() || !calls_outside().empty(); }
-  /// Returns the jumps back, and the subprograms that are called with arguments.
+  /// Returns the backward jumps, and the subprograms that are called with arguments.
   MacroShape macros() const;
   const ProgramNames& names() const { return names_of_words_; }
-  /// Variables that the text names by number.
+  /// Numbers of the variables that occur in the text.
   const std::set<std::uint32_t>& variables() const { return variables_; }
-  /// True if everything after that line is executed once: nothing leads back to it or to lines before it.
+  /// True if everything after that line is executed only once: no later line leads back to it or to a line before it.
   bool goes_straight_on_after(std::uint32_t line) const { return !has_flow_ && edges_.empty() && callers_.empty() && line >= last_turn_; }
   std::uint32_t lines() const { return lines_; }
 
@@ -81,31 +81,31 @@ class ProgramShape {
   void close_subprogram();
   void take_calls(const Block& block, const ControlDef& def);
 
-  std::vector<TextLines> blocks_;  // lines with blocks, consecutive ones joined
+  std::vector<TextLines> blocks_;  // ranges of lines with blocks; adjacent ranges are joined
   std::vector<std::uint32_t> edges_, transforms_;
   std::vector<TextLines> loops_, contours_;
-  std::map<std::uint32_t, TextLines> subprograms_;       // by label
-  std::multimap<std::uint32_t, std::uint32_t> callers_;  // label → line
+  std::map<std::uint32_t, TextLines> subprograms_;       // lines of each subprogram, by label
+  std::multimap<std::uint32_t, std::uint32_t> callers_;  // label of a subprogram → line of a call
   std::set<std::uint32_t> variables_;
   std::set<std::size_t> path_modes_;
   bool rounds_corners_ = false;
   bool has_arcs_ = false;
   ProgramNames names_of_words_;
-  std::map<std::uint32_t, std::uint32_t> numbers_;              // N → line; only in macro programs that are not too long
-  std::vector<std::pair<std::uint32_t, std::uint32_t>> jumps_;  // line, N
+  std::map<std::uint32_t, std::uint32_t> numbers_;              // block number N → line; only for macro programs of limited length
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> jumps_;  // line of a GOTO, and the N that it jumps to
   std::set<std::uint32_t> leaves_;
-  std::set<std::uint32_t> macro_labels_;  // called by G65
-  // while the text is read
-  std::map<std::string, std::uint32_t> names_;                     // of subprograms → label
-  std::vector<std::pair<std::uint32_t, std::string>> open_loops_;  // line, label of an O line
-  std::uint32_t contour_ = 0;                                      // line where the contour begins
+  std::set<std::uint32_t> macro_labels_;  // labels of subprograms called by G65
+  // state while the text is read
+  std::map<std::string, std::uint32_t> names_;                     // name of a subprogram → its label
+  std::vector<std::pair<std::uint32_t, std::string>> open_loops_;  // line of an open loop, and the label of its O line
+  std::uint32_t contour_ = 0;                                      // line where the open contour (G41, G42) begins
   std::uint32_t label_ = 0, labelled_ = 0, last_block_ = 0;
   bool has_jumps_ = false;  // the control has GOTO
   bool main_over_ = false, in_section_ = false;
-  bool has_flow_ = false;        // something calls, repeats or jumps
-  std::uint32_t last_turn_ = 0;  // the last line with more than motions and modes
+  bool has_flow_ = false;        // the program contains calls, repetitions or jumps
+  std::uint32_t last_turn_ = 0;  // the last line that is not only motions and modes
   std::uint32_t lines_ = 0;
-  std::uint64_t plain_letters_ = 0;  // of words that do not matter here
+  std::uint64_t plain_letters_ = 0;  // letters of words that do not matter for this structure
 };
 
 }  // namespace kadr

@@ -1,4 +1,4 @@
-// Rewrites a program line by line. Used by convert/word_by_word; tested by tests/convert.
+// Rewrites a program line by line for the target control. Used by convert/word_by_word; tested by tests/convert.
 
 #include "convert/rewriting.h"
 
@@ -12,10 +12,10 @@
 namespace kadr {
 namespace {
 
-constexpr std::size_t most_told = 60;      // bytes of a block that are quoted in a comment
-constexpr std::uint32_t early_end = 1000;  // lines: most of what cannot be expressed is close together, at the beginning
+constexpr std::size_t most_told = 60;      // bytes of a block that a comment quotes
+constexpr std::uint32_t early_end = 1000;  // lines: most lines that cannot be expressed are close together, near the beginning
 
-/// Cuts the text at a whole character.
+/// Shortens the text, without cutting a UTF-8 character in two.
 std::string_view beginning_of(std::string_view text) {
   constexpr unsigned char follows = 0x80, mask = 0xc0;
   if (text.size() <= most_told) return text;
@@ -24,7 +24,7 @@ std::string_view beginning_of(std::string_view text) {
   return text.substr(0, end);
 }
 
-/// Returns the comment of a line without blocks, whatever characters mark it.
+/// Returns the comment in a line without blocks, for every comment syntax of the control.
 std::string comment_of(std::string_view line, const Grammar& grammar) {
   std::size_t begin = line.find_first_of(grammar.semicolon_comments || grammar.semicolon_ends ? "(;" : "(");
   if (begin == std::string_view::npos) return {};
@@ -59,7 +59,7 @@ class Rewriter {
       if (spec_.ends_early && !made_.unsaid.empty() && line > made_.unsaid.back().line + early_end) return std::move(made_);
       if (is_over_ && is_all_behind_end()) {
         last_block_ = line;
-        continue;  // nothing after the end is read
+        continue;  // the control reads nothing after the end of the program
       }
       if (!got) {
         unsaid(got.error());
@@ -89,15 +89,15 @@ class Rewriter {
   }
 
  private:
-  /// Writes the number under which the control's memory keeps the program.
+  /// Writes the number under which the control stores the program.
   void number_program() {
     blocks_.text(blocks_.program_label(1));
     if (const Status status = blocks_.end(); !status) unsaid(status.error());
   }
-  /// Adds text; returns false if the output is full.
+  /// Appends text to the output; returns false if the output is full.
   bool say(std::string_view text) {
     if (is_full_) return false;
-    if (in_section_ || in_subprogram_) {  // other controls have subprograms after the end
+    if (in_section_ || in_subprogram_) {  // controls without sections have subprograms after the program end
       tail_ += text, tail_lines_.push_back(source_line_);
     } else {
       made_.lines.add(source_line_);
@@ -105,7 +105,8 @@ class Rewriter {
     }
     return !is_full_;
   }
-  /// Subprograms of O lines go after the end on other controls; on a control with sections all of them go before the beginning.
+  /// Writes the block, or collects it as part of a subprogram. Subprograms of O lines are moved after the program end; on a control with
+  /// sections all subprograms are moved before the program.
   void block_or_subprogram(std::uint32_t line) {
     const bool is_label = spec_.to->grammar.section_address != 0 && block_.marker == Marker::label;
     if (is_label) leave_subprogram();
@@ -116,7 +117,7 @@ class Rewriter {
   void leave_subprogram() {
     if (std::exchange(in_subprogram_, false)) last_in_section_ = blocks_.end_section();
   }
-  /// Writes what comes before the program: `L` alone, the subprograms, M2 (spec/s2c42 3).
+  /// Writes the lines before the main program: `L` alone, the subprograms, M2 (spec/s2c42 3).
   void write_head() {
     if (tail_.empty()) return;
     const LineOrigins of_program = std::exchange(made_.lines, {});
@@ -146,7 +147,7 @@ class Rewriter {
     block(line);
   }
 
-  /// Power-on states differ between controls, so the states that most begin with are written explicitly.
+  /// Writes the modes that most controls have at power-on, since power-on modes differ between controls.
   void begin_modes() {
     blocks_.code_if_there({{Function::plane_xy, any_argument}, {Function::select_plane, 17}});
     blocks_.code_if_there({{Function::absolute, any_argument}});
@@ -160,9 +161,9 @@ class Rewriter {
     (void)blocks_.end();
   }
 
-  /// Copies lines without blocks, that is, comments and empty lines.
+  /// Copies the lines without blocks before this line: comments and empty lines.
   void lines_before(std::uint32_t line) {
-    if (line == next_raw_) {  // no such lines so far: raw_ starts here once there are some
+    if (line == next_raw_) {  // there were no such lines so far: raw_ is opened at the first one
       next_raw_ = line + 1;
       passed_ = block_.position;
       return;
@@ -190,7 +191,7 @@ class Rewriter {
     (void)blocks_.end();
   }
 
-  /// True if no subprogram can follow the end of the program.
+  /// True if the target control allows no subprogram after the program end.
   bool is_all_behind_end() const {
     const Grammar& grammar = spec_.from->grammar;
     return spec_.from->behaviour.ends_reading && (grammar.label_address == 0 || spec_.from->behaviour.label_is_number) &&
@@ -252,7 +253,7 @@ class Rewriter {
     words_.say_again();
   }
 
-  /// Writes a block with another number.
+  /// Writes a block of a subprogram, with a block number of the section.
   void say_in_section(std::string_view line) {
     if (line.starts_with('N')) line.remove_prefix(std::min(line.find(' '), line.size() - 1) + 1);
     blocks_.text(line.substr(0, line.find('\n')));
@@ -274,9 +275,9 @@ class Rewriter {
   Block block_;
   const FlatPlace* last_place_ = nullptr;
   std::uint32_t source_line_ = 0, last_block_ = 0, next_raw_ = 1;
-  Position passed_{0, 0, 0};           // of a line that raw_ has not read; line 0: none
-  std::uint32_t label_ = 0;            // of the present subprogram in a section
-  std::uint32_t last_in_section_ = 0;  // number of the last block in the other control's section
+  Position passed_{0, 0, 0};           // position of a line that raw_ has not read yet; line 0: none
+  std::uint32_t label_ = 0;            // label of the present subprogram in a section
+  std::uint32_t last_in_section_ = 0;  // number of the last block in the target control's section
   std::string tail_;
   std::vector<std::uint32_t> tail_lines_;
   bool is_over_ = false, in_section_ = false, in_subprogram_ = false, is_full_ = false, is_labelled_ = false;

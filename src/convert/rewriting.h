@@ -1,6 +1,6 @@
 #pragma once
-// Rewriting: rewrites a program line by line for another control: its blocks word by word, comments and empty lines where they are, with
-// written-out ranges in between.
+// Rewriting: rewrites a program line by line for the target control. Blocks are rewritten word by word; comments and empty lines stay
+// where they are; expanded ranges are inserted.
 
 #include <functional>
 #include <memory>
@@ -15,44 +15,44 @@
 
 namespace kadr {
 
-/// A line that the other control cannot express.
+/// A line that the target control cannot express.
 struct UnsaidLine {
   std::uint32_t line = 0;
   Alarm why;
 };
 
 struct RewriteSpec {
-  std::shared_ptr<ByteSource> source;  // UTF-8
+  std::shared_ptr<ByteSource> source;  // the source program, UTF-8
   const ControlDef* from = nullptr;
   const ControlDef* to = nullptr;
-  const std::vector<FlatPlace>* places = nullptr;    // in order, each settled
-  const std::vector<TextLines>* left_out = nullptr;  // subprograms that are no longer called
-  std::set<std::uint32_t> used_variables{};          // by their numbers
+  const std::vector<FlatPlace>* places = nullptr;    // expanded ranges, in order; each must be settled()
+  const std::vector<TextLines>* left_out = nullptr;  // lines of subprograms that nothing calls any more
+  std::set<std::uint32_t> used_variables{};          // numbers of the variables that the program uses
   MacroShape macros{};
   StopToken stop{};
   bool ends_early = false;  // stop soon after the last line that cannot be expressed, since the text is written again anyway
-  bool russian = false;     // language of the comments that are added
+  bool russian = false;     // the comments that are added are in Russian
 };
 
-/// Maps lines of the new text to lines of the source. Stored as runs, since most lines follow each other in both.
+/// Maps lines of the new text to lines of the source program. Stored as ranges, since most lines follow each other in both.
 class LineOrigins {
  public:
-  /// The next line of the text comes from that line of the source.
+  /// The next line of the new text comes from this line of the source program.
   void add(std::uint32_t source) {
     if (stretches_.empty() || source != stretches_.back().source + (count_ - stretches_.back().made))
       stretches_.push_back({count_, source});
     ++count_;
   }
-  /// The lines of another text follow.
+  /// Appends the line origins of another text.
   void add(const LineOrigins& others) {
     for (std::uint32_t line = 1; line <= others.count_; ++line) add(others.of(line));
   }
-  /// Returns the source line of a line of the text, counted from 1; 0: none.
+  /// Returns the source line of a line of the new text, counted from 1; 0: none.
   std::uint32_t of(std::uint32_t line) const;
 
  private:
   struct Stretch {
-    std::uint32_t made = 0, source = 0;  // line of the text, from 0; line of the source, from 1
+    std::uint32_t made = 0, source = 0;  // first line of the range in the new text, from 0; its line in the source program, from 1
   };
   std::vector<Stretch> stretches_;
   std::uint32_t count_ = 0;
@@ -60,11 +60,11 @@ class LineOrigins {
 
 struct Rewritten {
   std::vector<UnsaidLine> unsaid;
-  LineOrigins lines;  // source lines by line of the text, its head included
-  std::string head;   // goes before the text that was put: a section of subprograms
+  LineOrigins lines;  // source line of each line of the new text, including its head
+  std::string head;   // text that goes before the text passed to `put`: a section of subprograms
 };
 
-/// Lines that cannot be expressed are left out and reported; if `ends_early`, not all of them.
+/// Leaves out lines that the target control cannot express and reports them; with `ends_early` not all of them.
 ///   alarms  conversion_too_long
 Result<Rewritten> rewrite(const RewriteSpec& spec, const std::function<bool(std::string_view)>& put);
 

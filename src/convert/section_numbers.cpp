@@ -1,4 +1,4 @@
-// SectionNumbers: numbers subprograms in a section. Used by convert/flow_rewriter; tested by tests/convert.py.
+// SectionNumbers: assigns numbers to the subprograms of a section. Used by convert/flow_rewriter; tested by tests/convert.py.
 
 #include "convert/section_numbers.h"
 
@@ -9,9 +9,9 @@
 namespace kadr {
 namespace {
 
-constexpr std::uint32_t most = 99;  // two digits
+constexpr std::uint32_t most = 99;  // greatest number with two digits
 
-/// Returns the label as a number; 0 if it is a name or a number that is not allowed here.
+/// Returns the label as a number; 0 if it is a name, or a number that the section does not allow.
 std::uint32_t number_in(const std::string& label) {
   const bool digits = !label.empty() && std::all_of(label.begin(), label.end(), [](char c) { return c >= '0' && c <= '9'; });
   constexpr std::size_t most_digits = 8;
@@ -30,7 +30,7 @@ bool SectionNumbers::is_free(std::uint32_t number) const {
 std::optional<std::uint32_t> SectionNumbers::of(const std::string& label) {
   if (const auto known = numbers_.find(label); known != numbers_.end()) return known->second;
   std::uint32_t number = number_in(label);
-  // Counts down from the highest number, since programs use the small ones.
+  // Counts down from the highest number, since programs mostly use small numbers.
   if (!is_free(number))
     for (number = most; number != 0 && !is_free(number);) --number;
   if (number == 0) return std::nullopt;

@@ -1,6 +1,6 @@
 #pragma once
-// SectionNumbers: assigns numbers to subprograms for a control that keeps them in a section before the program (spec/s2c42 3): two digits,
-// and not the number of a built-in canned cycle. A subprogram keeps its number if that is allowed.
+// SectionNumbers: assigns numbers to subprograms for a control that has them in a section before the main program (spec/s2c42 3). A
+// number has two digits and must not be the number of a built-in canned cycle. A subprogram keeps its number if it is allowed.
 
 #include <cstdint>
 #include <map>
@@ -16,11 +16,11 @@ class SectionNumbers {
  public:
   explicit SectionNumbers(const ControlDef& to) : to_(to) {}
 
-  /// True if the control has such a section.
+  /// True if the target control has such a section.
   bool are_there() const { return to_.grammar.section_address != 0; }
-  /// Returns the number of a label (digits or a name), the same each time; nullopt if no number is left.
+  /// Returns the number of a label (digits or a name), the same in each call; nullopt if no number is free.
   std::optional<std::uint32_t> of(const std::string& label);
-  /// Returns the call L0205: number 2 five times; nullopt if so many times cannot be written.
+  /// Returns the call word L0205: subprogram 2, five times; nullopt if the word cannot express this many repetitions.
   std::optional<std::string> call(const std::string& label, std::uint32_t times);
 
  private:

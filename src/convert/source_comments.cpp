@@ -8,7 +8,7 @@ namespace kadr {
 
 std::vector<std::string> SourceComments::up_to(std::uint32_t line) {
   std::vector<std::string> found;
-  names_rows_ = next_ > line;  // the same line again: there is no new information
+  names_rows_ = next_ > line;  // the line was read already: there is nothing new
   Line read;
   for (; next_ <= line && !is_over_; ++next_) {
     is_over_ = !reader_.next(read);

@@ -1,5 +1,5 @@
 #pragma once
-// SourceComments: reads the comments of a program in the order of its lines, whatever its control: text in round brackets or after a
+// SourceComments: reads the comments of a program in the order of its lines, for any control: text in round brackets or after a
 // semicolon.
 
 #include <memory>
@@ -14,15 +14,15 @@ namespace kadr {
 class SourceComments {
  public:
   explicit SourceComments(std::shared_ptr<ByteSource> text) : reader_(std::move(text)) {}
-  /// Returns the comments of the lines up to this one that were not returned before.
+  /// Returns the comments up to this line that earlier calls have not returned.
   std::vector<std::string> up_to(std::uint32_t line);
   std::vector<std::string> rest() { return up_to(~std::uint32_t{0}); }
-  /// True if a line of the last up_to() may have changed which row of a table is in force, because it has one of the letters for that.
+  /// True if a line read by the last up_to() may select another row of an offset table: it contains one of the letters that do.
   bool names_rows() const { return names_rows_; }
 
  private:
   LineReader reader_;
-  std::uint32_t next_ = 1;  // line
+  std::uint32_t next_ = 1;  // next line to read
   bool is_over_ = false;
   bool names_rows_ = true;
 };

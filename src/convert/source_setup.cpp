@@ -21,7 +21,7 @@ bool is_system(const CodeRow& row) {
          row.function == Function::table_system;
 }
 
-/// Returns the work offsets by number, whatever names the control has for them.
+/// Returns the work offsets by number of the work system, whatever the control calls them.
 std::map<int, AxisValues> zeros_of(const Setup& setup, const ControlDef& def) {
   std::map<int, AxisValues> zeros = setup.zeros;
   for (const WorkSystem& system : work_systems(def))
@@ -32,7 +32,7 @@ std::map<int, AxisValues> zeros_of(const Setup& setup, const ControlDef& def) {
 
 bool has_systems(const ControlDef& def) { return std::any_of(def.codes.begin(), def.codes.end(), is_system); }
 
-/// Selects the axes, by name, that the other machine has.
+/// The axes that the target machine has; filters tables by axis name.
 class KnownAxes {
  public:
   KnownAxes(const ControlDef& to, const std::vector<std::string>& axes) : names_(axes.empty() ? to.axes : axes) {}
@@ -47,7 +47,7 @@ class KnownAxes {
   std::vector<std::string> names_;
 };
 
-/// If the set-up of the other machine lists its axes, returns those that the program needs.
+/// If set-ups of the target control list the axes of the machine, returns the axes that the program needs; else an empty list.
 std::vector<std::string> axes_for(const Setup& setup, const ControlDef& from, const ControlDef& to, const ProgramNames& names) {
   if (!to.machine_axes()) return {};
   if (from.machine_axes()) return setup.axes;
@@ -58,7 +58,8 @@ std::vector<std::string> axes_for(const Setup& setup, const ControlDef& from, co
   return axes.size() > 3 ? axes : std::vector<std::string>();
 }
 
-/// A machine whose set-up describes the spindles gets them all; any other gets the main spindle with its speed and direction only.
+/// Copies the spindles. A target machine whose set-up describes its spindles gets all of them; any other gets speed and direction of the
+/// main spindle only.
 void take_spindles(Setup& made, const Setup& setup, const ControlDef& from, const ControlDef& to) {
   if (to.machine_axes() && from.machine_axes()) made.spindles = setup.spindles;
   const auto main = setup.spindles.find(1);
@@ -73,7 +74,7 @@ void take_tables(Setup& made, const Setup& setup, const ControlDef& from, const 
   const SetupNamesOf known(&to, to.axes, to.axes);
   for (const auto& [number, offset] : setup.offsets)
     if (allows_key(to, "offsets") && known.allows(SetupNames::offset, std::to_string(number))) made.offsets[number] = offset;
-  if (to.has_parameter_file() && !made.offsets.empty())  // M6 and G43 look in a tool table (spec/linuxcnc 5)
+  if (to.has_parameter_file() && !made.offsets.empty())  // M6 and G43 look the tool up in a tool table (spec/linuxcnc 5)
     for (const std::uint32_t tool : names.tools)
       if (known.allows(SetupNames::offset, std::to_string(tool))) made.offsets.emplace(static_cast<int>(tool), ToolOffset{});
   const VariableNumbers numbers(from, to);
@@ -101,7 +102,7 @@ bool allows_key(const ControlDef& def, const char* key) {
 OffsetsInForce offsets_of(const Control& control) {
   OffsetsInForce now;
   const auto number_in = [](const std::string& word) { return std::uint32_t(std::strtoul(word.c_str() + 1, nullptr, 10)); };
-  for (const std::string& word : control.state_now().modal) {  // not in_force(), which has the variables: there may be thousands
+  for (const std::string& word : control.state_now().modal) {  // not in_force(), which includes the variables: there may be thousands
     if (word.front() == 'D') now.radius_number = number_in(word);
     if (word.front() == 'H') now.length_number = number_in(word);
     if (word == "G43" || word == "G44") now.length_sign = word == "G43" ? 1 : -1;
@@ -134,7 +135,7 @@ bool changes_tools(const ControlDef& def) {
 }
 
 bool probe_elsewhere(Setup& setup) {
-  constexpr double apart = 0.0937;  // mm
+  constexpr double apart = 0.0937;  // mm by which the probed surface is shifted
   for (auto& [input, at] : setup.probe)
     if (at)
       for (auto& [axis, value] : *at) value += apart;
@@ -149,7 +150,8 @@ bool shows_same_messages(const ControlDef& from, const ControlDef& to) {
 
 namespace {
 
-/// True if its machine reads the switch itself: M1 is reported whether the switch is on or off.
+/// True if the control passes M1 to its machine, which reads the optional-stop switch itself: M1 is then reported whether the switch is
+/// on or off.
 bool tells_optional_stops(const ControlDef& def) {
   return std::any_of(def.codes.begin(), def.codes.end(),
                      [](const CodeRow& row) { return row.function == Function::optional_stop && row.arg == 1; });
@@ -171,7 +173,7 @@ Setup corresponding_setup(const Setup& setup, const ControlDef& from, const Cont
   made.tool = setup.tool;
   if (allows_key(to, "clock")) made.clock = setup.clock;
   if (allows_key(to, "probe")) made.probe = setup.probe, made.probe_hole = setup.probe_hole;
-  constexpr double usual_speed = 1000;  // default of $30 of Grbl: a higher S is reduced to it (spec/grbl 8)
+  constexpr double usual_speed = 1000;  // default of Grbl's $30, the greatest speed: a higher S is reduced to it (spec/grbl 8)
   if (to.has_lines_alone() && names.most_speed > usual_speed) made.parameters[{"0030", "", ""}] = names.most_speed;
   if (allows_key(to, "reference_points"))
     for (const auto& [point, values] : setup.reference_points) made.reference_points[point] = axes.of(values);

@@ -1,5 +1,5 @@
 #pragma once
-// Finds the set-up of another control that corresponds to a program's set-up.
+// Finds the set-up of the target control that corresponds to the set-up of a source program.
 
 #include <map>
 #include <string>
@@ -12,29 +12,31 @@
 
 namespace kadr {
 
-/// Returns the set-up from which a program of `to` begins as a program of `from` begins from `setup`: tables under the numbers that the
-/// other control has for them, and rows for the tools that it looks up in a table.
-///   plain  without tables: all offsets are applied to the coordinates
+/// Returns the set-up with which a program of `to` begins in the same state as a program of `from` begins with `setup`. Table rows get
+/// the numbers that the target control has for them; tools that it looks up in a table get rows.
+///   plain  leave out the tables: all offsets are applied to the coordinates
 Setup corresponding_setup(const Setup& setup, const ControlDef& from, const ControlDef& to, const ProgramNames& names, bool plain);
 
-/// True if a set-up of the control may have this key.
+/// True if the set-up of this control may contain the key.
 bool allows_key(const ControlDef& def, const char* key);
 
-/// True if the control has a code for tool changes; else it stops, and the tool is changed by hand.
+/// True if the control has a code for tool changes; otherwise the program stops and the operator changes the tool.
 bool changes_tools(const ControlDef& def);
 
-/// Moves what a probe touches a little: figures that change with it must not be written out. Returns false if there is nothing to probe.
+/// Shifts the surface that a probe touches a little, to find coordinates that depend on it; they must not be expanded. Returns false if
+/// the set-up has nothing to probe.
 bool probe_elsewhere(Setup& setup);
 
-/// True if both controls show messages in the same way: (MSG,…) of RS274/NGC and Mach3, #3006 of macros.
+/// True if both controls display messages in the same way: (MSG,…) of RS274/NGC and Mach3, or #3006 of macros.
 bool shows_same_messages(const ControlDef& from, const ControlDef& to);
 
-/// Returns a set-up file with the start, tables and switches. Limits and rates belong to each machine and are left out.
+/// Returns the text of a set-up file with the start position, tables and switches. Limits and rates belong to the machine and are left
+/// out.
 std::string setup_text(const Setup& setup);
 
-/// Returns what the actions do not contain of a session's program and set-up.
+/// Returns the properties of a session's program and set-up that its actions do not contain.
 FlatSource flat_source_of(const Session& session, const ControlDef& to);
-/// Returns the lengths and radii in force after all blocks executed so far.
+/// Returns the numbers of the length and radius offsets in force after the blocks executed so far.
 OffsetsInForce offsets_of(const Control& control);
 
 }  // namespace kadr

@@ -10,13 +10,13 @@
 namespace kadr {
 namespace {
 
-/// The position of a number in a row.
+/// The table row of a variable, and the position of the number in that row.
 struct VariablePlace {
   const VariableRow* row;
   std::uint32_t repeat, index;
 };
 
-/// The point of the last probe motion of RS274/NGC, which its dialect supports without a row (spec/linuxcnc 4.1).
+/// The row of the last probed point of RS274/NGC, which its dialect supports without a table row (spec/linuxcnc 4.1).
 const VariableRow& probe_row() {
   static const VariableRow row = [] {
     VariableRow made;
@@ -44,13 +44,14 @@ std::optional<VariablePlace> place_of(const ControlDef& def, std::uint32_t numbe
   return std::nullopt;
 }
 
-/// Unifies kinds that are the same in both families: the point where a probe touched, in work coordinates; work offsets.
+/// Maps kinds of variables that mean the same in both families of controls to one kind: the probed point in work coordinates, and the
+/// work offsets.
 VariableKind kind_of(VariableKind kind) {
   if (kind == VariableKind::probe_position) return VariableKind::probe_point;
   return kind == VariableKind::zero ? VariableKind::fixture : kind;
 }
 
-/// Returns the index within the kind: one family has all work offsets in one row, the other a row for each.
+/// Returns the index of the variable within its kind. One family has all work offsets in one row, the other has a row for each.
 std::uint32_t place_in_kind(const VariablePlace& place) {
   constexpr std::uint32_t a_system = 1000;
   const bool row_each = place.row->kind == VariableKind::zero;
@@ -59,7 +60,7 @@ std::uint32_t place_in_kind(const VariablePlace& place) {
   return nth * a_system + place.index;
 }
 
-/// Numbers without a row: macros have their local and common variables (nct 23, spec/fanuc 5).
+/// True for numbers without a table row: the local and common variables of macros (nct 23, spec/fanuc 5).
 bool is_plain(const ControlDef& def, std::uint32_t number) {
   constexpr std::uint32_t last_local = 33, first_common = 100, last_common = 999;
   return !def.grammar.has_vacant_variables() || (number >= 1 && number <= last_local) || (number >= first_common && number <= last_common);
@@ -82,7 +83,7 @@ std::optional<std::string> VariableNumbers::given(const std::string& name) const
   std::uint32_t number = 0;
   const char* const end = name.data() + name.size();
   const auto read = std::from_chars(name.data() + std::min<std::size_t>(1, name.size()), end, number);
-  if (!name.starts_with('#') || read.ec != std::errc() || read.ptr != end) return name;  // not a number: a formal parameter
+  if (!name.starts_with('#') || read.ec != std::errc() || read.ptr != end) return name;  // not a number, but a named parameter
   const auto there = of(number);
   return there && is_written(to_, *there) ? std::optional("#" + std::to_string(*there)) : std::nullopt;
 }

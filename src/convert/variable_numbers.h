@@ -1,6 +1,6 @@
 #pragma once
-// VariableNumbers: finds the number that a variable of one control has on another one. Free variables keep their number; system variables
-// are matched by their meaning.
+// VariableNumbers: finds the number on the target control for a variable of the source control. Free variables keep their number; system
+// variables are matched by their meaning.
 
 #include <cstdint>
 #include <map>
@@ -13,13 +13,14 @@ namespace kadr {
 
 class VariableNumbers {
  public:
-  /// Both must outlive this object.
+  ///   from, to  the source control and the target control; both must outlive this object
   VariableNumbers(const ControlDef& from, const ControlDef& to) : from_(from), to_(to) {}
 
-  /// Returns nullopt if the other control has no such variable.
+  /// Returns the number on the target control; nullopt if it has no such variable.
   std::optional<std::uint32_t> of(std::uint32_t number) const;
 
-  /// Returns the other control's name, "#100", of a variable that a set-up gives a value; nullopt if no set-up there can give it one.
+  /// Returns the target control's name, "#100", of a variable to which the set-up gives a value; nullopt if a set-up of the target
+  /// control cannot give it a value.
   std::optional<std::string> given(const std::string& name) const;
 
  private:

@@ -1,4 +1,4 @@
-// Rewrites a program, proves it, writes out what fails, and repeats. Used by convert/conversion; tested by tests/convert.
+// Rewrites a program, proves the result, expands the lines that fail, and repeats. Used by convert/conversion; tested by tests/convert.
 
 #include "convert/word_by_word.h"
 
@@ -15,9 +15,9 @@
 namespace kadr {
 namespace {
 
-constexpr int most_rounds = 100;              // of rewriting and proving
-constexpr int early_rounds = 3;               // rounds that may stop soon after a line that cannot be expressed
-constexpr std::size_t most_work = 6'000'000;  // lines, blocks and motions processed in all rounds together
+constexpr int most_rounds = 100;              // greatest number of rounds; a round rewrites and proves the program once
+constexpr int early_rounds = 3;               // number of first rounds that may stop soon after a line that cannot be expressed
+constexpr std::size_t most_work = 6'000'000;  // greatest number of lines, blocks and motions processed in all rounds together
 
 class WordByWord {
  public:
@@ -55,7 +55,7 @@ class WordByWord {
     return whole.source();
   }
 
-  /// Runs one round. Returns true if more must be written out.
+  /// Rewrites and proves once. Returns true if more lines must be expanded.
   tl::expected<bool, std::string> one_round(bool ends_early) {
     made_.text = text_source({}), made_.cannot_say.reset(), made_.proof = {};
     made_.told_states.reset(), made_.differs_elsewhere = made_.differs_unstated = false;
@@ -99,7 +99,7 @@ class WordByWord {
     return prove(*written);
   }
 
-  /// Figures that change with what a probe touches, or with what the set-up leaves open, must not be written out.
+  /// Finds ranges whose coordinates change with what a probe touches or with what the set-up leaves open; they must not be expanded.
   tl::expected<void, std::string> look_elsewhere(std::vector<FlatPlace>& places) const {
     for (const Setup& witness : proving_.witnesses()) {
       std::vector<FlatPlace> others;
@@ -151,7 +151,7 @@ class WordByWord {
     return line && write_out({*line, *line});
   }
 
-  /// Returns the line of the program at which the two begin to differ.
+  /// Returns the line of the source program at which the two programs begin to differ.
   std::optional<std::uint32_t> place_of_failure(const Rewritten& written) const {
     const Comparison& proof = made_.proof;
     std::uint32_t line = 0;
@@ -168,7 +168,8 @@ class WordByWord {
     for (const std::uint32_t line : shape_.calls_outside()) add({line, line});
   }
 
-  /// Restarts. What is known to fail is written out from the beginning: contours, then also frames that rotate, mirror or scale.
+  /// Restarts with lines expanded from the beginning that have been seen to fail: first contours; at the next restart lines that rotate,
+  /// mirror or scale; then both.
   bool begin_anew() {
     const bool has_contours = !shape_.contours().empty(), has_transforms = !shape_.transforms().empty();
     for (++stage_; stage_ <= 3; ++stage_) {
@@ -197,9 +198,9 @@ class WordByWord {
     return TextLines{std::prev(after)->first, std::prev(after)->second};
   }
   bool is_in_place(std::uint32_t line) const { return place_at(line).has_value(); }
-  /// Removes the ranges that begin in these lines.
+  /// Removes the expanded ranges that begin in these lines.
   void erase_places(TextLines lines) { places_.erase(places_.lower_bound(lines.first), places_.upper_bound(lines.last)); }
-  /// True if no further round and no other way can succeed.
+  /// True if neither a further round nor another way can succeed.
   bool is_hopeless() const { return made_.proof.stopped_a || (made_.cannot_say && made_.cannot_say->id == AlarmId::conversion_too_long); }
 
   void unsayable(const Alarm& why, std::uint32_t line) {
@@ -207,12 +208,12 @@ class WordByWord {
     made_.at.line = line;
   }
 
-  /// Writes out these lines and the lines that belong to them. Returns false if the range cannot grow any further.
+  /// Expands these lines and the lines that belong to them. Returns false if the range cannot grow any further.
   bool write_out(TextLines lines) {
     if (shape_.is_edge(lines.first)) return grow(lines);
     if (const auto place = place_at(lines.first)) return grow_back(*place) || grow(*place);
     if (const auto subprogram = shape_.subprogram_of(lines.first); subprogram && is_left_out(lines.first)) {
-      constexpr int most_deep = 16;  // depth of subprograms that call each other
+      constexpr int most_deep = 16;  // greatest nesting depth of subprogram calls
       if (deep_ >= most_deep) return false;
       ++deep_;
       bool any = false;
@@ -229,7 +230,7 @@ class WordByWord {
     return !before.empty() && before.back().lines.holds(shape_.block_before(lines.first));
   }
 
-  /// The fault may come from earlier blocks: adds one before the range, then twice as many each time.
+  /// Expands earlier blocks too, since they may cause the difference: one block before the range, then twice as many at each attempt.
   bool grow_back(TextLines lines) {
     constexpr int most_steps = 6;
     int& steps = steps_back_[lines.first];
@@ -246,7 +247,7 @@ class WordByWord {
     return any;
   }
 
-  /// Enlarges a range that is not enough: to its loop, then to the calls of its subprogram.
+  /// Enlarges an expanded range that still fails: to its loop, then to the calls of its subprogram.
   bool grow(TextLines lines) {
     if (const auto loop = shape_.loop_around(lines)) {
       add(*loop);
@@ -274,13 +275,13 @@ class WordByWord {
   const ProgramShape& shape_;
   const Proving& proving_;
   const ControlDef* from_ = nullptr;
-  std::unique_ptr<Session> opened_;                // owns the control's definition
-  std::map<std::uint32_t, std::uint32_t> places_;  // ranges written out: first line → last line
-  std::vector<TextLines> left_out_;                // subprograms whose calls are written out
-  std::map<std::uint32_t, int> steps_back_;        // by first line of a range
+  std::unique_ptr<Session> opened_;                // keeps the control's definition alive
+  std::map<std::uint32_t, std::uint32_t> places_;  // expanded ranges: first line → last line
+  std::vector<TextLines> left_out_;                // subprograms that are left out, since all their calls are expanded
+  std::map<std::uint32_t, int> steps_back_;        // number of blocks by which a range has grown backwards, by its first line
   ConversionTry made_;
   std::size_t work_ = 0;
-  std::optional<Alarm> why_;  // why the next lines are written out
+  std::optional<Alarm> why_;  // the reason why the next lines are expanded
   bool varies_ = false;
   int deep_ = 0;
   int stage_ = 0;

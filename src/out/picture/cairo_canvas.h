@@ -1,12 +1,12 @@
 #pragma once
-// CairoCanvas: draws a page as pixels.
+// CairoCanvas: the Canvas that draws a page as pixels, with the Cairo library.
 
 #include "out/picture/cairo_library.h"
 #include "out/picture/canvas.h"
 
 namespace kadr {
 
-/// Draws on a surface that it does not own.
+/// Draws on a Cairo surface that the caller owns.
 class CairoCanvas final : public Canvas {
  public:
   CairoCanvas(const Cairo& library, cairo_surface_t* surface) : lib_(library), cairo_(lib_.create(surface)) {}
@@ -23,7 +23,7 @@ class CairoCanvas final : public Canvas {
   void line_to(Vec2 p) override { lib_.line_to(cairo_, p.x, p.y); }
   void fill_path() override { lib_.fill(cairo_); }
   void stroke() override { lib_.stroke(cairo_); }
-  /// Returns the error of the drawing so far.
+  /// Returns Cairo's status: the first error since the drawing began.
   cairo_status_t status() const { return lib_.status(cairo_); }
 
  private:

@@ -1,6 +1,6 @@
 #pragma once
-// Loads Cairo when the first pixel picture is drawn: loading it and its fifteen libraries at the start took a fifth of every command's
-// start-up time.
+// Loads the Cairo library when the first pixel picture is drawn. Loading Cairo and the fifteen libraries that it needs at program start
+// took a fifth of the start-up time of every command.
 
 #include <cairo.h>
 
@@ -14,15 +14,14 @@ namespace kadr {
   X(surface_set_device_scale) X(surface_status) X(surface_write_to_png_stream) X(text_extents)
 // clang-format on
 
-/// The functions that we call, each named without `cairo_`.
+/// The functions of Cairo that Kadr calls, each named without its prefix `cairo_`.
 struct Cairo {
 #define KADR_CAIRO_FUNCTION(name) decltype(&::cairo_##name) name = nullptr;
   KADR_CAIRO(KADR_CAIRO_FUNCTION)
 #undef KADR_CAIRO_FUNCTION
 };
 
-/// Returns the library. The first call opens it, and it stays open.
-///   returns  nullptr if this machine has no Cairo
+/// Returns the library, or nullptr if this machine has no Cairo. The first call loads it; it stays loaded.
 const Cairo* cairo_library();
 
 }  // namespace kadr

@@ -1,6 +1,6 @@
 #pragma once
-// Canvas: the few strokes, areas and texts that a picture needs, drawn in the order of the calls. It has two implementations:
-// out/picture/svg_canvas writes SVG as it comes, out/picture/cairo_canvas draws pixels.
+// Canvas: the interface for drawing strokes, areas and texts, in the order of the calls. It has two implementations:
+// out/picture/svg_canvas writes SVG while drawing, out/picture/cairo_canvas draws pixels.
 
 #include <cstdint>
 #include <string>
@@ -22,7 +22,7 @@ constexpr Colour colour(unsigned rgb, double alpha = 1) {
   return {double(rgb >> 16 & 0xFF) / 255, double(rgb >> 8 & 0xFF) / 255, double(rgb & 0xFF) / 255, alpha};
 }
 
-/// Rectangle of the page, y downwards.
+/// A rectangle of the page; y points downwards.
 struct Area {
   double x = 0, y = 0, width = 0, height = 0;
   double right() const { return x + width; }
@@ -38,14 +38,14 @@ struct TextStyle {
   bool bold = false;
 };
 
-/// The line of a program that a stroke belongs to.
+/// The line of the part program that a drawn stroke comes from.
 struct ProgramLine {
-  std::uint32_t line = 0;  // 0: none
+  std::uint32_t line = 0;  // line number, from 1; 0: the stroke has no program line
   std::uint16_t file = 0;  // Origin::file
   friend bool operator==(const ProgramLine&, const ProgramLine&) = default;
 };
 
-/// A picture made elsewhere, row by row from the top: 0xAARRGGBB, with the colours multiplied by A / 255.
+/// A finished pixel image, row by row from the top. A pixel is 0xAARRGGBB; its colours are already multiplied by A / 255.
 struct Pixels {
   int width = 0, height = 0;
   std::vector<std::uint32_t> argb;
@@ -67,13 +67,13 @@ class Canvas {
   void zero_mark(Vec2 centre, double radius, Colour ink);
   void arrow(Vec2 from, Vec2 to, Colour ink, double width);
 
-  /// Draws the picture, scaled to fill the area.
+  /// Draws the pixel image, scaled to fill the area.
   virtual void pixels(const Area& area, const Pixels& picture) = 0;
 
   virtual void clip(const Area& area) = 0;
   virtual void unclip() = 0;
 
-  /// Sets the pen for what is drawn from now on.
+  /// Sets colour and width of all strokes that follow.
   virtual void pen(Colour ink, double width) = 0;
   virtual void dashes(double on, double off) = 0;
   void solid() { dashes(0, 0); }
@@ -83,18 +83,18 @@ class Canvas {
   virtual void fill_path() = 0;
   virtual void stroke() = 0;
 
-  // ---- what a pixel picture cannot store
+  // ---- structure that only an SVG stores; a pixel image ignores these calls
 
-  /// Begins a named part of the page: "view-xy".
+  /// Begins a named group of the page: "view-xy".
   virtual void begin(const char* /*name*/) {}
   virtual void end() {}
-  /// Names in a word what is drawn from now on: "rapid"; "" ends that.
+  /// Names the type of motion that the next strokes show: "rapid". An empty name ends it.
   virtual void kind(const char* /*name*/) {}
-  /// Returns true if strokes carry their program line, so that strokes of different lines must not be joined.
+  /// Returns true if the canvas stores the program line of each stroke, so that strokes of different lines must not be joined.
   virtual bool tells_lines() const { return false; }
-  /// Sets the program line of the strokes from now on.
-  ///   file_name  the called file that the line is in
-  ///   names_it   the stroke is the one by which the line can be found
+  /// Sets the program line of the strokes that follow.
+  ///   file_name  name of the called file that contains the line
+  ///   names_it   the stroke is the one by which a viewer finds the line
   virtual void program_line(const ProgramLine& /*line*/, std::string_view /*file_name*/, bool /*names_it*/) {}
 
  private:

@@ -10,19 +10,19 @@
 
 namespace kadr {
 
-/// Limits of the scale, mm.
+/// Limits of the colour scale, mm.
 struct DeviationScale {
-  double within = 0, most = 0;  // grey up to here; the full colour from here
+  double within = 0, most = 0;  // the colour is grey up to a deviation of `within`, and full from `most` on
 };
 
-/// Returns a scale that reaches the greatest deviation of the points in both directions.
+/// Returns a colour scale whose two ends are the greatest deviation among the points, outwards and inwards alike.
 DeviationScale deviation_scale(const std::vector<float>& of_point, double within);
 
-/// Returns 0xRRGGBB.
+/// Returns the colour of a deviation, 0xRRGGBB.
 std::uint32_t deviation_colour(double deviation, const DeviationScale& scale);
 std::uint32_t mixed_colour(std::uint32_t a, std::uint32_t b, double share);
 
-/// Draws the scale from left to right, with its numbers.
+/// Draws the colour scale from left to right, labelled with numbers.
 void draw_deviation_key(Canvas& canvas, const Area& area, const DeviationScale& scale, Lang lang);
 
 }  // namespace kadr

@@ -1,6 +1,6 @@
 #pragma once
-// The page that compares two programs: what both do, what only one of them does, and the numbered differences, with close-ups of the most
-// important.
+// The page that compares two programs. It shows the path that both follow, the paths that only one follows, the numbered differences, and
+// close-ups of the most important differences.
 
 #include <string>
 #include <tl/expected.hpp>
@@ -11,7 +11,7 @@
 
 namespace kadr {
 
-/// A close-up of one difference, as large as needed.
+/// A close-up of one difference, scaled to fill its area.
 struct DifferenceCloseup {
   PlotScene scene;
   View view = View::xy;
@@ -19,14 +19,14 @@ struct DifferenceCloseup {
   std::string caption;
 };
 
-/// A difference described in words.
+/// The description of one difference, a line of text below the picture.
 struct DifferenceLine {
-  std::size_t number = 0;  // 0: no number, since the line describes other differences
+  std::size_t number = 0;  // number of the difference; 0: the line is a remark about further differences
   std::string text;
 };
 
 struct DifferencePage {
-  const PlotScene& scene;  // the whole picture; title.file names both programs
+  const PlotScene& scene;  // the main picture; title.file names both programs
   std::string a, b;        // the names of the programs in the legend
   std::string summary;
   bool equal = false;

@@ -14,7 +14,7 @@ namespace {
 
 constexpr std::uint32_t light_load = 0x2F6FB3, middle_load = 0xF6E08A, heavy_load = 0xB71C1C, no_load = 0x9AA3AF;
 constexpr int load_steps = 60;
-constexpr double beside_load_key = 60;  // space for a word at either end
+constexpr double beside_load_key = 60;  // units of the page: space for a word at either end of the scale
 constexpr double mark_radius = 11;
 
 float rate_of(std::int32_t sweep, const SweepRates& rates) {

@@ -1,4 +1,4 @@
-// Draws a milled area in plan, SVG or PNG: the contours and the path of the tool's centre. Used by cli/mill and view/page_making.
+// Draws a milled area in plan view, as SVG or PNG: its contours and the path of the tool centre. Used by cli/mill and view/page_making.
 
 #include "out/picture/mill_picture.h"
 
@@ -16,7 +16,7 @@ namespace {
 
 constexpr double mill_page_width = 1000, mill_page_margin = 30, mill_title_height = 64, mill_legend_height = 40, tallest = 1400,
                  least_mill_size = 1;
-constexpr double mill_chord = 0.05;  // units of the page between an arc and the lines that show it
+constexpr double mill_chord = 0.05;  // units of the page: greatest distance between an arc and the lines that draw it
 constexpr Colour contour = colour(0x20262E), open_side = colour(0xB04A00), cutting = colour(0x1F6FEB), swept_ink = colour(0xE2ECFB),
                  plunging = colour(0x1A9850), rapid = colour(0x8A949F);
 
@@ -78,7 +78,7 @@ class Drawing {
     canvas.solid();
   }
 
-  /// Draws the segments whose moves are chosen.
+  /// Draws the segments of the moves for which `chosen` is true.
   template <class Chosen>
   void path(Canvas& canvas, Colour ink, double width, Chosen chosen, bool dashed = false) const {
     canvas.pen(ink, width);
@@ -102,7 +102,7 @@ class Drawing {
     canvas.solid();
   }
 
-  /// Draws arrows that show the direction of the long segments.
+  /// Draws arrows on the long segments, in the direction of motion.
   void arrows(Canvas& canvas) const {
     for (std::size_t i = 1; i < picture_.moves.size(); ++i) {
       const area::Move& m = picture_.moves[i];
@@ -114,7 +114,7 @@ class Drawing {
     }
   }
 
-  /// Marks where the tool goes straight down, and the drilled holes.
+  /// Marks the points where the tool moves straight down, and the drilled holes.
   void marks(Canvas& canvas) const {
     for (std::size_t i = 1; i < picture_.moves.size(); ++i) {
       const Vec3 from = picture_.moves[i - 1].to, to = picture_.moves[i].to;

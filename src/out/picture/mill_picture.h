@@ -1,5 +1,5 @@
 #pragma once
-// Draws a milled area in plan, SVG or PNG: the contours and the path of the tool's centre.
+// Draws a milled area in plan view, as SVG or PNG: its contours and the path of the tool centre.
 
 #include <string>
 #include <tl/expected.hpp>
@@ -14,8 +14,8 @@ struct MillPicture {
   const std::vector<area::Zone>& zones;
   const std::vector<area::Move>& moves;
   const std::vector<Vec2>& holes;
-  double radius = 0;  // of the tool
-  double top = 0;     // level of the material
+  double radius = 0;  // tool radius, mm
+  double top = 0;     // Z of the top of the material, mm
   std::string title;
   std::string subtitle;
   Lang lang = Lang::en;

@@ -21,7 +21,7 @@ constexpr double part_page_width = 1600, part_page_height = 1060, part_margin = 
 constexpr double heading = 80, large_width = 900, caption_height = 60;
 constexpr double sharpness = 1.5;  // pixels per unit of the page
 constexpr double name_height = 24;
-constexpr double room = 0.92;  // the share of a view that the part fills
+constexpr double room = 0.92;  // the share of a view's area that the part fills
 
 constexpr std::array<std::uint32_t, 8> tool_colours = {0x6FA8DC, 0xE69F56, 0x7BB661, 0xC27BA0, 0xD9C04F, 0x8E7CC3, 0x5FB8B0, 0xCC6666};
 constexpr std::uint32_t blank_colour = 0xC9CED6;
@@ -50,7 +50,7 @@ ViewDirection isometric() {
   return {right, cross(towards, right), towards};
 }
 
-/// The scales of the colours.
+/// The colour scales of deviation and load.
 struct ColourScales {
   DeviationScale deviation;
   double rate = 0;
@@ -76,14 +76,14 @@ std::uint32_t colour_of_triangle(const PartScene& scene, const ColourScales& sca
   return tool_colours[scene.colours[std::size_t(by)] % tool_colours.size()];
 }
 
-/// Returns the scale, in pixels per mm of the part, at which the whole part is visible.
+/// Returns the scale, in pixels per mm, at which the whole part fits into the area.
 double scale_for(const Box3& box, const ViewDirection& view, const Area& area) {
   const Vec3 size = box.most - box.least;
   const auto reach = [&](const Vec3& axis) { return std::abs(axis.x) * size.x + std::abs(axis.y) * size.y + std::abs(axis.z) * size.z; };
   return room * sharpness * std::min(area.width / std::max(reach(view.right), 1e-9), area.height / std::max(reach(view.up), 1e-9));
 }
 
-/// Returns the area below the view's name, which is written above the part.
+/// Returns the part of the area below the name of the view.
 Area below_name(const Area& area) { return {area.x, area.y + name_height, area.width, area.height - name_height}; }
 
 void draw_view(Canvas& canvas, const PartScene& scene, const ViewDirection& view, const Area& area, double scale, const char* name) {
@@ -95,7 +95,7 @@ void draw_view(Canvas& canvas, const PartScene& scene, const ViewDirection& view
   canvas.text({area.x + 8, area.y + 18}, name, {13, colour(0x5B6775), Align::left, false});
 }
 
-/// Marks collisions by their lines and, if coloured by load, the heaviest lines by their numbers.
+/// Marks collisions by their line numbers and, if coloured by load, the heaviest program lines by their rank.
 void draw_marks(Canvas& canvas, const PartScene& scene, const ViewDirection& view, const Area& area, double scale) {
   const Area inner = below_name(area);
   const Vec3 centre = 0.5 * (scene.box.least + scene.box.most);

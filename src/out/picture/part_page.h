@@ -1,5 +1,6 @@
 #pragma once
-// The page of a cut part: a large view from the front right above, and six side views; coloured by tool, age, deviation or load.
+// The page of a cut part: a large view from the front right above, and six side views. The surface is coloured by tool, age, deviation or
+// load.
 
 #include <string>
 #include <tl/expected.hpp>
@@ -17,22 +18,22 @@ enum class PartColour : std::uint8_t { tool, age, deviation, load };
 struct PartTitle {
   std::string file, control;
   Lang lang = Lang::en;
-  std::string caption;              // a line below the title: what was removed, and the cell size
-  std::vector<std::string> legend;  // by colour number: "T1"; for PartColour::tool
+  std::string caption;              // text below the title: the volume removed, and the cell size
+  std::vector<std::string> legend;  // labels by colour number, for PartColour::tool: "T1"
 };
 
 struct PartDeviation {
-  std::vector<float> of_point;  // mm, above 0 outside the target part
-  double within = 0;            // mm; a smaller deviation counts as none
+  std::vector<float> of_point;  // deviation of each surface point, mm; positive: outside the target part
+  double within = 0;            // mm; a smaller deviation counts as 0
 };
 
-/// Where how much was removed.
+/// The removal rates, and the positions of the heaviest load.
 struct PartLoad {
   SweepRates rates;
-  std::vector<Vec3> heaviest;  // positions of the heaviest lines; the first is number 1
+  std::vector<Vec3> heaviest;  // positions of the program lines with the greatest removal rate; the first is number 1
 };
 
-/// Where something collided with the material.
+/// The position of a collision with the material.
 struct CollisionPlace {
   Vec3 at;
   std::uint32_t line = 0;
@@ -40,16 +41,16 @@ struct CollisionPlace {
 
 struct PartScene {
   const Surface& surface;
-  Box3 box;  // of the blank
+  Box3 box;  // bounding box of the blank
   PartColour colour = PartColour::tool;
-  std::vector<std::uint8_t> colours;  // for PartColour::tool: by sweep, the number in the legend
+  std::vector<std::uint8_t> colours;  // legend number of each sweep's tool, for PartColour::tool
   PartTitle title;
   PartDeviation deviation;  // for PartColour::deviation
   PartLoad load{};          // for PartColour::load
   std::vector<CollisionPlace> collisions{};
 };
 
-/// Draws the page; the ending of the file's name (.svg, .png) selects the format. The caller keeps the file.
+/// Draws the page; the ending of the file's name (.svg, .png) selects the format. The caller calls ResultFile::keep().
 ///   returns  an error sentence
 tl::expected<void, std::string> draw_part_page(const ResultFile& file, const PartScene& scene);
 

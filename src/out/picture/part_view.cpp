@@ -13,7 +13,7 @@ namespace {
 
 constexpr double ambient = 0.35, facing = 0.5, from_above_left = 0.15;  // shares of the light
 
-/// A corner in pixels; `near` grows towards the eye.
+/// A corner of a triangle in pixels; `near` grows towards the viewer.
 struct Corner {
   double x, y, near;
 };
@@ -32,8 +32,8 @@ class Painter {
             dot(from, direction_.towards)};
   }
 
-  /// Draws a triangle. Its corners run counter-clockwise, as the eye sees them, if it faces the eye; other triangles are hidden and
-  /// skipped.
+  /// Draws a triangle that faces the viewer, that is, whose corners run counter-clockwise in the image; skips any other triangle, since
+  /// it is hidden.
   void paint(const std::array<Corner, 3>& c, std::uint32_t rgb) {
     const double area = (c[1].x - c[0].x) * (c[2].y - c[0].y) - (c[1].y - c[0].y) * (c[2].x - c[0].x);
     if (!(area < 0)) return;

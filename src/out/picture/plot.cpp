@@ -13,7 +13,7 @@ namespace kadr {
 namespace {
 
 constexpr std::size_t most_zeros = 12;
-constexpr double chord = 0.02;  // mm between an arc and the lines that show it
+constexpr double chord = 0.02;  // mm: greatest distance between an arc and the lines that draw it
 constexpr int most_arc_pieces = 720;
 
 ProgramLine line_of(const Origin& origin) { return {origin.line, origin.file}; }
@@ -23,7 +23,7 @@ Box box_of(const Chain& chain, const Curve& curve, Vec3 shift) {
   return {chain.tip(extents.least) + shift, chain.tip(extents.most) + shift, false};
 }
 
-/// True if the curve's box refers to a programming frame, whose axes are not those of the picture.
+/// True if the box of the curve is in a programming frame, whose axes differ from those of the picture.
 bool has_frame(const Step& step) { return step.from.space && step.from.space->has_frame(); }
 
 Stroke stroke_of(const Motion& motion, Vec3 from, Vec3 to) {
@@ -50,7 +50,7 @@ void Plot::take_frame(const FrameChange& frame) {
   shift_ = origin - first_origin_;
 }
 
-/// The picture uses the work system of the first cut: what was drawn before it is moved into that system.
+/// Defines the work system of the first cut as that of the picture; moves everything drawn before into it.
 void Plot::take_reference() {
   path_.move_all(-1.0 * shift_);
   if (shaded_) shaded_->move_all(-1.0 * shift_);
@@ -59,7 +59,7 @@ void Plot::take_reference() {
   shift_ = {};
 }
 
-/// Marks only the work offsets in which something was done.
+/// Marks the origin of the present work system; called only for systems in which motions took place.
 void Plot::mark_zero() {
   const auto same = [&](Vec3 zero) { return length(zero - shift_) < tol::same_point; };
   if (zeros_.size() < most_zeros && std::none_of(zeros_.begin(), zeros_.end(), same)) zeros_.push_back(shift_);
@@ -101,7 +101,7 @@ void Plot::draw(PlotPath& path, const Step& step, Vec3 shift, Stroke stroke, Pro
   path.go(chain_.tip(step.from.space.get(), motion.to) + shift, stroke, 0, line);
 }
 
-/// Follows a programmed contour at feed; leaves out the motions that lead in and out.
+/// Adds a programmed contour at feed, without the motions that lead in and out.
 void Plot::take_programmed(const Action& action) {
   if (const auto* frame = std::get_if<FrameChange>(&action.what)) {
     programmed_origin_ = zero_of(chain_, frame->placement);
@@ -130,7 +130,7 @@ void Plot::stop(ProgramLine line) {
   if (line.line != 0) files_.insert(line.file);
 }
 
-/// Returns the marks in drawing order: a stop is drawn last, above all else.
+/// Returns the symbols in drawing order: a stop comes last, on top of all others.
 std::vector<PlotMark> Plot::marks() const {
   std::vector<PlotMark> marks;
   const Vec3 here = here_ + shift_;

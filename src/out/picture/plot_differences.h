@@ -1,5 +1,5 @@
 #pragma once
-// Draws two programs in one view: the paths that differ, and the numbers of the differences.
+// Draws the paths of two programs in one view: where they differ, with the numbers of the differences.
 
 #include "out/picture/plot_view.h"
 
@@ -9,12 +9,12 @@ namespace kadr {
 struct PlotNumber {
   std::size_t number = 1;
   Vec3 at;
-  bool stands = false;  // the axes are at rest there: the difference is between motions
+  bool stands = false;  // the axes are at rest there: the difference lies between two motions
 };
 
 struct PlotDifferences {
-  const PlotPath& changed;  // both follow it, but with another feed, tool …
-  const PlotPath &a, &b;    // paths that only one of them follows
+  const PlotPath& changed;  // path that both programs follow, but with another feed, tool …
+  const PlotPath &a, &b;    // paths that only program a, or only program b, follows
   std::vector<PlotNumber> numbers;
 };
 
@@ -22,12 +22,13 @@ struct WayStyle {
   Colour ink;
   double width;
 };
-/// Okabe and Ito's colours. Where both paths coincide, the wider one shows on either side of the other.
+/// Colours of Okabe and Ito's palette, which colour-blind people can distinguish. Where the paths of a and b coincide, the wider line
+/// shows on both sides of the narrower.
 inline constexpr WayStyle same_way{colour(0x8D98A5), 1}, changed_way{colour(0xF0C93A, 0.6), 9}, way_of_a{colour(0x0072B2), 3.4},
     way_of_b{colour(0xD55E00), 1.5};
 inline constexpr Colour number_ink = colour(0x20262E);
 
-/// Draws the numbers next to their positions without overlap; a number that finds no room is left out.
+/// Draws each number next to its position, without overlap; leaves out a number for which there is no free space.
 void draw_numbers(Canvas& canvas, View view, const ViewScale& scale, const PlotScene& scene, const Area& field);
 
 }  // namespace kadr

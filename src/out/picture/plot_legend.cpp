@@ -1,4 +1,4 @@
-// The legend of a plot: one row explains the strokes, the other the symbols. Used by out/picture/plot_page.
+// The legend of a plot, in two rows: line styles and symbols. Used by out/picture/plot_page.
 
 #include "out/picture/plot_legend.h"
 

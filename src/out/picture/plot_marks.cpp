@@ -31,7 +31,7 @@ void triangle(Canvas& canvas, Vec2 at, double size, Colour colour) {
   canvas.fill_path();
 }
 
-/// Moves a mark away from the axis names in the upper left and the lower right corner.
+/// Moves a symbol away from the axis names in the upper left and lower right corners of the view.
 Vec2 beside_labels(Vec2 at, const Area& room) {
   constexpr double label = 16, step = 26;
   if (at.x < room.x + label && at.y < room.y + label) at.x += step;

@@ -5,10 +5,11 @@
 
 namespace kadr {
 
-/// Draws a start as a triangle, an end as a square with room for the triangle inside, a stop as a red cross.
+/// Draws the symbol: a triangle for a start, a square (larger than the triangle) for an end, a red cross for a stop.
 void draw_mark(Canvas& canvas, PlotMark::What what, Vec2 at);
 
-/// Draws all marks of a view; a mark outside of `field` is shown at its edge, with an arrow in its direction.
+/// Draws all symbols of a view. A symbol outside of the rectangle `field` is drawn at the rectangle's border, with an arrow in its
+/// direction.
 void draw_marks(Canvas& canvas, View view, const ViewScale& scale, const PlotScene& scene, const Area& field);
 
 }  // namespace kadr

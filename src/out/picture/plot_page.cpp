@@ -18,9 +18,10 @@ namespace {
 constexpr double page_width = 1600, page_height = 1082, margin = 28, gap = 26;
 constexpr double title_height = 70, legend_height = 56;
 constexpr double planes_width = 560;
-constexpr double near_reach = 0.25;  // share that is shown of rapid motion that goes far
-constexpr double least_size = 1;     // mm
-// Rapid motion is shown whole if all motion is at most this many times larger than the cutting: beyond that the part would be too small.
+constexpr double near_reach = 0.25;  // rapid motion that goes far is shown up to this share of the cutting's size
+constexpr double least_size = 1;     // mm, least size of the box
+// All rapid motion is shown if the whole path is at most this many times as large as the cutting: otherwise the part would be drawn too
+// small.
 constexpr double most_isometric = 4, most_plane = 1.5;
 
 struct PlotWords {
@@ -64,7 +65,7 @@ void draw_all(Canvas& canvas, const PlotScene& scene) {
     return;
   }
   draw_isometric(canvas, large, scene, whole);
-  // The flat views get the height that they need, the plan most.
+  // The three flat views share the height by need; the plan view gets most.
   const double left = large.right() + gap;
   const double height = bottom - top + 24, plan = height * 0.46, side = (height - plan - 2 * 8) / 2;
   draw_plane(canvas, {left, top, planes_width, plan}, View::xy, scene, near);

@@ -8,7 +8,7 @@
 namespace kadr {
 namespace {
 
-constexpr double first_tolerance_part = 1e-4;  // share of the box: less than a pixel of any picture
+constexpr double first_tolerance_part = 1e-4;  // share of the box size: less than a pixel in any picture
 
 double distance(Vec3 a, Vec3 b) { return length(a - b); }
 
@@ -33,7 +33,7 @@ void PlotPath::go(Vec3 to, Stroke stroke, float shade, ProgramLine line) {
     cutting_box_.take(to);
   }
   ++seen_;
-  // If the last point before a change of stroke were left out, the corner would be in the wrong position.
+  // If the last point before a change of the stroke type were removed, the corner would be at a wrong position.
   if (pending_ && stroke != last_.stroke && !points_.empty() && distance(points_.back().at, last_.at) > tolerance_ / 4) keep(last_);
   last_ = {to, stroke, shade, line};
   pending_ = tolerance_ > 0 && !points_.empty() && distance(points_.back().at, to) < tolerance_;

@@ -1,5 +1,5 @@
 #pragma once
-// PlotPath: the path as one polyline of limited size: when it is full, it is thinned with a growing tolerance.
+// PlotPath: a path as a polyline with a limited number of points. When the limit is reached, points are removed with a growing tolerance.
 
 #include <cstddef>
 #include <cstdint>
@@ -10,15 +10,16 @@
 
 namespace kadr {
 
-/// plunge: a feed straight down; contour: as programmed; jump: draws nothing, the path continues elsewhere.
+/// Types of stroke. plunge: a feed motion straight down; contour: the programmed contour; jump: nothing is drawn, the path continues at
+/// another position.
 enum class Stroke : std::uint8_t { rapid, feed, plunge, arc, contour, probe, jump };
 inline bool cuts(Stroke stroke) { return stroke != Stroke::rapid && stroke != Stroke::probe && stroke != Stroke::jump; }
 
-/// A vertex and the stroke that leads to it.
+/// A vertex, and the type of the stroke that ends there.
 struct PlotPoint {
   Vec3 at;
   Stroke stroke;
-  float shade = 0;  // for a coloured path: out/picture/plot_shades
+  float shade = 0;  // value that selects the colour (speed or limit): see out/picture/plot_shades
   ProgramLine line{};
 };
 
@@ -29,17 +30,17 @@ class PlotPath {
 
   void start(Vec3 at);
   void go(Vec3 to, Stroke stroke, float shade = 0, ProgramLine line = {});
-  /// Includes the box in the extents: a curve may reach beyond its chords.
+  /// Extends the path's box by this box: a curve may reach beyond its chords.
   void reach(const Box& box, Stroke stroke);
-  /// Moves every point so far by this vector.
+  /// Moves all points added so far by this vector.
   void move_all(Vec3 by);
 
-  /// The vertices in order; the stroke of the first has no meaning.
+  /// The vertices in order; the `stroke` of the first vertex has no meaning.
   const std::vector<PlotPoint>& points() const { return points_; }
   bool has_pending() const { return pending_; }
   PlotPoint pending() const { return last_; }
 
-  /// mm; a point closer than this to the one before was left out. 0: the path is complete.
+  /// mm; a point closer than this to the point before was removed. 0: the path is complete.
   double tolerance() const { return tolerance_; }
   std::uint64_t seen() const { return seen_; }
   const Box& box() const { return box_; }
@@ -51,7 +52,7 @@ class PlotPath {
 
   std::size_t most_;
   std::vector<PlotPoint> points_;
-  PlotPoint last_{};  // the end of the path; not among points_ while pending_
+  PlotPoint last_{};  // last point added; while pending_, it is not in points_ yet
   bool pending_ = false;
   double tolerance_ = 0;
   std::uint64_t seen_ = 0;

@@ -1,6 +1,7 @@
 #pragma once
-// Colours a path by its speed or by what limits it (kadr run --colour): motions wait until the planner of least time has timed them, then
-// they are drawn piece by piece, each with its shade. The planner's window limits how many motions wait.
+// Colours a path by its speed, or by what limits the speed (kadr run --colour). A motion waits until the planner of least time has sent
+// its cells (short timed segments); then it is drawn as pieces, each with its shade. The planner's window limits the number of waiting
+// motions.
 
 #include <deque>
 
@@ -14,30 +15,30 @@ namespace kadr {
 
 struct Colour;
 
-/// What the colour of a path means. The shade is, for `speed`, mm/min, and for `limit`, the number of the Limit.
+/// What the colour of a path shows. The shade is for `speed` the speed in mm/min, for `limit` the number of the enum value Limit.
 enum class PlotColour : std::uint8_t { stroke, speed, limit };
 
 class ShadedMotions {
  public:
   ShadedMotions(const AxisRoles& roles, PlotColour by) : roles_(roles), chain_(roles), by_(by) {}
 
-  /// Adds a motion that begins where the tool is; `shift`: work coordinates → picture.
+  /// Adds a motion that begins at `from`. `shift` is the vector from work coordinates to the picture's coordinates.
   void wait(const Motion& motion, const ToolPosition& from, Vec3 shift, Stroke stroke, ProgramLine line);
-  /// Sets, for the motion added last and before its cells come, its number (CellSource::motion) and the approximate length of its cells,
-  /// mm.
+  /// Gives the motion added last its number (CellSource::motion) and the approximate total length of its cells, mm. Call it before those
+  /// cells arrive.
   void set_motion(std::uint64_t number, double way) {
     waiting_.back().number = number;
     waiting_.back().way = way;
   }
-  /// Moves the waiting motions, and what is drawn of them, by this vector in the picture.
+  /// Moves the waiting motions, and their parts already drawn, by this vector in the picture.
   void move_all(Vec3 by);
 
   void take(const TimedCells& cells, const MotionLimits& limits, PlotPath& path);
-  /// Draws what still waits: only what rounding has left over.
+  /// Draws the rest of the waiting motions: rounding errors in the lengths of cells may leave a remainder.
   void finish(PlotPath& path);
 
  private:
-  /// When its cells come the machine is elsewhere, so a waiting motion keeps its starting position.
+  /// A waiting motion. It stores its start position, since the machine is elsewhere when the cells arrive.
   struct Waiting {
     Motion motion;
     ToolPosition from;
@@ -57,25 +58,25 @@ class ShadedMotions {
   Chain chain_;
   PlotColour by_;
   std::deque<Waiting> waiting_;
-  double gone_ = 0;   // mm of cells consumed for the first waiting motion
-  double drawn_ = 0;  // the fraction of it that is drawn
-  PlotPoint held_{};  // not yet in the path: the next point may continue in the same direction and shade
+  double gone_ = 0;   // mm of the first waiting motion that its cells have covered
+  double drawn_ = 0;  // fraction of the first waiting motion that is drawn
+  PlotPoint held_{};  // last point, not in the path yet: the next point may continue in the same direction and shade
   bool holds_ = false;
 };
 
-/// Maps shades to colours, in steps of a scale.
+/// Maps shades to colours, in the intervals of a scale.
 class ShadeScale {
  public:
-  /// Builds the scale for the cutting of a path.
+  /// Builds a scale that covers the cutting motions of the path.
   ShadeScale(PlotColour by, const PlotPath& path);
 
   PlotColour by() const { return by_; }
   std::size_t steps() const;
   std::size_t step_of(float shade) const;
   Colour ink(std::size_t step) const;
-  /// True if some of the path has this step.
+  /// True if some stroke of the path has the colour of this interval.
   bool occurs(std::size_t step) const { return (occurs_ >> step & 1U) != 0; }
-  /// For speeds: the end of the scale, mm/min.
+  /// The greatest speed on the scale, mm/min.
   double top() const { return top_; }
 
  private:

@@ -12,14 +12,14 @@
 namespace kadr {
 namespace {
 
-constexpr double same_pixel = 0.45;   // units of the page
-constexpr int strokes_at_once = 400;  // for longer paths Cairo's time grows more than in proportion
+constexpr double same_pixel = 0.45;   // units of the page: points closer than this are on the same pixel
+constexpr int strokes_at_once = 400;  // segments per path drawn by Cairo, whose time for longer paths grows more than in proportion
 constexpr double plunge_radius = 3.2;
 constexpr double beyond = 20'000;  // of the page: farther points overflow Cairo's numbers
 
 Vec2 within_reach(Vec2 p) { return {std::clamp(p.x, -beyond, beyond), std::clamp(p.y, -beyond, beyond)}; }
 
-/// Cuts a line to the part within reach; returns false if nothing of it is.
+/// Shortens a line to the part within the limits of the page; returns false if no part is.
 bool cut_to_reach(Vec2& from, Vec2& to) {
   double first = 0, last = 1;
   const Vec2 start = from, way = to - from;
@@ -39,10 +39,10 @@ bool is_line(Stroke point, Stroke wanted) {
   return point == wanted || (wanted == Stroke::feed && (point == Stroke::plunge || point == Stroke::probe));
 }
 
-/// Attaches the program lines to the strokes of a view.
+/// Sets the program lines of the strokes while a view is drawn.
 class LineTags {
  public:
-  ///   names  the first stroke of each line is the one by which the line can be found
+  ///   names  the first stroke of each program line gets the id by which the line is found
   LineTags(Canvas& canvas, const PlotScene& scene, bool names)
       : canvas_(canvas), title_(scene.title), tells_(canvas.tells_lines() && lines_are_told(scene)), names_(names) {}
   bool tells() const { return tells_; }
@@ -62,7 +62,7 @@ class LineTags {
 /// Draws a polyline and leaves out points that would not be visible.
 class Pencil {
  public:
-  ///   may_name  the strokes belong to the path itself
+  ///   may_name  the strokes belong to the path itself, so they may get the id of their line
   Pencil(Canvas& canvas, LineTags& tags, bool may_name) : canvas_(canvas), tags_(tags), may_name_(may_name) {}
   void segment(Vec2 from, Vec2 to, ProgramLine line) {
     const Vec2 start = from;
@@ -101,7 +101,7 @@ class Pencil {
   int drawn_ = 0;
 };
 
-/// Draws the pieces of the path that `is_wanted` picks, with the pen as it is.
+/// Draws the segments for which `is_wanted` is true, with the present pen.
 template <class Wanted>
 void draw_pieces(Canvas& canvas, LineTags& tags, View view, const ViewScale& scale, const PlotPath& path, bool may_name,
                  const Wanted& is_wanted) {
@@ -140,7 +140,7 @@ void draw_lines(Canvas& canvas, LineTags& tags, View view, const ViewScale& scal
   canvas.kind("");
 }
 
-/// Draws all cutting, one step of the scale after the other.
+/// Draws all cutting motions, one interval of the colour scale after the other.
 void draw_shaded(Canvas& canvas, LineTags& tags, View view, const ViewScale& scale, const PlotScene& scene) {
   constexpr double width = 1.8;
   canvas.kind("shade");
@@ -153,7 +153,7 @@ void draw_shaded(Canvas& canvas, LineTags& tags, View view, const ViewScale& sca
   canvas.kind("");
 }
 
-/// Draws the paths of two programs over each other: where they coincide, A shows on either side of B.
+/// Draws the paths of two programs over each other; where they coincide, A is visible on both sides of B.
 void draw_ways(Canvas& canvas, LineTags& tags, View view, const ViewScale& scale, const PlotScene& scene) {
   const PlotDifferences& d = *scene.differences;
   struct Way {
@@ -179,7 +179,7 @@ void draw_ways(Canvas& canvas, LineTags& tags, View view, const ViewScale& scale
   canvas.kind("");
 }
 
-/// Draws a ring for each plunge, which is a point when seen from above, as long as the rings can be distinguished.
+/// Draws a ring for each plunge, which is only a point when seen from above, unless there are too many rings to distinguish.
 void draw_plunges(Canvas& canvas, const ViewScale& scale, const PlotPath& path) {
   const StrokeStyle style = style_of(Stroke::plunge, 0);
   canvas.kind(name_of(Stroke::plunge));

@@ -1,16 +1,17 @@
 #pragma once
-// Draws the path itself in one view.
+// Draws the tool path in one view.
 
 #include "out/picture/plot_view.h"
 
 namespace kadr {
 
-/// An SVG states the program line of each stroke if the scene has at most this many strokes.
+/// An SVG stores the program line of each stroke if the scene has at most this number of strokes.
 inline constexpr std::size_t most_line_strokes = 10'000;
-/// Returns true if the scene has at most that many strokes, counted by their program lines.
+/// Returns true if the scene has at most most_line_strokes strokes. Consecutive segments of the same type and program line count as one
+/// stroke.
 bool lines_are_told(const PlotScene& scene);
 
-/// Draws all strokes, with the programmed contour below them; skips points on the same pixel as the one before.
+/// Draws all strokes; the programmed contour lies below them. Skips a point that falls on the same pixel as the point before.
 void draw_strokes(Canvas& canvas, View view, const ViewScale& scale, const PlotScene& scene);
 
 }  // namespace kadr

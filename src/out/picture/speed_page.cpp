@@ -25,13 +25,13 @@ using Column = SpeedRecord::Column;
 constexpr double speed_page_width = 1600, speed_page_height = 984, speed_page_margin = 28, left = 96, top = 112;
 constexpr double speed_height = 400, share_height = 130, speed_gap = 42, ribbon_height = 12;
 constexpr Colour feed_ink = colour(0xE69F00);
-/// By Spent::On.
+/// Colours by the enum Spent::On.
 constexpr std::array<unsigned, 4> inks_of_time = {0x0072B2, 0x7A8794, 0xF0C93A, 0xCC79A7};
 constexpr std::array<unsigned, 6> inks_of_axes = {0xD55E00, 0x009E73, 0x6A3D9A, 0x56B4E9, 0xB2182B, 0x8C6D31};
 
 struct SpeedWords {
   const char *control, *time, *by, *nothing, *speed, *acceleration, *jerk, *feed, *line, *seconds, *minutes, *nearest, *beyond;
-  std::array<const char*, 4> spent;  // by Spent::On
+  std::array<const char*, 4> spent;  // texts by the enum Spent::On
 };
 constexpr SpeedWords english_speeds = {"control",
                                        "least time",
@@ -99,9 +99,9 @@ class SpeedPage {
   double x_of(double seconds) const { return left + width * std::min(1.0, seconds / record_.seconds()); }
   double x_of_column(std::size_t i) const { return x_of(static_cast<double>(i) * record_.width()); }
 
-  /// Rapid motion is shown only as far as the scale of the cutting goes.
+  /// Finds the upper end of the speed scale from the cutting motions; faster rapid motion is cut off.
   void find_top_speed() {
-    constexpr double room = 1.1, most_feed = 4;  // times the speed reached: a commanded feed far above it is not shown
+    constexpr double room = 1.1, most_feed = 4;  // times the speed reached: top of the scale; limit for showing the feed
     double cutting = 0;
     for (const Column& c : columns_) {
       if (c.on == On::cutting) cutting = std::max(cutting, c.most), feed_ = std::max(feed_, c.feed);
@@ -122,7 +122,7 @@ class SpeedPage {
     canvas.text({speed_page_width - speed_page_margin, 42}, "Kadr", {20, colour(0xA9B4C0), Align::right, true});
   }
 
-  /// Draws the frame, the heading, and horizontal lines with their numbers; `most`: the value at the upper edge.
+  /// Draws the frame, the heading, and horizontal lines with their values; `most` is the value at the upper border.
   static void draw_field(Canvas& canvas, const Area& area, const std::string& heading, double most, double step) {
     canvas.fill(area, paper);
     for (double value = 0; value <= most; value += step) {
@@ -133,7 +133,7 @@ class SpeedPage {
     canvas.text({area.x, area.y - 9}, heading, {14, ink, Align::left, true});
   }
 
-  /// Calls back for each run of columns of the same type, with its first column and the one after its last.
+  /// Calls `take` for each sequence of columns of the same type, with its first column and the one after its last.
   template <class Same, class Take>
   void each_run(const Same& same, const Take& take) const {
     for (std::size_t first = 0; first < columns_.size();) {
@@ -144,7 +144,7 @@ class SpeedPage {
     }
   }
 
-  /// Draws the outline of a run of columns as steps, from left to right or back.
+  /// Draws the outline of a sequence of columns as steps, from left to right or back.
   template <class Y>
   void steps(Canvas& canvas, std::size_t first, std::size_t end, bool back, bool begins, const Y& y) const {
     for (std::size_t n = first; n < end; ++n) {
@@ -226,9 +226,9 @@ class SpeedPage {
     canvas.frame(area, edge, 1);
   }
 
-  /// Draws the scale below the ribbon: time, and the program line that is executed then.
+  /// Draws the axis below the diagrams: time, and the program line executed at that time.
   void draw_time(Canvas& canvas, double y) const {
-    constexpr double spacing = 110, in_minutes = 180;  // units of the page; s, from which time is shown in minutes
+    constexpr double spacing = 110, in_minutes = 180;  // units of the page; s, above which time is shown in minutes
     const bool minutes = record_.seconds() > in_minutes;
     const double least = record_.seconds() * spacing / width;
     const double step = minutes ? round_minutes(least) : round_step(least);
@@ -273,7 +273,7 @@ class SpeedPage {
       if (moves(axis)) entry(ink_of_axis(axis), axes_[axis], 11);
   }
 
-  /// True if this axis is the nearest to a limit somewhere.
+  /// True if this axis is the nearest to its limit at some time.
   bool moves(std::size_t axis) const {
     return std::any_of(columns_.begin(), columns_.end(), [&](const Column& c) {
       return (c.acceleration.axis == axis && c.acceleration.part > 0) || (c.jerk.axis == axis && c.jerk.part > 0);
@@ -287,7 +287,7 @@ class SpeedPage {
   const double per_minute_;  // factor from mm/s to the page's unit of speed
   const SpeedWords& words_;
   double feed_ = 0;       // the greatest commanded feed, mm/s
-  double top_speed_ = 1;  // upper end of the picture, mm/min or in/min
+  double top_speed_ = 1;  // upper end of the speed scale, mm/min or in/min
 };
 
 }  // namespace

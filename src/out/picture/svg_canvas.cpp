@@ -15,8 +15,8 @@
 namespace kadr {
 namespace {
 
-constexpr double farthest = 1e7;  // units of the page: what is beyond is not visible
-constexpr int hundredths = 100;   // coordinates are written to 0.01, finer than a screen shows of a page 1600 wide at a zoom of 50
+constexpr double farthest = 1e7;  // units of the page: points farther away are not visible
+constexpr int hundredths = 100;   // coordinates are written to 0.01 unit: finer than a screen shows, even at 50 times zoom
 
 /// Writes a coordinate without trailing zeros.
 char* put_coordinate(char* at, double value) {

@@ -1,6 +1,7 @@
 #pragma once
-// SvgCanvas: writes a page as SVG while it is drawn; nothing is kept but the pen. Texts stay texts. A stroke states the program line that
-// it comes from (data-line, data-file); the one stroke by which the line can be found has an id (l12; s1l12 in the first called file).
+// SvgCanvas: the Canvas that writes SVG while it draws; it keeps nothing in memory but the pen. Text stays text in the SVG. A stroke
+// stores the program line that it comes from (data-line, data-file). One stroke of each line has an id by which the line is found: l12,
+// or s1l12 in the first called file.
 
 #include <cstdio>
 #include <string>
@@ -11,7 +12,7 @@
 
 namespace kadr {
 
-/// How a page describes itself.
+/// Title and description that the SVG contains.
 struct PageText {
   std::string title;
   std::string description;
@@ -23,7 +24,7 @@ class SvgCanvas final : public Canvas {
   SvgCanvas(std::FILE* file, double width, double height, const PageText& says);
   ~SvgCanvas() override { finish(); }
 
-  /// Ends the page. Returns the system's errno, 0: none.
+  /// Writes the end of the page. Returns the errno of a write error; 0: none.
   int finish();
 
   void fill(const Area& area, Colour ink) override;
@@ -60,7 +61,7 @@ class SvgCanvas final : public Canvas {
 
   TextBuffer text_;
   Pen pen_;
-  Pen group_;  // strokes drawn with the same pen share a group
+  Pen group_;  // pen of the current group: strokes with the same pen share a group
   bool in_group_ = false;
   bool in_path_ = false;
   bool finished_ = false;

@@ -24,7 +24,7 @@ constexpr std::array<std::uint16_t, 64> cyrillic = {684, 686, 686, 610, 781, 632
                                                     613, 617, 589, 525, 691, 615, 901,  532, 650,  650,  604, 639, 754, 654, 612,  654,
                                                     635, 550, 583, 592, 855, 592, 681,  591, 915,  942,  707, 790, 589, 549, 842,  602};
 
-/// Removes the next character from the text and returns it; bytes that are not UTF-8 come one by one as the replacement character.
+/// Removes the first character from the text and returns it; for each byte that is not UTF-8 returns the replacement character.
 char32_t take_character(std::string_view& text) {
   const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text[i]); };
   const unsigned lead = byte(0);
@@ -39,7 +39,7 @@ char32_t take_character(std::string_view& text) {
     whole = (byte(i) & 0xC0U) == 0x80;
     character = character << 6U | (byte(i) & 0x3FU);
   }
-  constexpr std::array<char32_t, 5> least = {0, 0, 0x80, 0x800, 0x10000};  // by size: longer forms are not valid UTF-8
+  constexpr std::array<char32_t, 5> least = {0, 0, 0x80, 0x800, 0x10000};  // least character by bytes: a longer form is not valid UTF-8
   if (!whole || character < least[size]) character = replacement;
   text.remove_prefix(whole ? size : 1);
   return character;
@@ -61,7 +61,7 @@ void append(std::string& to, char32_t c) {
 
 double width_of(char32_t c) {
   constexpr double other = 640, wide = 1000;
-  constexpr char32_t first_wide = 0x1100;  // Hangul, then the scripts of East Asia
+  constexpr char32_t first_wide = 0x1100;  // from here on (Hangul, East Asian scripts) characters are wide
   if (c >= first_ascii && c < first_ascii + ascii.size()) return ascii[c - first_ascii];
   if (c >= first_cyrillic && c < first_cyrillic + cyrillic.size()) return cyrillic[c - first_cyrillic];
   return c >= first_wide ? wide : other;
@@ -76,7 +76,7 @@ double text_width(std::string_view text, double size) {
 }
 
 std::string printable(std::string_view text) {
-  constexpr char32_t pictures = 0x2400, deleted = 0x2421;  // the signs of the control characters
+  constexpr char32_t pictures = 0x2400, deleted = 0x2421;  // first of the Unicode symbols for control characters; symbol of DEL
   std::string clean;
   while (!text.empty()) {
     const char32_t c = take_character(text);

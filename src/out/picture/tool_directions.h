@@ -1,6 +1,6 @@
 #pragma once
-// ToolDirections: collects the directions of a tilted tool along the cutting path, at even distances. Its memory is limited: when it is
-// full, every other direction is left out.
+// ToolDirections: stores the axis direction of a tilted tool at even distances along the cutting path. Memory is limited: when it is
+// full, every second direction is removed and the distance between directions doubles.
 
 #include <vector>
 
@@ -9,21 +9,21 @@
 
 namespace kadr {
 
-/// The position of the tip, and the direction from there into the tool.
+/// The position of the tool tip, and the direction from the tip towards the spindle.
 struct ToolDirection {
   Vec3 at, direction;
 };
 
 class ToolDirections {
  public:
-  /// Keeps at most `most` directions.
+  /// Stores at most `most` directions.
   explicit ToolDirections(std::size_t most = 240) : most_(most) {}
 
-  /// Consumes a motion that cuts on a machine whose rotary axes turn tool or part; any other motion is ignored.
-  ///   shift  of the picture's coordinates from those of the work system
+  /// Consumes a motion. Only cutting motions on a machine with rotary axes that rotate the tool or the part are stored.
+  ///   shift  vector from work coordinates to the picture's coordinates
   void take(const Step& step, Vec3 shift);
 
-  /// Returns an empty list as long as the tool has been upright, along Z.
+  /// Returns the stored directions; empty if the tool has always been parallel to Z.
   std::vector<ToolDirection> leaning() const { return leans_ ? all_ : std::vector<ToolDirection>(); }
 
  private:
@@ -31,7 +31,7 @@ class ToolDirections {
 
   std::size_t most_;
   std::vector<ToolDirection> all_;
-  double step_ = 0.25, way_ = 0, next_ = 0;  // mm
+  double step_ = 0.25, way_ = 0, next_ = 0;  // mm: distance between stored directions; path length so far; path length at the next one
   bool leans_ = false;
 };
 

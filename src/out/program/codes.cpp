@@ -1,4 +1,4 @@
-// Looks up a control's codes by what they do. Used by out/program/part_program and convert/block_maker.
+// Finds the code of a control that has a given function. Used by out/program/part_program and convert/block_maker.
 
 #include "out/program/codes.h"
 

@@ -21,7 +21,7 @@ using area::Move;
 using area::MoveKind;
 
 constexpr double written_chord = 0.005;  // mm between an arc and the lines that replace it: half the controls' arc tolerance
-constexpr double shortest_arc = 10;      // increments: a shorter arc is written as a line
+constexpr double shortest_arc = 10;      // length in increments; a shorter arc is written as a line
 constexpr int block_steps[] = {10, 5, 1};
 
 constexpr int any = any_argument;
@@ -96,7 +96,7 @@ class ProgramWriter {
   }
 
   Status tool_word(std::string& block) {
-    constexpr double corrector_digits = 100;  // T0404: the tool, followed by the corrector of the same number
+    constexpr double corrector_digits = 100;  // T0404: tool 4 with offset number 4
     return word(block, 'T', def_.behaviour.tool_and_corrector ? technology_.tool * (corrector_digits + 1) : technology_.tool);
   }
 
@@ -152,7 +152,7 @@ class ProgramWriter {
     return need({{function, any}}, block);
   }
 
-  /// Approach to the first point: Z first and then X, Y, wherever the tool is.
+  /// Writes the motion to the first point: first Z, then X and Y, wherever the tool is.
   Status first(Vec3 to) {
     std::string up, across;
     KADR_TRY(code(up, Function::rapid));
@@ -205,8 +205,8 @@ class ProgramWriter {
     return coded(block, 'F', def_.feed_codes, feed);
   }
 
-  /// Numbers the blocks N10, N20, … if the digits of N suffice, else in smaller steps. Writes no numbers if none fit and the control needs
-  /// none.
+  /// Numbers the blocks N10, N20, … if N has enough digits, else in smaller steps. If no numbers fit, writes none; that is an error only
+  /// if the control needs block numbers.
   Status number_blocks() {
     const WordFormat& n = def_.grammar.word('N');
     const bool free = n.whole_digits == 0;
@@ -246,7 +246,7 @@ Result<PartProgram> part_program(const ControlDef& def, const std::vector<area::
 }
 
 Status same_moves(const std::vector<area::Move>& written, const std::vector<area::Move>& read) {
-  constexpr double bulge_off = 0.1;  // most that the rounding of ends and centres changes an arc: it is at least ten increments long
+  constexpr double bulge_off = 0.1;  // greatest change of a bulge by rounding: an arc is at least ten increments long
   const auto differs = [](const area::Move& a, const area::Move& b) {
     return (a.kind == area::MoveKind::rapid) != (b.kind == area::MoveKind::rapid) || length(a.to - b.to) > tol::same_point * 10 ||
            std::abs(a.bulge - b.bulge) > bulge_off;

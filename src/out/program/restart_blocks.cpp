@@ -26,19 +26,19 @@ const CodeRow* row_of(const ControlDef& def, const InForce& one) {
   return found == def.codes.end() ? nullptr : &*found;
 }
 
-/// True for lines and rapids: the last block of the path leaves one of them in force.
+/// True for linear and rapid motion: the last motion block leaves one of them in force.
 bool is_line(const CodeRow& row) { return row.function == Function::linear || row.function == Function::rapid; }
 
-/// True for G90 and G91 (absolute, incremental). They are written in blocks of their own after the path, which is in absolute coordinates.
+/// True for G90 and G91 (absolute, incremental). They are written in blocks of their own after the motions, which are absolute.
 bool is_distance(const CodeRow& row) { return row.function == Function::absolute || row.function == Function::incremental; }
 
-/// True if the code needs words that are not known here (a canned cycle's data, a rotation's centre), or if it acts at once.
+/// True if the code needs words whose values are not known here (data of a canned cycle, centre of a rotation), or if it acts at once.
 bool wants_words(const CodeRow& row) {
   return row.needs != 0 || row.needs_axis || row.phase == Phase::motion || row.phase == Phase::transform ||
          row.phase == Phase::compensation || row.function == Function::tool_lead;
 }
 
-/// Returns the letter of the word that selects this offset; '\0' if it is not an offset.
+/// Returns the letter of the word that selects this type of offset; '\0' for any other state.
 char letter_of(Kind kind) { return kind == Kind::offset ? 'D' : kind == Kind::length_offset ? 'H' : '\0'; }
 
 class RestartWriter {
@@ -73,11 +73,11 @@ class RestartWriter {
     end();
     return {};
   }
-  /// Writes the code together with the offset that it uses: `G43 H5`.
+  /// Writes the code together with the number of the offset that it uses: `G43 H5`.
   Status code(const InForce& one, const std::vector<InForce>& in_force) {
     const CodeRow* const row = row_of(def_, one);
     if (row == nullptr || is_line(*row) || is_distance(*row)) return {};
-    // A code that switches something off needs no words: it is in force at power-on.
+    // A code that switches something off needs no words; such codes are in force at power-on.
     const bool usual = row->group != 0 && def_.groups[row->group].power_on >= 0 &&
                        &def_.codes[static_cast<std::size_t>(def_.groups[row->group].power_on)] == row;
     if (wants_words(*row) && !usual) {
@@ -93,7 +93,7 @@ class RestartWriter {
       KADR_TRY(word(letter, offset.value));
       said_ |= letter_bit(letter);
     }
-    // Some controls accept a length only with a motion of that axis: it is written in the first block of the path along the tool.
+    // Some controls accept a tool length only with a motion of that axis: it is written in the first block that moves along the tool.
     if (row->phase == Phase::length && has_way_) with_way_ = std::exchange(line_, {});
     end();
     return {};
@@ -102,7 +102,7 @@ class RestartWriter {
     const CodeRow* const row = one.kind == Kind::code ? row_of(def_, one) : nullptr;
     return row != nullptr && (row->function == Function::inch || row->function == Function::millimetre);
   }
-  /// True if a word with this letter was already written with its code.
+  /// True if a word with this letter was already written together with its code.
   bool has_said(char letter) const { return (said_ & letter_bit(letter)) != 0; }
   Status way(const BlockWay& to) {
     if (to.along_tool && !with_way_.empty()) add(std::exchange(with_way_, {}));
@@ -119,8 +119,8 @@ class RestartWriter {
 
   const ControlDef& def_;
   bool inch_, has_way_;
-  std::string with_way_;    // goes into the first block of the path that moves along the tool
-  std::uint64_t said_ = 0;  // letters that were written
+  std::string with_way_;    // words for the first block that moves along the tool
+  std::uint64_t said_ = 0;  // bits of the letters already written
   std::string line_;
   RestartBlocks made_;
 };
@@ -132,8 +132,7 @@ bool is_set(const std::vector<InForce>& wanted, const ControlDef& def, Function 
   });
 }
 
-/// True if a code of a modal group already states how the spindle rotates or that the coolant flows: that code is written instead of the
-/// plain one.
+/// True if a code of a modal group already states the spindle rotation or the coolant: that code is written instead of the plain one.
 bool is_said_by_group(const InForce& one, const std::vector<InForce>& in_force, const ControlDef& def) {
   return std::any_of(in_force.begin(), in_force.end(), [&](const InForce& other) {
     const CodeRow* const row = other.kind == Kind::code ? row_of(def, other) : nullptr;
@@ -144,7 +143,7 @@ bool is_said_by_group(const InForce& one, const std::vector<InForce>& in_force, 
   });
 }
 
-/// Coolant codes are written before spindle codes, because M13 switches on both.
+/// Order of codes: coolant before spindle, because M13 switches on both.
 bool comes_before(const ControlDef& def, const InForce& a, const InForce& b) {
   const auto rank = [&](const InForce& one) {
     const CodeRow* const row = one.kind == Kind::code ? row_of(def, one) : nullptr;
@@ -193,7 +192,7 @@ Result<RestartBlocks> restart_blocks(const ControlDef& def, const std::vector<In
     if (writer.is_unit(one)) writer.line(one.code);
   for (const InForce& one : wanted) {
     if (one.kind != Kind::variable) continue;
-    // Written before the path: work offsets may be among the variables.
+    // Written before the motions, since work offsets may be among the variables.
     if (one.name.starts_with('#') && def.grammar.expressions) writer.line(fmt::format("{}={:.9g}", one.name, one.value));
     else writer.by_hand(one);
   }
@@ -208,7 +207,7 @@ Result<RestartBlocks> restart_blocks(const ControlDef& def, const std::vector<In
   if (!way.empty())
     if (const CodeRow* const absolute = row_of(def, Function::absolute)) writer.line(absolute->code);
   for (const BlockWay& to : way) KADR_TRY(writer.way(to));
-  for (const InForce& one : in_force) {  // the path may have changed these codes and the feed
+  for (const InForce& one : in_force) {  // the motions may have changed these codes and the feed
     const CodeRow* const row = one.kind == Kind::code ? row_of(def, one) : nullptr;
     if (row != nullptr && (is_line(*row) || is_distance(*row))) writer.line(one.code);
     if (one.kind == Kind::feed && one.value > 0) {
@@ -217,7 +216,7 @@ Result<RestartBlocks> restart_blocks(const ControlDef& def, const std::vector<In
     }
   }
   for (const InForce& one : wanted) {
-    const bool of_tables = one.kind == Kind::origin || (one.kind == Kind::length && !writer.has_said('H'));  // else the H word applies it
+    const bool of_tables = one.kind == Kind::origin || (one.kind == Kind::length && !writer.has_said('H'));  // else H applies it
     const bool next_tool = one.kind == Kind::selected && !is_in_spindle(one, in_force);
     if (of_tables || next_tool || one.kind == Kind::rotation || one.kind == Kind::scale) writer.by_hand(one);
   }

@@ -1,5 +1,5 @@
 #pragma once
-// Writes a set-up to be filled in, as JSON that people read: one line for each row of a table.
+// Writes a set-up for the user to complete, as readable JSON: one line for each table row.
 
 #include <map>
 #include <optional>
@@ -8,10 +8,10 @@
 
 namespace kadr {
 
-/// The content that `kadr setup` writes. A value that is not known yet is null, which means the same as leaving it out.
+/// The content that `kadr setup` writes. A value that is not known is written as null, which means the same as an absent key.
 struct SetupTemplate {
   struct Row {
-    std::string name;                                                  // "1", "G54"
+    std::string name;                                                  // name of the table row: "1", "G54"
     std::vector<std::pair<std::string, std::optional<double>>> cells;  // key → value
   };
   std::vector<Row> offsets, work_offsets, zeros;

@@ -1,5 +1,5 @@
 #pragma once
-// Writes a tools file to be filled in, with the tool data that the program's comments suggest.
+// Writes a tools file for the user to complete, with the tool data that the comments of the program suggest.
 
 #include <cstdint>
 #include <optional>
@@ -15,21 +15,21 @@ namespace kadr {
 struct ToolsTemplate {
   struct Row {
     std::uint32_t number = 0;
-    Origin called;                    // where the program first calls the tool
-    std::optional<ToolComment> said;  // nullopt: no comment describes the tool
-    std::string why;                  // line and text of that comment
-    std::string not_sure;             // the text of a comment that mentions the tool without a certain size
+    Origin called;                    // the block that first calls the tool
+    std::optional<ToolComment> said;  // data read from a comment; nullopt: no comment describes the tool
+    std::string why;                  // line number and text of the comment that `said` comes from
+    std::string not_sure;             // text of a comment that mentions the tool but no certain dimension
   };
   std::string program;
   Lang lang = Lang::en;
   std::vector<Row> rows;
 };
 
-/// Returns the tools-file word for the kind of tool that the comment describes; empty if the kind is not certain.
+/// Returns the key word of a tools file for the type of tool that the comment describes; empty if the type is not certain.
 const char* kind_word(const ToolComment& said);
 
-/// Returns the TOML text (docs/commands/cut.md, "Tools"). A key whose value nobody stated is written as a comment: until it is filled in,
-/// the file is refused with an error that names the tool and the key.
+/// Returns the TOML text (docs/commands/cut.md, "Tools"). A key without a known value is written as a TOML comment. Until the user
+/// completes it, Kadr refuses the file with an error that names the tool and the key.
 std::string tools_template_text(const ToolsTemplate& made);
 
 }  // namespace kadr

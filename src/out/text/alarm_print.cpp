@@ -1,4 +1,4 @@
-// Writes alarms for people (text with the position marked) and for programs (JSON, SARIF 2.1.0). Used by cli and out; tested by
+// Formats alarms for people (text with the position underlined) and for programs (JSON, SARIF 2.1.0). Used by cli and out; tested by
 // tests/out/alarm_print_test.cpp.
 
 #include "out/text/alarm_print.h"
@@ -24,7 +24,7 @@ std::string_view severity_word(Severity severity, Lang lang) {
   return severity == Severity::warning ? "предупреждение" : "ошибка";
 }
 
-/// Returns the level of SARIF 2.1.0, 3.27.10, which has none for advice.
+/// Returns the level of SARIF 2.1.0, 3.27.10; SARIF has no level for advice.
 const char* sarif_level(Severity severity) {
   if (severity == Severity::alarm) return "error";
   return severity == Severity::warning ? "warning" : "note";
@@ -42,7 +42,7 @@ std::string coloured(const std::string& text, const char* colour, Colours colour
   return colours == Colours::none || text.empty() ? text : fmt::format("\033[{}m{}\033[0m", colour, text);
 }
 
-/// Returns the program's line and, coloured, the mark below it.
+/// Returns the program line and, coloured, the underline below it.
 std::string marked(std::string_view line, Span place, Colours colours) {
   const std::string text = marked_line(line, place);
   const std::size_t second = text.find('\n') + 1;
@@ -96,7 +96,7 @@ Json result_json(const Finding& finding, std::size_t rule) {
   return result;
 }
 
-/// Returns the second location of a finding: its line, with the position marked.
+/// Returns the second location of a finding: its program line, with the position underlined.
 std::string other_place(const Finding& finding, Lang lang, Colours colours) {
   const AlarmReport::Line& other = finding.other;
   if (other.number == 0) return {};
@@ -106,7 +106,7 @@ std::string other_place(const Finding& finding, Lang lang, Colours colours) {
   return text;
 }
 
-/// Replaces what must not reach a terminal (control characters) in the texts of a finding.
+/// Replaces control characters in the texts of a finding, since they must not reach a terminal.
 Finding shown(Finding f) {
   for (std::string* const text : {&f.number, &f.text, &f.hint, &f.file, &f.other.file}) *text = visible_name(*text);
   for (std::string& call : f.calls) call = visible_name(call);

@@ -1,4 +1,4 @@
-// Reads a code as a person types it: in either alphabet, in either case, with leading zeros. Used by cli and out.
+// Normalises a code that a user types: Cyrillic or Latin letters, capital or small, with leading zeros. Used by cli and out.
 
 #include "out/text/asked_code.h"
 
@@ -20,7 +20,7 @@ struct Lookalike {
   std::string_view cyrillic;
   char latin;
 };
-// Capital and small letters. У stands for Y too, as on a Soviet keyboard.
+// Cyrillic capital and small letters with their Latin lookalikes. У also stands for Y, as on a Soviet keyboard.
 constexpr std::array<Lookalike, 24> lookalikes = {{{"А", 'A'}, {"В", 'B'}, {"С", 'C'}, {"Е", 'E'}, {"Н", 'H'}, {"К", 'K'},
                                                    {"М", 'M'}, {"О", 'O'}, {"Р", 'P'}, {"Т", 'T'}, {"Х", 'X'}, {"У", 'Y'},
                                                    {"а", 'A'}, {"в", 'B'}, {"с", 'C'}, {"е", 'E'}, {"н", 'H'}, {"к", 'K'},
@@ -48,7 +48,7 @@ std::optional<double> number_of(const std::string& code) {
   return number;
 }
 
-/// Returns the names with the code's letter, sorted by the distance of their numbers.
+/// Returns the names with the letter of the code, sorted by how near their number is.
 std::vector<std::string> nearest_numbers(const ControlDef& def, const std::string& code, double number) {
   std::vector<std::pair<double, std::string>> found;
   const auto offer = [&](const std::string& name) {
@@ -59,7 +59,7 @@ std::vector<std::string> nearest_numbers(const ControlDef& def, const std::strin
   for (const CycleRow& row : def.cycles) offer(row.name);
   for (const ParameterRow& row : def.parameters) offer("N" + row.name);
   std::stable_sort(found.begin(), found.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
-  constexpr double farthest = 10;  // a name farther away is of no help
+  constexpr double farthest = 10;  // greatest difference of numbers: a name farther away is of no help
   std::vector<std::string> names;
   for (const auto& [distance, name] : found)
     if (distance <= farthest && names.size() < 3 && std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);

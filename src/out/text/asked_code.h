@@ -1,5 +1,5 @@
 #pragma once
-// Reads a code as a person types it: in either alphabet, in either case, with leading zeros.
+// Normalises a code that a user types: Cyrillic or Latin letters, capital or small, with leading zeros.
 
 #include <string>
 #include <string_view>
@@ -9,12 +9,13 @@
 
 namespace kadr {
 
-/// "м03" → "M3", "g01" → "G1", "G05.10" → "G5.1". Replaces Cyrillic letters by the capital Latin letters that look alike (А В С Е Н К М О Р
-/// Т Х У) and drops zeros without meaning. A text other than a letter and a number keeps its digits.
+/// Returns "м03" as "M3", "g01" as "G1", "G05.10" as "G5.1". Replaces Cyrillic letters by the Latin capitals that look alike (А В С Е Н К
+/// М О Р Т Х У) and removes leading and trailing zeros. A text that is not one letter and a number, and a parameter (N0107), keep their
+/// digits.
 std::string code_asked(std::string_view what);
 
-/// Returns up to three names of the control that are nearest to an unknown code, nearest first: codes, canned cycles and parameters with
-/// its letter by their number; symbols of variables and names of alarms by their spelling.
+/// Returns up to three names of the control that are nearest to an unknown code, nearest first. Codes, canned cycles and parameters with
+/// the same letter are compared by number; symbols of variables and names of alarms by spelling.
 std::vector<std::string> nearest_to(const ControlDef& def, const std::string& what);
 
 }  // namespace kadr

@@ -9,7 +9,7 @@ namespace kadr {
 
 std::string base64_of(std::string_view bytes);
 
-/// Returns nullopt if the text is not strict base64: no line ends, whole groups of four, no bits left over.
+/// Decodes a text. Returns nullopt unless it is strict base64: no line breaks, complete groups of four characters, unused bits zero.
 ///   law  *bytes_of_base64(base64_of(b)) == b
 std::optional<std::string> bytes_of_base64(std::string_view text);
 

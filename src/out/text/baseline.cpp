@@ -1,4 +1,4 @@
-// Used by cli/check; tested by tests/run_check.py.
+// Reads a list of known findings. Used by cli/check; tested by tests/run_check.py.
 
 #include "out/text/baseline.h"
 
@@ -9,7 +9,7 @@
 namespace kadr {
 namespace {
 
-/// The key of a finding leaves out its sentence: that depends on the language of the list, and its figures change with the lines around it.
+/// Returns the key of a finding, without its sentence: that depends on the language, and its numbers change when other lines change.
 std::string key_of(const std::string& file, std::string_view id, const std::string& line) {
   std::string key = file;
   for (const std::string_view part : {id, std::string_view(line)}) (key += '\n') += part;

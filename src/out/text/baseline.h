@@ -1,5 +1,5 @@
 #pragma once
-// Baseline: the findings that are known already, so that only new ones are reported. Read from a list of `kadr check --format json`.
+// Baseline: a list of findings already known, so that only new ones are reported. Read from the output of `kadr check --format json`.
 
 #include <map>
 #include <string>
@@ -15,13 +15,13 @@ class Baseline {
   ///   returns  an error sentence
   static tl::expected<Baseline, std::string> read(std::string_view json);
 
-  /// Returns true if the finding is known: the same fault of the same text in the same file, whatever its line number is now. Each known
-  /// finding matches once.
+  /// Returns true if the finding is known: the same alarm for the same text in the same file, whatever its line number is now. Each known
+  /// finding matches only once.
   bool has(const Finding& finding);
   std::size_t found() const { return found_; }
 
  private:
-  std::map<std::string, int> known_;  // how often each occurs
+  std::map<std::string, int> known_;  // number of occurrences by finding
   std::size_t found_ = 0;
 };
 

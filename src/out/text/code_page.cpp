@@ -26,7 +26,7 @@ std::string letters_of(std::uint64_t bits, std::string text = {}) {
   return text;
 }
 
-/// True if the control ships with Kadr. Which file it extends is of no interest to the owner of such a machine.
+/// True if the control is delivered with Kadr. Which file it extends does not matter to the owner of such a machine.
 bool is_built_in(const ControlDef& def) {
   const std::vector<std::string> all = built_in_controls();
   return std::find(all.begin(), all.end(), def.id) != all.end();
@@ -57,7 +57,7 @@ std::string format_of(const ControlDef& def, const AddressRow& row) {
 
 namespace {
 
-/// Returns an empty text for a row that comes from the control which this one extends: that control has a manual of its own.
+/// Returns the manual section of a row; empty if the row comes from the control that this one extends, which has its own manual.
 std::string source_text(const ControlDef& def, const std::string& section, Lang lang) {
   return section.empty() ? std::string() : fmt::format("  {}: {}, {}\n", lang == Lang::ru ? "источник" : "source", def.spec, section);
 }
@@ -101,7 +101,7 @@ std::string cycle_text(const ControlDef& def, const CycleRow& row, Lang lang) {
   return text + source_text(def, row.manual, lang);
 }
 
-/// Returns the alarm, in both languages if the control has its own wording: an operator reads it on the screen.
+/// Returns the text of the alarm; in both languages if the control has its own wording, which the operator reads on the screen.
 std::string alarm_text_of(const ControlDef& def, const AlarmTexts& texts, AlarmId id, Lang lang) {
   const std::string& number = texts.number(id);
   std::string text = fmt::format("{}{}: {}\n", number.empty() ? "" : number + " ", name_of(id), texts.pattern(id, lang));
@@ -199,7 +199,7 @@ std::optional<std::string> explain_code(const ControlDef& def, const AlarmTexts&
   const std::string code = code_asked(what);
   if (const AlarmId id = alarm_named(what); id != no_alarm) return alarm_text_of(def, texts, id, lang);
   if (what.empty()) return std::nullopt;
-  if (what.find_first_not_of("0123456789") == std::string::npos) {  // an alarm and a parameter may share a number: both
+  if (what.find_first_not_of("0123456789") == std::string::npos) {  // an alarm and a parameter may have the same number: both are explained
     const auto alarms = numbered_alarms(def, texts, what, lang);
     const auto parameter = explain_parameter(def, code, lang);
     return alarms && parameter ? *alarms + *parameter : alarms ? alarms : parameter;

@@ -19,7 +19,7 @@ std::string escaped(const std::string& text) {
 
 std::string cells(const Text& text) { return fmt::format("{} | {}", escaped(text.en), escaped(text.ru)); }
 
-/// Returns the head and the rule of a table: "| a | b |", "|---|---|".
+/// Returns the heading row of a Markdown table and the line below it: "| a | b |", "|---|---|".
 std::string table_head(const std::string& columns) {
   const auto bars = static_cast<std::size_t>(std::count(columns.begin(), columns.end(), '|'));
   std::string rule = "|";
@@ -36,7 +36,7 @@ void address_rows(const ControlDef& def, std::string& page) {
 }
 
 void code_rows(const ControlDef& def, char letter, std::string& page) {
-  // If all codes work, a column that says so would only be in the way.
+  // Without unsupported codes a column that says which codes work is left out.
   const bool all_work = std::all_of(def.codes.begin(), def.codes.end(), [](const CodeRow& row) { return row.works && !row.in_part; });
   page += fmt::format("\n## {} codes\n\n", letter);
   page += table_head(fmt::format("| code | group | lasts | words |{} meaning | значение | source |", all_work ? "" : " works |"));

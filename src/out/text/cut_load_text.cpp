@@ -24,7 +24,7 @@ constexpr LoadWords load_russian = {"строка", " файла ", "{:.1f} мм
 
 const LoadWords& words_in(Lang lang) { return lang == Lang::ru ? load_russian : load_english; }
 
-constexpr int decimals_of_mm = 3, decimals_of_tooth = 5;  // of mm and units built from it; of mm per tooth
+constexpr int decimals_of_mm = 3, decimals_of_tooth = 5;  // decimals of values in mm and units derived from mm; of mm per tooth
 
 double cut_to(double value, int decimals) {
   const double scale = std::pow(10, decimals);

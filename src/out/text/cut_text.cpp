@@ -69,9 +69,9 @@ constexpr CutWords cut_russian = {"шаг сетки",
                                   "; материала там нет",
                                   "; глубина {:.3f} мм от Ø{:.3f} мм, который у детали остаётся"};
 
-constexpr double told_from = 0.05;  // s in the air: less would round to no tenth
+constexpr double told_from = 0.05;  // s in the air, from which on the time is printed: less would be rounded to 0.0
 
-/// Rounds to thousandths of a mm or mm³: further digits are noise.
+/// Rounds to thousandths of a mm or mm³, since further digits are not significant.
 double rounded(double value) { return std::round(value * 1000) / 1000 + 0.0; }
 
 std::string summary_row(std::string_view name, std::string_view text) { return fmt::format("{:<12} {}\n", name, text); }
@@ -113,7 +113,7 @@ std::string difference_row(const CutWords& w, const char* name, const PartDiffer
   return summary_row(name, text);
 }
 
-/// Depth of the thread from the crest; below 0 if the insert's point has not reached it.
+/// Returns the depth of the thread below its crest; negative if the tip of the insert has not reached the crest.
 double thread_depth(const ThreadCut& t) { return (t.is_outer ? 1 : -1) * (*t.crest_radius - t.middle_radius()); }
 
 std::string thread_words(const CutWords& w, const ThreadCut& t) {

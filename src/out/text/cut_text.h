@@ -9,15 +9,16 @@
 
 namespace kadr {
 
-/// Returns one line: "removed 82581.4 mm³, cell 0.25 mm"; for the window, if there is one.
+/// Returns one line: "removed 82581.4 mm³, cell 0.25 mm". If only a window of the part is cut, the line describes the window.
 std::string cut_caption(const CutResult& result, Lang lang);
 
-/// Returns which tools are too thin for the cell size; empty if none is.
+/// Returns the names of the tools that are too thin for the cell size; empty if no tool is.
 std::string told_too_coarse(const CutResult& result, Lang lang);
 
 std::string cut_summary(const CutResult& result, Lang lang);
 
-/// Returns one object. `alarms` and `warnings` count those of the program itself, without the findings of the cut.
+/// Returns one JSON object. `alarms` and `warnings` are the numbers of the program's own alarms and warnings, without the findings of the
+/// cut.
 nlohmann::ordered_json cut_json(const CutResult& result, std::size_t alarms, std::size_t warnings);
 
 /// For a finding of AlarmId::machine, returns the full names of the bodies that collided (an alarm shortens them); else empty.

@@ -1,5 +1,5 @@
-// Describes the steps of a canned cycle in words, from what executes it: the control's steps, its operations (nct 18.1) or its body. Used
-// by out/text/code_page and out/text/word_text.
+// Describes the steps of a canned cycle in words, from the data that the engine executes: the control's step list, its operations (nct
+// 18.1) or the cycle's macro body. Used by out/text/code_page and out/text/word_text.
 
 #include "out/text/cycle_text.h"
 
@@ -22,7 +22,7 @@ namespace {
 constexpr BothLanguages over_hole = {"rapid over the hole", "быстро в точку над отверстием"};
 constexpr BothLanguages to_level = {"rapid to R", "быстро на уровень R"};
 
-// In the order of CycleStep.
+// Texts in the order of the enum CycleStep.
 constexpr std::array<BothLanguages, static_cast<std::size_t>(CycleStep::count)> step_words = {
     {{"feed to the bottom", "рабочая подача до дна"},
      {"rapid to the bottom", "быстро до дна"},
@@ -44,7 +44,7 @@ constexpr std::array<BothLanguages, static_cast<std::size_t>(CycleStep::count)> 
      {"passes of R3 from R2 down to R1: feed R0 to the pass level, dwell 0.3 s, rapid to R2",
       "проходы по R3 от R2 до R1: на подаче R0 до уровня прохода, выдержка 0,3 с, быстро на R2"}}};
 
-// In the order of DrillStep; `stop` and `end` are not motions.
+// Texts in the order of the enum DrillStep; `stop` and `end` are not motions.
 constexpr std::array<BothLanguages, static_cast<std::size_t>(DrillStep::manual) + 1> drill_words = {
     {{"", ""},
      to_level,
@@ -79,7 +79,7 @@ std::string numbered(const std::vector<std::string>& steps, std::string_view hea
   return text;
 }
 
-///   by_e  the word E of the cycle sets how far the tool retracts between pecks; else a parameter of the control does
+///   by_e  word E sets how far the tool retracts between pecks; otherwise a parameter of the control does
 std::vector<std::string> drilling_steps(const DrillCycle& cycle, bool by_e, Lang lang) {
   const auto words_for = [&](DrillStep step) {
     if (!by_e && step == DrillStep::break_chips) return in_language(step_words[static_cast<std::size_t>(CycleStep::peck_break)], lang);
@@ -93,7 +93,7 @@ std::vector<std::string> drilling_steps(const DrillCycle& cycle, bool by_e, Lang
   return steps;
 }
 
-/// Describes the blocks of a body as motions: the motion code in force carries over from block to block.
+/// Describes the blocks of a macro body as motions; the motion code in force carries over from block to block.
 class BodyTeller {
  public:
   BodyTeller(const ControlDef& def, Lang lang) : def_(def), lang_(lang) {}

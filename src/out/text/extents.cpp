@@ -1,5 +1,5 @@
-// Extents of a run: how far it cuts, and how far it moves at all, in each work system that it uses. Used by out/picture/plot_path and
-// out/text/summary.
+// Extents of a run: the range of each axis while cutting, and over all motions, in each work system that the run uses. Used by
+// out/picture/plot_path and out/text/summary.
 
 #include "out/text/extents.h"
 

@@ -1,5 +1,6 @@
 #pragma once
-// Extents of a run: how far it cuts, and how far it moves at all, in each work system that it uses. The summary and the picture show them.
+// Extents of a run: the range of each axis while cutting, and over all motions, in each work system that the run uses. The summary and
+// the picture show them.
 
 #include <algorithm>
 #include <string>
@@ -12,7 +13,7 @@
 
 namespace kadr {
 
-/// Box of the X, Y, Z that occurred.
+/// The bounding box of X, Y, Z; valid once a point was added.
 struct Box {
   Vec3 least;
   Vec3 most;
@@ -30,7 +31,7 @@ struct Box {
   }
 };
 
-/// True if the motion cuts: at feed, along arcs, threads. A probe touches the part but does not cut it.
+/// True if the motion cuts: feed, arcs, threads. A probe motion touches the part but does not cut.
 inline bool cuts(const Motion& motion) {
   return motion.kind == MotionKind::feed || motion.kind == MotionKind::thread || motion.kind == MotionKind::spline || is_arc(motion.kind);
 }
@@ -61,29 +62,29 @@ class MotionUnits {
   bool cut_in_mm_ = false, cut_in_inches_ = false, moved_in_inches_ = false, moved_ = false;
 };
 
-/// What motions of the same type reach: X, Y, Z in mm, rotary axes in degrees.
+/// The range that a set of motions reaches: X, Y, Z in mm, rotary axes in degrees.
 struct Reach {
   Box box;
-  Axes least{}, most{};  // of rotary axes; valid once the box is not empty
+  Axes least{}, most{};  // range of the rotary axes; valid once the box is not empty
   void take(const AxisRoles& roles, const Axes& at);
   void take(const Reach& other);
 };
 
-/// The extents in one work system, in its coordinates.
+/// The extents in one work system, in its work coordinates.
 struct SystemExtents {
   std::uint16_t system = 0;  // Motion::system
   Reach cutting, other;
   Reach all() const;
 };
 
-/// Collects the extents of the motions of a run; its memory grows with the number of work systems used.
+/// Collects the extents of the motions of a run; needs memory only for each work system used.
 class RunExtents {
  public:
   RunExtents(const std::vector<std::string>& axes, const AxisRoles& roles) : roles_(roles), axes_(axes) {}
 
   ///   from  where the tool was before the motion, in work coordinates
   void take(const Motion& motion, const ToolPosition& from, const Curve& curve);
-  /// The next motion does not begin where the last one ended, because the frame has changed.
+  /// Call it when the work frame has changed: the next motion does not begin at the work coordinates where the last one ended.
   void lift() { stands_in_ = nowhere; }
 
   const std::vector<SystemExtents>& systems() const { return systems_; }
@@ -92,7 +93,7 @@ class RunExtents {
   Box cutting_box() const;
   Box box() const;
 
-  /// Which extents.
+  /// Selects the extents: of cutting motions, or of all motions.
   enum class Of : std::uint8_t { cutting, all };
   /// The range of one axis, X, Y, Z or a rotary axis that has moved; mm or degrees.
   struct AxisRange {
@@ -102,10 +103,10 @@ class RunExtents {
   };
   /// The ranges in one work system.
   struct Row {
-    std::string system;  // its name if several systems are used, else empty
+    std::string system;  // name of the work system if several are used, else empty
     std::vector<AxisRange> axes;
   };
-  /// Returns one row for each work system with such extents. `names`: of the work systems, by number.
+  /// Returns one row for each work system in which such motions occurred. `names` are the names of the work systems, by number.
   std::vector<Row> rows(Of of, const std::vector<std::string>& names) const;
   /// Like rows(), but as texts: "X 0 … 20   Y … Z …   C 0 … 90°"; with several work systems "G54  X …".
   std::vector<std::string> texts(Of of, const std::vector<std::string>& names) const;
@@ -117,8 +118,8 @@ class RunExtents {
   AxisRoles roles_;
   std::vector<std::string> axes_;
   std::vector<SystemExtents> systems_;
-  std::size_t now_ = 0;              // index of the system in force
-  std::size_t stands_in_ = nowhere;  // the reach that includes the tool's present position: twice the system's index, plus 1 if cutting
+  std::size_t now_ = 0;              // index of the work system in force
+  std::size_t stands_in_ = nowhere;  // the reach that includes the tool's position: 2 × system index, + 1 if cutting
   AxisMask turned_ = 0;              // rotary axes that have moved
   MotionUnits units_;
 };

@@ -1,4 +1,4 @@
-// Describes in words what is in force. Used by cli/debug and cli/run (--from).
+// Describes in words the state in force. Used by cli/debug and cli/run (--from).
 
 #include "out/text/in_force_text.h"
 

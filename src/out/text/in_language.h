@@ -1,5 +1,5 @@
 #pragma once
-// Selects the text in the language requested.
+// Selects the English or the Russian text.
 
 #include <array>
 #include <string>
@@ -10,12 +10,12 @@
 
 namespace kadr {
 
-/// English, Russian.
+/// English text, Russian text.
 using BothLanguages = std::array<std::string_view, 2>;
 
 inline std::string_view in_language(const BothLanguages& text, Lang lang) { return text[lang == Lang::ru ? 1 : 0]; }
 
-/// Returns the English text if the row has no Russian one.
+/// Returns the text in this language; the English text if there is no Russian one.
 inline const std::string& in_language(const Text& text, Lang lang) { return lang == Lang::ru && !text.ru.empty() ? text.ru : text.en; }
 
 }  // namespace kadr

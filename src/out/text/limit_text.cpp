@@ -1,4 +1,4 @@
-// Names the limits of motion/look_ahead/limited_by. Used by out/picture/plot_legend and out/text/lost_time_text.
+// Names the speed limits of motion/look_ahead/limited_by. Used by out/picture/plot_legend and out/text/lost_time_text.
 
 #include "out/text/limit_text.h"
 
@@ -10,7 +10,7 @@ namespace {
 struct LimitNames {
   const char *en, *ru;
 };
-/// In the order of Limit.
+/// Names in the order of the enum Limit.
 constexpr std::array<LimitNames, limit_count> limit_names = {{{"programmed feed", "программная подача"},
                                                               {"corner", "угол"},
                                                               {"curve", "кривизна"},

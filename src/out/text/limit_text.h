@@ -1,5 +1,5 @@
 #pragma once
-// Names the limits of motion/look_ahead/limited_by.
+// Names the speed limits that motion/look_ahead/limited_by reports.
 
 #include <string>
 #include <vector>
@@ -9,10 +9,10 @@
 
 namespace kadr {
 
-/// Returns the kind alone: "corner", "acceleration", ….
+/// Returns the type of the limit alone: "corner", "acceleration", ….
 const char* limit_name(Limit limit, Lang lang);
 
-/// Returns "corner, X". If the limit was not an axis but the rate itself, returns its name: programmed feed or, of a rapid, the rapid rate.
+/// Returns "corner, X". If no axis was the limit but the commanded speed itself, returns "programmed feed" or, for a rapid, "rapid rate".
 std::string limit_text(LimitedBy by, bool rapid, const std::vector<std::string>& axes, Lang lang);
 
 }  // namespace kadr

@@ -1,4 +1,4 @@
-// Explains the words of a line. Used by view/page_check; tested by tests/out/line_words_test.cpp.
+// Explains the words of a program line. Used by view/page_check; tested by tests/out/line_words_test.cpp.
 
 #include "out/text/line_words.h"
 
@@ -18,7 +18,7 @@
 namespace kadr {
 namespace {
 
-constexpr std::size_t most_blocks = 100;  // in one line: several blocks may be separated by ПС
+constexpr std::size_t most_blocks = 100;  // blocks in one line, where ПС may separate them
 constexpr std::size_t most_words = 500;
 
 class LineWords {
@@ -67,7 +67,7 @@ class LineWords {
     add(word.where, name, title, explained(name));
   }
 
-  /// Returns the code of the block that uses the letter, since the address alone says less.
+  /// Returns the code of the block that uses the letter: its description says more than that of the address alone.
   const CodeRow* code_with(char letter) const {
     for (std::uint32_t i = 0; i < block_->word_count; ++i) {
       const Word& word = block_->words[i];
@@ -86,7 +86,7 @@ class LineWords {
     return found == def_.cycles.end() ? nullptr : &*found;
   }
 
-  /// Explains #5021, #_ABSIO[3] and the system's #<_x>. Variables of the program's own have no page.
+  /// Explains #5021, #_ABSIO[3] and the system variables #<_x>; variables that the program itself defines have no description.
   void take_variables(std::size_t begin, std::size_t end) {
     for (std::size_t at = line_.find('#', begin); at < end; at = line_.find('#', at + 1)) {
       if (in_comment(at)) continue;

@@ -1,5 +1,5 @@
 #pragma once
-// Explains the words of a line on its control: what the page shows under the pointer.
+// Explains the words of a program line on its control: the text that the web page shows under the mouse pointer.
 
 #include <cstdint>
 #include <string>
@@ -12,15 +12,15 @@
 namespace kadr {
 
 struct LineWord {
-  std::uint32_t from = 0, to = 0;  // columns, counted from 1 in characters: the first character, and the one after the last
+  std::uint32_t from = 0, to = 0;  // columns in characters, from 1: the first character of the word, and the one after its last
   std::string code;                // "G81", "X", "#5021"
   std::string title;               // one line
-  std::string text;                // all that kadr explain says; empty: no more than the title
+  std::string text;                // the whole text of kadr explain; empty: there is only the title
 };
 
-/// Explains the words of all blocks of the line, and of a faulty block those read before the fault. Words that the control does not have
-/// are left out. A letter is explained by the codes of its own block; a code in force from an earlier block is not known here.
-///   line  UTF-8, without its end
+/// Explains the words of all blocks of the line; of a faulty block only the words before the fault. Words that the control does not have
+/// are left out. A letter is explained by the codes of its own block; codes in force from earlier blocks are not considered.
+///   line  UTF-8, without its line break
 std::vector<LineWord> words_of_line(const ControlDef& def, const AlarmTexts& texts, std::string_view line, Lang lang);
 
 }  // namespace kadr

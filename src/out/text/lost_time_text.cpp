@@ -1,4 +1,4 @@
-// Writes the table of `kadr run --why`: the lines that lose most time, and the reason. Used by session/planned.
+// Writes the table of `kadr run --why`: the program lines that lose most time, and the reason. Used by session/planned.
 
 #include "out/text/lost_time_text.h"
 
@@ -13,7 +13,7 @@
 namespace kadr {
 namespace {
 
-constexpr std::size_t widest_block = 48;  // characters
+constexpr std::size_t widest_block = 48;  // characters of a program line that are printed
 
 struct LostTimeWords {
   const char *heading, *nothing, *all, *times;

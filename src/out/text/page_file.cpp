@@ -1,4 +1,5 @@
-// Used by out/picture/plot_page, out/picture/speed_page and out/picture/mill_picture; tested by tests/out/plot_test.cpp.
+// Draws a page into a file or into memory. Used by out/picture/plot_page, out/picture/speed_page and out/picture/mill_picture; tested by
+// tests/out/plot_test.cpp.
 
 #include "out/text/page_file.h"
 
@@ -18,7 +19,7 @@ using Surface = std::unique_ptr<cairo_surface_t, decltype(Cairo::surface_destroy
 bool is_svg(const std::string& file) { return file.ends_with(".svg") || file.ends_with(".SVG"); }
 bool is_png(const std::string& file) { return file.ends_with(".png") || file.ends_with(".PNG"); }
 
-/// Writes Cairo's bytes to the file.
+/// Called by Cairo: writes PNG data to the file.
 cairo_status_t write_bytes(void* file, const unsigned char* bytes, unsigned count) {
   return std::fwrite(bytes, 1, count, static_cast<std::FILE*>(file)) == count ? CAIRO_STATUS_SUCCESS : CAIRO_STATUS_WRITE_ERROR;
 }

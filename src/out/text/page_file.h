@@ -1,5 +1,5 @@
 #pragma once
-// Draws a page into a file, SVG or PNG, or into memory.
+// Draws a page into an SVG or PNG file, or into memory.
 
 #include <functional>
 #include <string>
@@ -10,8 +10,8 @@
 
 namespace kadr {
 
-/// Draws the page; the ending of the file's name (.svg, .png) selects the format. `width`, `height`: of the page, in its units. The caller
-/// keeps the file.
+/// Draws the page; the ending of the file's name (.svg, .png) selects the format. `width` and `height` are those of the page, in its
+/// units. The caller calls ResultFile::keep().
 ///   returns  an error sentence
 tl::expected<void, std::string> write_page(const ResultFile& file, double width, double height, const PageText& says,
                                            const std::function<void(Canvas&)>& draw);
@@ -22,7 +22,7 @@ std::string svg_page(double width, double height, const PageText& says, const st
 /// True if the name ends in .svg or .png.
 bool is_page_name(const std::string& file);
 
-/// Returns why the page cannot be drawn here; empty if it can.
+/// Returns the reason why a page in this format cannot be drawn on this machine; empty if it can.
 std::string page_fault(const std::string& file);
 
 }  // namespace kadr

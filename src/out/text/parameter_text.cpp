@@ -1,4 +1,4 @@
-// Describes a parameter of a control: kadr explain nct N1339. Used by out/text/code_page.
+// Describes a parameter of a control, for commands such as `kadr explain nct N1339`. Used by out/text/code_page.
 
 #include "out/text/parameter_text.h"
 
@@ -12,7 +12,7 @@ namespace kadr {
 namespace {
 
 constexpr double unbounded = 1e299;
-constexpr std::size_t bits_with_number = 8;  // later bits only have a name (24.0)
+constexpr std::size_t bits_with_number = 8;  // the bits after these have a name only (24.0)
 
 std::string_view scope_of(const ParameterRow& row, Lang lang) {
   constexpr std::array<BothLanguages, 4> words = {{{"the control has one", "одно на всё УЧПУ"},
@@ -35,7 +35,7 @@ std::string_view when_of(const ParameterRow& row, Lang lang) {
   return in_language(words[static_cast<std::size_t>(row.when)], lang);
 }
 
-/// Returns "0 … 100" or "at least 0"; empty if the table has no bounds, and for bits and texts.
+/// Returns "0 … 100" or "at least 0"; empty for bits and texts, and for a parameter without limits.
 std::string range_of(const ParameterRow& row, Lang lang) {
   if (row.type == ParameterType::bits || row.type == ParameterType::text) return {};
   const bool least = row.least > -unbounded;
@@ -47,7 +47,7 @@ std::string range_of(const ParameterRow& row, Lang lang) {
   return {};
 }
 
-/// Returns "0 DIA, 1 ROT, 5 MGD; numbers unknown: CLR".
+/// Returns the names of the bits: "0 DIA, 1 ROT, 5 MGD; numbers unknown: CLR".
 std::string bits_of(const ParameterRow& row, Lang lang) {
   std::string known, others;
   for (std::size_t i = 0; i < row.bits.size(); ++i) {

@@ -1,5 +1,5 @@
 #pragma once
-// Describes a parameter of a control: kadr explain nct N1339.
+// Describes a parameter of a control, for commands such as `kadr explain nct N1339`.
 
 #include <optional>
 #include <string>
@@ -9,8 +9,7 @@
 
 namespace kadr {
 
-/// Returns what the table of parameters states about "N1339", "1339", "N0106" or "106"; a parameter without a number is found by its name
-/// (CLRG).
+/// Returns the description of the parameter "N1339", "1339", "N0106" or "106". A parameter without a number is found by its name (CLRG).
 ///   returns  nullopt if the control has no such parameter
 std::optional<std::string> explain_parameter(const ControlDef& def, const std::string& code, Lang lang);
 

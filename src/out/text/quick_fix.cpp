@@ -1,4 +1,4 @@
-// Turns the hint of an alarm into a change of the text. Used by view/page_json; tested by tests/out/quick_fix_test.cpp.
+// Converts the hint of an alarm into a change of the program text. Used by view/page_json; tested by tests/out/quick_fix_test.cpp.
 
 #include "out/text/quick_fix.h"
 
@@ -16,14 +16,14 @@ std::size_t without_blanks_behind(std::string_view line) {
   return last == std::string_view::npos ? 0 : last + 1;
 }
 
-/// Extends a mark on the letter alone to the whole word. Returns an empty span if the value is not a plain number.
+/// Extends the position of a letter to its whole word. Returns an empty span if the value of the word is not a plain number.
 Span whole_word(std::string_view line, std::uint32_t begin) {
   const std::size_t end = std::min(line.find_first_not_of("+-0123456789.", begin + 1), line.size());
   if (end == begin + 1 || (end < line.size() && (line[end] == '[' || line[end] == '#'))) return {begin, begin};
   return {begin, std::uint32_t(end)};
 }
 
-/// A word is removed together with one of the blanks next to it.
+/// Extends the span of a word that is to be removed by one of the blanks next to it.
 Span with_a_blank(std::string_view line, Span word) {
   const bool behind = word.end < line.size() && line[word.end] == ' ', before = word.begin > 0 && line[word.begin - 1] == ' ';
   if (before && (behind || word.end >= without_blanks_behind(line))) --word.begin;
@@ -52,7 +52,7 @@ std::optional<QuickFix> quick_fix(const AlarmReport& report, Lang lang) {
   };
   const auto instead_of_arc = [&](std::string_view code) -> std::optional<QuickFix> {
     const bool is_arc = marked == "G2" || marked == "G02" || marked == "G3" || marked == "G03";
-    return is_arc ? std::optional(instead(std::string(code))) : std::nullopt;  // else the code in force is in another line
+    return is_arc ? std::optional(instead(std::string(code))) : std::nullopt;  // otherwise the code in force is in an earlier line
   };
   const auto row_of_tool = [&](char address, double tool) -> std::optional<QuickFix> {
     const bool is_word = marked.size() > 1 && marked[0] == address && marked.find_first_not_of("0123456789", 1) == std::string::npos;

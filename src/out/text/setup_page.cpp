@@ -58,7 +58,7 @@ std::string names_text(const SetupKey& row, const SetupNamesOf& names, Lang lang
   }
 }
 
-/// The row's example; of the table of parameters with names that the control has.
+/// Returns the example of the key; for the table of parameters with names that the control has.
 std::string example_of(const SetupKey& row, const SetupNamesOf& names) {
   if (row.names != SetupNames::parameter) return std::string(row.example);
   std::string rows;
@@ -68,7 +68,7 @@ std::string example_of(const SetupKey& row, const SetupNamesOf& names) {
 
 bool is_row_of_table(const SetupKey& row) { return row.path.ends_with(".*") && row.form == SetupForm::table; }
 
-/// Returns the path as people read it: "offsets.*.length" → `offsets.….length`.
+/// Returns the path of a key in readable form: "offsets.*.length" → `offsets.….length`.
 std::string path_shown(std::string_view path) {
   std::string text(path);
   for (std::size_t at = 0; (at = text.find('*', at)) != std::string::npos;) text.replace(at, 1, "…"), at += 3;

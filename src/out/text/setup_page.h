@@ -8,7 +8,7 @@
 
 namespace kadr {
 
-/// Returns all keys, with the controls that support each. `controls`: in the order of the columns.
+/// Returns the description of all keys, with the controls that support each. `controls` are the columns of the table, in order.
 std::string setup_page(const std::vector<const ControlDef*>& controls, Lang lang);
 
 /// Returns the keys that this control supports.

@@ -1,5 +1,5 @@
 #pragma once
-// Shows a line of a program under an alarm: counts characters, not bytes, and marks a part of them.
+// Shows a program line below an alarm and underlines a part of it. Positions count characters, not bytes.
 
 #include <cstdint>
 #include <string>
@@ -12,16 +12,16 @@ namespace kadr {
 /// Returns the number of characters in the first `bytes` bytes of UTF-8 text.
 std::uint32_t characters_before(std::string_view text, std::size_t bytes);
 
-/// Returns the text with its control characters as pictures (U+2400 and up), and as U+FFFD those without a picture (C1 as characters or
-/// lone bytes, marks that reverse the direction of writing). Tabs and line feeds stay.
+/// Returns the text with control characters replaced by their symbols (U+2400 and up), or by U+FFFD if they have none (C1 controls as
+/// characters or single bytes, characters that reverse the writing direction). Tabs and line feeds stay.
 std::string visible(std::string_view text);
-/// The same for a name, which has no lines.
+/// Like visible(), for a name: tabs and line feeds are replaced too.
 std::string visible_name(std::string_view name);
 
-/// Returns the line without surrounding blanks, cut off after `most` characters.
+/// Returns the line without leading and trailing blanks, shortened to `most` characters.
 std::string shortened_line(std::string_view line, std::size_t most);
 
-/// Returns the line, and below it `^~~` under the characters of `place`; both indented, each ending in '\n'.
+/// Returns the line, and below it `^~~` under the characters of the range `place`. Both lines are indented and end in '\n'.
 std::string marked_line(std::string_view line, Span place);
 
 }  // namespace kadr

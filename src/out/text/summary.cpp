@@ -17,7 +17,7 @@ struct SummaryWords {
   const char *blocks, *motions, *rapids, *feeds, *arcs, *other;
   const char *units, *mixed, *path, *cutting, *rapid, *all;
   const char *time, *dwell, *tool_change, *unknown;
-  std::array<const char*, 3> basis;  // by TimeBasis
+  std::array<const char*, 3> basis;  // texts by the enum TimeBasis
   const char *least_time, *least_basis, *speeding_up, *slowing_down;
   const char *tools, *alarms, *warnings;
 };
@@ -154,7 +154,7 @@ void Statistics::lengthen(const Motion& motion, double longer) {
 }
 
 std::string Statistics::caption(Lang lang) const {
-  constexpr std::size_t most = 2;  // systems: more do not fit in a line
+  constexpr std::size_t most = 2;  // greatest number of work systems in one line
   const std::vector<std::string> texts = extents_.texts(RunExtents::Of::cutting, system_names_);
   std::string caption;
   for (std::size_t i = 0; i < std::min(most, texts.size()); ++i) caption += (i == 0 ? "" : ";   ") + texts[i];

@@ -1,5 +1,5 @@
 #pragma once
-// Statistics: collects the totals of a run for the summary on stdout (docs/commands/run.md, "Summary").
+// Statistics: collects the totals of a run (times, paths, tools, extents) for the summary on stdout (docs/commands/run.md, "Summary").
 
 #include <string>
 #include <vector>
@@ -10,10 +10,10 @@
 
 namespace kadr {
 
-/// What the machining time is computed from.
+/// What the machining time is computed from. Each value includes those above it.
 enum class TimeBasis : std::uint8_t {
-  programmed,   // feeds and rapid rates
-  limited,      // also what the control slows down
+  programmed,   // programmed feeds and rapid rates
+  limited,      // also the slow-downs of the control
   accelerated,  // also the accelerations of the axes
 };
 
@@ -22,30 +22,30 @@ class Statistics {
  public:
   Statistics(const std::vector<std::string>& axes, AxisMask rotary, const Rates& rates);
 
-  /// Reads the set-up's spindles and tool, before the first action.
+  /// Reads the spindles and the tool in the spindle from the set-up. Call it before the first action.
   void start_with(const Setup& setup);
 
-  /// The clock that times the steps of the run before anybody receives them; its sums are part of the summary.
+  /// The clock that times each step of the run before consume() receives it; the summary prints its totals.
   TimeEstimate& clock() { return estimate_; }
-  /// Counts a step that the clock has timed. A run whose summary nobody reads needs the clock only.
+  /// Counts a step that the clock has timed. Without a summary only the clock is needed.
   void consume(const Step& step);
-  /// Sets what the times are computed from, if not from programmed feeds; lengthen() then adds the differences.
+  /// Sets what the times are computed from, if not from programmed feeds; lengthen() then adds the time differences.
   void count_by(TimeBasis basis) { basis_ = basis; }
-  ///   longer  s by which the motion, already consumed, takes longer than it was counted. Call it for all motions before an action that
-  ///           changes the tool.
+  ///   longer  s by which the motion, already consumed, takes longer than counted. Call it for all motions before an action that changes
+  ///           the tool.
   void lengthen(const Motion& motion, double longer);
   void count(Severity severity) {
     if (severity == Severity::alarm || severity == Severity::warning) ++(severity == Severity::alarm ? alarms_ : warnings_);
   }
 
-  /// Sets the names of the work systems, by Motion::system; needed if the run has used several.
+  /// Sets the names of the work systems, by Motion::system; required if the run has used several.
   void name_systems(std::vector<std::string> names) { system_names_ = std::move(names); }
-  /// Returns "cutting X 0 … 20   Y …, mm": the summary's extents as a caption; empty if nothing was cut.
+  /// Returns "cutting X 0 … 20   Y …, mm", the extents of the cutting as a caption; empty if nothing was cut.
   std::string caption(Lang lang) const;
 
   /// Returns the summary, lines ending in '\n'.
-  ///   planned  the time by the planner of least time, if it ran
-  ///   counts   whether that time is shown next to the control's time, or counts as the machine's time instead of it
+  ///   planned  time computed by the planner of least time, if it was used
+  ///   counts   true: that time replaces the machine's time; false: it is printed in addition to the control's time
   std::string text(std::uint64_t blocks, Lang lang, const PlannedTime* planned = nullptr,
                    PlannerMode counts = PlannerMode::programmed) const;
 
@@ -77,14 +77,14 @@ class Statistics {
 
   TimeEstimate estimate_;
   double cutting_then_ = 0;                                       // s, the clock's cutting time when count_cutting() was last called
-  std::uint64_t rapids_ = 0, feeds_ = 0, arcs_ = 0, others_ = 0;  // others: probe, home
+  std::uint64_t rapids_ = 0, feeds_ = 0, arcs_ = 0, others_ = 0;  // numbers of motions; others_: probe, home
   std::uint64_t alarms_ = 0, warnings_ = 0;
   TimeBasis basis_ = TimeBasis::programmed;
   double cutting_mm_ = 0, rapid_mm_ = 0;
   RunExtents extents_;
   std::vector<std::string> system_names_;
   std::vector<ToolUse> tools_;  // in order of first use
-  std::size_t in_spindle_ = 0;  // index in tools_; tools_.size(): no tool known
+  std::size_t in_spindle_ = 0;  // index in tools_ of the tool in the spindle; tools_.size(): not known
 };
 
 /// For programs of several channels: how long a channel worked and how long it waited for others, in s (nct 14.5).
@@ -94,7 +94,7 @@ struct ChannelTime {
 };
 /// Returns "channel 2", the line above the channel's summary.
 std::string channel_heading(int channel, Lang lang);
-/// Returns the time of all channels: the longest is the machining time.
+/// Returns the times of all channels; the longest one is the machining time.
 std::string channels_text(const std::vector<ChannelTime>& times, Lang lang);
 
 /// 3725.4 s → "1:02:05", 65.3 s → "1:05.3".

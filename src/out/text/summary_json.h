@@ -1,5 +1,5 @@
 #pragma once
-// Writes the summary of a run for programs: all figures of the text (out/text/summary), as JSON (docs/commands/run.md).
+// Writes the summary of a run as JSON for programs: all numbers of the text summary (out/text/summary; docs/commands/run.md).
 
 #include <string>
 #include <vector>
@@ -14,12 +14,12 @@ struct ChannelSummary {
   const Statistics* statistics = nullptr;
   std::uint64_t blocks = 0;
   double waited = 0;                     // s
-  const PlannedTime* planned = nullptr;  // nullptr: the planner of least time did not run
+  const PlannedTime* planned = nullptr;  // nullptr: the planner of least time was not used
 };
 
 struct RunSummary {
   std::string program, control;  // the file's name, the control's id
-  bool complete = true;          // the run reached its end
+  bool complete = true;          // the program was executed to its end
   PlannerMode counts = PlannerMode::programmed;
   std::vector<ChannelSummary> channels;
 };

@@ -1,4 +1,4 @@
-// Used by cli/tape_command and view/page_tape; tested by tests/run_tapes.py and tests/serve_making.py.
+// Describes punched tape in words. Used by cli/tape_command and view/page_tape; tested by tests/run_tapes.py and tests/serve_making.py.
 
 #include "out/text/tape_text.h"
 

@@ -1,5 +1,5 @@
 #pragma once
-// Describes punched tape in words: for kadr tape and the page.
+// Describes punched tape in words. Used by kadr tape and the web page.
 
 #include <string>
 #include <string_view>
@@ -9,10 +9,10 @@
 
 namespace kadr {
 
-/// Returns how the tape lies: "read from its wrong end: turned".
+/// Returns how the tape is oriented: "read from its wrong end: turned".
 std::string lie_in_words(TapeLie lie, Lang lang);
 
-/// Returns "row 241: parity error (byte 100)", the byte in octal.
+/// Returns "row 241: parity error (byte 100)"; the byte is octal.
 std::string fault_in_words(const TapeFault& fault, TapeCode code, Lang lang);
 
 /// Returns "ISO-7" or "EIA".

@@ -1,4 +1,5 @@
-// Describes a system variable: its numbers, its symbol, and how it may be used. Used by out/text/code_page and out/text/control_page.
+// Describes a system variable: its numbers, its symbol, and whether a program may read or write it. Used by out/text/code_page and
+// out/text/control_page.
 
 #include "out/text/variable_text.h"
 
@@ -12,7 +13,7 @@
 namespace kadr {
 namespace {
 
-/// Position of a number in a range: the index of its family, and its index within the family.
+/// A position in a range of variable numbers: index of the series of numbers, and index within that series.
 struct Place {
   std::uint32_t family = 0;
   std::uint32_t nth = 0;

@@ -1,5 +1,5 @@
 #pragma once
-// Describes a system variable: its numbers, its symbol, and how it may be used.
+// Describes a system variable: its numbers, its symbol, and whether a program may read or write it.
 
 #include <optional>
 #include <string>

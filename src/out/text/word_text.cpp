@@ -1,4 +1,4 @@
-// Explains the words of a code: kadr explain nct G81. Used by out/text/code_page.
+// Explains the words of a code, for commands such as `kadr explain nct G81`. Used by out/text/code_page.
 
 #include "out/text/word_text.h"
 
@@ -14,7 +14,7 @@
 namespace kadr {
 namespace {
 
-/// What a letter means to one function, for an address with several meanings.
+/// The meaning of a letter in blocks with one function; for addresses with several meanings.
 struct Meaning {
   Function function;
   char letter;
@@ -63,7 +63,7 @@ std::string_view unit_of(WordUnit unit, Lang lang) {
 
 bool is_tap(const CodeRow& code) { return code.arg == 84.2_g || code.arg == 84.3_g; }
 
-/// Returns the meaning on controls that differ from the NCT.
+/// Returns the meaning of a letter on the controls on which it differs from the NCT.
 std::optional<Meaning> drilling_meaning(const ControlDef& def, const CodeRow& code, char letter) {
   using enum WordUnit;
   const std::uint64_t used = words_used(code);

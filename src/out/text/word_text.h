@@ -1,5 +1,5 @@
 #pragma once
-// Explains the words of a code: kadr explain nct G81.
+// Explains the words of a code, for commands such as `kadr explain nct G81`.
 
 #include <cstdint>
 #include <string>
@@ -9,7 +9,7 @@
 
 namespace kadr {
 
-/// Returns the letters of the words that select the offset for the code, on controls that have such words (NCT, Fanuc: D, H).
+/// Returns the letters of the words that select the tool offset for the code, on controls that have such words (NCT, Fanuc: D, H).
 std::uint64_t number_words(const ControlDef& def, const CodeRow& row);
 
 /// Returns a line for each letter that the code accepts: "    R  point R: …, mm".

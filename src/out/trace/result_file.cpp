@@ -1,4 +1,5 @@
-// Used by every command that writes a file (cli/outputs) and for pictures (out/text/page_file); tested by tests/out/result_file_test.cpp.
+// Writes a file that appears complete or not at all. Used by every command that writes a file (cli/outputs) and for pictures
+// (out/text/page_file); tested by tests/out/result_file_test.cpp.
 
 #include "out/trace/result_file.h"
 
@@ -36,8 +37,8 @@ UnderWay& under_way() {
   return *files;
 }
 
-/// Returns standard output or error if the name refers to the same file: written twice, with two file positions, one would overwrite the
-/// other.
+/// Returns standard output or standard error if the name refers to the same file. Otherwise both streams would write to the file with
+/// separate positions and overwrite each other.
 std::FILE* standard_stream(const std::string& name) {
   const auto id = file_id_of(name);
   for (std::FILE* const stream : {stdout, stderr})
@@ -45,10 +46,10 @@ std::FILE* standard_stream(const std::string& name) {
   return nullptr;
 }
 
-/// Creates a new file in the folder and stores its name in `name`. Returns its descriptor, -1 on an error.
+/// Creates a new file in the folder and stores its name in `name`. Returns the file descriptor; -1 on an error.
 int make_in(const std::filesystem::path& folder, std::string& name) {
   constexpr int most_tries = 1000;
-  constexpr mode_t rights = 0666;  // less the umask
+  constexpr mode_t rights = 0666;  // permissions, from which the system removes the umask
   for (int i = 0; i < most_tries; ++i) {
     name = (folder / fmt::format(".kadr-{}-{}", ::getpid(), i)).string();
     const int file = ::open(name.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, rights);
@@ -57,7 +58,7 @@ int make_in(const std::filesystem::path& folder, std::string& name) {
   return -1;
 }
 
-/// Copies the bytes where a file cannot be renamed (another file system, a mounted file, a folder that may not be written).
+/// Copies the bytes, for cases in which the file cannot be renamed (other file system, mounted file, folder without write permission).
 bool copy(const std::string& from, const std::string& to) {
   using File = std::unique_ptr<std::FILE, int (*)(std::FILE*)>;
   const File in(std::fopen(from.c_str(), "rb"), &std::fclose);
@@ -124,7 +125,7 @@ tl::expected<void, std::string> ResultFile::open_beside() {
   if (file < 0) return tl::unexpected(sentence(name_, errno));
   files.names.insert(beside_);
   constexpr mode_t all_rights = 07777;
-  if (exists) (void)::fchmod(file, there.st_mode & all_rights);  // if we may not change them, the file keeps the rights of a new file
+  if (exists) (void)::fchmod(file, there.st_mode & all_rights);  // not allowed: keeps the permissions of a new file
   owned_ = true;
   file_ = ::fdopen(file, "wb");
   return {};
@@ -155,8 +156,8 @@ void ResultFile::discard() {
 
 void ResultFile::discard_all() {
   UnderWay& files = under_way();
-  // The lock is never released again, since the process ends. The wait is limited: if a signal handler calls this function, the thread that
-  // it has interrupted may hold the lock.
+  // The lock is never released, since the process ends. The wait is limited: a signal handler may call this function while the thread
+  // that it has interrupted holds the lock.
   constexpr int most_looks = 100;
   for (int look = 0; !files.lock.try_lock(); ++look) {
     if (look == most_looks) return;

@@ -12,7 +12,7 @@ struct SampleOptions {
   double rate = 1000;                   // Hz
   std::vector<OverrideChange> changes;  // in the order of their times
   bool spindle = false;                 // adds a column with the spindle angle
-  double max_time = 86400;              // s, the time of the last sample: a day, which is 4 GB of three axes at 1 kHz
+  double max_time = 86400;              // time of the last sample, s: one day, which is 4 GB for three axes at 1 kHz
   StopToken stop{};
 };
 

@@ -1,7 +1,7 @@
 #pragma once
-// SampleWriter: writes positions at the servo rate as CSV (docs/commands/run.md): t,X,Y,Z,… in s and mm (degrees), machine coordinates; on
-// request with feed holds and overrides at given times. If the control moves axes in step with a spindle, the column `spindle` gives its
-// angle: running degrees, clockwise.
+// SampleWriter: writes axis positions at the servo rate as CSV (docs/commands/run.md): t,X,Y,Z,… in s and mm (degrees), machine
+// coordinates; on request with feed holds and overrides at given times. If the control moves axes synchronously with a spindle, the
+// column `spindle` contains the spindle angle in degrees, clockwise, not reset at 360.
 
 #include <cstdio>
 #include <deque>
@@ -17,38 +17,40 @@ namespace kadr {
 
 /// Why no more samples are written.
 enum class SampleEnd : std::uint8_t {
-  none,      // they still are, or the motion is over
+  none,      // samples are still being written, or the motions have ended
   max_time,  // the time limit was exceeded
   stopped,   // a stop was requested
 };
 
 class SampleWriter {
  public:
-  /// Writes the heading. The caller keeps and closes the file.
+  /// Writes the heading. The caller closes the file.
   SampleWriter(std::FILE* file, const std::vector<std::string>& axes, MotionLimits limits, SampleOptions options);
 
-  /// Also writes a second file: the tip of the tool in work coordinates and its direction at the same instants. Writes its heading at once.
+  /// Also writes a second file: at the same instants the tool tip in work coordinates and the direction of the tool axis. Writes its
+  /// heading at once.
   void write_tips(std::FILE* file, const AxisRoles& roles);
-  /// From this motion on, tip positions are computed from `from`: the work system, rotary axes and tool length in force.
+  /// From this motion on, tip positions are computed with the work system, rotary axes and tool length of `from`.
   void take_place(std::uint64_t motion, const ToolPosition& from);
 
   void take(const TimedCells& cells);
-  /// Writes the samples up to the last position and all that is buffered. If a feed hold never ends, the samples end at the position held.
+  /// Writes the samples up to the last position and flushes the buffer. If a feed hold never ends, the samples end at the position where
+  /// it holds.
   void finish();
-  /// Returns false after a write error; then nothing more is written.
+  /// Returns false after a write error; nothing more is written then.
   bool ok() const { return error_ == 0; }
-  int error() const { return error_; }  // the system's errno; 0: none
+  int error() const { return error_; }  // errno of the first write error; 0: none
   /// Why writing has ended. Cells that come later are ignored.
   SampleEnd ended() const { return ended_; }
-  /// The tag of the cell of the last sample.
+  /// The tag of the cell (timed segment) that contains the last sample.
   std::uint64_t tag() const { return playback_.tag(); }
 
-  /// The frame of a motion and of the motions after it.
+  /// The frame for tool tips (work system, rotary axes, tool length), valid from one motion on.
   struct ToolPlace {
     std::uint64_t motion = 0;
     ToolPosition from;
   };
-  /// The state of the writer, including what is not written to the file yet.
+  /// The complete state of the writer, including data that is not written to the file yet.
   struct Memory {
     Playback::Memory playback;
     std::size_t changed = 0;
@@ -70,16 +72,16 @@ class SampleWriter {
   std::FILE* file_;
   std::size_t axes_;
   double period_;
-  int decimals_;  // of positions: enough for third differences to show the jerk
+  int decimals_;  // decimals of positions: enough for third differences to show the jerk
   Playback playback_;
   SampleOptions options_;
-  std::size_t changed_ = 0;  // number of changes in force
+  std::size_t changed_ = 0;  // number of override changes already applied
   std::uint64_t instant_ = 0;
   std::string text_;
   std::FILE* tip_file_ = nullptr;
   std::string tip_text_;
   AxisRoles roles_;
-  std::deque<ToolPlace> places_;  // the first belongs to the present motion
+  std::deque<ToolPlace> places_;  // the first one belongs to the present motion
   int error_ = 0;
   SampleEnd ended_ = SampleEnd::none;
 };

@@ -1,5 +1,5 @@
 #pragma once
-// TextBuffer: collects text and writes it to a file in large pieces. Also writes numbers as JSON needs them, fast.
+// TextBuffer: collects text and writes it to a file in large blocks of bytes. Also formats numbers for JSON, fast.
 
 #include <cstddef>
 #include <cstdio>
@@ -10,9 +10,9 @@
 
 namespace kadr {
 
-/// Writes `value`, rounded to 1e-9, without trailing zeros or -0; writes null if it is not a finite number.
-///   at       room for 32 characters
-///   returns  the position after the last character
+/// Formats `value`, rounded to 1e-9, without trailing zeros or -0; formats a value that is not finite as null.
+///   at       points to space for 32 characters
+///   returns  the position after the last character written
 char* put_number(char* at, double value);
 
 inline char* put_text(char* at, std::string_view text) {
@@ -30,7 +30,7 @@ class TextBuffer {
   TextBuffer& operator=(const TextBuffer&) = delete;
   ~TextBuffer() { flush(); }
 
-  /// Returns where at most `most` ( ≤ size / 2) characters may be written; pass the new end to done().
+  /// Returns where the caller may write at most `most` ( ≤ size / 2) characters; pass the end of the written text to done().
   char* room(std::size_t most) {
     if (static_cast<std::size_t>(text_.get() + size - at_) < most) [[unlikely]]
       flush();

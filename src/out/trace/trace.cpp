@@ -16,7 +16,7 @@ namespace kadr {
 namespace {
 
 constexpr std::size_t head_room = 192;
-constexpr std::size_t most_digits = 20;  // of a block number
+constexpr std::size_t most_digits = 20;  // greatest number of digits of a block number
 
 constexpr std::array<std::string_view, 8> motion_names = {"rapid", "feed", "arc_cw", "arc_ccw", "probe", "home", "thread", "spline"};
 constexpr std::array<std::string_view, 3> unit_names = {"mm/min", "mm/rev", "1/min"};
@@ -34,13 +34,13 @@ char* put_block(char* at, const Origin& origin) {
 
 char* put_field(char* at, std::string_view key, double value) { return put_number(put_text(at, key), value); }
 
-/// Returns the work coordinates of the tool where the curve of the motion is at `work`.
+/// Returns the work coordinates of the tool at fraction `part` of the motion, where its curve is at `work`.
 Axes tool_at(const Motion& motion, double part, const Axes& work) {
   const TipWay* const way = motion.detail ? motion.detail->tip_way.get() : nullptr;
   return way != nullptr ? way->at(part, work) : work;
 }
 
-/// Returns a control's number as a JSON number if it is one, else as a JSON string.
+/// Returns a control's alarm number as a JSON number if it is one, else as a JSON string.
 std::string number_or_text(const std::string& number) {
   if (number.empty()) return "null";
   const bool digits = number.size() <= 9 && number[0] != '0' && std::all_of(number.begin(), number.end(), is_digit);
@@ -90,7 +90,7 @@ char* TraceWriter::put_arc(char* at, const Motion& motion) const {
   return put_field(at, R"(","turns":)", motion.turns);
 }
 
-/// Writes a motion. The line of a plain motion is written at once; fields that only few motions have are appended piece by piece.
+/// Writes a motion. The line of a plain motion is written at once; rarely used fields are appended one by one.
 void TraceWriter::write_motion(const Step& step, const Motion& motion) {
   const MotionTime& time = step.time;
   char* at = put_head(out_.room(line_room_), motion_names[row_of(motion.kind)], step.action.origin);
@@ -117,9 +117,9 @@ void TraceWriter::write_motion(const Step& step, const Motion& motion) {
   out_.append("}\n");
 }
 
-/// Writes the travel of the axes named. The program does not state where this motion begins (nct 21.1).
+/// Writes the travel of each axis that the block names; the program does not state where this motion begins (nct 21.1).
 void TraceWriter::write_way(const Step& step, const Motion& motion) {
-  if (motion.detail && motion.detail->rolled != 0) return;  // write_detail does
+  if (motion.detail && motion.detail->rolled != 0) return;  // write_detail writes the travel
   char* at = put_text(out_.room(line_room_), R"(,"travel":)");
   char separator = '{';
   for (std::size_t i = 0; i < roles_.count; ++i) {
@@ -147,7 +147,7 @@ char* TraceWriter::put_vector(char* at, std::string_view key, Vec3 v) const {
   return at;
 }
 
-/// Writes where the tool is in the part (nct 25), and what the program's words mean there.
+/// Writes the tool position and direction in the part (nct 25), and the frame of the program's words.
 void TraceWriter::write_space(const Place& at_place) {
   const auto& [step, motion, part, work, machine] = at_place;
   const WorkSpace& space = *step.from.space;
@@ -199,7 +199,7 @@ void TraceWriter::write_time(const Motion& motion, const MotionTime& time) {
   const bool curved =
       is_arc(motion.kind) || motion.kind == MotionKind::spline || (motion.detail && motion.detail->surface != PathSurface::plane);
   if (curved && time.length > 0) at = put_field(at, R"(,"length":)", time.length);
-  if (time.exact) {  // else the set-up does not state the accelerations of the axes, and these figures would be wrong
+  if (time.exact) {  // otherwise the set-up has no axis accelerations, and these numbers would be wrong
     at = put_field(at, R"(,"seconds":)", time.seconds);
     if (time.feed_most > 0) at = put_field(at, R"(,"feed_max":)", time.feed_most);
     if (time.feed_end) at = put_field(at, R"(,"feed_end":)", *time.feed_end);

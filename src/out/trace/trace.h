@@ -1,5 +1,5 @@
 #pragma once
-// TraceWriter: writes Steps as JSON Lines (tests/golden/README.md).
+// TraceWriter: writes Steps as JSON Lines, one object per line (tests/golden/README.md).
 
 #include <optional>
 
@@ -9,27 +9,28 @@
 
 namespace kadr {
 
-/// Fields that only some last lines have.
+/// Fields of the last line of a trace that are not always present.
 struct LastLine {
-  std::string_view state{};  // JSON text; empty: none
-  int alarm_channel = 0;     // the channel in which the alarm arose, if it is another one
+  std::string_view state{};  // JSON text of the state after the run; empty: none
+  int alarm_channel = 0;     // the channel in which the alarm arose, if it is another channel than this one
 };
 
 class TraceWriter {
  public:
-  ///   points  fractions of a motion at which the trace gives intermediate points
-  /// The caller keeps and closes the file.
+  ///   points  fractions of a motion (0 … 1) at which the trace contains intermediate points
+  /// The caller closes the file.
   TraceWriter(std::FILE* file, const std::vector<std::string>& axes, AxisMask rotary, std::vector<double> points = {});
 
-  /// For programs of several channels: each line names this channel. They share the file: flush() before another one writes.
+  /// For programs of several channels: each trace line contains the channel number. The channels share the file: call flush() before
+  /// another channel writes.
   ///   tells_ends  also writes the codes that the control executes itself (MachineFunction::by_control)
   void set_channel(int channel, bool tells_ends = true) { channel_ = channel, tells_ends_ = tells_ends; }
-  /// State kept from the step before: the motion after a probe motion also states its travel.
+  /// True if the step before was a probe motion: the trace line of the next motion then also contains its path length.
   bool behind_probe() const { return behind_probe_; }
   void go_on_behind_probe(bool is) { behind_probe_ = is; }
   void flush() { out_.flush(); }
 
-  /// Writes one line; FrameChange and ZoneChange give none. A motion that was not timed has no length, seconds or highest feed.
+  /// Writes one line; a FrameChange or ZoneChange writes none. The line of an untimed motion has no length, seconds or highest feed.
   void write(const Step& step);
 
   /// Writes the last line: the state after the run, and the alarm if one stopped it.
@@ -38,14 +39,14 @@ class TraceWriter {
 
   /// Returns false if the file could not be written.
   bool ok() const { return out_.ok(); }
-  int error() const { return out_.error(); }  // the system's errno
+  int error() const { return out_.error(); }  // errno of the first write error
 
  private:
   char* put_head(char* at, std::string_view kind, const Origin& origin) const;
   char* put_axes(char* at, std::string_view key, const Axes& axes) const;
   char* put_arc(char* at, const Motion& motion) const;
   void write_motion(const Step& step, const Motion& motion);
-  /// A point on the path of a motion.
+  /// A position on the path of a motion.
   struct Place {
     const Step& step;
     const Motion& motion;
@@ -68,9 +69,9 @@ class TraceWriter {
   bool tells_ends_ = true;
   std::vector<std::string> keys_;  // "X":
   std::vector<std::string> names_;
-  std::size_t line_room_ = 0;  // the most characters that a head and two positions need
+  std::size_t line_room_ = 0;  // greatest number of characters that a line head and two positions need
   std::vector<double> points_;
-  bool behind_probe_ = false;  // the motion before was a probe motion
+  bool behind_probe_ = false;  // the previous motion was a probe motion
 };
 
 }  // namespace kadr

@@ -12,13 +12,13 @@ namespace {
 constexpr std::array<std::string_view, 5> dir_names = {"stop", "cw", "ccw", "orient", "position"};
 constexpr std::array<std::string_view, 3> coolant_names = {"off", "mist", "flood"};
 constexpr std::array<std::string_view, 3> coolant_codes = {"M9", "M7", "M8"};
-constexpr std::array<std::string_view, 4> reason_names = {"", "", "single_block", "message"};  // `do` writes the first two
+constexpr std::array<std::string_view, 4> reason_names = {"", "", "single_block", "message"};  // field `do` has the first two
 
 std::string field(std::string_view key, double value) { return ",\"" + std::string(key) + "\":" + number_string(value); }
 std::string field(std::string_view key, const std::optional<double>& value) { return value ? field(key, *value) : std::string(); }
 std::string field(std::string_view key, std::string_view text) { return ",\"" + std::string(key) + "\":" + json_string(text); }
 
-/// Returns the field, or an empty text if the value is 0.
+/// Returns the JSON field; an empty text if the value is 0.
 template <class N>
 std::string field_if(std::string_view key, N value) {
   return value == 0 ? std::string() : field(key, double(value));

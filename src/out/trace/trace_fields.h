@@ -19,7 +19,7 @@ constexpr std::size_t row_of(E value) {
   return static_cast<std::size_t>(value);
 }
 
-/// Returns `kind","field":value…`, that is, the kind for the head of the line and then the fields; empty if the action gives no line.
+/// Returns `kind","field":value…`: the kind, which completes the head of the line, then the fields; empty if the action writes no line.
 std::string fields_of(const Action& action);
 
 }  // namespace kadr
