@@ -14,8 +14,8 @@ namespace kadr {
 namespace {
 
 constexpr double bend_of_cell = 1.0 / 100;
-constexpr double greatest_bend = 2.5e-3;  // mm
-constexpr float upright_agree = 5e-4f;    // mm: a little over twice the 2e-4 mm of the law in stock/cut/upright_rows.h and level_rows.h
+constexpr double greatest_bend = 2.5e-3;     // mm
+constexpr float upright_agree = 5e-4f;       // mm: a little over twice the 2e-4 mm of the law in stock/cut/upright_rows.h and level_rows.h
 constexpr float leaning_agree_cell = 2e-3f;  // share of the cell size: error that the bend and an estimated position may add
 
 struct BodyHeights {
