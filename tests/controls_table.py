@@ -31,7 +31,7 @@ def enum_names(text, enum):
 
 def struct_fields(text, struct):
     body = re.search(r"struct " + struct + r" \{(.*?)\n\};", text, re.S)[1]
-    return re.findall(r"^\s+([\w:<>, ]+?) (\w+)(?:\{\}| = [^;]+)?;", body, re.M)
+    return re.findall(r"^\s+([\w:<>, ]+?) (\w+)(?:\{\}|\s*=\s*[^;]+)?;", body, re.M)
 
 
 FUNCTION_H, DEF_H, GRAMMAR_H = header("config/function.h"), header("config/control_def.h"), header("lang/block/grammar.h")

@@ -258,8 +258,7 @@ struct Behaviour {
   bool words_passed_over = false;          // a word that nothing in the block uses gets a warning instead of an alarm (spec/fanuc 1.2)
   std::uint32_t alarm_base = 4000;         // #3000=n raises alarm number alarm_base + n (5.5)
   std::uint32_t call_depth = 16;
-  std::uint32_t program_digits =
-      1;  // number of digits of O in converted programs, and in names of files that a call looks for (spec/haas 1.1)
+  std::uint32_t program_digits = 1;    // digits of O in written programs and in names of files that a call looks for (spec/haas 1.1)
   std::uint32_t m_codes_of_block = 8;  // greatest number of M codes in a block (nct 13.1, spec/fanuc 2.4, spec/haas 10)
   std::uint32_t offsets = 99;          // highest offset number
   std::uint32_t fixtures = 6;
