@@ -5,7 +5,7 @@
 
 #include <vector>
 
-#include "path/contour/radius_compensation.h"
+#include "path/compensation/radius_compensation.h"
 
 namespace kadr {
 namespace {
@@ -47,7 +47,7 @@ std::vector<Motion> contour(bool corners) {
 
 void compensate(benchmark::State& state) {
   const std::vector<Motion> all = contour(state.range(0) != 0);
-  ContourCheck check;
+  CompensationCheck check;
   check.interference = state.range(1) != 0;
   ActionBatch batch;
   for (auto _ : state) {

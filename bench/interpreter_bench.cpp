@@ -6,7 +6,7 @@
 #include <cstdio>
 #include <string>
 
-#include "config/control_file.h"
+#include "config/control/control_file.h"
 #include "control/control.h"
 
 namespace kadr {

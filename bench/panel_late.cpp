@@ -17,7 +17,7 @@
 #include <string>
 #include <thread>
 
-#include "config/control_file.h"
+#include "config/control/control_file.h"
 #include "panel/panel_machine.h"
 
 namespace {

@@ -24,7 +24,7 @@
 #include <stdexcept>
 #include <vector>
 
-#include "config/control_file.h"
+#include "config/control/control_file.h"
 #include "motion/least_time/planner.h"
 #include "motion/time/estimate.h"
 #include "path/curve/machine_path.h"
@@ -120,9 +120,9 @@ Program read(const std::string& file, const kadr::MotionLimits& limits, double t
 
 /// Plans the program and passes the cells to `sink`.
 template <class Sink>
-void plan(const Program& program, const kadr::MotionLimits& limits, bool side_by_side, const Sink& sink) {
+void plan(const Program& program, const kadr::MotionLimits& limits, bool in_background, const Sink& sink) {
   kadr::Planner planner(limits, sink);
-  if (side_by_side) planner.work_side_by_side();
+  if (in_background) planner.work_in_background();
   planner.begin(program.start.data());
   for (const Piece& piece : program.pieces) {
     if (piece.tolerance == 0) planner.stop();
@@ -137,11 +137,11 @@ double wall_seconds() { return std::chrono::duration<double>(std::chrono::steady
 
 /// Returns the median time of `times` plans, s.
 template <class Clock>
-double median_seconds(const Program& program, const kadr::MotionLimits& limits, bool side_by_side, int times, const Clock& clock) {
+double median_seconds(const Program& program, const kadr::MotionLimits& limits, bool in_background, int times, const Clock& clock) {
   std::vector<double> all;
   for (int i = 0; i < times; ++i) {
     const double start = clock();
-    plan(program, limits, side_by_side, [](const TimedCells&) {});
+    plan(program, limits, in_background, [](const TimedCells&) {});
     all.push_back(clock() - start);
   }
   std::sort(all.begin(), all.end());

@@ -8,7 +8,7 @@
 #include <random>
 #include <string>
 
-#include "config/control_file.h"
+#include "config/control/control_file.h"
 #include "session/checkpoints.h"
 
 namespace kadr {

@@ -5,16 +5,16 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "config/contour.h"
-#include "path/area/loops.h"
+#include "config/drawing/drawing.h"
+#include "path/pocketing/closed_loops.h"
 #include "require.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using kadr::fuzz::require;
   constexpr std::size_t few = 300;  // greatest number of edges for which the area is built: more only cost time
-  const auto edges = kadr::read_contour({reinterpret_cast<const char*>(data), size});
+  const auto edges = kadr::read_drawing({reinterpret_cast<const char*>(data), size});
   if (!edges) return 0;
-  require(!edges->empty() && edges->size() <= kadr::limits::contour_edges, "a contour has edges, and not too many");
+  require(!edges->empty() && edges->size() <= kadr::limits::drawing_edges, "a contour has edges, and not too many");
   for (const kadr::Edge& e : *edges) {
     require(std::abs(e.from.x) <= kadr::limits::contour_reach && std::abs(e.from.y) <= kadr::limits::contour_reach,
             "edges are within reach");

@@ -1,12 +1,12 @@
-// Fuzz target for config/control_file. The input is the text of a control's file. If the loader accepts it, a program is run with it and
-// its documentation page is written.
+// Fuzz target for config/control/control_file. The input is the text of a control's file. If the loader accepts it, a program is run with
+// it and its documentation page is written.
 
 #include <cstddef>
 #include <cstdint>
 
-#include "config/control_file.h"
+#include "config/control/control_file.h"
 #include "config/range.h"
-#include "out/text/code_page.h"
+#include "out/text/explain/code_page.h"
 #include "run_program.h"
 
 namespace {

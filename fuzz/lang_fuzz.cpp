@@ -6,7 +6,7 @@
 #include <memory>
 #include <vector>
 
-#include "config/control_file.h"
+#include "config/control/control_file.h"
 #include "lang/block/block_reader.h"
 #include "lang/text/utf16.h"
 #include "require.h"
@@ -37,7 +37,7 @@ std::optional<kadr::Encoding> encoding_of(std::size_t index) {
 constexpr unsigned as_utf16le = 32, as_utf16be = 64;  // bits of the first byte; else the encoding is detected
 
 kadr::OpenedText opened(std::string text, unsigned switches) {
-  kadr::SaidEncoding said;
+  kadr::GivenEncoding said;
   if ((switches & as_utf16le) != 0) said.utf16 = kadr::Utf16::little;
   else if ((switches & as_utf16be) != 0) said.utf16 = kadr::Utf16::big;
   else said.encoding = encoding_of(switches >> 2 & 7U);

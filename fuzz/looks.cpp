@@ -6,15 +6,15 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "config/state_json.h"
+#include "config/state/state_json.h"
 
 namespace kadr::fuzz {
 namespace {
 
-constexpr std::size_t most_shown = 40;  // greatest number of alarms whose text is written
-constexpr std::size_t most_kept = 200;  // greatest number of blocks before which the state is saved for comparison
-constexpr double farthest_end = 1e8;    // mm; no motion may end farther away
-constexpr double same_place = 1e-5;     // mm; rounding error of coordinates of ten kilometres
+constexpr std::size_t max_shown = 40;  // greatest number of alarms whose text is written
+constexpr std::size_t max_kept = 200;  // greatest number of blocks before which the state is saved for comparison
+constexpr double farthest_end = 1e8;   // mm; no motion may end farther away
+constexpr double same_place = 1e-5;    // mm; rounding error of coordinates of ten kilometres
 
 bool is_finite(const Axes& axes) {
   for (const double v : axes)
@@ -28,14 +28,14 @@ bool near(const Axes& a, const Axes& b) {
   return true;
 }
 
-std::string text_of(const Ending& e) {
+std::string text_of(const FinalState& e) {
   std::string text;
   for (const auto& [name, value] : e.variables) text += name + "=" + std::to_string(value) + " ";
   for (const std::string& code : e.modal) text += code + " ";
   return text;
 }
 
-void same_state(const Ending& before, const Ending& after) {
+void same_state(const FinalState& before, const FinalState& after) {
   if (before.variables != after.variables || before.modal != after.modal)
     std::fprintf(stderr, "before: %s\nafter:  %s\n", text_of(before).c_str(), text_of(after).c_str());
   require(before.variables == after.variables, "a faulty block changes no variable");
@@ -84,7 +84,7 @@ Looks::Looks(const Shop& shop, Session& session)
 }
 
 void Looks::before_block() {
-  before_is_kept_ = ++kept_ <= most_kept;
+  before_is_kept_ = ++kept_ <= max_kept;
   if (before_is_kept_) before_block_ = control_.ending();
 }
 
@@ -144,7 +144,7 @@ void Looks::check_motion(const Motion& motion) const {
 }
 
 bool Looks::stopped(const AlarmReport& report) {
-  constexpr std::size_t most_compared = 30;
+  constexpr std::size_t max_compared = 30;
   ++alarms_;
   last_ = report;
   show(report);
@@ -155,8 +155,8 @@ bool Looks::stopped(const AlarmReport& report) {
   // A motion beyond the machine limits is refused: its block is undone, and the control's position differs from the end of the motions.
   if (!jumps && control_.holds_before && !control_.is_stopped()) jumps = true;
   const bool is_known = !jumps && control_.holds_before && session_.channels().size() == 1;  // the control does not execute ahead
-  if (is_known && alarms_ <= most_compared) {
-    const Ending after = control_.ending();
+  if (is_known && alarms_ <= max_compared) {
+    const FinalState after = control_.ending();
     const bool in_space = frame_ && frame_->placement.space;  // the ending is reported in the work system, not in the programmed frame
     const Axes work = in_space ? frame_->placement.space->in_system(stand_.work) : stand_.work;
     const bool frame_is_known = frame_ || shop_.plain_frames;  // false if the run began in mid-program
@@ -172,7 +172,7 @@ bool Looks::stopped(const AlarmReport& report) {
 
 void Looks::finish() {
   control_.check_uncalled([this](const AlarmReport& report) { show(report); });
-  const Ending end = control_.ending();
+  const FinalState end = control_.ending();
   if (alarms_ == 0) trace_.finish(end);
   else trace_.finish(end, last_, shop_.texts, Lang::ru);
   require(is_utf8(statistics_.text(control_.blocks(), Lang::ru)), "the summary is UTF-8");
@@ -184,7 +184,7 @@ void Looks::finish() {
 }
 
 void Looks::show(const AlarmReport& report) {
-  if (++shown_ > most_shown) return;
+  if (++shown_ > max_shown) return;
   std::vector<Finding> findings;
   for (const Lang lang : {Lang::en, Lang::ru}) {
     require(is_utf8(alarm_text(report, shop_.texts, lang)), "an alarm is UTF-8");

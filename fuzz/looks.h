@@ -9,7 +9,7 @@
 
 #include "machine/virtual_machine.h"
 #include "motion/time/steps.h"
-#include "out/picture/plot.h"
+#include "out/picture/plot/plot.h"
 #include "out/text/summary.h"
 #include "out/trace/trace.h"
 #include "run_program.h"
@@ -64,7 +64,7 @@ class Looks {
   Plot plot_;
   TraceWriter trace_;
   AlarmReport last_;
-  Ending before_block_;
+  FinalState before_block_;
   bool before_is_kept_ = false;
   std::size_t kept_ = 0;
   std::size_t actions_ = 0, last_action_ = 0;

@@ -10,8 +10,8 @@
 #include <string>
 #include <vector>
 
-#include "config/control_file.h"
-#include "config/machine_axes.h"
+#include "config/control/control_file.h"
+#include "config/machine/machine_axes.h"
 #include "control/macro_b/output/print.h"
 #include "lang/block/lexer.h"
 #include "lang/expression/expression.h"
@@ -26,7 +26,7 @@ using kadr::no_alarm;
 using kadr::Op;
 using kadr::fuzz::require;
 
-constexpr std::size_t most_lines = 200;
+constexpr std::size_t max_lines = 200;
 
 const kadr::Grammar& grammar() {
   static const kadr::ControlDef def = [] {
@@ -190,7 +190,7 @@ std::string in_case(std::string text, bool upper) {
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   std::string_view rest(reinterpret_cast<const char*>(data), size);
-  for (std::size_t i = 0; i < most_lines && !rest.empty(); ++i) {
+  for (std::size_t i = 0; i < max_lines && !rest.empty(); ++i) {
     const std::size_t end = std::min(rest.find('\n'), rest.size());
     const std::string line(rest.substr(0, end));
     rest.remove_prefix(std::min(end + 1, rest.size()));

@@ -9,7 +9,7 @@
 #include <string_view>
 #include <vector>
 
-#include "config/control_def.h"
+#include "config/control/control_def.h"
 #include "run_program.h"
 
 namespace kadr::fuzz {

@@ -18,7 +18,7 @@
 #include "panel/panel_hub.h"
 #include "panel/panel_journal.h"
 #include "require.h"
-#include "view/page_session.h"
+#include "view/page/page_session.h"
 #include "view/served_folder.h"
 
 namespace {
@@ -26,9 +26,9 @@ namespace {
 using namespace kadr;
 namespace fs = std::filesystem;
 
-constexpr std::size_t most_lines = 24;                     // messages in an input
+constexpr std::size_t max_lines = 24;                      // messages in an input
 constexpr auto patience = std::chrono::milliseconds(150);  // time for a message; then it is stopped
-constexpr std::size_t most_frames = 40, most_said = 4000;  // limits for an input; after that the client is treated as disconnected
+constexpr std::size_t max_frames = 40, most_said = 4000;   // limits for an input; after that the client is treated as disconnected
 constexpr std::pair<const char*, const char*> files[] = {
     {"part.nc",
      "(</script>)\nG21 G90 G17\nT1 M6\nS1000 M3\nG0 X0 Y0 Z5\nG1 Z-2 F200\nX40 F600\nG41 D1 X40 Y1\nG3 X40 Y20 J10\nG40 G1 X0\nY0\nM30\n"},
@@ -75,7 +75,7 @@ class Taker : public PageLine {
     if (head[0] == 1)
       fuzz::require(head[2] > 0 && head[2] <= 8192 && bytes.size() == 96 + 40 * std::size_t(head[2]),
                     "a piece is as long as its head says");
-    return ++frames < most_frames;
+    return ++frames < max_frames;
   }
   std::size_t answers = 0, said = 0, frames = 0;
 };
@@ -119,7 +119,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     PageSession session(server, line);
     session.begin(false);
     bool goes_on = session.take(R"({"id":0,"do":"hello","token":"t","lang":"ru"})");
-    for (std::size_t count = 1; goes_on && count < most_lines && !text.empty(); ++count) {
+    for (std::size_t count = 1; goes_on && count < max_lines && !text.empty(); ++count) {
       const std::size_t end = std::min(text.find('\n'), text.size());
       const std::string message(text.substr(0, end));
       text.remove_prefix(std::min(end + 1, text.size()));

@@ -36,13 +36,13 @@ Setup some_setup(unsigned switches) {
 
 namespace {
 
-constexpr std::size_t most_actions = 20'000;  // limit for a run
-constexpr std::size_t most_planned = 24;      // actions; at a sharp corner the planner needs 1 ms, with sanitizers 100 ms
-constexpr std::size_t most_cells = 150;
-constexpr std::size_t most_alarms = 200;
-constexpr std::size_t most_calls = 4000;  // limit for calls of go_on(), for loops without actions
-constexpr std::size_t most_commands = 60;
-constexpr std::size_t most_commanded = 5000;  // limit of actions while single-stepping or searching
+constexpr std::size_t max_actions = 20'000;  // limit for a run
+constexpr std::size_t max_planned = 24;      // actions; at a sharp corner the planner needs 1 ms, with sanitizers 100 ms
+constexpr std::size_t max_cells = 150;
+constexpr std::size_t max_alarms = 200;
+constexpr std::size_t max_calls = 4000;  // limit for calls of go_on(), for loops without actions
+constexpr std::size_t max_commands = 60;
+constexpr std::size_t max_commanded = 5000;  // limit of actions while single-stepping or searching
 
 enum class Way : std::uint8_t { watched, rewound, fresh, planned, stepped, searched, count };
 
@@ -80,7 +80,7 @@ class Run {
   }
 
   /// Runs the program in the selected way. `then` is called while the session still exists.
-  void carry_out(const std::function<void()>& then) {
+  void execute(const std::function<void()>& then) {
     const std::unique_ptr<Session> session = open();
     if (!session) return;
     Looks looks(shop_, *session);
@@ -115,7 +115,7 @@ class Run {
   }
 
   void attach_logic(Session& session, Looks& looks) const {
-    session.control().hand_over_each_block();
+    session.control().return_each_block();
     session.control().on_block = [&shop = shop_, &control = session.control(), &looks](const Origin& origin, bool at_end) {
       if (!at_end) looks.before_block();
       else looks.forget_block();
@@ -124,8 +124,8 @@ class Run {
   }
 
   bool goes_on(const Looks& looks) {
-    const std::size_t most = way_ == Way::planned ? most_planned : most_actions;
-    return ++calls_ < most_calls && state_ == Session::State::running && looks.actions() < most && looks.alarms() < most_alarms;
+    const std::size_t most = way_ == Way::planned ? max_planned : max_actions;
+    return ++calls_ < max_calls && state_ == Session::State::running && looks.actions() < most && looks.alarms() < max_alarms;
   }
   void run(Session& session, const Looks& looks) {
     while (goes_on(looks)) state_ = session.go_on();
@@ -133,7 +133,7 @@ class Run {
 
   /// Limits the actions: a command may execute many blocks, and a block many motions.
   void stop_after_some(Session& session, Looks& looks) {
-    looks.stop_after(most_commanded, stop_);
+    looks.stop_after(max_commanded, stop_);
     session.outlets().stop = StopToken(stop_);
   }
 
@@ -206,7 +206,7 @@ class Run {
     (void)session.look_ahead();
     Planned& planned = session.plan(session.own(), StopToken(planned_enough_));
     planned.write_samples(shop_.nowhere, options);
-    planned.on_cells = [this](const TimedCells& more) { planned_enough_ = (cells_ += more.laws.size()) > most_cells; };
+    planned.on_cells = [this](const TimedCells& more) { planned_enough_ = (cells_ += more.laws.size()) > max_cells; };
     while (goes_on(looks)) {
       state_ = session.go_on();
       if (state_ == Session::State::running && chance_.one_in(16)) repeat(session, looks);
@@ -221,7 +221,7 @@ class Run {
     stop_after_some(session, looks);
     Stepping stepping(session);
     std::optional<Stepping::Memory> kept;
-    for (std::size_t i = 0; i < most_commands && !stop_; ++i) {
+    for (std::size_t i = 0; i < max_commands && !stop_; ++i) {
       state_ = command(session, stepping, kept);
       looks.begin_at({session.control().tool_position(), std::nullopt});
       if (state_ == Session::State::stopped && chance_.one_in(2)) session.acknowledge();
@@ -229,9 +229,9 @@ class Run {
   }
   Session::State command(Session& session, Stepping& stepping, std::optional<Stepping::Memory>& kept) {
     constexpr Stepping::How hows[] = {Stepping::How::block, Stepping::How::over, Stepping::How::out};
-    constexpr std::uint64_t most_blocks = 300;
+    constexpr std::uint64_t max_blocks = 300;
     switch (chance_.below(9)) {
-      case 0: return stepping.go_to(some_line(), most_blocks);
+      case 0: return stepping.go_to(some_line(), max_blocks);
       case 1:
         if (!stepping.next()) break;
         return stepping.enter(chance_.piece_of(text_));
@@ -255,7 +255,7 @@ class Run {
   /// Sets checkpoints, jumps to lines from them, and restarts there.
   void search(Session& session, Looks& looks) {
     if (session.channels().size() > 1) return run(session, looks);
-    looks.goes_on_after_alarm = [&looks] { return looks.alarms() < most_alarms; };
+    looks.goes_on_after_alarm = [&looks] { return looks.alarms() < max_alarms; };
     looks.jumps = true;
     stop_after_some(session, looks);
     Checkpoints checkpoints(session, 8, 4);
@@ -267,11 +267,11 @@ class Run {
       state_ = *reached;
       looks.begin_at({session.control().tool_position(), std::nullopt});
       if (state_ != Session::State::held) continue;
-      if (const auto restart = restart_here(session, stepping)) write_way(session, *restart);
+      if (const auto restart = restart_here(session, stepping)) write_path(session, *restart);
       state_ = stepping.go(Stepping::How::over);
     }
   }
-  static void write_way(const Session& session, const Restart& restart) {
+  static void write_path(const Session& session, const Restart& restart) {
     const ControlDef& def = session.def();
     const auto way = way_there({}, restart, {.clearance = 100, .above = 2, .feed = 100}, session.control().axes().size());
     const auto blocks = restart_blocks(def, restart.in_force, restart.in_force, in_work_coordinates(way, restart, def));
@@ -295,7 +295,7 @@ class Run {
 
 void run_text(const Shop& shop, const std::string& text, unsigned switches, const std::function<void()>& then) {
   Run run(shop, text, switches);
-  run.carry_out(then);
+  run.execute(then);
 }
 
 int run_control(const char* control, const std::uint8_t* data, std::size_t size) {

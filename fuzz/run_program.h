@@ -8,8 +8,8 @@
 #include <functional>
 #include <string>
 
-#include "config/control_file.h"
-#include "config/machine_profile.h"
+#include "config/control/control_file.h"
+#include "config/machine/machine_profile.h"
 #include "control/control.h"
 #include "out/text/alarm_print.h"
 #include "require.h"

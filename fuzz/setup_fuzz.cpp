@@ -1,4 +1,4 @@
-// Fuzz target for config/setup. The input is the text of a set-up file. If it is accepted, a run is started with it.
+// Fuzz target for config/setup/setup. The input is the text of a set-up file. If it is accepted, a run is started with it.
 
 #include <cstddef>
 #include <cstdint>

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <string_view>
 
-#include "config/tool_formats.h"
+#include "config/tools/tool_formats.h"
 #include "require.h"
 #include "stock/tool/round_solid.h"
 
@@ -27,7 +27,7 @@ void look_at(const tl::expected<ToolLibrary, std::string>& library) {
   if (!library) return fuzz::require(!library.error().empty(), "a refusal says why");
   fuzz::require(!library->tools.empty(), "a library has tools");
   for (const ToolGeometry& tool : library->tools) {
-    fuzz::require(told_fault(tool).empty(), "what was read has a shape");
+    fuzz::require(tool_fault_message(tool).empty(), "what was read has a shape");
     const ToolShape shape = shape_of(tool);
     fuzz::require(shape.turns() == (tool.kind == ToolKind::turning), "inserts are of turning tools");
     for (const InsertBody& body : shape.insert) look_at_insert(body);

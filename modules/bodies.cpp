@@ -15,7 +15,7 @@
 #include <memory>
 #include <vector>
 
-#include "stock/bodies/bodies_door.h"
+#include "stock/bodies/bodies_interface.h"
 
 struct KadrBodies {
   std::vector<std::shared_ptr<fcl::CollisionGeometryd>> all;
@@ -185,16 +185,16 @@ double depth(KadrBodies* bodies, int a, const double* pose_a, int b, const doubl
   }
 }
 
-constexpr KadrBodiesDoor door = {kadr_bodies_version,
-                                 [] { return new (std::nothrow) KadrBodies; },
-                                 [](KadrBodies* bodies) { delete bodies; },
-                                 add_box,
-                                 add_cylinder,
-                                 add_round,
-                                 add_mesh,
-                                 distance,
-                                 depth};
+constexpr KadrBodiesInterface door = {kadr_bodies_version,
+                                      [] { return new (std::nothrow) KadrBodies; },
+                                      [](KadrBodies* bodies) { delete bodies; },
+                                      add_box,
+                                      add_cylinder,
+                                      add_round,
+                                      add_mesh,
+                                      distance,
+                                      depth};
 
 }  // namespace
 
-extern "C" __attribute__((visibility("default"))) const KadrBodiesDoor* kadr_bodies_door() { return &door; }
+extern "C" __attribute__((visibility("default"))) const KadrBodiesInterface* kadr_bodies_door() { return &door; }

@@ -1,7 +1,7 @@
 #pragma once
 // Builds actions for the tests of the rooms after `control`: motions in one work coordinate system.
 
-#include "control/state/state.h"
+#include "control/state/control_state.h"
 
 namespace kadr::test {
 

@@ -10,7 +10,7 @@
 #include "actions.h"
 #include "any_number.h"
 #include "base/tolerance.h"
-#include "path/contour/radius_compensation.h"
+#include "path/compensation/radius_compensation.h"
 
 namespace kadr::test {
 

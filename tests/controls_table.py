@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Checks controls/*.toml against their rules and against the engine's headers. Run: python3 tests/controls_table.py
 
-The loader (src/config/control_file) refuses most of these faults too. This check lists all faults at once, without a build, and checks
+The loader (src/config/control/control_file) refuses most of these faults too. This check lists all faults at once, without a build, and checks
 what the loader does not: both languages, the manual's section, alarm texts and their arguments.
 """
 import pathlib
@@ -34,7 +34,7 @@ def struct_fields(text, struct):
     return re.findall(r"^\s+([\w:<>, ]+?) (\w+)(?:\{\}|\s*=\s*[^;]+)?;", body, re.M)
 
 
-FUNCTION_H, DEF_H, GRAMMAR_H = header("config/function.h"), header("config/control_def.h"), header("lang/block/grammar.h")
+FUNCTION_H, DEF_H, GRAMMAR_H = header("config/control/function.h"), header("config/control/control_def.h"), header("lang/block/grammar.h")
 PHASES = macro_rows(FUNCTION_H, "KADR_PHASES")
 FUNCTIONS = dict(re.split(r",\s*", row)[:2] for row in macro_rows(FUNCTION_H, "KADR_FUNCTIONS"))  # name: its phase
 ALARMS = macro_rows(header("base/alarm_ids.h"), "KADR_ALARMS")

@@ -2,7 +2,7 @@
 """Tests a user's own control file: when it is loaded, what the engine cannot do is refused by name; the rest runs. Run: python3
 tests/own_control.py
 
-Refusals are a table of files and of what the message must name. Then each function of config/function.h is laid over each control, with
+Refusals are a table of files and of what the message must name. Then each function of config/control/function.h is laid over each control, with
 a program that uses its code: Kadr refuses it (status 2, with file, line, row and function), runs the program (0) or finds faults (1).
 """
 import argparse
@@ -138,13 +138,13 @@ N11 M2
 
 
 def functions():
-    text = (ROOT / "src/config/function.h").read_text(encoding="utf-8")
+    text = (ROOT / "src/config/control/function.h").read_text(encoding="utf-8")
     body = re.search(r"#define KADR_FUNCTIONS\(X\)((?:.*\\\n)*.*)", text)[1]
     return [re.split(r",\s*", row)[0] for row in re.findall(r"X\(([^)]*)\)", body)]
 
 
 def phases():
-    text = (ROOT / "src/config/function.h").read_text(encoding="utf-8")
+    text = (ROOT / "src/config/control/function.h").read_text(encoding="utf-8")
     body = re.search(r"#define KADR_PHASES\(X\)((?:.*\\\n)*.*)", text)[1]
     return [p for p in re.findall(r"X\((\w+)\)", body) if p != "none"]
 

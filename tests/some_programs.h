@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "case_files.h"
-#include "config/setup_file.h"
+#include "config/setup/setup_file.h"
 
 namespace kadr::test {
 

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Checks that stock/cut/lean_cut_wide.cpp is compiled for processors with AVX2, and that it shares no function with other files.
+"""Checks that stock/cut/tilted_cut_wide.cpp is compiled for processors with AVX2, and that it shares no function with other files.
 
     wide_lanes.py --kadr build/release/kadr
 
@@ -13,7 +13,7 @@ import subprocess
 import sys
 from pathlib import Path
 
-OBJECT = 'src/CMakeFiles/kadr_stock.dir/stock/cut/lean_cut_wide.cpp.o'
+OBJECT = 'src/CMakeFiles/kadr_stock.dir/stock/cut/tilted_cut_wide.cpp.o'
 
 
 def weak_symbols(object_file):

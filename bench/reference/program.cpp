@@ -5,7 +5,7 @@
 #include <sstream>
 #include <stdexcept>
 
-#include "config/control_file.h"
+#include "config/control/control_file.h"
 #include "session/session.h"
 #include "stretch.h"
 

@@ -183,14 +183,14 @@ class Programme : public Ipopt::TNLP {
 }  // namespace
 
 std::optional<Found> with_jerk(const Grid& grid, const MotionLimits& limits, const PathMotion& start, double most_seconds) {
-  constexpr Index most_steps = 1000;  // 30 to 60 are needed
+  constexpr Index max_steps = 1000;   // 30 to 60 are needed
   constexpr Number tolerance = 1e-5;  // share of the mean interval's time: the greatest time that each limit costs
   constexpr Number first_mu = 1e-2;   // first barrier parameter: far enough from the limits for any start motion
   const Ipopt::SmartPtr<Programme> programme = new Programme(grid, limits, start);
   Ipopt::IpoptApplication solver(false);
   solver.Options()->SetIntegerValue("print_level", 0);
   solver.Options()->SetStringValue("sb", "yes");
-  solver.Options()->SetIntegerValue("max_iter", most_steps);
+  solver.Options()->SetIntegerValue("max_iter", max_steps);
   solver.Options()->SetNumericValue("tol", tolerance);
   solver.Options()->SetNumericValue("mu_init", first_mu);
   solver.Options()->SetNumericValue("max_cpu_time", most_seconds);

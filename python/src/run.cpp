@@ -142,7 +142,7 @@ std::string Run::state() const {
 }
 
 std::map<std::string, double> Run::variables() const {
-  const Ending ending = session_->control().ending();
+  const FinalState ending = session_->control().ending();
   return {ending.variables.begin(), ending.variables.end()};
 }
 

@@ -22,7 +22,7 @@ namespace kadr::python {
 namespace {
 
 /// The same limit as in `kadr check` (cli/check.cpp).
-constexpr std::size_t most_faults = 1000;
+constexpr std::size_t max_faults = 1000;
 constexpr std::size_t most_again = 100'000;  // limit for repetitions of known faults, which a loop may produce endlessly
 
 /// Collects the faults of a run; a fault in a block that is executed several times is stored once.
@@ -36,7 +36,7 @@ class Faults {
     if (id == AlarmId::interrupted) return false;
     if (!seen_.insert({report.origin.file, report.origin.line, report.origin.column, id}).second) return ++again_ < most_again;
     found.push_back(spec_.finding(report));
-    return found.size() < most_faults;
+    return found.size() < max_faults;
   }
   std::vector<Finding> found;
 
@@ -141,7 +141,7 @@ std::string picture(const ProgramSpec& spec, const std::string& kind) {
   Plot plot(control.axes(), control.rotary(), control.tool_position());
   Outlets& outlets = session->outlets();
   outlets.clock = &statistics.clock();
-  outlets.programmed = [&](const Action& action) { plot.take_programmed(action); };
+  outlets.programmed = [&](const Action& action) { plot.follow_programmed(action); };
   outlets.step = [&](const Step& step) { statistics.consume(step), plot.consume(step); };
   outlets.works_long = true;
   run(*session, stop);

@@ -113,22 +113,22 @@ struct Uncouple {
   std::string slave;
 };
 /// Rounds the corner: the tool's centre moves on an arc of the tool's radius around the programmed point (G39, nct 15.5.6).
-struct ContourCorner {
+struct CompensationCorner {
   std::optional<Vec2> way{};  // I J K: direction that the corner leads to; without it, the direction of the next motion
 };
 /// How the compensated path is checked from here on (nct 15.5.2, 15.5.7). This is not a command to the machine.
-struct ContourCheck {
+struct CompensationCheck {
   bool interference = false;  // N1403 #0 IEN: interference is checked
   bool always_alarm = false;  // N1403 #1 AAL: interference is an alarm at once; the control does not try to correct the path
   std::uint8_t further = 0;   // N1404: number of blocks that are checked in addition to three, 0…8
   double least_step = 0;      // N1405 DELTV, mm: shorter steps around a corner are omitted
-  friend bool operator==(const ContourCheck&, const ContourCheck&) = default;
+  friend bool operator==(const CompensationCheck&, const CompensationCheck&) = default;
 };
 /// Interrupts cutter compensation: the tool's centre is on the programmed point (nct 15.5.2). With `off`, compensation has ended (G40,
 /// 15.5.3). With `here`, the program takes the tool's actual position, off the contour, as the programmed point (G92 after G40, Mach3
-/// 10.7.27). LinuxCNC holds back one compensated motion: at a ContourBreak, also before M0, that motion ends one tool radius off its
+/// 10.7.27). LinuxCNC holds back one compensated motion: at a CompensationBreak, also before M0, that motion ends one tool radius off its
 /// programmed point.
-struct ContourBreak {
+struct CompensationBreak {
   bool off = false;
   bool here = false;
 };
@@ -144,7 +144,7 @@ struct FrameChange {
 struct Action {
   Origin origin;
   std::variant<Motion, Dwell, Spindle, Speed, CoolantSwitch, ToolSelect, ToolChange, MachineFunction, AuxiliaryFunction, Stop, Message,
-               FrameChange, SurfaceSpeed, Sync, ZoneChange, Couple, Uncouple, ContourBreak, ContourCorner, ContourCheck>
+               FrameChange, SurfaceSpeed, Sync, ZoneChange, Couple, Uncouple, CompensationBreak, CompensationCorner, CompensationCheck>
       what;
 };
 
@@ -215,7 +215,7 @@ struct BlockState {
 };
 
 /// The state after a run: the last line of a trace.
-struct Ending {
+struct FinalState {
   Axes position{};  // work coordinates
   Axes machine_position{};
   std::vector<std::pair<std::string, double>> variables;    // every variable that has a value: "#100", "R2"

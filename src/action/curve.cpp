@@ -186,10 +186,10 @@ Extents Curve::extents() const {
   }
   for (std::size_t n = 0; following_ != 0 && n < motion_.detail->followers.size(); ++n) {
     const auto [axis, master, sign] = motion_.detail->followers[n];
-    const double least_way = box.least[master] - from_[master], most_way = box.most[master] - from_[master];
+    const double least_way = box.least[master] - from_[master], max_way = box.most[master] - from_[master];
     const double rest = way(axis) - sign * way(master);
-    box.least[axis] = from_[axis] + std::min(sign * least_way, sign * most_way) + std::min(rest, 0.0);
-    box.most[axis] = from_[axis] + std::max(sign * least_way, sign * most_way) + std::max(rest, 0.0);
+    box.least[axis] = from_[axis] + std::min(sign * least_way, sign * max_way) + std::min(rest, 0.0);
+    box.most[axis] = from_[axis] + std::max(sign * least_way, sign * max_way) + std::max(rest, 0.0);
   }
   return box;
 }

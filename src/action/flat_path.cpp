@@ -12,7 +12,7 @@
 namespace kadr {
 namespace {
 
-constexpr int most_pieces = 100'000;
+constexpr int max_pieces = 100'000;
 constexpr int samples_per_turn = 64;
 constexpr int samples_of_line = 16;
 
@@ -41,10 +41,10 @@ double spiral_length(double radius, double growth, double rise, double sweep_rad
 /// radians from the start). With R(φ) the radius and R' = dR/dφ, this is where φ − quarter = atan(R' / R(φ)). The difference of the two
 /// sides rises by 1 to 2 per radian, so Newton's method converges fast.
 double turning_point(double quarter, double radius, double growth_per_rad) {
-  constexpr int most_steps = 30;
+  constexpr int max_steps = 30;
   constexpr double near_enough = 1e-13;
   double phi = quarter;
-  for (int step = 0; step < most_steps; ++step) {
+  for (int step = 0; step < max_steps; ++step) {
     const double r = radius + growth_per_rad * phi, squares = r * r + growth_per_rad * growth_per_rad;
     const double gap = phi - quarter - std::atan2(growth_per_rad, r);
     const double next = phi - gap / (1 + growth_per_rad * growth_per_rad / squares);
@@ -201,7 +201,7 @@ int FlatPath::pieces(double chord) const {
   const double widest = std::max(radius_, radius_ + radius_change_);
   const double widest_deg = chord >= widest ? 90 : std::min(90.0, 2 * std::acos(1 - chord / widest) / rad_per_deg);
   const double count = std::ceil(std::abs(sweep_deg_) / std::max(widest_deg, 1e-3));
-  return static_cast<int>(std::clamp(count, 1.0, double{most_pieces}));
+  return static_cast<int>(std::clamp(count, 1.0, double{max_pieces}));
 }
 
 double FlatPath::curvature(double part) const {
@@ -212,7 +212,7 @@ double FlatPath::curvature(double part) const {
 int FlatPath::samples() const {
   if (spline_ != nullptr) return spline_->samples();
   if (!arc_) return samples_of_line;
-  return static_cast<int>(std::clamp(std::ceil(std::abs(sweep_deg_) / 360) * samples_per_turn, 1.0 * samples_per_turn, 1.0 * most_pieces));
+  return static_cast<int>(std::clamp(std::ceil(std::abs(sweep_deg_) / 360) * samples_per_turn, 1.0 * samples_per_turn, 1.0 * max_pieces));
 }
 
 }  // namespace kadr

@@ -8,7 +8,7 @@
 #include <optional>
 #include <vector>
 
-#include "action/end_given.h"
+#include "action/end_reference.h"
 #include "base/vec.h"
 
 namespace kadr {
@@ -53,7 +53,7 @@ enum class CornerSpeed : std::uint8_t {
 };
 
 /// Where the first compensated motion ends.
-enum class ContourEntry : std::uint8_t {
+enum class CompensationApproach : std::uint8_t {
   by_corner,  // where the corner to the next motion requires it (nct 15.5.1)
   normal,     // on the normal to the next path element (2С42 6.4.7)
   tangent,    // the tool touches the line to the programmed point over its whole length (Mach3, RS274/NGC)
@@ -74,8 +74,8 @@ enum class SupportingCurve : std::uint8_t {
   circle,  // an over-determined arc, with a known centre; it starts at the intersection with the previous motion
 };
 
-/// How a motion meets its neighbours in the plane (nct 17). path/contour/contour_corners resolves it.
-struct ContourData {
+/// How a motion meets its neighbours in the plane (nct 17). path/compensation/corner_resolver resolves it.
+struct CornerData {
   double chamfer = 0;   // leg of the chamfer at the motion's end, mm; 0: none
   double rounding = 0;  // radius of the rounding at the motion's end, mm; 0: none
   SupportingCurve on = SupportingCurve::none;
@@ -86,10 +86,10 @@ struct ContourData {
 };
 
 /// The position of the tool along a motion that leads the tool's tip, if the curve and the even travel of the rotary axes do not
-/// determine it: tool posture control, cutting point control (nct 25.15 to 25.17). Implemented in kinematics/tip_ways.
-class TipWay {
+/// determine it: tool posture control, cutting point control (nct 25.15 to 25.17). Implemented in kinematics/five_axis_tip_path.
+class TipPath {
  public:
-  virtual ~TipWay() = default;
+  virtual ~TipPath() = default;
   /// Returns the work coordinates of the tip and the rotary axes at `part`, where the curve is at `on_curve`.
   virtual Axes at(double part, const Axes& on_curve) const = 0;
   /// Returns the surface normal at the cutting point, in the work system; {} if there is none.
@@ -109,13 +109,13 @@ struct MotionDetail {
   AxisMask rolled = 0;  // rotary axes that roll over; `travel` is their signed travel, degrees (nct 5.6)
   Axes travel{};
   PathSurface surface = PathSurface::plane;
-  Vec2 flat_from;          // start; polar: in the programmed plane, mm; cylinder: on the unrolled surface, mm
-  Vec2 flat_to;            // end, in the same plane or surface as flat_from; the arc's centre and turns refer to it too
-  double radius = 0;       // radius of the cylinder, mm
-  double side = 1;         // only for polar interpolation: sign of the linear axis' position at G12.1
-  double offset = 0;       // polar: perpendicular offset of the rotation centre, mm
-  double rotary_most = 0;  // polar: greatest speed of the rotary axis, degrees/min; 0: no limit
-  Axes programmed{};       // end point in the coordinates of the program's words
+  Vec2 flat_from;               // start; polar: in the programmed plane, mm; cylinder: on the unrolled surface, mm
+  Vec2 flat_to;                 // end, in the same plane or surface as flat_from; the arc's centre and turns refer to it too
+  double radius = 0;            // radius of the cylinder, mm
+  double side = 1;              // only for polar interpolation: sign of the linear axis' position at G12.1
+  double offset = 0;            // polar: perpendicular offset of the rotation centre, mm
+  double max_rotary_speed = 0;  // polar: greatest speed of the rotary axis, degrees/min; 0: no limit
+  Axes programmed{};            // end point in the coordinates of the program's words
   bool has_programmed = false;
   std::optional<double> lead;         // lead of a thread, mm
   std::optional<double> start_angle;  // angle of the spindle at the start of the thread, degrees
@@ -125,18 +125,18 @@ struct MotionDetail {
   std::optional<Vec2> way;            // I J K of G41, G42, G40: direction of the approach or departure
   // Axes that copy the travel of another axis, each listed after its master; the path's length does not include their travel
   std::vector<Follower> followers;
-  std::shared_ptr<const TipWay> tip_way;
+  std::shared_ptr<const TipPath> tip_path;
   AxisMask parked = 0;  // axes that the machine's logic has parked: they do not move, their positions are only calculated (nct 20.2)
   bool evenly = false;  // all axes move evenly, although the tool's tip is led in other motions (G53, nct 25.2)
-  std::optional<ContourData> contour;
+  std::optional<CornerData> contour;
   SplinePart spline;  // only for MotionKind::spline
 };
 
 /// What a drilling cycle does in addition to cutting during a motion.
 enum class HoleWork : std::uint8_t {
   none,
-  taps,        // tapping: the spindle rotates in the direction that the thread needs
-  stands_off,  // the spindle is oriented and its single cutting edge is clear of the wall (fine boring, back boring)
+  taps,           // tapping: the spindle rotates in the direction that the thread needs
+  clear_of_wall,  // the spindle is oriented and its single cutting edge is clear of the wall (fine boring, back boring)
 };
 
 /// The form of a motion: everything about its path except the end point.
@@ -144,7 +144,7 @@ struct MotionPath {
   MotionKind kind = MotionKind::rapid;
   std::uint8_t first = 0;   // first axis of an arc's plane, by index: counter-clockwise goes from the first towards the second
   std::uint8_t second = 1;  //
-  EndGiven end_given = EndGiven::by_work;
+  EndReference end_reference = EndReference::by_work;
   AxisMask named = 0;          // axes whose position the block gives
   Vec2 center;                 // centre of an arc, in the two axes of its plane, work coordinates
   double turns = 0;            // swept angle / 360, positive; the radius changes linearly with the angle
@@ -176,13 +176,13 @@ struct MotionCompensation {
   // Orientation of a turning tool whose tip follows the path (spec/linuxcnc 9); 0, 9: the centre of its nose follows the path
   std::uint8_t nose = 0;
   SideStep side_step = SideStep::none;
-  CornerJoin join_corner = CornerJoin::extended;  // shape of the corner between this motion and the next
-  ContourEntry entry = ContourEntry::by_corner;   // matters only where compensation starts
+  CornerJoin join_corner = CornerJoin::extended;                 // shape of the corner between this motion and the next
+  CompensationApproach entry = CompensationApproach::by_corner;  // matters only where compensation starts
 };
 
 /// What a motion belongs to: work offset, tool length, drilling cycle.
 struct MotionContext {
-  std::uint16_t system = 0;         // work offset in force: row of the table of work offsets or fixtures, config/setup_names; 0: none
+  std::uint16_t system = 0;         // work offset in force: row of the table of work offsets or fixtures, config/setup/setup_names; 0: none
   std::uint16_t length_offset = 0;  // row of the offset table whose tool length is in force; 0: none
   HoleWork in_hole = HoleWork::none;
   bool of_cycle = false;  // a canned cycle created the motion

@@ -44,15 +44,15 @@ struct Pose {
 };
 
 /// The transformation between work and machine coordinates if the frame is tilted in space, or if rotary axes carry the tool or the part
-/// (nct 25). Work coordinates are in the programming frame in force. Implemented in kinematics/part_space.
-class WorkSpace {
+/// (nct 25). Work coordinates are in the programming frame in force. Implemented in kinematics/five_axis_transform.
+class WorkTransform {
  public:
-  virtual ~WorkSpace() = default;
+  virtual ~WorkTransform() = default;
   /// Returns true if the Placement's own fields determine where the axes are, and this object only describes the pose.
   virtual bool is_plain() const = 0;
   /// Returns true if the tip is led: at each point of a motion, the axes are where machine_of() says (nct 25.14). Otherwise machine_of()
   /// holds at the end of the motion only, and the axes move evenly to that point.
-  virtual bool leads_tip() const = 0;
+  virtual bool controls_tip() const = 0;
   /// Converts work coordinates to machine coordinates. `plainly`: the result without this transformation; it supplies the rotary
   /// positions and all axes that are not transformed.
   virtual Axes machine_of(const Axes& work, const Axes& plainly) const = 0;
@@ -83,11 +83,11 @@ class WorkSpace {
 /// each value goes to the machine axis that `turn->drives` names.
 ///   law  work_of(machine_of(w)) == w up to rounding
 struct Placement {
-  Axes origin{};                             // origin of the work system, in machine coordinates, with all shifts except turned ones
-  Axes length{};                             // length of the tool, by axis
-  Axes shift{};                              // shift that is turned with the frame (G52 and G92 of the NCT); zero without a turn
-  std::shared_ptr<const FrameTurn> turn{};   // nullptr: no rotation, or directions change with the rotary axes
-  std::shared_ptr<const WorkSpace> space{};  // nullptr: none; one that is not plain determines where the axes are
+  Axes origin{};                                 // origin of the work system, in machine coordinates, with all shifts except turned ones
+  Axes length{};                                 // length of the tool, by axis
+  Axes shift{};                                  // shift that is turned with the frame (G52 and G92 of the NCT); zero without a turn
+  std::shared_ptr<const FrameTurn> turn{};       // nullptr: no rotation, or directions change with the rotary axes
+  std::shared_ptr<const WorkTransform> space{};  // nullptr: none; one that is not plain determines where the axes are
   friend bool operator==(const Placement&, const Placement&) = default;
 
   Axes machine_of(const Axes& work) const;

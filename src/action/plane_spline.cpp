@@ -11,7 +11,7 @@
 namespace kadr {
 namespace {
 
-constexpr int most_spline_pieces = 100'000;
+constexpr int max_spline_pieces = 100'000;
 // A speed (length per unit of t) below this share of the curve's length counts as 0; direction() then uses the tangent of a nearby point.
 constexpr double standing = 1e-9;
 
@@ -33,9 +33,9 @@ PlaneSpline::PlaneSpline(const std::vector<ControlPoint>& points, std::size_t or
   for (std::size_t span = 0; span + order <= points.size(); ++span) pieces_.push_back(piece_of(weighted, span));
   nodes_.push_back({0, 0, 0});
   for (std::uint32_t piece = 0; piece < pieces_.size(); ++piece) {
-    constexpr int most_halvings = 12;
+    constexpr int max_halvings = 12;
     for (const auto& [from, to] : {std::pair{0.0, 0.5}, std::pair{0.5, 1.0}})
-      measure(piece, from, to, length_between(piece, from, to), most_halvings);
+      measure(piece, from, to, length_between(piece, from, to), max_halvings);
   }
 }
 
@@ -116,9 +116,9 @@ PlaneSpline::Place PlaneSpline::place_of(double part) const {
   const double span = next->length - before.length;
   if (!(span > 0)) return {piece, low};
   double t = low + (high - low) * (wanted - before.length) / span;
-  constexpr int most_steps = 60;
+  constexpr int max_steps = 60;
   constexpr double near_enough = 1e-13;
-  for (int step = 0; step < most_steps; ++step) {
+  for (int step = 0; step < max_steps; ++step) {
     const double off = before.length + length_between(piece, start, t) - wanted;
     (off > 0 ? high : low) = t;
     const double rate = speed({piece, t});
@@ -193,7 +193,7 @@ Box2 PlaneSpline::box(double from, double to) const {
   Box2 box{at(from), at(from)};
   box.take(at(to));
   const Place start = place_of(std::max(from, 0.0)), end = place_of(std::min(to, 1.0));
-  constexpr int most_halvings = 40;
+  constexpr int max_halvings = 40;
   for (std::uint32_t i = start.piece; i <= end.piece; ++i) {
     Piece piece = pieces_[i];
     const double t0 = i == start.piece ? start.t : 0, t1 = i == end.piece ? end.t : 1;
@@ -201,12 +201,12 @@ Box2 PlaneSpline::box(double from, double to) const {
     if (t0 > 0 && t1 > 0) piece = split(piece, std::min(1.0, t0 / t1)).second;
     box.take(flat(piece.front()));
     box.take(flat(piece.back()));
-    widen(box, piece, most_halvings);
+    widen(box, piece, max_halvings);
   }
   return box;
 }
 
-int PlaneSpline::samples() const { return static_cast<int>(std::min<std::size_t>(pieces_.size() * 4 * order_, most_spline_pieces)); }
+int PlaneSpline::samples() const { return static_cast<int>(std::min<std::size_t>(pieces_.size() * 4 * order_, max_spline_pieces)); }
 
 /// Returns the greatest distance of the curve from the chord between two parts, sampled at `places` - 1 inner points. `start`, `end`: the
 /// points at the two parts.
@@ -247,8 +247,8 @@ int PlaneSpline::pieces(double from, double to, double chord) const {
       before = after;
     }
     const double wanted = std::ceil(count * std::sqrt(worst / (used * chord)));
-    if (worst <= used * chord || count >= most_spline_pieces) return static_cast<int>(count);
-    count = std::min<double>(most_spline_pieces, std::clamp(wanted, count + 1, fastest_rise * count));
+    if (worst <= used * chord || count >= max_spline_pieces) return static_cast<int>(count);
+    count = std::min<double>(max_spline_pieces, std::clamp(wanted, count + 1, fastest_rise * count));
   }
 }
 

@@ -23,10 +23,10 @@ struct ControlPoint {
 ///   law  the curve lies in the convex hull of its control points
 class PlaneSpline {
  public:
-  static constexpr std::size_t most_order = 32;     // degree 31; usual orders are 3 and 4
-  static constexpr std::size_t most_points = 5000;  // no person or CAM system writes a curve of more points
+  static constexpr std::size_t most_order = 32;    // degree 31; usual orders are 3 and 4
+  static constexpr std::size_t max_points = 5000;  // no person or CAM system writes a curve of more points
 
-  ///   points  control points with weights above 0: at least `order`, at most most_points
+  ///   points  control points with weights above 0: at least `order`, at most max_points
   ///   order   degree + 1, from 2 to most_order
   PlaneSpline(const std::vector<ControlPoint>& points, std::size_t order);
 

@@ -11,7 +11,7 @@
 namespace kadr {
 namespace {
 
-constexpr int most_polar_pieces = 100'000;
+constexpr int max_polar_pieces = 100'000;
 
 }  // namespace
 
@@ -69,7 +69,7 @@ int PolarPath::pieces(double chord) const {
   const double near = std::abs(linear_at(path_.at(nearest())));
   const double step = std::max(2 * chord, std::sqrt(8 * chord * near));
   const double count = std::ceil(path_.length() / step);
-  return std::max(path_.pieces(chord), static_cast<int>(std::clamp(count, 1.0, double{most_polar_pieces})));
+  return std::max(path_.pieces(chord), static_cast<int>(std::clamp(count, 1.0, double{max_polar_pieces})));
 }
 
 }  // namespace kadr

@@ -13,8 +13,8 @@ namespace kadr {
 struct ToolPosition {
   Axes work{};
   Axes machine{};
-  std::shared_ptr<const FrameTurn> turn{};   // nullptr: none
-  std::shared_ptr<const WorkSpace> space{};  // nullptr: none
+  std::shared_ptr<const FrameTurn> turn{};       // nullptr: none
+  std::shared_ptr<const WorkTransform> space{};  // nullptr: none
 
   void take(const Motion& motion) {
     work = motion.to;
@@ -32,16 +32,16 @@ struct ToolPosition {
 };
 
 /// Returns true if the motion leads the tool's tip, so that the travel of the axes follows from the tip's path.
-inline bool leads_tip(const ToolPosition& from, const Motion& motion) {
-  return from.space && from.space->leads_tip() && !(motion.detail && motion.detail->evenly);
+inline bool controls_tip(const ToolPosition& from, const Motion& motion) {
+  return from.space && from.space->controls_tip() && !(motion.detail && motion.detail->evenly);
 }
 
-/// Like machine_along(), for a motion that leads the tip (nct 25.14): the tool's position comes from the motion's TipWay, or else from
+/// Like machine_along(), for a motion that leads the tip (nct 25.14): the tool's position comes from the motion's TipPath, or else from
 /// the work coordinates, and the axis positions follow from it.
 inline Axes led_along(const ToolPosition& from, const Motion& motion, const Axes& work, double part) {
   if (part <= 0) return from.machine;
   if (part >= 1) return motion.machine;
-  const TipWay* const way = motion.detail ? motion.detail->tip_way.get() : nullptr;
+  const TipPath* const way = motion.detail ? motion.detail->tip_path.get() : nullptr;
   const Axes tool = way != nullptr ? way->at(part, work) : work;
   Axes plainly = motion.machine;
   for (std::size_t i = 0; i < max_axes; ++i) plainly[i] += tool[i] - motion.to[i];
@@ -49,8 +49,8 @@ inline Axes led_along(const ToolPosition& from, const Motion& motion, const Axes
 }
 
 /// Returns the position of the tip relative to the part, in the work system, at `part` of a motion that leads the tip.
-inline Vec3 led_tip(const AxisRoles& roles, const ToolPosition& from, const Motion& motion, const Axes& work, double part) {
-  const TipWay* const way = motion.detail ? motion.detail->tip_way.get() : nullptr;
+inline Vec3 controlled_tip(const AxisRoles& roles, const ToolPosition& from, const Motion& motion, const Axes& work, double part) {
+  const TipPath* const way = motion.detail ? motion.detail->tip_path.get() : nullptr;
   const Axes at = from.space->in_system(way != nullptr ? way->at(part, work) : work);
   const auto of = [&](std::size_t i) { return roles.xyz[i] < 0 ? 0.0 : at[static_cast<std::size_t>(roles.xyz[i])]; };
   return {of(0), of(1), of(2)};
@@ -76,7 +76,7 @@ inline void follow_along(const ToolPosition& from, const Motion& motion, const A
 /// turning the work coordinates, if the frame is turned) is constant along the motion, or changes evenly over it (2С42: a tool length
 /// that the next motion applies). Inside the motion, an axis that rolls over counts on beyond 360°.
 inline Axes machine_along(const AxisRoles& roles, const ToolPosition& from, const Motion& motion, const Axes& work, double part) {
-  if (leads_tip(from, motion)) return led_along(from, motion, work, part);
+  if (controls_tip(from, motion)) return led_along(from, motion, work, part);
   const FrameTurn* const turn = from.turn.get();
   const Axes start = turned(turn, from.work), end = turned(turn, motion.to);
   Axes machine = turned(turn, work);

@@ -17,11 +17,11 @@ struct Range {
 template <class F>
 double place_of_least(const F& f, double low, double high) {
   constexpr double golden = 0.61803398874989485;
-  constexpr int most_steps = 80;
+  constexpr int max_steps = 80;
   constexpr double near_enough = 1e-11;  // tolerance of x, whose range is about 1: f(x) no longer changes over so small a distance
   double a = high - golden * (high - low), b = low + golden * (high - low);
   double at_a = f(a), at_b = f(b);
-  for (int step = 0; step < most_steps && high - low > near_enough; ++step) {
+  for (int step = 0; step < max_steps && high - low > near_enough; ++step) {
     if (at_a < at_b) {
       high = std::exchange(b, a);
       at_b = at_a;

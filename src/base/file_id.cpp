@@ -1,4 +1,4 @@
-// Identity of files. Used for the outputs of a command (out/trace/result_file, cli/outputs) and of a program
+// Identity of files. Used for the outputs of a command (out/trace/result_file, cli/job/outputs) and of a program
 // (control/macro_b/output/output_file); tested by tests/base/file_id_test.cpp.
 
 #include "base/file_id.h"
@@ -36,9 +36,9 @@ std::optional<FileId> file_id_of(int descriptor) {
 
 std::string true_path(const std::string& path) {
   namespace fs = std::filesystem;
-  constexpr int most_links = 40;  // links that are followed, as many as the operating system follows
+  constexpr int max_links = 40;  // links that are followed, as many as the operating system follows
   fs::path at(path);
-  for (int i = 0; i < most_links; ++i) {
+  for (int i = 0; i < max_links; ++i) {
     if (const auto real = real_path(at.string())) return *real;
     std::error_code error;
     const fs::path target = fs::read_symlink(at, error);  // the path may be a link whose target does not exist yet

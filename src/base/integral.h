@@ -34,17 +34,17 @@ double refined(const F& f, const Stretch& s, double error, int depth) {
 template <class F>
 double integral(const F& f, double from, double to, double relative) {
   constexpr int stretches = 16;
-  constexpr int most_halvings = 48;
+  constexpr int max_halvings = 48;
   // Passes over the interval: a peak at its end makes the first estimate of the integral's size far too large
-  constexpr int most_rounds = 4;
+  constexpr int max_rounds = 4;
   double size = 0;
   for (int i = 0; i <= stretches; ++i) size += std::abs(f(from + (to - from) * i / stretches) * (to - from) / stretches);
   double sum = 0;
-  for (int round = 0; round < most_rounds; ++round) {
+  for (int round = 0; round < max_rounds; ++round) {
     sum = 0;
     for (int i = 0; i < stretches; ++i) {
       const double a = from + (to - from) * i / stretches, b = from + (to - from) * (i + 1) / stretches;
-      sum += detail::refined(f, {a, b, f(a), f((a + b) / 2), f(b)}, relative * size / stretches, most_halvings);
+      sum += detail::refined(f, {a, b, f(a), f((a + b) / 2), f(b)}, relative * size / stretches, max_halvings);
     }
     if (!(std::abs(sum) < size / 2)) break;
     size = std::abs(sum);

@@ -1,5 +1,5 @@
-// Thread. Used by base/side_by_side, cli/stop, panel, server, session/run_ahead, stock; tested by tests/base/thread_test.cpp and
-// tests/every_command.py.
+// Thread. Used by base/background_worker, cli/job/stop_signals, panel, server, session/run_ahead, stock; tested by
+// tests/base/thread_test.cpp and tests/every_command.py.
 
 #include "base/thread.h"
 
@@ -52,7 +52,7 @@ bool begin_alone(std::function<void()> work) {
   return true;
 }
 
-void side_by_side(int count, const std::function<void(int)>& work) {
+void run_parallel(int count, const std::function<void(int)>& work) {
   std::vector<Thread> others(static_cast<std::size_t>(count > 1 ? count - 1 : 0));
   std::exception_ptr thrown;
   const auto here = [&](int i) {

@@ -49,6 +49,6 @@ class Thread {
 /// Executes work(0) … work(count - 1), each in a thread of its own. If threads run out, the remaining calls follow one another in this
 /// thread.
 ///   throws  the first exception found, after all calls have ended
-void side_by_side(int count, const std::function<void(int)>& work);
+void run_parallel(int count, const std::function<void(int)>& work);
 
 }  // namespace kadr

@@ -25,7 +25,7 @@ inline constexpr double least_speed = 1e-6;
 inline constexpr double exact_path = 5e-4;
 inline constexpr double level = same_point;  // mm: two levels of a canned cycle closer than this are the same
 
-// Area milling (path/area). The path consists of exact lines and arcs; polygons serve only to select them and to measure areas.
+// Area milling (path/pocketing). The path consists of exact lines and arcs; polygons serve only to select them and to measure areas.
 // mm: greatest deviation of the arcs that replace an SVG curve; a fifth of what the controls allow for an arc
 inline constexpr double contour_curve = 2e-3;
 // mm: ends of lines in a drawing closer than this are joined; drawings are rounded to 0.001 or 0.01

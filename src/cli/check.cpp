@@ -6,17 +6,17 @@
 #include <cstdio>
 #include <filesystem>
 
-#include "cli/files.h"
-#include "cli/found.h"
-#include "cli/guessed_control.h"
-#include "cli/job.h"
-#include "cli/outputs.h"
-#include "cli/program_files.h"
-#include "cli/progress.h"
-#include "cli/stop.h"
-#include "cli/terminal.h"
+#include "cli/job/files.h"
+#include "cli/job/found.h"
+#include "cli/job/guessed_control.h"
+#include "cli/job/job.h"
+#include "cli/job/outputs.h"
+#include "cli/job/program_files.h"
+#include "cli/job/progress.h"
+#include "cli/job/stop_signals.h"
+#include "cli/job/terminal.h"
+#include "config/language.h"
 #include "config/read_file.h"
-#include "config/told.h"
 #include "lang/text/utf16.h"
 #include "out/text/alarm_print.h"
 #include "out/text/baseline.h"
@@ -94,7 +94,7 @@ Checked check_file(const Options& options, const GuessedControls& controls, cons
   const bool one_pass = limits.restarts == RunLimits{}.restarts;  // unless --max-passes requests more passes
   if (one_pass) limits.restarts = 0;
   const bool only_program = programs == 1 && options.program == 0;  // not one of several on a tape
-  if (!basis.tools) basis.tools = tool_table_beside(file);
+  if (!basis.tools) basis.tools = tool_table_next_to(file);
   basis.own_tools = only_program && (basis.own_tools || (basis.tools && basis.tools->kind == ToolTable::Kind::own));
   basis.own_setup = only_program && basis.own_setup;
   Progress progress(options.quiet);

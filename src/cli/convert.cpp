@@ -6,17 +6,17 @@
 #include <algorithm>
 #include <array>
 
-#include "cli/command_parts.h"
-#include "cli/help_text.h"
-#include "cli/job.h"
-#include "cli/option_values.h"
-#include "cli/outputs.h"
-#include "cli/stop.h"
-#include "cli/terminal.h"
+#include "cli/job/job.h"
+#include "cli/job/outputs.h"
+#include "cli/job/stop_signals.h"
+#include "cli/job/terminal.h"
+#include "cli/options/command_parts.h"
+#include "cli/options/help_text.h"
+#include "cli/options/option_values.h"
 #include "compare/comparison_text.h"
-#include "config/control_file.h"
-#include "config/guess.h"
-#include "config/told.h"
+#include "config/control/control_file.h"
+#include "config/control/guess.h"
+#include "config/language.h"
 #include "convert/conversion_text.h"
 #include "lang/text/text_spool.h"
 #include "view/source_text.h"
@@ -107,7 +107,7 @@ class ConvertCommand {
     const ConversionSides sides{*job_->def, job_->texts(), *of_target};
     if (!made.taken) {
       complain(nothing_proven());
-      tell_whys(made, made.tries.size(), sides);
+      print_reasons(made, made.tries.size(), sides);
     }
     const auto unproven = !made.taken && o_.force ? best_unproven(made) : std::nullopt;
     if (!made.taken && !unproven) return alarms;
@@ -129,10 +129,10 @@ class ConvertCommand {
     }
     if (!outputs_.keep()) return wrong_usage;
     if (unproven) return alarms;
-    say(fmt::format("{}\n{}: {}\n", summary_of(one.proof, language(o_.run)), told("written", "записано"), way_in_words(one.as)));
+    say(fmt::format("{}\n{}: {}\n", summary_of(one.proof, language(o_.run)), told("written", "записано"), method_in_words(one.as)));
     for (const std::string& note : notes_on(made, one)) say(fmt::format("  {}\n", note));
     explain(one, sides);
-    tell_whys(made, *made.taken, sides);
+    print_reasons(made, *made.taken, sides);
     return ok;
   }
 
@@ -177,7 +177,7 @@ class ConvertCommand {
     }
   }
   /// Prints the reasons why the first `count` ways were not used; ways with the same reason share a line.
-  void tell_whys(const Converted& made, std::size_t count, const ConversionSides& sides) const {
+  void print_reasons(const Converted& made, std::size_t count, const ConversionSides& sides) const {
     std::vector<ConversionRefusal> whys;
     for (std::size_t i = 0; i < count; ++i) {
       explain(made.tries[i], sides);
@@ -189,9 +189,9 @@ class ConvertCommand {
     for (std::size_t i = 0; i < count; ++i) {
       if (std::any_of(whys.begin(), whys.begin() + std::ptrdiff_t(i), [&](const auto& before) { return is_same(before, whys[i]); }))
         continue;
-      std::string ways = way_in_words(made.tries[i].as);
+      std::string ways = method_in_words(made.tries[i].as);
       for (std::size_t k = i + 1; k < count; ++k)
-        if (is_same(whys[i], whys[k])) ways += told(", not ", ", не ") + std::string(way_in_words(made.tries[k].as));
+        if (is_same(whys[i], whys[k])) ways += told(", not ", ", не ") + std::string(method_in_words(made.tries[k].as));
       say(fmt::format("  {} {}: {}{}\n", told("not", "не"), ways, place_of(whys[i]), whys[i].text));
     }
   }

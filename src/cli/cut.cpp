@@ -8,13 +8,13 @@
 #include "cli/cut_guess.h"
 #include "cli/cut_job.h"
 #include "cli/cut_meshes.h"
-#include "cli/drive.h"
-#include "cli/found.h"
-#include "cli/outputs.h"
-#include "cli/progress.h"
-#include "cli/stop.h"
-#include "cli/terminal.h"
-#include "config/told.h"
+#include "cli/job/drive.h"
+#include "cli/job/found.h"
+#include "cli/job/outputs.h"
+#include "cli/job/progress.h"
+#include "cli/job/stop_signals.h"
+#include "cli/job/terminal.h"
+#include "config/language.h"
 #include "out/picture/part_page.h"
 #include "out/text/alarm_print.h"
 #include "out/text/cut_load_text.h"
@@ -106,8 +106,8 @@ bool can_write(const CutOptions& options) {
 }
 
 /// Prints the numbers, compares the part and writes the files, after the program was executed. Returns the exit status.
-int tell_results(const CutOptions& options, const Job& job, const CutJob& cut_job, const CutRun& run, const std::optional<Mesh>& part,
-                 Outputs& outputs) {
+int print_results(const CutOptions& options, const Job& job, const CutJob& cut_job, const CutRun& run, const std::optional<Mesh>& part,
+                  Outputs& outputs) {
   const Stock* const window = run.cutting().window();
   const Stock& stock = window != nullptr ? *window : run.cutting().stock();
   Surface surface = surface_of(run.cutting().stock());
@@ -116,14 +116,14 @@ int tell_results(const CutOptions& options, const Job& job, const CutJob& cut_jo
   if (window != nullptr) surface = std::move(of_window);
   PartComparison held;
   if (part) {
-    held = hold_against(cut_job, stock, surface, *part);
+    held = compare_with_part(cut_job, stock, surface, *part);
     result.part = run.part_result(held);
     result.part->allow = options.allow >= 0 ? options.allow : allowed + allowed_of_cell * stock.lattice().cell();
     if (options.allow_left >= 0) result.part->allow_left = options.allow_left;
   }
   if (interrupted()) return interrupted_status();
   erase_bar();
-  if (const std::string note = told_too_coarse(result, language(options.run)); !note.empty()) say(note + "\n");
+  if (const std::string note = too_coarse_message(result, language(options.run)); !note.empty()) say(note + "\n");
   if (!write_results(options, job, outputs, {surface, held, run, stock}, result)) return interrupted() ? interrupted_status() : wrong_usage;
   const bool part_is_wrong = result.part && (result.part->is_gouged() || result.part->is_left_on());
   return run.alarms() != 0 || !result.collisions.empty() || part_is_wrong ? alarms : ok;
@@ -142,7 +142,7 @@ std::optional<std::unique_ptr<MachineWatch>> watch_of(const CutOptions& options,
   return std::move(*watch);
 }
 
-void tell_on_terminal(Found& found, std::FILE* blocks, CutRun& run) {
+void print_to_terminal(Found& found, std::FILE* blocks, CutRun& run) {
   const auto tell = [&found](const AlarmReport& report) { found.tell(report); };
   run.on_report = tell;
   run.on_finding = [tell](const CutFinding&, const AlarmReport& report) { tell(report); };
@@ -177,13 +177,13 @@ int cut(const CutOptions& given) {
   if (const auto nothing = drive->begin(*session, *job)) return interrupted() ? interrupted_status() : *nothing;
   CutRun run(*session, cut_job, watch->get());
   Found found(job->texts(), language(options.run), stderr, options.run.every);
-  tell_on_terminal(found, outputs.stream("--blocks"), run);
+  print_to_terminal(found, outputs.stream("--blocks"), run);
   Progress progress(options.run.quiet);
   run.attach(options.run.limits.stop, &progress);
-  drive->carry_out(*session);
+  drive->execute(*session);
   if (!interrupted()) run.finish();
   found.finish();
-  return interrupted() ? interrupted_status() : tell_results(options, *job, cut_job, run, part, outputs);
+  return interrupted() ? interrupted_status() : print_results(options, *job, cut_job, run, part, outputs);
 }
 
 }  // namespace kadr::cli

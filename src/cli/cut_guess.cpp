@@ -4,8 +4,8 @@
 
 #include <fmt/core.h>
 
-#include "cli/terminal.h"
-#include "config/told.h"
+#include "cli/job/terminal.h"
+#include "config/language.h"
 #include "view/proposals.h"
 #include "view/stock_guess.h"
 
@@ -81,7 +81,7 @@ bool guess_blank_and_tools(CutOptions& options, const Job& job, ToolLibrary& too
   (*run)->on_piece = [&guess](const ViewPiece& piece, std::uint32_t channel) {
     if (channel == 0) guess.take(piece);
   };
-  (*run)->carry_out();
+  (*run)->execute();
   if (options.run.limits.stop.asked()) return false;
   const std::vector<ProposedTool> proposals = tools_of(options, **run);
   const bool has_stock = !stock || take_stock(guess, **run, proposals, options.stock);

@@ -1,8 +1,8 @@
 #pragma once
 // --stock guess, --tools guess: finds a blank and tools that suit a program by running it once before it is cut. Used by cli/cut.
 
-#include "cli/job.h"
-#include "config/tool_library.h"
+#include "cli/job/job.h"
+#include "config/tools/tool_library.h"
 
 namespace kadr::cli {
 

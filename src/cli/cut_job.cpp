@@ -9,9 +9,9 @@
 #include <thread>
 
 #include "cli/cut_guess.h"
-#include "cli/terminal.h"
-#include "config/setup_names.h"
-#include "config/told.h"
+#include "cli/job/terminal.h"
+#include "config/language.h"
+#include "config/setup/setup_names.h"
 #include "session/cutting/cut_cells.h"
 #include "session/cutting/named_body.h"
 #include "stock/mesh/mesh_file.h"

@@ -3,8 +3,8 @@
 
 #include <optional>
 
-#include "cli/job.h"
-#include "cli/options.h"
+#include "cli/job/job.h"
+#include "cli/options/options.h"
 #include "session/cutting/cutting.h"
 #include "stock/mesh/mesh.h"
 

@@ -7,9 +7,9 @@
 #include <cerrno>
 #include <cstdio>
 
+#include "config/language.h"
 #include "config/nearest.h"
 #include "config/read_file.h"
-#include "config/told.h"
 #include "out/picture/deviation_colour.h"
 #include "stock/mesh/ply.h"
 #include "stock/mesh/stl.h"
@@ -31,7 +31,7 @@ ByteSink sink_of(std::FILE* file) {
 bool write_part(const std::string& name, const Mesh& mesh, std::FILE* file) {
   const std::string fault = has_ending(name, ".3mf")         ? write_3mf(mesh, sink_of(file))
                             : write_stl(mesh, sink_of(file)) ? std::string()
-                                                             : told_errno(errno);
+                                                             : errno_message(errno);
   if (!fault.empty()) complain(name + ": " + fault);
   return fault.empty();
 }
@@ -80,7 +80,7 @@ bool write_meshes(const CutOptions& options, const Outputs& outputs, const Surfa
   const DeviationScale scale = deviation_scale(held.deviation, result.part->allow);
   const ColourOf colour = [&](float deviation) { return deviation_colour(double(deviation), scale); };
   if (write_ply(surface, held.deviation, colour, sink_of(file))) return true;
-  complain(options.deviation + ": " + told_errno(errno));
+  complain(options.deviation + ": " + errno_message(errno));
   return false;
 }
 

@@ -1,8 +1,8 @@
 #pragma once
 // Writes the surface meshes of kadr cut: --out, --simplify, --deviation. Used by cli/cut.
 
-#include "cli/options.h"
-#include "cli/outputs.h"
+#include "cli/job/outputs.h"
+#include "cli/options/options.h"
 #include "session/cutting/cutting.h"
 #include "stock/cut_result.h"
 #include "stock/part/part_compare.h"

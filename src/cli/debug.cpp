@@ -9,10 +9,10 @@
 #include <map>
 
 #include "cli/debug_restart.h"
-#include "cli/drive.h"
-#include "cli/stop.h"
-#include "cli/terminal.h"
-#include "config/told.h"
+#include "cli/job/drive.h"
+#include "cli/job/stop_signals.h"
+#include "cli/job/terminal.h"
+#include "config/language.h"
 #include "lang/expression/expression.h"
 #include "out/text/alarm_print.h"
 #include "out/text/in_force_text.h"
@@ -80,7 +80,7 @@ class Debugger : public PartOfProgram {
     return PartOfProgram::begin(session, job);
   }
 
-  void carry_out(Session&) override {
+  void execute(Session&) override {
     if (!begins_inside_) state_ = stepping().go(Stepping::How::block);
     first_ = stepping().snapshot();
     show();
@@ -186,7 +186,7 @@ class Debugger : public PartOfProgram {
     keep();
     if (first_)  // the search starts from the beginning
       if (const Status restored = stepping().restore(*first_); !restored) return tell(restored.error(), "");
-    tell_search(*session_, stepping(), *target, job_->lang);
+    print_search(*session_, stepping(), *target, job_->lang);
     state_ = stepping().next() ? Session::State::held : session_->go_on();  // at the end of the program, the state shows why it ended
     show();
   }
@@ -195,7 +195,7 @@ class Debugger : public PartOfProgram {
     constexpr std::uint32_t usual = 100;
     const auto over = count_of(clearance, usual);
     if (!over) return wrong(clearance);
-    if (is_held()) tell_restart(*session_, stepping(), begins_, *over, job_->lang);
+    if (is_held()) print_restart(*session_, stepping(), begins_, *over, job_->lang);
   }
 
   void back(const std::string& times) {

@@ -4,8 +4,8 @@
 
 #include <fmt/core.h>
 
-#include "cli/terminal.h"
-#include "config/told.h"
+#include "cli/job/terminal.h"
+#include "config/language.h"
 #include "out/text/in_force_text.h"
 #include "session/block_search.h"
 
@@ -25,7 +25,7 @@ void list(const std::string& title, const std::vector<BlockSearch::Code>& codes)
 
 }  // namespace
 
-void tell_restart(Session& session, const Stepping& stepping, const Restart& begins, double clearance, Lang lang) {
+void print_restart(Session& session, const Stepping& stepping, const Restart& begins, double clearance, Lang lang) {
   constexpr double above = 2, feed = 100;  // height above the restart position from which the last motion is slow, mm; its feed, mm/min
   const auto restart = restart_here(session, stepping);
   if (!restart) return;
@@ -41,7 +41,7 @@ void tell_restart(Session& session, const Stepping& stepping, const Restart& beg
   list(told("by hand", "вручную"), blocks->by_hand, lang);
 }
 
-void tell_search(Session& session, Stepping& stepping, const StopPoint& target, Lang lang) {
+void print_search(Session& session, Stepping& stepping, const StopPoint& target, Lang lang) {
   const auto search = search_block(session, stepping, target);
   if (!search) return;
   list(told("carried out at its end", "выполняется в конце поиска"), search->carried_out);

@@ -4,16 +4,16 @@
 
 #include <CLI/CLI.hpp>
 
-#include "cli/command_parts.h"
-#include "cli/help_text.h"
-#include "cli/job.h"
-#include "cli/option_values.h"
-#include "cli/outputs.h"
-#include "cli/stop.h"
-#include "cli/terminal.h"
+#include "cli/job/job.h"
+#include "cli/job/outputs.h"
+#include "cli/job/stop_signals.h"
+#include "cli/job/terminal.h"
+#include "cli/options/command_parts.h"
+#include "cli/options/help_text.h"
+#include "cli/options/option_values.h"
 #include "compare/comparison_text.h"
 #include "compare/difference_plot.h"
-#include "config/told.h"
+#include "config/language.h"
 #include "out/program/words.h"
 #include "out/text/alarm_print.h"
 #include "out/text/page_file.h"
@@ -23,9 +23,9 @@
 namespace kadr::cli {
 namespace {
 
-constexpr double least_tolerance = 1e-5, most_tolerance = 10;  // mm
-constexpr std::size_t shown = 20;                              // differences, unless all are requested
-constexpr std::size_t most_shown = 100'000, most_of_line = 100;
+constexpr double least_tolerance = 1e-5, max_tolerance = 10;  // mm
+constexpr std::size_t shown = 20;                             // differences, unless all are requested
+constexpr std::size_t max_shown = 100'000, most_of_line = 100;
 
 /// One of the two programs, with what is needed to run it, and its text.
 struct Side {
@@ -97,15 +97,15 @@ void show(Side& a, Side& b, const Comparison& c, const Showing& how) {
     type_out("{}", told(fmt::format("… and {} more: --all\n", all - how.most), fmt::format("… и ещё {}: --all\n", all - how.most)));
 }
 
-void tell_alarm(const Side& side, const std::optional<AlarmReport>& report, Lang lang) {
+void print_alarm(const Side& side, const std::optional<AlarmReport>& report, Lang lang) {
   if (report) say(alarm_text(*report, side.job->texts(), lang, colours()));
 }
 
 void print_all(const DiffOptions& o, Side& a, Side& b, const Comparison& made) {
   const Lang lang = language(o.both);
-  show(a, b, made, {o.all ? most_shown : shown, !o.plot.empty(), lang});
-  tell_alarm(a, made.stopped_a, lang);
-  tell_alarm(b, made.stopped_b, lang);
+  show(a, b, made, {o.all ? max_shown : shown, !o.plot.empty(), lang});
+  print_alarm(a, made.stopped_a, lang);
+  print_alarm(b, made.stopped_b, lang);
   if ((made.stopped_a || made.stopped_b) && made.differences.empty())
     type_out("{}: {}\n", told("the same up to the alarm", "одинаковы до ошибки"), summary_of(made, lang));
   else type_out("{}\n", summary_of(made, lang));
@@ -114,7 +114,7 @@ void print_all(const DiffOptions& o, Side& a, Side& b, const Comparison& made) {
 CompareRules rules_of(const DiffOptions& o, const ControlDef& of_b, DifferencePlot& plot) {
   CompareRules rules;
   rules.tolerance = o.tolerance;
-  rules.most_told = most_shown;
+  rules.max_reported = max_shown;
   rules.messages = !o.no_messages;
   rules.tools_by_hand = o.tools_by_hand;
   rules.feeds_at_speed = o.feeds_at_speed;
@@ -158,7 +158,7 @@ bool draw(const Drawing& to, const Side& a, const Side& b, const Comparison& mad
                         control(a),
                         lang,
                         {},
-                        to.all ? most_shown : shown,
+                        to.all ? max_shown : shown,
                         [&names](const CourseDifference& d) { return places(names, d); }};
   if (control(a) != control(b)) title.control += " | " + control(b);
   for (std::size_t i = 0; i < made.differences.size() && i < shown; ++i)
@@ -180,7 +180,7 @@ void add_diff(CLI::App& app, Commands& c) {
   number(diff->add_option("--tolerance", o.tolerance,
                           told("ways that are no farther apart are the same; degrees of rotary axes",
                                "пути не дальше этого друг от друга одинаковы; для круговых осей — градусы")),
-         "MM", "ММ", least_tolerance, most_tolerance)
+         "MM", "ММ", least_tolerance, max_tolerance)
       ->capture_default_str();
   diff->add_flag("--all", o.all, told("all differences, not the first twenty", "все различия, а не первые двадцать"));
   diff->add_flag("--no-messages", o.no_messages, told("what is shown to the operator does not count", "сообщения оператору не сравнивать"));

@@ -4,12 +4,12 @@
 
 #include <algorithm>
 
-#include "cli/options.h"
-#include "cli/terminal.h"
-#include "config/control_file.h"
-#include "out/text/asked_code.h"
-#include "out/text/code_page.h"
-#include "out/text/setup_page.h"
+#include "cli/job/terminal.h"
+#include "cli/options/options.h"
+#include "config/control/control_file.h"
+#include "out/text/explain/asked_code.h"
+#include "out/text/explain/code_page.h"
+#include "out/text/explain/setup_page.h"
 
 namespace kadr::cli {
 namespace {

@@ -2,10 +2,10 @@
 
 #include <fmt/core.h>
 
-#include "cli/options.h"
-#include "cli/terminal.h"
-#include "config/machine_profile.h"
-#include "config/told.h"
+#include "cli/job/terminal.h"
+#include "cli/options/options.h"
+#include "config/language.h"
+#include "config/machine/machine_profile.h"
 #include "kinematics/machine_tree.h"
 #include "out/text/source_line.h"
 

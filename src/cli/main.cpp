@@ -6,12 +6,12 @@
 #include <cstdlib>
 #include <exception>
 
-#include "cli/command_line.h"
-#include "cli/outputs.h"
-#include "cli/stop.h"
-#include "cli/terminal.h"
-#include "cli/usage_error.h"
-#include "config/told.h"
+#include "cli/job/outputs.h"
+#include "cli/job/stop_signals.h"
+#include "cli/job/terminal.h"
+#include "cli/options/command_line.h"
+#include "cli/options/usage_error.h"
+#include "config/language.h"
 
 namespace kadr::cli {
 
@@ -89,7 +89,7 @@ int main(int argc, char** argv) {
       commands.report.cut.run.limits.stop = stop_token();
   commands.options.lang = language_on(argc, argv);
   const kadr::Lang lang = language(commands.options);
-  kadr::tell_in(lang);
+  kadr::set_process_language(lang);
   const auto app = make_app(commands);
   app->failure_message(
       [](const CLI::App* root, const CLI::Error& error) { return usage_error(*root, dynamic_cast<const CLI::ParseError&>(error)); });

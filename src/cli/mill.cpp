@@ -2,14 +2,14 @@
 
 #include <fmt/core.h>
 
-#include "cli/files.h"
-#include "cli/options.h"
-#include "cli/outputs.h"
-#include "cli/progress.h"
-#include "cli/stop.h"
-#include "cli/terminal.h"
-#include "config/control_file.h"
-#include "out/picture/plot_page.h"
+#include "cli/job/files.h"
+#include "cli/job/outputs.h"
+#include "cli/job/progress.h"
+#include "cli/job/stop_signals.h"
+#include "cli/job/terminal.h"
+#include "cli/options/options.h"
+#include "config/control/control_file.h"
+#include "out/picture/plot/plot_page.h"
 #include "out/text/alarm_print.h"
 #include "out/text/page_file.h"
 #include "session/milling/mill_summary.h"
@@ -28,7 +28,7 @@ class MillCommand {
     outputs_.writes("--output", options_.output.empty() ? "-" : options_.output);
     outputs_.writes("--plot", options_.plot);
     if (!outputs_.check()) return wrong_usage;
-    const auto text = read_small(options_.contour, limits::contour_bytes);
+    const auto text = read_small(options_.contour, limits::drawing_bytes);
     if (!text) return wrong_usage;
     if (const auto job = mill_job(options_); !job) {
       say(job.error());
@@ -71,7 +71,7 @@ class MillCommand {
     if (const std::string hint = texts_.hint(alarm, lang_); !hint.empty()) kadr::cli::say("  " + hint + "\n");
   }
 
-  void say(const ContourFault& fault, std::string_view text) {
+  void say(const DrawingFault& fault, std::string_view text) {
     progress_.reset();
     if (fault.line == 0) return say(fault.alarm);
     kadr::cli::say(alarm_text(report_of(fault, text, options_.contour), texts_, lang_, colours()));

@@ -7,21 +7,21 @@
 #include <cstdio>
 #include <cstring>
 
-#include "cli/drive.h"
-#include "cli/found.h"
-#include "cli/job.h"
-#include "cli/outputs.h"
-#include "cli/progress.h"
+#include "cli/job/drive.h"
+#include "cli/job/found.h"
+#include "cli/job/job.h"
+#include "cli/job/outputs.h"
+#include "cli/job/progress.h"
+#include "cli/job/state.h"
+#include "cli/job/stop_signals.h"
+#include "cli/job/terminal.h"
+#include "cli/job/written_files.h"
 #include "cli/run_view.h"
-#include "cli/state.h"
-#include "cli/stop.h"
-#include "cli/terminal.h"
-#include "cli/written_files.h"
+#include "config/language.h"
 #include "config/read_file.h"
-#include "config/setup_names.h"
-#include "config/state_json.h"
-#include "config/told.h"
-#include "out/picture/plot_page.h"
+#include "config/setup/setup_names.h"
+#include "config/state/state_json.h"
+#include "out/picture/plot/plot_page.h"
 #include "out/text/alarm_print.h"
 #include "out/text/page_file.h"
 #include "out/text/summary_json.h"
@@ -85,7 +85,7 @@ class RunCommand {
       if (!options.plot.empty()) view.plot.emplace(axes, rotary, channel.control->tool_position());
       if (needs_planner(options, job.profile)) {
         view.planned = &session.plan(i, options.limits.stop);
-        view.planned->work_side_by_side();
+        view.planned->work_in_background();
       }
       if (samples != nullptr)
         view.planned->write_samples(samples, {options.rate, options.overrides, has_threads(*job.def), options.max_time});
@@ -96,7 +96,7 @@ class RunCommand {
         view.plot->colour_by(options.colour == "speed" ? PlotColour::speed : PlotColour::limit);
         view.planned->colour(*view.plot);
       }
-      if (options.why) view.planned->ask_why();
+      if (options.why) view.planned->record_lost_time();
     }
   }
 
@@ -105,7 +105,7 @@ class RunCommand {
     else run_together();
     std::vector<Stopped> stopped;
     for (std::size_t i = 0; i < channels_.size(); ++i) stopped.push_back(session_.stopped(i));
-    tell_unstated();
+    warn_unstated();
     found_.finish();
     for (const auto& view : views_)
       if (view->statistics.extents().systems().size() > 1) view->statistics.name_systems(system_names(*job_.def));
@@ -136,7 +136,7 @@ class RunCommand {
                   say(report);
                   return false;
                 },
-            .onlooker = &progress_,
+            .progress_display = &progress_,
             .clock = &view.statistics.clock(),
             .programmed = view.programmed(),
             .writable = [&view] { return (!view.trace || view.trace->ok()) && (!view.planned || view.planned->ok()); },
@@ -155,7 +155,7 @@ class RunCommand {
       outlets.clock = nullptr;  // nothing reads the summary
     }
     session_.change_outlets();
-    drive_.carry_out(session_);
+    drive_.execute(session_);
   }
 
   void run_together() {
@@ -173,7 +173,7 @@ class RunCommand {
         view.show(step);
       };
     }
-    drive_.carry_out(session_);
+    drive_.execute(session_);
     for (std::size_t i = 0; i < channels_.size(); ++i) views_[i]->waited = session_.waited(i);
     if (views_[writes]->trace) views_[writes]->trace->flush();
   }
@@ -185,7 +185,7 @@ class RunCommand {
     view.plot->stop(stopped.channel == 0 ? ProgramLine{origin.line, origin.file} : ProgramLine{});
   }
 
-  void tell_unstated() {
+  void warn_unstated() {
     for (const Channel& channel : channels_) {
       if (channel.number != job_.setup.channel) continue;
       if (const auto note = unstated(*channel.control, *job_.def, job_.setup, job_.stated)) found_.tell(*note);
@@ -196,7 +196,7 @@ class RunCommand {
     for (std::size_t i = 0; i < channels_.size(); ++i) {
       if (!views_[i]->trace) continue;
       TraceWriter& trace = *views_[i]->trace;
-      Ending ending = channels_[i].control->ending();
+      FinalState ending = channels_[i].control->ending();
       if (stopped[i].machine_stood) {
         ending.position = stopped[i].machine_stood->work;
         ending.machine_position = stopped[i].machine_stood->machine;
@@ -362,7 +362,7 @@ int run_by(const Options& options, Drive& drive) {
   if (state_file) save_changes(*state_file, session->control(), state_fault);
   if (const auto nothing = drive.begin(*session, *job)) return interrupted() ? interrupted_status() : *nothing;
   const Exit exit = RunCommand(options, *job, *session, drive, outputs).run();
-  tell_unwritten(options, session->channels());
+  print_unwritten(options, session->channels());
   if (interrupted()) return interrupted_status();
   if (exit == wrong_usage || !state_fault.empty() || !outputs.keep(files_read(session->channels()))) return wrong_usage;
   return exit;

@@ -22,7 +22,7 @@ void View::show_timed(const Step& step, double longer) {
 
 std::function<void(const Action&)> View::programmed() {
   if (!plot) return {};
-  return [this](const Action& action) { plot->take_programmed(action); };
+  return [this](const Action& action) { plot->follow_programmed(action); };
 }
 
 }  // namespace kadr::cli

@@ -5,8 +5,8 @@
 #include <memory>
 #include <optional>
 
-#include "cli/job.h"
-#include "out/picture/plot.h"
+#include "cli/job/job.h"
+#include "out/picture/plot/plot.h"
 #include "out/text/summary.h"
 #include "out/trace/trace.h"
 #include "session/planned.h"

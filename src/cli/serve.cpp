@@ -6,13 +6,13 @@
 #include <CLI/CLI.hpp>
 #include <cstdio>
 
-#include "cli/command_parts.h"
-#include "cli/help_text.h"
-#include "cli/option_values.h"
-#include "cli/outputs.h"
-#include "cli/stop.h"
-#include "cli/terminal.h"
-#include "config/told.h"
+#include "cli/job/outputs.h"
+#include "cli/job/stop_signals.h"
+#include "cli/job/terminal.h"
+#include "cli/options/command_parts.h"
+#include "cli/options/help_text.h"
+#include "cli/options/option_values.h"
+#include "config/language.h"
 #include "panel/panel_hub.h"
 #include "panel/panel_journal.h"
 #include "server/http_server.h"
@@ -25,7 +25,7 @@ extern char** environ;
 namespace kadr::cli {
 namespace {
 
-constexpr double most_port = 65535;
+constexpr double max_port = 65535;
 
 /// Opens the address in the desktop's web browser; does nothing if there is none, since the address is also printed.
 void open_browser(const std::string& address) {
@@ -49,7 +49,7 @@ void add_serve(CLI::App& app, Commands& c) {
   takes(serve->add_option(told("FOLDER", "ПАПКА"), o.folder,
                           told("whose programs are shown (default: this one)", "чьи УП показать (по умолчанию эта)")),
         "FOLDER", "ПАПКА");
-  whole_number(serve->add_option("--port", o.port, told("to listen on; 0: a free one", "порт; 0 — любой свободный")), 0, most_port)
+  whole_number(serve->add_option("--port", o.port, told("to listen on; 0: a free one", "порт; 0 — любой свободный")), 0, max_port)
       ->capture_default_str();
   takes(serve
             ->add_option("--host", o.host,

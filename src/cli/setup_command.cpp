@@ -11,12 +11,12 @@
 #include <filesystem>
 
 #include "action/by_kind.h"
-#include "cli/job.h"
-#include "cli/outputs.h"
-#include "cli/stop.h"
-#include "cli/terminal.h"
+#include "cli/job/job.h"
+#include "cli/job/outputs.h"
+#include "cli/job/stop_signals.h"
+#include "cli/job/terminal.h"
 #include "config/read_file.h"
-#include "config/setup_names.h"
+#include "config/setup/setup_names.h"
 #include "lang/text/tool_comment.h"
 #include "out/program/setup_template.h"
 #include "out/program/tools_template.h"
@@ -27,17 +27,17 @@ namespace kadr::cli {
 namespace {
 
 constexpr std::size_t gives_up_at = 1000;
-constexpr std::size_t most_ranges = 20;  // ranges of lines not executed that are listed
+constexpr std::size_t max_ranges = 20;  // ranges of lines not executed that are listed
 
 /// Results of executing the program.
-struct CarriedOut {
+struct ExecutedBlocks {
   std::size_t faults = 0;
   MotionUnits moved;
 };
 
 class TemplateMaker {
  public:
-  TemplateMaker(const Job& job, const Control& control, const CarriedOut& done)
+  TemplateMaker(const Job& job, const Control& control, const ExecutedBlocks& done)
       : job_(job),
         control_(control),
         ru_(job.lang == Lang::ru),
@@ -48,11 +48,11 @@ class TemplateMaker {
   SetupTemplate make() {
     for (const Use& use : control_.use().all()) take(use);
     for (const auto& [tool, use] : tools_)
-      if (!told_.contains(tool)) tell_tool(tool, use);
+      if (!told_.contains(tool)) warn_tool(tool, use);
     if (faults_ != 0)
       say(fmt::format("the program has faults ({}): what stands behind them may be missing here; kadr check shows them", faults_),
           fmt::format("в программе есть ошибки ({}): того, что стоит за ними, здесь может не быть; их покажет kadr check", faults_));
-    tell_branches();
+    warn_branches();
     return std::move(made_);
   }
 
@@ -144,7 +144,7 @@ class TemplateMaker {
                : fmt::format("; not sure: line {} \"{}\"", comment->line, comment->text);
   }
 
-  void tell_tool(std::uint32_t tool, const Use& use) {
+  void warn_tool(std::uint32_t tool, const Use& use) {
     const auto proposal = proposal_for(tool);
     if (proposal)
       say(fmt::format("T{}: {}; diameter {} by line {} \"{}\"; the program does not use its radius", tool, place(use.origin),
@@ -165,7 +165,7 @@ class TemplateMaker {
   }
 
   /// Reports the line ranges that were not executed, since no jump or condition led to them.
-  void tell_branches() {
+  void warn_branches() {
     std::vector<std::pair<std::uint32_t, std::uint32_t>> ranges;
     bool open = false;
     for (const auto& [number, text] : lines_) {
@@ -177,11 +177,11 @@ class TemplateMaker {
     }
     if (ranges.empty()) return;
     std::string list;
-    for (std::size_t i = 0; i < ranges.size() && i < most_ranges; ++i) {
+    for (std::size_t i = 0; i < ranges.size() && i < max_ranges; ++i) {
       const auto [from, to] = ranges[i];
       list += fmt::format("{}{}", i == 0 ? "" : ", ", from == to ? fmt::format("{}", from) : fmt::format("{}–{}", from, to));
     }
-    if (ranges.size() > most_ranges) list += ", …";
+    if (ranges.size() > max_ranges) list += ", …";
     say(fmt::format("not carried out (a branch not taken, a subprogram not called, or behind the end): lines {}; what they use is not here",
                     list),
         fmt::format("не выполнялись (невыбранная ветвь, невызванная подпрограмма или текст после конца): строки {}; того, что в них нужно, "
@@ -218,8 +218,8 @@ std::string tools_text(const Job& job, const Control& control, const MotionUnits
 }
 
 /// Executes a limited number of blocks of the program, continuing after faults.
-CarriedOut carry_out_past_faults(Session& session) {
-  CarriedOut done;
+ExecutedBlocks execute_past_faults(Session& session) {
+  ExecutedBlocks done;
   Outlets& outlets = session.outlets();
   outlets.stop = stop_token();
   outlets.warning = [](const AlarmReport&) {};
@@ -240,7 +240,7 @@ CarriedOut carry_out_past_faults(Session& session) {
 bool may_write(const Outputs& outputs, const std::string& name) {
   struct stat there {};
   if (name.empty() || name == "-" || ::lstat(name.c_str(), &there) != 0) return outputs.check();
-  complain(fmt::format("{}: {}", name, told_errno(EEXIST)));
+  complain(fmt::format("{}: {}", name, errno_message(EEXIST)));
   return false;
 }
 
@@ -262,7 +262,7 @@ int write_setup(const SetupOptions& options) {
   const auto session = make_session(*job, std::move(*program), limits);
   if (!session) return wrong_usage;
   session->control().watch_use();
-  const CarriedOut done = carry_out_past_faults(*session);
+  const ExecutedBlocks done = execute_past_faults(*session);
   if (interrupted()) return interrupted_status();
   const std::string text = options.tools ? tools_text(*job, session->control(), done.moved)
                                          : template_text(TemplateMaker(*job, session->control(), done).make());

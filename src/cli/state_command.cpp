@@ -4,16 +4,16 @@
 
 #include <cstdio>
 
-#include "cli/options.h"
-#include "cli/terminal.h"
-#include "config/state_check.h"
-#include "config/told.h"
+#include "cli/job/terminal.h"
+#include "cli/options/options.h"
+#include "config/language.h"
+#include "config/state/state_check.h"
 
 namespace kadr::cli {
 namespace {
 
-std::string rows_told(std::size_t rows) {
-  return told(fmt::format("{} {}", rows, rows == 1 ? "row" : "rows"), told_count(rows, "запись", "записи", "записей"));
+std::string rows_in_words(std::size_t rows) {
+  return told(fmt::format("{} {}", rows, rows == 1 ? "row" : "rows"), count_in_russian(rows, "запись", "записи", "записей"));
 }
 
 /// Prints what was found to standard output.
@@ -30,7 +30,7 @@ int check_file(const StateOptions& options) {
     complain(report.error());
     return wrong_usage;
   }
-  const std::string control = report->control.empty() ? "?" : report->control, rows = rows_told(report->rows);
+  const std::string control = report->control.empty() ? "?" : report->control, rows = rows_in_words(report->rows);
   if (!report->faults.empty())
     return print(options, *report,
                  told("damaged: control " + control + ", sound: " + rows, "повреждён: система " + control + ", цело: " + rows));
@@ -47,7 +47,7 @@ int recover_file(const StateOptions& options) {
     complain(report.error());
     return wrong_usage;
   }
-  const std::string rows = rows_told(report->rows);
+  const std::string rows = rows_in_words(report->rows);
   const std::string heading =
       report->faults.empty() ? told(rows + " written to " + to + ", nothing is lost", rows + " записано в " + to + ", ничего не потеряно")
                              : told(rows + " written to " + to + "; what was wrong, and is not there:",

@@ -2,11 +2,11 @@
 
 #include <fmt/core.h>
 
-#include "cli/files.h"
-#include "cli/job.h"
-#include "cli/options.h"
-#include "cli/outputs.h"
-#include "cli/terminal.h"
+#include "cli/job/files.h"
+#include "cli/job/job.h"
+#include "cli/job/outputs.h"
+#include "cli/job/terminal.h"
+#include "cli/options/options.h"
 #include "lang/text/encoding.h"
 #include "lang/text/tape_reading.h"
 #include "lang/text/utf16.h"
@@ -19,16 +19,17 @@ constexpr std::size_t longest_tape = 256u << 20;  // bytes: 680 km of tape
 
 int decode(const TapeOptions& options, const std::string& rows, std::string& output, bool ru) {
   const TapeReading read = read_tape(rows, tape_code_named(options.code));
-  const bool lies = read.lie != TapeLie::right;
+  const bool lies = read.lie != TapeOrientation::right;
   const Lang lang = ru ? Lang::ru : Lang::en;
-  if (lies) complain(fmt::format(fmt::runtime(ru ? "{}: лента {}" : "{}: the tape was {}"), options.input, lie_in_words(read.lie, lang)));
+  if (lies)
+    complain(fmt::format(fmt::runtime(ru ? "{}: лента {}" : "{}: the tape was {}"), options.input, orientation_in_words(read.lie, lang)));
   for (const TapeFault& fault : read.faults) complain(fmt::format("{}: {}", options.input, fault_in_words(fault, read.code, lang)));
   output = read.text;
   return read.faults.empty() && !lies ? ok : alarms;
 }
 
 int encode(const TapeOptions& options, const std::string& bytes, std::string& output, bool ru) {
-  SaidEncoding said;
+  GivenEncoding said;
   if (!read_encoding(options.encoding, said)) {
     complain(no_encoding(options.encoding, ru));
     return wrong_usage;

@@ -1,4 +1,4 @@
-// Compares the courses of two programs. Used by view/page_compare; tested by tests/compare/comparison_test.cpp.
+// Compares the courses of two programs. Used by view/page/page_compare; tested by tests/compare/comparison_test.cpp.
 
 #include "compare/comparison.h"
 
@@ -8,24 +8,24 @@
 #include <cmath>
 
 #include "compare/course_words.h"
+#include "compare/path_match.h"
 #include "compare/piece_follower.h"
-#include "compare/stretch.h"
-#include "config/machine_codes.h"
+#include "config/machine/machine_codes.h"
 
 namespace kadr {
 namespace {
 
 using Kind = CourseDifference::Kind;
 constexpr double chord_of_tolerance = 1.0 / 16;
-constexpr double same_value = 1e-6;         // relative tolerance of dwell times and feeds
-constexpr std::size_t most_ahead = 3000;    // items of each course in which a common position is searched
-constexpr std::size_t most_sliver = 1000;   // greatest number of motions that stay within the tolerance of one position
-constexpr std::size_t most_measured = 500;  // vertices of a difference between which the distance is measured
-constexpr int most_searches = 200;          // greatest number of searches far ahead; with more, the programs count as unrelated
+constexpr double same_value = 1e-6;        // relative tolerance of dwell times and feeds
+constexpr std::size_t most_ahead = 3000;   // items of each course in which a common position is searched
+constexpr std::size_t max_sliver = 1000;   // greatest number of motions that stay within the tolerance of one position
+constexpr std::size_t max_measured = 500;  // vertices of a difference between which the distance is measured
+constexpr int max_searches = 200;          // greatest number of searches far ahead; with more, the programs count as unrelated
 
 bool is_same(double a, double b) { return std::abs(a - b) <= same_value * std::max({1.0, std::abs(a), std::abs(b)}); }
 
-bool is_same(const CourseAct& a, const CourseAct& b) { return a.kind == b.kind && a.text == b.text && is_same(a.value, b.value); }
+bool is_same(const CourseEvent& a, const CourseEvent& b) { return a.kind == b.kind && a.text == b.text && is_same(a.value, b.value); }
 
 /// Returns the feed per minute at the speed in force; 0 if it is not known.
 double per_minute(const CourseState& s) {
@@ -114,7 +114,7 @@ class Comparer {
   /// Passes an act that both courses do; also compares the states in force at it.
   void act() {
     if (const auto differs = difference(as_act(a_.item(0).state), as_act(b_.item(0).state)))
-      follower_.begin(ComparedPiece::Part::changed, tell_state(*differs));
+      follower_.begin(ComparedPiece::Part::changed, report_state(*differs));
     a_.pass(), b_.pass();
     follower_.end();
   }
@@ -134,19 +134,19 @@ class Comparer {
       if (pass_sliver(b_, a_, [&](const CourseItem& next) { return next.kind == ItemKind::move && !difference(a, next.state); })) return;
     }
     const CourseSpot from_a = spot(a_), from_b = spot(b_);
-    const std::string a_says = differs ? words_of_state(a, *differs) : "", b_says = differs ? words_of_state(b, *differs) : "";
-    if (differs) follower_.begin_waiting(number_of_next({*differs, {}, {}, {}, {}, 0, {}, {}, a_says, b_says}), a_.at());
-    const StretchResult result = go_along(a_, b_, space_, rules_.tolerance);
+    const std::string a_value = differs ? words_of_state(a, *differs) : "", b_value = differs ? words_of_state(b, *differs) : "";
+    if (differs) follower_.begin_waiting(number_of_next({*differs, {}, {}, {}, {}, 0, {}, {}, a_value, b_value}), a_.at());
+    const PathMatch result = match_paths(a_, b_, space_, rules_.tolerance);
     follower_.end(result.reach > rules_.tolerance);
     out_.greatest = std::max(out_.greatest, result.greatest);
-    if (differs && result.reach > rules_.tolerance) add({*differs, from_a, from_b, spot(a_), spot(b_), 0, {}, {}, a_says, b_says});
+    if (differs && result.reach > rules_.tolerance) add({*differs, from_a, from_b, spot(a_), spot(b_), 0, {}, {}, a_value, b_value});
     if (!result.together) meet_again();
   }
 
   /// Passes motions that stay near the other course's position, up to an item for which `wanted` is true.
   template <class Wanted>
-  bool pass_sliver(Lane& lane, const Lane& other, const Wanted& wanted) {
-    for (std::size_t i = 0; i < most_sliver; ++i) {
+  bool pass_sliver(CourseCursor& lane, const CourseCursor& other, const Wanted& wanted) {
+    for (std::size_t i = 0; i < max_sliver; ++i) {
       const CourseItem& item = lane.item(i);
       if (i > 0 && wanted(item)) {
         lane.pass(i);
@@ -159,9 +159,9 @@ class Comparer {
 
   /// Adds a difference of the state.
   ///   returns  its index
-  std::size_t tell_state(Kind kind) {
-    const std::string a_says = words_of_state(a_.item(0).state, kind), b_says = words_of_state(b_.item(0).state, kind);
-    const CourseDifference d{kind, spot(a_), spot(b_), spot(a_), spot(b_), 0, {}, {}, a_says, b_says};
+  std::size_t report_state(Kind kind) {
+    const std::string a_value = words_of_state(a_.item(0).state, kind), b_value = words_of_state(b_.item(0).state, kind);
+    const CourseDifference d{kind, spot(a_), spot(b_), spot(a_), spot(b_), 0, {}, {}, a_value, b_value};
     const std::size_t number = number_of_next(d);
     add(d);
     return number;
@@ -176,14 +176,14 @@ class Comparer {
     if (!differs) return;
     const bool is_off = b.state.coolant == Coolant::off && b.state.speed == 0;
     if (is_off && !difference(as_act(a.state), as_act(course_b_.before_last_block()))) return;
-    (void)tell_state(*differs);
+    (void)report_state(*differs);
   }
   void ends_differ() {
     const auto name = [](const CourseItem& end) { return end.fault ? std::string(name_of(*end.fault)) : std::string("end"); };
     add({Kind::end, spot(a_), spot(b_), spot(a_), spot(b_), 0, {}, {}, name(a_.item(0)), name(b_.item(0))});
   }
 
-  CourseSpot spot(Lane& lane) {
+  CourseSpot spot(CourseCursor& lane) {
     const CourseItem& item = lane.item(0);
     CourseSpot spot{item.origin.line == 0 ? lane.last_origin() : item.origin, {}, item.begins, lane.at()};
     Course& course = &lane == &a_ ? course_a_ : course_b_;
@@ -207,15 +207,15 @@ class Comparer {
   }
 
   /// Returns the number of items to the end of the course, up to a limit: reading them shows whether the course ends by an alarm.
-  static std::size_t items_ahead(Lane& lane) {
-    constexpr std::size_t most_looked_at = 50;
+  static std::size_t items_ahead(CourseCursor& lane) {
+    constexpr std::size_t max_looked_at = 50;
     std::size_t count = 0;
-    while (count < most_looked_at && lane.item(count).kind != ItemKind::end) ++count;
+    while (count < max_looked_at && lane.item(count).kind != ItemKind::end) ++count;
     return count;
   }
 
   bool search(std::size_t& da, std::size_t& db) {
-    if (far_searches_ >= most_searches) return false;
+    if (far_searches_ >= max_searches) return false;
     for (const bool strictly : {true, false})
       for (std::size_t sum = 1; sum < most_ahead; ++sum) {
         if (rules_.stop.asked()) return false;
@@ -234,32 +234,32 @@ class Comparer {
   bool is_common(std::size_t i, std::size_t j, bool strictly) {
     const CourseItem& a = a_.item(i);
     const CourseItem& b = b_.item(j);
-    if (a.kind != b.kind || !is_near(a_.begin(i), b_.begin(j)) || is_behind_end(a_, i) || is_behind_end(b_, j)) return false;
+    if (a.kind != b.kind || !is_near(a_.begin(i), b_.begin(j)) || is_after_end(a_, i) || is_after_end(b_, j)) return false;
     if (a.kind == ItemKind::end) return a.fault == b.fault || !strictly;
     if (a.kind == ItemKind::act) return is_same(*a.act, *b.act);
     if (!strictly) return a.state.move == b.state.move && space_.distance(a_.begin(i), a.to) > rules_.tolerance;
     return is_near(a.to, b.to) && !difference(a.state, b.state);
   }
-  static bool is_behind_end(Lane& lane, std::size_t i) { return i > 0 && lane.item(i - 1).kind == ItemKind::end; }
+  static bool is_after_end(CourseCursor& lane, std::size_t i) { return i > 0 && lane.item(i - 1).kind == ItemKind::end; }
   bool is_near(const Axes& a, const Axes& b) const {
     return std::abs(a[0] - b[0]) <= rules_.tolerance && space_.distance(a, b) <= rules_.tolerance;
   }
 
   /// Describes the difference: an act that only one course has, or a different path.
   void describe(CourseDifference& d, std::size_t da, std::size_t db) {
-    const auto acts = [](Lane& lane, std::size_t count) {
+    const auto acts = [](CourseCursor& lane, std::size_t count) {
       std::string text;
       bool only = true;
-      for (std::size_t i = 0; i < count && i < most_measured; ++i) {
+      for (std::size_t i = 0; i < count && i < max_measured; ++i) {
         const CourseItem& item = lane.item(i);
         only = only && item.kind == ItemKind::act;
         if (item.kind == ItemKind::act && text.size() < 100) text += (text.empty() ? "" : " ") + text_of(*item.act);
       }
       return std::pair(text, only);
     };
-    const auto [a_says, only_a] = acts(a_, da);
-    const auto [b_says, only_b] = acts(b_, db);
-    d.a_says = a_says, d.b_says = b_says;
+    const auto [a_value, only_a] = acts(a_, da);
+    const auto [b_value, only_b] = acts(b_, db);
+    d.a_value = a_value, d.b_value = b_value;
     d.kind = only_a && only_b ? Kind::act : Kind::way;
     if (d.kind != Kind::way) return;
     const Apart of_a = farthest(a_, da, b_, db), of_b = farthest(b_, db, a_, da);
@@ -272,9 +272,9 @@ class Comparer {
     Axes vertex{}, nearest{};
   };
   /// Returns the vertex, among the first `count` of one course, that is farthest from the path of the other course.
-  Apart farthest(Lane& of, std::size_t count, Lane& from, std::size_t pieces) {
+  Apart farthest(CourseCursor& of, std::size_t count, CourseCursor& from, std::size_t pieces) {
     Apart most{0, of.at(), from.at()};
-    const std::size_t step = count / most_measured + 1, other_step = pieces / most_measured + 1;
+    const std::size_t step = count / max_measured + 1, other_step = pieces / max_measured + 1;
     for (std::size_t i = 0; i < count; i += step) {
       const Axes& at = of.item(i).to;
       Apart least{space_.distance(at, from.at()), at, from.at()};
@@ -288,27 +288,27 @@ class Comparer {
     return most;
   }
 
-  bool goes_on_from_last(const CourseDifference& d) const {
+  bool continues_last_difference(const CourseDifference& d) const {
     if (out_.differences.empty() || out_.more > 0 || d.kind == Kind::way || d.kind == Kind::act || d.kind == Kind::end) return false;
     const CourseDifference& last = out_.differences.back();
-    return last.kind == d.kind && last.a_says == d.a_says && last.b_says == d.b_says;
+    return last.kind == d.kind && last.a_value == d.a_value && last.b_value == d.b_value;
   }
   std::size_t number_of_next(const CourseDifference& d) const {
-    return out_.differences.size() + out_.more - (goes_on_from_last(d) ? 1 : 0);
+    return out_.differences.size() + out_.more - (continues_last_difference(d) ? 1 : 0);
   }
   /// Adds a difference; joins it with the last one if it begins where that one ended.
   void add(CourseDifference d) {
-    if (goes_on_from_last(d)) {
+    if (continues_last_difference(d)) {
       CourseDifference& last = out_.differences.back();
       last.a_to = d.a_to, last.b_to = d.b_to;
-    } else if (out_.differences.size() >= rules_.most_told) ++out_.more;
+    } else if (out_.differences.size() >= rules_.max_reported) ++out_.more;
     else out_.differences.push_back(std::move(d));
   }
 
   const CompareRules rules_;
   const CourseSpace space_;
   Course &course_a_, &course_b_;
-  Lane a_, b_;
+  CourseCursor a_, b_;
   int far_searches_ = 0;
   PieceFollower follower_;
   Comparison out_;

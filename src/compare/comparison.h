@@ -38,7 +38,7 @@ struct CompareRules {
   std::map<std::string, double> zero_of_b{};  // mm by axis: origin set by the operator, since b's control has no work offsets
   bool first_only = false;                    // stop at the first difference
   bool times = true;                          // compute CourseSpot::at
-  std::size_t most_told = 1000;               // greatest number of differences that are listed one by one
+  std::size_t max_reported = 1000;            // greatest number of differences that are listed one by one
   StopToken stop{};
   std::function<void(const ComparedPiece&)> on_piece{};  // called for each segment while both paths are followed
 };
@@ -54,11 +54,11 @@ struct CourseSpot {
 struct CourseDifference {
   enum class Kind : std::uint8_t { way, move, feed, tool, spindle, coolant, corners, act, end };
   Kind kind = Kind::way;
-  CourseSpot a, b;             // where the difference begins in each program
-  CourseSpot a_to, b_to;       // where the difference ends: both do the same again from there
-  double distance = 0;         // mm, for paths: greatest distance of a vertex of one path from the other path, within this difference
-  Axes a_far{}, b_far{};       // the two positions between which `distance` was measured
-  std::string a_says, b_says;  // values that differ: "F200", "M8"; empty in the program that lacks the act
+  CourseSpot a, b;               // where the difference begins in each program
+  CourseSpot a_to, b_to;         // where the difference ends: both do the same again from there
+  double distance = 0;           // mm, for paths: greatest distance of a vertex of one path from the other path, within this difference
+  Axes a_far{}, b_far{};         // the two positions between which `distance` was measured
+  std::string a_value, b_value;  // values that differ: "F200", "M8"; empty in the program that lacks the act
 };
 
 struct Comparison {
@@ -86,6 +86,6 @@ std::vector<std::string> common_frame(const Session& a, const Session& b);
 Comparison compare_sessions(std::unique_ptr<Session> a, std::unique_ptr<Session> b, const CompareRules& rules);
 
 /// Describes the act in words that users of any control understand: "F200", "S1200 M3", ….
-std::string text_of(const CourseAct& act);
+std::string text_of(const CourseEvent& act);
 
 }  // namespace kadr

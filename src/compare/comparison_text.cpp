@@ -1,4 +1,4 @@
-// Describes a comparison in words. Used by view/page_compare; tested by tests/compare/comparison_text_test.cpp.
+// Describes a comparison in words. Used by view/page/page_compare; tested by tests/compare/comparison_text_test.cpp.
 
 #include "compare/comparison_text.h"
 
@@ -32,9 +32,9 @@ std::string sentence_of(const CourseDifference& d, Lang lang) {
   const KindText& kind = kinds[std::size_t(d.kind)];
   const auto value = [&](const std::string& says) { return says.empty() ? std::string(ru ? "ничего" : "nothing") : says; };
   std::string text = ru ? kind.ru : kind.en;
-  if (d.kind != CourseDifference::Kind::way) return text + fmt::format(": {} — {}", value(d.a_says), value(d.b_says));
+  if (d.kind != CourseDifference::Kind::way) return text + fmt::format(": {} — {}", value(d.a_value), value(d.b_value));
   text += ru ? fmt::format(", расходятся до {:.4g} мм", d.distance) : fmt::format(", up to {:.4g} mm apart", d.distance);
-  if (!d.a_says.empty() || !d.b_says.empty()) text += fmt::format("; {} — {}", value(d.a_says), value(d.b_says));
+  if (!d.a_value.empty() || !d.b_value.empty()) text += fmt::format("; {} — {}", value(d.a_value), value(d.b_value));
   return text;
 }
 

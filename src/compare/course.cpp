@@ -11,7 +11,7 @@
 namespace kadr {
 namespace {
 
-constexpr int most_pieces = 16'384;  // greatest number of segments of a motion
+constexpr int max_pieces = 16'384;  // greatest number of segments of a motion
 
 CourseMove move_of(MotionKind kind) {
   switch (kind) {
@@ -25,7 +25,7 @@ CourseMove move_of(MotionKind kind) {
 
 /// True if the path is the straight line to the end of the motion: MachinePath would compute the same.
 bool is_plain_line(const Step& step, const Motion& motion) {
-  return !motion.detail && !is_arc(motion.kind) && motion.kind != MotionKind::spline && !leads_tip(step.from, motion);
+  return !motion.detail && !is_arc(motion.kind) && motion.kind != MotionKind::spline && !controls_tip(step.from, motion);
 }
 
 }  // namespace
@@ -91,47 +91,47 @@ void Course::take(const Step& step) {
 }
 
 void Course::take_switch(const Step& step) {
-  using Kind = CourseAct::Kind;
+  using Kind = CourseEvent::Kind;
   by_kind(
       step.action,
       [&](const Spindle& turned) {
-        if (turned.number != 1) return take_act(step, Kind::other, double(turned.dir), "spindle " + std::to_string(turned.number));
+        if (turned.number != 1) return take_event(step, Kind::other, double(turned.dir), "spindle " + std::to_string(turned.number));
         state_.spindle = turned.dir;
         if (turned.rpm != 0) rpm_ = turned.rpm, surface_ = false;
       },
       [&](const Speed& speed) {
-        if (speed.number != 1) return take_act(step, Kind::other, speed.value, "speed " + std::to_string(speed.number));
+        if (speed.number != 1) return take_event(step, Kind::other, speed.value, "speed " + std::to_string(speed.number));
         rpm_ = speed.value, surface_ = speed.surface;
       },
       [&](const CoolantSwitch& coolant) { state_.coolant = coolant.what; },
       [&](const ToolChange& change) {
         if (!tools_by_hand_) state_.tool = change.tool;
-        take_act(step, Kind::tool, change.tool);
+        take_event(step, Kind::tool, change.tool);
       },
-      [&](const Dwell& dwell) { take_act(step, Kind::dwell, dwell.seconds); },
-      [&](const Stop& stop) { take_act(step, stop.optional ? Kind::optional_stop : Kind::stop, 0); },
+      [&](const Dwell& dwell) { take_event(step, Kind::dwell, dwell.seconds); },
+      [&](const Stop& stop) { take_event(step, stop.optional ? Kind::optional_stop : Kind::stop, 0); },
       [&](const Message& message) {
         if (!messages_) ++passed_messages_;
-        else take_act(step, Kind::message, message.number, message.text);
+        else take_event(step, Kind::message, message.number, message.text);
       },
       [&](const MachineFunction& function) { take_function(step, function.code); },
-      [&](const AuxiliaryFunction& auxiliary) { take_act(step, Kind::other, auxiliary.value, std::string(1, auxiliary.address)); },
-      [&](const FrameChange& frame) { frame_zero_ = zero_of(chain_, frame.placement); },
-      [&](const Couple& couple) { take_act(step, Kind::other, couple.ratio, "couple " + couple.slave); },
-      [&](const Uncouple& uncouple) { take_act(step, Kind::other, 0, "uncouple " + uncouple.slave); },
-      ignores<Motion, ToolSelect, SurfaceSpeed, Sync, ZoneChange, ContourBreak, ContourCorner, ContourCheck>);
+      [&](const AuxiliaryFunction& auxiliary) { take_event(step, Kind::other, auxiliary.value, std::string(1, auxiliary.address)); },
+      [&](const FrameChange& frame) { frame_zero_ = work_origin_of(chain_, frame.placement); },
+      [&](const Couple& couple) { take_event(step, Kind::other, couple.ratio, "couple " + couple.slave); },
+      [&](const Uncouple& uncouple) { take_event(step, Kind::other, 0, "uncouple " + uncouple.slave); },
+      ignores<Motion, ToolSelect, SurfaceSpeed, Sync, ZoneChange, CompensationBreak, CompensationCorner, CompensationCheck>);
 }
 
 void Course::take_function(const Step& step, std::uint32_t code) {
   const auto meaning = codes_.find(code);
-  if (meaning == codes_.end()) return take_act(step, CourseAct::Kind::function, code);
+  if (meaning == codes_.end()) return take_event(step, CourseEvent::Kind::function, code);
   if (meaning->second.coolant) state_.coolant = *meaning->second.coolant;
-  else take_act(step, CourseAct::Kind::function, meaning->second.code);
+  else take_event(step, CourseEvent::Kind::function, meaning->second.code);
 }
 
 /// Adds an exact stop if the next step moves the axes: before any other action they are at rest anyway.
 void Course::stop_exactly(const Step& next) {
-  static const auto act = std::make_shared<const CourseAct>(CourseAct{CourseAct::Kind::exact_stop, 0, {}});
+  static const auto act = std::make_shared<const CourseEvent>(CourseEvent{CourseEvent::Kind::exact_stop, 0, {}});
   CourseItem& item = ahead_->add();
   item.kind = CourseItem::Kind::act;
   put_in_frame(item.to, next.from.machine);
@@ -151,18 +151,18 @@ bool Course::stands(const Step& step, const Motion& motion) const {
   return true;
 }
 
-void Course::take_act(const Step& step, CourseAct::Kind kind, double value, std::string text) {
+void Course::take_event(const Step& step, CourseEvent::Kind kind, double value, std::string text) {
   exact_end_.reset();
   CourseItem& item = ahead_->add();
   item.kind = CourseItem::Kind::act;
   put_in_frame(item.to, step.from.machine);
   item.state = state_;
-  if (kind == CourseAct::Kind::tool) {  // whether spindle and coolant stop for a tool change depends on the machine
+  if (kind == CourseEvent::Kind::tool) {  // whether spindle and coolant stop for a tool change depends on the machine
     item.state.spindle = SpindleDir::stop, item.state.speed = 0, item.state.surface = false;
     item.state.coolant = Coolant::off;
-    if (tools_by_hand_) kind = CourseAct::Kind::stop, value = 0;
+    if (tools_by_hand_) kind = CourseEvent::Kind::stop, value = 0;
   }
-  item.act = std::make_shared<const CourseAct>(CourseAct{kind, value, std::move(text)});
+  item.act = std::make_shared<const CourseEvent>(CourseEvent{kind, value, std::move(text)});
   item.origin = step.action.origin;
   item.begins = step.begins;
   item.ends = step.begins + step.pause;
@@ -197,7 +197,7 @@ void Course::take_motion(const Step& step, const Motion& motion) {
   };
   if (is_plain_line(step, motion)) return put_in_frame(add(step.begins, step.begins + step.time.seconds), motion.machine);
   const MachinePath path(step);
-  const int pieces = path.straight() ? 1 : std::clamp(path.pieces(chord_), 1, most_pieces);
+  const int pieces = path.straight() ? 1 : std::clamp(path.pieces(chord_), 1, max_pieces);
   for (int i = 1; i <= pieces; ++i) {
     Axes& to = add(step.begins + step.time.seconds * (i - 1) / pieces, step.begins + step.time.seconds * i / pieces);
     put_in_frame(to, i == pieces ? path.end() : path.at(double(i) / pieces));

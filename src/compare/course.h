@@ -35,7 +35,7 @@ class Course {
   void change_tools_by_hand() { tools_by_hand_ = true; }
   /// Sets which exact stops and corner modes the course contains.
   void look_at(const PathModes& modes) { modes_ = modes; }
-  /// What an M function of the machine means on the other control, by the tables of both controls (config/machine_codes).
+  /// What an M function of the machine means on the other control, by the tables of both controls (config/machine/machine_codes).
   struct CodeMeaning {
     std::optional<Coolant> coolant{};  // set if the function switches the coolant
     std::uint32_t code = 0;            // else the number of the function on the other control
@@ -56,7 +56,7 @@ class Course {
  private:
   void take(const Step& step);
   void take_motion(const Step& step, const Motion& motion);
-  void take_act(const Step& step, CourseAct::Kind kind, double value, std::string text = {});
+  void take_event(const Step& step, CourseEvent::Kind kind, double value, std::string text = {});
   void take_switch(const Step& step);
   void take_function(const Step& step, std::uint32_t code);
   void stop_exactly(const Step& next);

@@ -31,12 +31,12 @@ struct CourseState {
 };
 
 /// An act while the axes are at rest. The modes that it leaves in force belong to CourseState.
-struct CourseAct {
+struct CourseEvent {
   enum class Kind : std::uint8_t { tool, dwell, stop, optional_stop, message, function, exact_stop, other };
   Kind kind = Kind::other;
   double value = 0;  // by kind: tool number; dwell time in s; number of the message or function
   std::string text;  // text of a message; for `other`, the name of the act
-  friend bool operator==(const CourseAct&, const CourseAct&) = default;
+  friend bool operator==(const CourseEvent&, const CourseEvent&) = default;
 };
 
 struct CourseItem {
@@ -44,7 +44,7 @@ struct CourseItem {
   Kind kind = Kind::end;
   Axes to{};  // position at the end of the item, machine coordinates, in the order of the frame's axes
   CourseState state;
-  std::shared_ptr<const CourseAct> act;  // set if the item is an act
+  std::shared_ptr<const CourseEvent> act;  // set if the item is an act
   Origin origin;
   double begins = 0, ends = 0;   // programmed time since the start, s
   std::optional<AlarmId> fault;  // for the end of the course: the alarm that stopped the program

@@ -7,7 +7,7 @@
 #include <array>
 #include <utility>
 
-#include "config/told.h"
+#include "config/language.h"
 
 namespace kadr {
 
@@ -38,8 +38,8 @@ std::string words_of_state(const CourseState& s, CourseDifference::Kind of) {
   }
 }
 
-std::string text_of(const CourseAct& act) {
-  using Act = CourseAct::Kind;
+std::string text_of(const CourseEvent& act) {
+  using Act = CourseEvent::Kind;
   switch (act.kind) {
     case Act::tool: return fmt::format("M6 T{:g}", act.value);
     case Act::dwell: return fmt::format("G4 {:.6g} {}", act.value, told("s", "с"));

@@ -1,5 +1,5 @@
 #pragma once
-// Describes values of one course that differ from the other, in the language of the current thread (config/told).
+// Describes values of one course that differ from the other, in the language of the current thread (config/language).
 
 #include <cstdint>
 #include <string>

@@ -11,12 +11,12 @@
 namespace kadr {
 namespace {
 
-constexpr std::size_t most_points = 100'000, most_close_points = 20'000;  // points of a path: main picture, close-up
-constexpr double whole_chord = 0.002, close_chord = 1e-5;                 // mm of deviation: main picture, close-up
-constexpr std::size_t most_around = 500;                                  // common segments that are kept before and after a difference
-constexpr std::size_t most_numbers = 500;                                 // differences with a number in the picture
-constexpr double same_place = 1e-3;                                       // mm
-constexpr std::uint16_t file_of_b = 0x8000;                               // added to ProgramLine::file to mark files of b
+constexpr std::size_t max_points = 100'000, most_close_points = 20'000;  // points of a path: main picture, close-up
+constexpr double whole_chord = 0.002, close_chord = 1e-5;                // mm of deviation: main picture, close-up
+constexpr std::size_t most_around = 500;                                 // common segments that are kept before and after a difference
+constexpr std::size_t max_numbers = 500;                                 // differences with a number in the picture
+constexpr double same_place = 1e-3;                                      // mm
+constexpr std::uint16_t file_of_b = 0x8000;                              // added to ProgramLine::file to mark files of b
 
 using Part = ComparedPiece::Part;
 using Layer = SketchPiece::Layer;
@@ -58,7 +58,7 @@ std::array<std::string, 2> short_names(const std::string& a, const std::string& 
   return its == other ? std::array{a, b} : std::array{its, other};
 }
 
-DifferencePlot::DifferencePlot(const std::vector<std::string>& frame) : chain_(AxisRoles::of(frame, 0)), whole_(most_points, whole_chord) {}
+DifferencePlot::DifferencePlot(const std::vector<std::string>& frame) : chain_(AxisRoles::of(frame, 0)), whole_(max_points, whole_chord) {}
 
 SketchPiece DifferencePlot::in_picture(const ComparedPiece& piece) const {
   const Layer layer = piece.part == Part::together  ? Layer::same
@@ -107,7 +107,7 @@ void DifferencePlot::start(Closeup& closeup, std::size_t number) {
 }
 
 void DifferencePlot::measure(const ComparedPiece& piece, const SketchPiece& in_picture) {
-  if (piece.part != Part::changed || piece.number >= most_numbers) return;
+  if (piece.part != Part::changed || piece.number >= max_numbers) return;
   if (longest_.size() <= piece.number) longest_.resize(piece.number + 1);
   Longest& longest = longest_[piece.number];
   const double its = length(in_picture.to - in_picture.from);
@@ -170,7 +170,7 @@ tl::expected<void, std::string> DifferencePlot::write(const ResultFile& file, co
   finish(made.zero);
   const std::vector<const Closeup*> close = chosen(made);
   std::vector<PlotNumber> numbers;
-  for (std::size_t i = 0; i < made.differences.size() && i < std::min(title.numbers, most_numbers); ++i)
+  for (std::size_t i = 0; i < made.differences.size() && i < std::min(title.numbers, max_numbers); ++i)
     numbers.push_back(number_of(made.differences[i], i));
   for (const Closeup* const closeup : close)
     if (closeup->number >= numbers.size()) numbers.push_back(number_of(made.differences[closeup->number], closeup->number));

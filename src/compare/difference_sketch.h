@@ -2,7 +2,7 @@
 // DifferenceSketch: the paths of two programs, prepared for drawing: the path that both follow, and the paths that only one follows. Used
 // by compare/difference_plot.
 
-#include "out/picture/plot_path.h"
+#include "out/picture/plot/plot_path.h"
 
 namespace kadr {
 

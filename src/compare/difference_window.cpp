@@ -8,7 +8,7 @@
 namespace kadr {
 namespace {
 
-constexpr double most_times = 12;      // times the distance between the paths: a larger window does not show that distance well,
+constexpr double max_times = 12;       // times the distance between the paths: a larger window does not show that distance well,
 constexpr double good_times = 6;       // a window of this many times does
 constexpr double little_part = 0.6;    // share of the part: a larger window shows no more than the view of the whole part
 constexpr double margin_part = 0.15;   // margin, as a share of the window
@@ -39,7 +39,7 @@ DifferenceWindow window_of(const Box& differing, Vec3 apart, Vec3 at, const Box&
   const Vec3 size = differing.most - differing.least;
   const double far = length(apart);
   window.view = best_view(apart, size);
-  if (far > 0 && greatest_of(size) > most_times * far) {
+  if (far > 0 && greatest_of(size) > max_times * far) {
     const double half = std::max(good_times * far, least_window) / 2;
     const Vec3 middle = at - 0.5 * apart;
     window.box = {middle - half * Vec3{1, 1, 1}, middle + half * Vec3{1, 1, 1}, false};

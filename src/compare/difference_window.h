@@ -1,7 +1,7 @@
 #pragma once
 // Selects the section of the part that a close-up of a difference shows, and the direction of view. Used by compare/difference_plot.
 
-#include "out/picture/plot_view.h"
+#include "out/picture/plot/plot_view.h"
 
 namespace kadr {
 

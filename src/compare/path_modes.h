@@ -2,7 +2,7 @@
 // PathModes: which codes for corners and exact stops a control has. Two programs are compared only in the modes that both controls have;
 // in exact stops only if the second control has them.
 
-#include "config/control_def.h"
+#include "config/control/control_def.h"
 
 namespace kadr {
 

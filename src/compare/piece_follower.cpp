@@ -6,7 +6,7 @@
 namespace kadr {
 namespace {
 
-constexpr std::size_t most_waiting = 1000;  // segments held back near one position; with more, they are sent as Part::together
+constexpr std::size_t max_waiting = 1000;  // segments held back near one position; with more, they are sent as Part::together
 
 }  // namespace
 
@@ -47,7 +47,7 @@ void PieceFollower::take(const CourseItem& item, const Axes& from, const Axes& t
   if (!of_b && space_.distance(here_, to) > tolerance_) {
     let_go(ComparedPiece::Part::changed);
     waits_ = false;
-  } else if (waiting_.size() > most_waiting) {
+  } else if (waiting_.size() > max_waiting) {
     let_go(ComparedPiece::Part::together);
   }
 }

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "compare/comparison.h"
-#include "compare/lane.h"
+#include "compare/course_cursor.h"
 
 namespace kadr {
 

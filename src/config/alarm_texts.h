@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "base/alarm.h"
-#include "config/control_def.h"
+#include "config/control/control_def.h"
 
 namespace kadr {
 

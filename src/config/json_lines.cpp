@@ -1,4 +1,4 @@
-// Parses JSON and records the line of each key, for messages. Used by config/setup_check.
+// Parses JSON and records the line of each key, for messages. Used by config/setup/setup_check.
 
 #include "config/json_lines.h"
 
@@ -7,7 +7,7 @@
 #include <iterator>
 #include <vector>
 
-#include "config/setup_file.h"
+#include "config/setup/setup_file.h"
 
 namespace kadr {
 namespace {

@@ -1,5 +1,5 @@
 // Checks JSON text before it is parsed: faults are reported in words, with line and column, and no text can exhaust the stack or the
-// memory. Used by config/setup; tested by tests/config/json_scan_test.cpp.
+// memory. Used by config/setup/setup; tested by tests/config/json_scan_test.cpp.
 
 #include "config/json_scan.h"
 
@@ -10,8 +10,8 @@
 #include <set>
 
 #include "base/ascii.h"
+#include "config/language.h"
 #include "config/read_file.h"
-#include "config/told.h"
 #include "lang/text/encoding.h"
 
 namespace kadr {
@@ -43,7 +43,7 @@ class JsonScan {
 
  private:
   bool fault_at(std::size_t at, const std::string& en, const std::string& ru) {
-    if (fault_.empty()) fault_ = told_place(file_, text_, at) + told(en, ru);
+    if (fault_.empty()) fault_ = location_prefix(file_, text_, at) + told(en, ru);
     return false;
   }
   bool fault(const std::string& en, const std::string& ru) { return fault_at(at_, en, ru); }
@@ -87,7 +87,7 @@ class JsonScan {
   bool within(bool (JsonScan::*read)()) {
     if (depth_ == limits::json_depth)
       return fault("more than " + std::to_string(limits::json_depth) + " brackets in brackets",
-                   "скобки вложены более чем на " + told_count(limits::json_depth, "уровень", "уровня", "уровней"));
+                   "скобки вложены более чем на " + count_in_russian(limits::json_depth, "уровень", "уровня", "уровней"));
     ++depth_, ++at_;
     const bool read_well = (this->*read)();
     --depth_;
@@ -241,8 +241,8 @@ class JsonScan {
 
 }  // namespace
 
-std::string told_json_fault(std::string_view text, const std::string& file) {
-  if (std::string fault = told_no_text(text, file); !fault.empty()) return fault;
+std::string json_fault_message(std::string_view text, const std::string& file) {
+  if (std::string fault = no_text_message(text, file); !fault.empty()) return fault;
   return JsonScan(text, file).run();
 }
 

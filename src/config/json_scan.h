@@ -15,6 +15,6 @@ inline constexpr std::size_t json_values = 500'000;  // greatest number of value
 
 /// Checks that the text is JSON in UTF-8 within the limits.
 ///   returns  an error sentence with file (if given), line and column; empty if the text may be parsed
-std::string told_json_fault(std::string_view text, const std::string& file);
+std::string json_fault_message(std::string_view text, const std::string& file);
 
 }  // namespace kadr

@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "base/ascii.h"
-#include "config/told.h"
+#include "config/language.h"
 
 namespace kadr {
 std::size_t edits(std::string_view a, std::string_view b) {

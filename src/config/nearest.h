@@ -16,7 +16,7 @@ std::size_t edits(std::string_view a, std::string_view b);
 /// this name would change more than half of the letters.
 std::optional<std::string> nearest(std::string_view name, const std::vector<std::string>& known);
 
-/// Returns an ending for an error sentence: "; did you mean 'x'?", in the language of messages (told.h); empty if no name is close.
+/// Returns an ending for an error sentence: "; did you mean 'x'?", in the language of messages (language.h); empty if no name is close.
 std::string did_you_mean(std::string_view name, const std::vector<std::string>& known);
 
 /// Compares ignoring the case of Latin letters.

@@ -1,4 +1,4 @@
-// Recognises part programs by their file names. Used by cli/program_files, view/served_folder; tested by tests/run_check.py and
+// Recognises part programs by their file names. Used by cli/job/program_files, view/served_folder; tested by tests/run_check.py and
 // tests/view/served_folder_test.cpp.
 
 #include "config/program_names.h"
@@ -27,18 +27,18 @@ std::string ending_of(std::string_view name) {
 
 }  // namespace
 
-NameTells told_by_name(std::string_view name) {
+NameVerdict judge_name(std::string_view name) {
   const std::string ending = ending_of(name);
-  if (std::all_of(ending.begin(), ending.end(), is_digit)) return NameTells::nothing;
-  return std::find(std::begin(program_endings), std::end(program_endings), ending) == std::end(program_endings) ? NameTells::other
-                                                                                                                : NameTells::program;
+  if (std::all_of(ending.begin(), ending.end(), is_digit)) return NameVerdict::nothing;
+  return std::find(std::begin(program_endings), std::end(program_endings), ending) == std::end(program_endings) ? NameVerdict::other
+                                                                                                                : NameVerdict::program;
 }
 
 bool is_number_name(std::string_view name) {
-  constexpr std::size_t most_letters = 2;
+  constexpr std::size_t max_letters = 2;
   name = name.substr(name.find_last_of('/') + 1);
   const std::size_t first = std::min(name.find_first_of("0123456789"), name.size());
-  if (first > most_letters || first == name.size()) return false;
+  if (first > max_letters || first == name.size()) return false;
   const bool letters = std::all_of(name.begin(), name.begin() + std::ptrdiff_t(first), [](char c) { return is_letter(c) || c == '%'; });
   return letters && name.find_first_not_of("0123456789.", first) == std::string_view::npos;
 }

@@ -4,7 +4,7 @@
 
 #include <fmt/format.h>
 
-#include "config/told.h"
+#include "config/language.h"
 
 namespace kadr {
 

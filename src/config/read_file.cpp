@@ -10,7 +10,7 @@
 #include <cerrno>
 #include <cstring>
 
-#include "config/told.h"
+#include "config/language.h"
 #include "lang/text/text_spool.h"
 
 namespace kadr {
@@ -26,7 +26,7 @@ struct Descriptor {
   int number;
 };
 
-std::string told_kind(mode_t mode) {
+std::string file_type_in_words(mode_t mode) {
   if (S_ISREG(mode)) return {};
   if (S_ISDIR(mode)) return told("a directory", "каталог");
   if (S_ISFIFO(mode)) return told("a pipe", "канал (FIFO)");
@@ -39,18 +39,18 @@ tl::unexpected<std::string> failed(const std::string& path, const std::string& e
 }
 
 tl::unexpected<std::string> unreadable(const std::string& path, int error) {
-  const std::string why = told_errno(error);
+  const std::string why = errno_message(error);
   return failed(path, "cannot be read: " + why, "не читается: " + why);
 }
 
 }  // namespace
 
-std::string told_kind(const std::string& path) {
+std::string file_type_in_words(const std::string& path) {
   struct stat there = {};
-  return ::stat(path.c_str(), &there) == 0 ? told_kind(there.st_mode) : std::string();
+  return ::stat(path.c_str(), &there) == 0 ? file_type_in_words(there.st_mode) : std::string();
 }
 
-std::string told_errno(int error) {
+std::string errno_message(int error) {
   switch (error) {
     case ENOENT: return told("there is no such file", "такого файла нет");
     case ENOTDIR: return told("there is no such directory", "такого каталога нет");
@@ -79,18 +79,18 @@ std::string told_errno(int error) {
   }
 }
 
-tl::expected<std::string, std::string> read_file(const std::string& path, std::size_t most, const FileDoor* door) {
+tl::expected<std::string, std::string> read_file(const std::string& path, std::size_t most, const FileAccess* door) {
   // O_NONBLOCK: opening a FIFO would block until a writer opens it.
   const Descriptor file(door != nullptr ? door->open_for_reading(path)
                                         : ::open(path.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC | O_NOCTTY));
   struct stat there = {};
   if (file.number < 0 || ::fstat(file.number, &there) != 0) {
     const int error = errno;
-    if (const std::string kind = door == nullptr ? told_kind(path) : std::string(); !kind.empty())
+    if (const std::string kind = door == nullptr ? file_type_in_words(path) : std::string(); !kind.empty())
       return failed(path, "is " + kind + ", not a file", "это " + kind + ", а не файл");
     return unreadable(path, error);
   }
-  if (const std::string kind = told_kind(there.st_mode); !kind.empty())
+  if (const std::string kind = file_type_in_words(there.st_mode); !kind.empty())
     return failed(path, "is " + kind + ", not a file", "это " + kind + ", а не файл");
   const std::string mebibytes = std::to_string(most >> 20);
   const auto too_long = [&] {
@@ -111,27 +111,27 @@ tl::expected<std::string, std::string> read_file(const std::string& path, std::s
   }
 }
 
-std::string told_no_text(std::string_view text, const std::string& file) {
+std::string no_text_message(std::string_view text, const std::string& file) {
   if (text.starts_with("\xFF\xFE") || text.starts_with("\xFE\xFF"))
-    return told_place(file, 1, 1) + told("the file is UTF-16; save it as UTF-8", "файл в кодировке UTF-16, сохраните его в UTF-8");
+    return location_prefix(file, 1, 1) + told("the file is UTF-16; save it as UTF-8", "файл в кодировке UTF-16, сохраните его в UTF-8");
   const std::size_t nul = text.find('\0');
   if (nul == std::string_view::npos) return {};
-  return told_place(file, text, nul) + told("a NUL byte: this is no text", "нулевой байт: это не текст");
+  return location_prefix(file, text, nul) + told("a NUL byte: this is no text", "нулевой байт: это не текст");
 }
 
-std::string told_place(const std::string& file, std::size_t line, std::size_t column) {
+std::string location_prefix(const std::string& file, std::size_t line, std::size_t column) {
   const std::string l = std::to_string(line), c = std::to_string(column);
   if (file.empty()) return told("line " + l + ", column " + c + ": ", "строка " + l + ", позиция " + c + ": ");
   return file + ":" + l + ":" + c + ": ";
 }
 
-std::string told_place(const std::string& file, std::string_view text, std::size_t at) {
+std::string location_prefix(const std::string& file, std::string_view text, std::size_t at) {
   const std::string_view before = text.substr(0, std::min(at, text.size()));
   const auto line = static_cast<std::size_t>(std::count(before.begin(), before.end(), '\n'));
   const std::size_t end = before.rfind('\n');
   const std::string_view row = end == std::string_view::npos ? before : before.substr(end + 1);
   const auto column = std::count_if(row.begin(), row.end(), [](char c) { return (static_cast<unsigned char>(c) & 0xC0) != 0x80; });
-  return told_place(file, line + 1, static_cast<std::size_t>(column) + 1);
+  return location_prefix(file, line + 1, static_cast<std::size_t>(column) + 1);
 }
 
 }  // namespace kadr

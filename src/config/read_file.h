@@ -6,7 +6,7 @@
 #include <string_view>
 #include <tl/expected.hpp>
 
-#include "base/file_door.h"
+#include "base/file_access.h"
 
 namespace kadr {
 
@@ -16,26 +16,26 @@ inline constexpr std::size_t config_file_bytes = 16u << 20;
 }  // namespace limits
 
 /// Returns in words what a path is: "a directory", "a pipe" …; empty for a regular file, and if nothing exists at the path.
-std::string told_kind(const std::string& path);
+std::string file_type_in_words(const std::string& path);
 
 /// Returns in words why a file could not be opened or read; `error` is an errno.
-std::string told_errno(int error);
+std::string errno_message(int error);
 
 /// Reads the bytes of a file.
 ///   most     greatest size in bytes; a larger file is rejected without being read
 ///   returns  on failure, an error sentence with the file's name: no file, a directory, a device or a pipe (which would block or never
 ///            end), no permission, too long, not reachable through the door
 tl::expected<std::string, std::string> read_file(const std::string& path, std::size_t most = limits::config_file_bytes,
-                                                 const FileDoor* door = nullptr);
+                                                 const FileAccess* door = nullptr);
 
 /// Returns a message with line and column if the bytes are no UTF-8 text for people (UTF-16, NUL bytes); empty if they are.
 ///   file  starts the sentence; if empty, the sentence starts with "line 1, column 2: "
-std::string told_no_text(std::string_view text, const std::string& file);
+std::string no_text_message(std::string_view text, const std::string& file);
 
 /// Returns "file:line:column: "; without a file, "line 3, column 5: ".
-std::string told_place(const std::string& file, std::size_t line, std::size_t column);
+std::string location_prefix(const std::string& file, std::size_t line, std::size_t column);
 
 /// Returns the same text for the byte at the offset `at` of a text; columns count characters of UTF-8.
-std::string told_place(const std::string& file, std::string_view text, std::size_t at);
+std::string location_prefix(const std::string& file, std::string_view text, std::size_t at);
 
 }  // namespace kadr

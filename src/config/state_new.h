@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "config/state_content.h"
-#include "config/state_file.h"
+#include "config/state/state_content.h"
+#include "config/state/state_file.h"
 
 namespace kadr::state {
 

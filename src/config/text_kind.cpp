@@ -1,4 +1,4 @@
-// Classifies text files. Used by config/guess and cli/program_files; tested by tests/config/guess_test.cpp.
+// Classifies text files. Used by config/control/guess and cli/job/program_files; tested by tests/config/guess_test.cpp.
 
 #include "config/text_kind.h"
 

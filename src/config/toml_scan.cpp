@@ -1,11 +1,11 @@
-// Checks the limits of TOML text before it is parsed. Used by config/toml_tools; tested by tests/config/toml_scan_test.cpp.
+// Checks the limits of TOML text before it is parsed. Used by config/tools/toml_tools; tested by tests/config/toml_scan_test.cpp.
 
 #include "config/toml_scan.h"
 
 #include <algorithm>
 
+#include "config/language.h"
 #include "config/read_file.h"
-#include "config/told.h"
 
 namespace kadr {
 namespace {
@@ -46,7 +46,7 @@ class TomlScan {
     }
     if (++depth_ > limits::toml_depth)
       fault(told("more than " + std::to_string(limits::toml_depth) + " brackets in brackets",
-                 "скобки вложены более чем на " + told_count(limits::toml_depth, "уровень", "уровня", "уровней")));
+                 "скобки вложены более чем на " + count_in_russian(limits::toml_depth, "уровень", "уровня", "уровней")));
   }
 
   /// Counts one part of a dotted key. Decimal points in numbers are counted as well, which does no harm.
@@ -84,7 +84,7 @@ class TomlScan {
     }
   }
 
-  void fault(const std::string& sentence) { fault_ = told_place(file_, text_, at_) + sentence; }
+  void fault(const std::string& sentence) { fault_ = location_prefix(file_, text_, at_) + sentence; }
 
   std::string_view text_;
   const std::string& file_;
@@ -95,6 +95,6 @@ class TomlScan {
 
 }  // namespace
 
-std::string told_toml_limit(std::string_view text, const std::string& file) { return TomlScan(text, file).run(); }
+std::string toml_limit_message(std::string_view text, const std::string& file) { return TomlScan(text, file).run(); }
 
 }  // namespace kadr

@@ -17,6 +17,6 @@ inline constexpr std::size_t toml_values = 200'000;  // keys, parts of keys, ite
 
 /// Checks the limits of a text. Other violations of TOML are left to the parser.
 ///   returns  an error sentence with file, line and column; empty if the text may be parsed
-std::string told_toml_limit(std::string_view text, const std::string& file);
+std::string toml_limit_message(std::string_view text, const std::string& file);
 
 }  // namespace kadr

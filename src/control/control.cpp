@@ -1,12 +1,12 @@
-// The entrance to the interpreter: each call is passed to Interpreter, or to MachineSide, the part of the dialect that serves the
+// The entrance to the interpreter: each call is passed to Interpreter, or to MachineInterface, the part of the dialect that serves the
 // machine. Used by cli, control, session.
 
 #include "control/control.h"
 
 #include <utility>
 
-#include "config/machine_axes.h"
-#include "config/setup_keys.h"
+#include "config/machine/machine_axes.h"
+#include "config/setup/setup_keys.h"
 #include "control/interpreter.h"
 #include "control/shared_memory.h"
 #include "control/snapshot_content.h"
@@ -33,29 +33,29 @@ Control::Control(const ControlDef& def, const Setup& setup, Program program, con
   interpreter_->holds_before = &holds_before;
 }
 Control::~Control() = default;
-MachineSide* Control::machine_side() const { return interpreter_->dialect->machine_side(); }
+MachineInterface* Control::machine_interface() const { return interpreter_->dialect->machine_interface(); }
 
 Control::State Control::run(ActionBatch& batch) {
   if (!shared_) [[likely]]
     return interpreter_->run(batch);
   shared_->lend(interpreter_->tables.offsets);
   const State state = interpreter_->run(batch);
-  shared_->take_back(interpreter_->tables.offsets);
+  shared_->undo_block(interpreter_->tables.offsets);
   return state;
 }
 std::optional<Snapshot> Control::snapshot() const { return interpreter_->snapshot(cutting_seen_ms_); }
 Status Control::restore(const Snapshot& from) {
   KADR_TRY(interpreter_->restore(from));
   cutting_seen_ms_ = from.content().cutting_seen_ms;
-  if (shared_) shared_->take_back(interpreter_->tables.offsets);
+  if (shared_) shared_->undo_block(interpreter_->tables.offsets);
   return {};
 }
 void Control::answer(const ProbeAnswer& answer) {
   interpreter_->answer(answer);
-  if (shared_) shared_->take_back(interpreter_->tables.offsets);
+  if (shared_) shared_->undo_block(interpreter_->tables.offsets);
 }
-void Control::hand_over_each_block() { interpreter_->each_block = true; }
-bool Control::hands_over_each_block() const { return interpreter_->each_block; }
+void Control::return_each_block() { interpreter_->each_block = true; }
+bool Control::returns_each_block() const { return interpreter_->each_block; }
 void Control::refused() {
   interpreter_->refused();
   release();
@@ -115,39 +115,39 @@ AlarmReport::Line Control::line_at(const Origin& origin) const {
 
 void Control::check_uncalled(const std::function<void(const AlarmReport&)>& on_fault) { interpreter_->check_uncalled(on_fault); }
 void Control::set_signal(const std::string& name, double value) {
-  MachineSide* const side = machine_side();
+  MachineInterface* const side = machine_interface();
   if (side == nullptr) return;
   side->set_signal(name, value);
   if (const AxisSignal asked = axis_signal(name); !asked.axis.empty())
     side->couple_axis(*interpreter_, std::string(asked.axis), asked.link, value != 0);
   if (on_signal) on_signal(name, value != 0);
-  if (on_far_axes) on_far_axes();
+  if (on_cross_channel_axes) on_cross_channel_axes();
   if (side->waiting_suspended()) interpreter_->waiting.meeting.reset();
 }
-const std::vector<FarAxis>& Control::far_axes() const {
-  static const std::vector<FarAxis> none;
-  const MachineSide* const side = machine_side();
-  return side == nullptr ? none : side->far_axes();
+const std::vector<CrossChannelAxis>& Control::cross_channel_axes() const {
+  static const std::vector<CrossChannelAxis> none;
+  const MachineInterface* const side = machine_interface();
+  return side == nullptr ? none : side->cross_channel_axes();
 }
-void Control::drop_far(const FarAxis& axis) {
-  if (MachineSide* const side = machine_side()) side->drop_far(*interpreter_, axis);
+void Control::drop_cross_channel(const CrossChannelAxis& axis) {
+  if (MachineInterface* const side = machine_interface()) side->drop_cross_channel(*interpreter_, axis);
 }
 void Control::lead_axis(std::size_t axis, double machine) {
-  if (MachineSide* const side = machine_side()) side->lead_axis(*interpreter_, axis, machine);
+  if (MachineInterface* const side = machine_interface()) side->lead_axis(*interpreter_, axis, machine);
 }
 bool Control::may_exchange(std::size_t axis) const {
-  const MachineSide* const side = machine_side();
+  const MachineInterface* const side = machine_interface();
   return side != nullptr && side->may_exchange(*interpreter_, axis);
 }
-void Control::exchange_far(std::size_t axis, double machine, bool on) {
-  if (MachineSide* const side = machine_side()) side->exchange_far(axis, machine, on);
+void Control::exchange_cross_channel(std::size_t axis, double machine, bool on) {
+  if (MachineInterface* const side = machine_interface()) side->exchange_cross_channel(axis, machine, on);
 }
 bool Control::is_parked(std::size_t axis) const {
-  const MachineSide* const side = machine_side();
+  const MachineInterface* const side = machine_interface();
   return side != nullptr && side->is_parked(axis);
 }
 bool Control::rolls_over(std::size_t axis) const {
-  const MachineSide* const side = machine_side();
+  const MachineInterface* const side = machine_interface();
   return side != nullptr && side->rolls_over(axis);
 }
 int Control::axis_number(std::size_t axis) const { return interpreter_->def.axis_numbers[axis]; }
@@ -158,32 +158,32 @@ void Control::set_skip(int number, bool on) {
 void Control::set_answer(double answer) {
   constexpr double yes = 2;
   if (interpreter_->skips_it) interpreter_->skips_it = answer == yes;
-  if (MachineSide* const side = machine_side()) side->set_answer(answer);
+  if (MachineInterface* const side = machine_interface()) side->set_answer(answer);
 }
 void Control::synchronise(int slave, int master) {
-  if (MachineSide* const side = machine_side()) side->synchronise(slave, master);
+  if (MachineInterface* const side = machine_interface()) side->synchronise(slave, master);
 }
 std::uint64_t Control::common_version() const { return interpreter_->dialect->common_version(); }
 void Control::take_common(const Control& from) { interpreter_->take_common(*from.interpreter_); }
 void Control::couple_axes(const std::vector<std::string>& axes, AxisLink link, bool on) {
   for (const std::string& name : axes)
-    if (MachineSide* const side = machine_side()) side->couple_axis(*interpreter_, name, link, on);
-  if (on_far_axes) on_far_axes();
+    if (MachineInterface* const side = machine_interface()) side->couple_axis(*interpreter_, name, link, on);
+  if (on_cross_channel_axes) on_cross_channel_axes();
 }
 void Control::convert_spindle(int number, bool to_axis) {
-  if (MachineSide* const side = machine_side()) side->convert_spindle(number, to_axis);
+  if (MachineInterface* const side = machine_interface()) side->convert_spindle(number, to_axis);
 }
 void Control::power_cycle() {
   interpreter_->power_cycle();
-  if (on_far_axes) on_far_axes();
+  if (on_cross_channel_axes) on_cross_channel_axes();
 }
 void Control::set_time(double now_ms, double cutting_ms) {
-  if (MachineSide* const side = machine_side()) side->set_time(now_ms, cutting_ms - std::exchange(cutting_seen_ms_, cutting_ms));
+  if (MachineInterface* const side = machine_interface()) side->set_time(now_ms, cutting_ms - std::exchange(cutting_seen_ms_, cutting_ms));
 }
 bool Control::may_read_clock() const { return interpreter_->def.has_clocks(); }
 bool Control::reads_clock() const { return interpreter_->reads_clock; }
 std::optional<RunState> Control::run_state() const {
-  const MachineSide* const side = machine_side();
+  const MachineInterface* const side = machine_interface();
   return side == nullptr ? std::nullopt : std::optional(side->run_state(*interpreter_));
 }
 Setup Control::tables_now() const { return tables_of(*interpreter_); }
@@ -199,7 +199,7 @@ const WrittenFiles& Control::files_written() const { return interpreter_->dialec
 const std::string& Control::file_name(std::uint16_t file) const { return interpreter_->flow.file(file).path(); }
 ToolPosition Control::tool_position() const { return {interpreter_->position.work, interpreter_->position.machine}; }
 const Placement& Control::placement() const { return interpreter_->frames; }
-Ending Control::ending() const { return interpreter_->ending(); }
+FinalState Control::ending() const { return interpreter_->ending(); }
 void Control::watch_states() { interpreter_->watch_states(); }
 std::optional<BlockState> Control::state_of(const Origin& origin) const { return interpreter_->state_of(origin); }
 void Control::watch_calls() { interpreter_->watch_calls(); }
@@ -213,11 +213,11 @@ const std::vector<std::string>& Control::axes() const { return interpreter_->axi
 const ProgramUse& Control::use() const { return interpreter_->use; }
 void Control::watch_use() { interpreter_->use.watch(); }
 std::optional<SearchRules> Control::search_rules() const {
-  const MachineSide* const side = machine_side();
+  const MachineInterface* const side = machine_interface();
   return side != nullptr ? std::optional(side->search_rules()) : std::nullopt;
 }
-bool Control::has_machine_parameters() const { return machine_side() != nullptr; }
-bool Control::queues_contours() const { return interpreter_->def.behaviour.queues_contours(); }
+bool Control::has_machine_parameters() const { return machine_interface() != nullptr; }
+bool Control::queues_compensation() const { return interpreter_->def.behaviour.queues_compensation(); }
 std::uint32_t Control::rotary() const { return interpreter_->def.rotary; }
 std::pair<double, double> Control::limits_by_file(std::size_t axis) const { return interpreter_->dialect->limits_by_file(axis); }
 const SetupFault& Control::setup_fault() const { return interpreter_->start_fault; }

@@ -13,17 +13,17 @@
 #include "action/in_force.h"
 #include "action/tool_position.h"
 #include "base/file_id.h"
-#include "base/stop.h"
-#include "config/control_def.h"
-#include "config/setup.h"
-#include "config/setup_file.h"
-#include "config/state_file.h"
-#include "control/state/far_axis.h"
+#include "base/stop_token.h"
+#include "config/control/control_def.h"
+#include "config/setup/setup.h"
+#include "config/setup/setup_file.h"
+#include "config/state/state_file.h"
+#include "control/state/cross_channel_axis.h"
 #include "control/state/run_limits.h"
 #include "control/state/search_rules.h"
 #include "control/state/snapshot.h"
 #include "control/state/usage.h"
-#include "control/state/waiting.h"
+#include "control/state/waiting_codes.h"
 #include "lang/block/block_reader.h"
 
 namespace kadr {
@@ -31,10 +31,10 @@ namespace kadr {
 /// Files that a program writes (nct 23.2.13): path from the folder of the program memory, bytes.
 using WrittenFiles = std::map<std::string, std::uint64_t>;
 
-class Interpreter;   // control/interpreter.h
-class LineMarks;     // control/state/line_marks.h
-class MachineSide;   // control/dialect.h
-class SharedMemory;  // control/shared_memory.h
+class Interpreter;       // control/interpreter.h
+class LineMarks;         // control/state/line_marks.h
+class MachineInterface;  // control/dialect.h
+class SharedMemory;      // control/shared_memory.h
 
 class Control {
  public:
@@ -95,10 +95,10 @@ class Control {
 
   void answer(const ProbeAnswer& answer);
   /// From now on returns the actions of each block separately, so that the machine may refuse a block.
-  void hand_over_each_block();
+  void return_each_block();
   /// Returns true if the actions of each block are returned separately: from the start, or since the program has reached a safety zone or
   /// a clock.
-  bool hands_over_each_block() const;
+  bool returns_each_block() const;
   /// Cancels the last block because the machine has refused one of its actions; the block has no effect, as after an alarm of its own.
   void refused();
   using Waiting = WaitingMode;
@@ -138,11 +138,11 @@ class Control {
   /// Makes the axes follow the master axes that parameter N2101 names, or ends this coupling (nct 20.2).
   void couple_axes(const std::vector<std::string>& axes, AxisLink link, bool on);
   /// Axes of this channel that are coupled to, or exchanged with, axes of other channels at present (nct 20.2, 20.3).
-  const std::vector<FarAxis>& far_axes() const;
-  /// Called when the machine's logic may have changed far_axes(); the axes of both channels are at rest.
-  std::function<void()> on_far_axes;
+  const std::vector<CrossChannelAxis>& cross_channel_axes() const;
+  /// Called when the machine's logic may have changed cross_channel_axes(); the axes of both channels are at rest.
+  std::function<void()> on_cross_channel_axes;
   /// Ends a coupling or exchange that is impossible: the axis is independent again, with a warning.
-  void drop_far(const FarAxis& axis);
+  void drop_cross_channel(const CrossChannelAxis& axis);
   /// Moves an axis to a machine coordinate because the axis of another channel that it follows has moved. Axes of this channel that
   /// follow this axis move too.
   void lead_axis(std::size_t axis, double machine);
@@ -150,7 +150,7 @@ class Control {
   bool may_exchange(std::size_t axis) const;
   /// From the next block on, lets the axis drive the axis of another channel that it is exchanged with, which is at `machine`; or ends
   /// this.
-  void exchange_far(std::size_t axis, double machine, bool on);
+  void exchange_cross_channel(std::size_t axis, double machine, bool on);
   bool is_parked(std::size_t axis) const;
   bool rolls_over(std::size_t axis) const;
   /// Number of an axis; the numbers are unique across the channels (nct 1.2).
@@ -207,7 +207,7 @@ class Control {
   /// The files that the program has written, or would have written (RunLimits::writes_files).
   const WrittenFiles& files_written() const;
 
-  Ending ending() const;
+  FinalState ending() const;
   /// Tool position after all blocks executed so far; its coordinates are in the frame that the first action sets.
   ToolPosition tool_position() const;
   /// Placement of the work coordinates on the machine, after all blocks executed so far.
@@ -229,19 +229,19 @@ class Control {
   bool encoding_was_guessed() const;
   const std::vector<std::string>& axes() const;
   /// Something that the set-up names and this control does not have, beyond the
-  /// checks of the table of keys (config/setup_check); empty if there is none.
+  /// checks of the table of keys (config/setup/setup_check); empty if there is none.
   const SetupFault& setup_fault() const;
   /// Returns true if the machine is described by parameters (nct 24).
   bool has_machine_parameters() const;
-  /// Returns true if the cutter compensation of this control is computed by path/contour/queued_compensation.
-  bool queues_contours() const;
+  /// Returns true if the cutter compensation of this control is computed by path/compensation/queued_compensation.
+  bool queues_compensation() const;
   std::uint32_t rotary() const;
   /// See Dialect::limits_by_file().
   std::pair<double, double> limits_by_file(std::size_t axis) const;
 
  private:
   /// The part of the dialect that serves the machine; nullptr if the dialect has none.
-  MachineSide* machine_side() const;
+  MachineInterface* machine_interface() const;
 
   std::unique_ptr<Interpreter> interpreter_;
   std::shared_ptr<SharedMemory> shared_;

@@ -4,7 +4,7 @@
 
 #include <utility>
 
-#include "control/functions/contour.h"
+#include "control/functions/cutter_compensation.h"
 #include "control/interpreter.h"
 
 namespace kadr {
@@ -15,7 +15,7 @@ std::pair<double, double> ProgramDialect::limits_by_file(std::size_t) const { re
 void ProgramDialect::started(Emitter&) {}
 bool ProgramDialect::end_program(Interpreter&) { return false; }
 bool ProgramDialect::lose_power(Interpreter&) { return false; }
-void VariableDialect::add_variables(Emitter&, Ending&, const std::vector<std::string>&) {}
+void VariableDialect::add_variables(Emitter&, FinalState&, const std::vector<std::string>&) {}
 StateChanges ProgramDialect::take_changes(Interpreter&) { return {}; }
 Result<bool> BlockDialect::finish(Interpreter&) { return false; }
 bool BlockDialect::reads_clock(const Block&) const { return false; }
@@ -45,8 +45,8 @@ Status VariableDialect::write_variable(BlockContext& m, double number, double va
 }
 void BlockDialect::note_shadowed(Emitter&, std::uint32_t, Span) {}
 void BlockDialect::keep(BlockContext&) {}
-void BlockDialect::take_back(BlockContext&) {}
-void BlockDialect::taken_back(Emitter&) {}
+void BlockDialect::undo_block(BlockContext&) {}
+void BlockDialect::block_undone(Emitter&) {}
 void ProgramDialect::note_fault(Interpreter&, bool) {}
 bool ProgramDialect::leave_call(Interpreter&) { return false; }
 Status MotionDialect::target(const BlockContext& m, Axes& to, AxisMask& named) const { return m.axis_words(to, named); }
@@ -59,7 +59,7 @@ Status MotionDialect::arc(Emitter& m, const Call& call, Turn turn) { return m.pl
 Status MotionDialect::surface_line(Emitter&, MotionKind, const Axes&, AxisMask) { return {}; }
 Status MotionDialect::may_move(const BlockContext&, AxisMask) const { return {}; }
 void MotionDialect::note_motion(Emitter& m, Motion& motion) {
-  if (m.modal.contour != ContourPhase::off) note_contour(m, motion, m.moved_from);
+  if (m.modal.contour != CompensationPhase::off) note_compensation(m, motion, m.moved_from);
 }
 double MotionDialect::inch_feed(const BlockContext& m, const Motion& motion, const Axes& from) const {
   return feed_in_inches(m, motion, from);
@@ -74,7 +74,7 @@ SurfaceSpeed MotionDialect::surface_speed(const BlockContext& m) const { return 
 void FrameDialect::refresh_frames(Emitter& m) { m.frames_by_tables(); }
 Axes FrameDialect::shift_of_origin(const BlockContext& m) const { return m.shift_by_tables(); }
 void FrameDialect::roll(const BlockContext&, Axes&) const {}
-Status MotionDialect::take_answer(Emitter& m, const ProbeAnswer& answer) { return m.note_answer(answer); }
+Status MotionDialect::accept_answer(Emitter& m, const ProbeAnswer& answer) { return m.note_answer(answer); }
 Status BlockDialect::machine_code(Interpreter& m, const Call& call) { return m.emit_machine_function(call); }
 Result<double> VariableDialect::read_variable(Emitter& m, double number, Span where) const { return m.variables.variable(number, where); }
 Result<double> VariableDialect::number_of_element(const BlockContext&, double, double, Span) const { return 0.0; }

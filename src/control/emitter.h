@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "control/block_context.h"
-#include "control/cycles/cycle_run.h"
+#include "control/cycles/canned_cycle_run.h"
 #include "control/cycles/ellipse_run.h"
 
 namespace kadr {
@@ -27,11 +27,11 @@ inline constexpr std::size_t batch_size = 64;  // actions emitted at a time
 
 /// A canned cycle that continues after its block was executed, a few actions
 /// at a time, so that a cycle of any length runs in constant memory.
-class Running {
+class SteppedCycle {
  public:
-  virtual ~Running() = default;
+  virtual ~SteppedCycle() = default;
   /// Returns a copy that continues from the same point, in a control restored from a snapshot.
-  virtual std::unique_ptr<Running> clone() const = 0;
+  virtual std::unique_ptr<SteppedCycle> clone() const = 0;
   /// Emits the next actions, at most a few. Returns false if the cycle is finished.
   virtual Result<bool> next(Emitter& m) = 0;
   /// Called when the cycle is finished; may make the program continue at another block.
@@ -41,11 +41,11 @@ class Running {
   virtual bool functions_first() const { return false; }
 };
 
-/// Base of a cycle that can be copied as a value: `class Pocket final : public RunningValue<Pocket>`.
+/// Base of a cycle that can be copied as a value: `class Pocket final : public SteppedCycleValue<Pocket>`.
 template <class Cycle>
-class RunningValue : public Running {
+class SteppedCycleValue : public SteppedCycle {
  public:
-  std::unique_ptr<Running> clone() const final { return std::make_unique<Cycle>(static_cast<const Cycle&>(*this)); }
+  std::unique_ptr<SteppedCycle> clone() const final { return std::make_unique<Cycle>(static_cast<const Cycle&>(*this)); }
 };
 
 class Emitter : public BlockContext {
@@ -67,14 +67,14 @@ class Emitter : public BlockContext {
   /// Emits a straight motion to a programmed point.
   Status straight(MotionKind kind, const Axes& programmed, AxisMask named);
   /// Emits a straight motion to a machine position on the named axes.
-  Status to_machine(MotionKind kind, const Axes& machine, AxisMask named, double feed, EndGiven end = EndGiven::by_machine);
+  Status to_machine(MotionKind kind, const Axes& machine, AxisMask named, double feed, EndReference end = EndReference::by_machine);
   /// Emits an arc as the tables of the control's file define it. A dialect may define arcs differently.
   Status plain_arc(Turn turn, Span where);
   /// Sets the machine position after the axes have been moved by hand.
   void stand_at(const Axes& machine);
   /// Sets the tool position on the named axes from `position.programmed`, if
   /// work coordinates equal the programmed ones and the frame is not rotated.
-  void place_plainly(AxisMask named) {
+  void set_plain_position(AxisMask named) {
     for (; named != 0; named &= named - 1) {
       const auto a = static_cast<std::size_t>(__builtin_ctz(named));
       position.work[a] = position.programmed[a];
@@ -105,17 +105,17 @@ class Emitter : public BlockContext {
 
   /// Passes a code that the control executes itself on to the machine's logic (nct 13.1).
   ///   code  in tenths
-  void tell_machine(std::int32_t code);
+  void report_to_machine(std::int32_t code);
   Status emit_machine_function(const Call& call);
   /// Emits the (MSG, …) comments of the block as messages.
   void show_messages();
   /// True while a canned cycle of the block is being executed.
-  bool cycling() const { return cycle_run.active() || ellipse_run.active() || running != nullptr; }
+  bool cycling() const { return canned_cycle_run.active() || ellipse_run.active() || running != nullptr; }
 
   ActionBatch* batch = nullptr;
-  CycleRun cycle_run;
+  CannedCycleRun canned_cycle_run;
   EllipseRun ellipse_run;
-  std::unique_ptr<Running> running;                              // a canned cycle of the dialect
+  std::unique_ptr<SteppedCycle> running;                         // a canned cycle of the dialect
   bool each_block = false;                                       // run() returns the actions of each block separately
   std::function<void(const Origin&, bool)>* on_block = nullptr;  // callback at the start and at the end of each block
 

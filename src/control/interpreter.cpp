@@ -7,7 +7,7 @@
 #include <cmath>
 #include <utility>
 
-#include "base/made_in.h"
+#include "base/construct_in_place.h"
 #include "base/tolerance.h"
 #include "control/flow/file_end.h"
 
@@ -42,7 +42,7 @@ bool is_held(Interpreter& m, const std::optional<Flow::Mark>& before) {
 
 Interpreter::~Interpreter() = default;
 
-Status Running::lead_on(Interpreter&) const { return {}; }
+Status SteppedCycle::lead_on(Interpreter&) const { return {}; }
 
 void Interpreter::begin_batch(ActionBatch& to) {
   to.clear();
@@ -56,7 +56,7 @@ void Interpreter::begin_batch(ActionBatch& to) {
 
 /// Executes one pending step (of a canned cycle, or of the end of a watched
 /// block) before the next block is read. Returns false if nothing is pending.
-bool Interpreter::goes_on_with_last() {
+bool Interpreter::continues_last() {
   if (cycling()) {
     if (const Status status = next_of_cycle(); !status) fail_with(status.error());
     return true;
@@ -110,7 +110,7 @@ std::optional<Control::State> Interpreter::take_read(const Result<BlockReader::G
   if (got) {
     take_block();
     skips_it.reset();
-    if (unplaced != 0) [[unlikely]]
+    if (unknown_position != 0) [[unlikely]]
       note_placed();
     motion_run_.note(*this);
     if (block_states_) [[unlikely]]
@@ -129,7 +129,7 @@ Control::State Interpreter::run(ActionBatch& to) {
   const std::uint64_t until = flow.blocks() + most_unseen;
   while (to.size() < batch_size && !is_stopped() && !(each_block && !to.empty()) && !stop_.asked()) {
     if (waiting.meeting) return Control::State::waiting;
-    if (goes_on_with_last()) continue;
+    if (continues_last()) continue;
     if (flow.ended()) return Control::State::ended;
     if (waits_for_dialect()) continue;
     std::optional<Flow::Mark> before;
@@ -144,7 +144,7 @@ Control::State Interpreter::run(ActionBatch& to) {
       if (const auto state = close_file(last)) return *state;
       continue;
     }
-    if (!flow.in_body()) made_in(origin, [this] { return origin_of_block(); });
+    if (!flow.in_body()) construct_in_place(origin, [this] { return origin_of_block(); });
     else origin.number = static_cast<std::uint32_t>(flow.blocks());
     if (looked_at && is_held(*this, before)) [[unlikely]]
       return Control::State::held;
@@ -162,7 +162,7 @@ void Interpreter::watch_states() {
   block_states_->note(origin.number, *this);
 }
 
-void Interpreter::carry_out_statement() {
+void Interpreter::execute_statement() {
   journal.begin();
   pass_varies = true;
   if (const auto done = dialect->statement(*this); !done) fail_with(done.error());
@@ -174,7 +174,7 @@ void Interpreter::take_block() {
     return fail_with(alarm(AlarmId::return_without_call, block->where));
   if (is_watched()) [[unlikely]]
     return watch_block();
-  if (const Status status = execute(); !status) fail_with(status.error());
+  if (const Status status = execute_block(); !status) fail_with(status.error());
   else report_changes();
   if (!is_stopped() && dialect->watches_blocks()) phase_ = RunPhase::end_of_block;  // M96 may just have switched the interrupt macro on
 }
@@ -202,7 +202,7 @@ void Interpreter::watch_block() {
   }
   if (block->skip != 0 && !skipped) dialect->note_skip_mark(*this);
   const std::uint8_t skip = skipped ? block->skip : std::exchange(block->skip, std::uint8_t{0});  // the skip switch was evaluated above
-  const Status status = instead ? execute() : Status(fail(instead.error()));
+  const Status status = instead ? execute_block() : Status(fail(instead.error()));
   if (!skipped) block->skip = skip;
   if (!status) fail_with(status.error());
   else report_changes();
@@ -246,17 +246,17 @@ Status Interpreter::end_of_file() {
 }
 
 Status Interpreter::next_of_cycle() {
-  if (cycle_run.active()) return cycle_run.next(*this);
+  if (canned_cycle_run.active()) return canned_cycle_run.next(*this);
   if (ellipse_run.active()) return ellipse_run.next(*this);
   const auto more = running->next(*this);
   if (!more) return fail(more.error());
   if (*more) return {};
-  const std::unique_ptr<Running> over = std::move(running);
+  const std::unique_ptr<SteppedCycle> over = std::move(running);
   return over->lead_on(*this);
 }
 
 void Interpreter::stop_cycles() {
-  cycle_run.stop();
+  canned_cycle_run.stop();
   ellipse_run.stop();
   running.reset();
 }
@@ -271,7 +271,7 @@ void Interpreter::fail_with(const Alarm& failed) {
   dialect->failed(*this);
 }
 
-Status Interpreter::execute() {
+Status Interpreter::execute_block() {
   journal.begin();
   if (use.watches()) [[unlikely]]
     use.pass(origin);
@@ -325,7 +325,7 @@ Status Interpreter::attempt() {
   if (sets_variables_only(*block)) return assign_alone();
   if (!block->code.empty() && macro_variables == nullptr) keep_state();  // else an assignment is a block of its own (a statement)
   Status status = words();
-  if (!status) take_back(actions);
+  if (!status) undo_block(actions);
   return status;
 }
 
@@ -336,15 +336,15 @@ Status Interpreter::words() {
   if (*done) return {};
   KADR_TRY(plan());
   if (plan_now_->passed_over != 0) [[unlikely]]
-    tell_passed_over(plan_now_->passed_over);
+    warn_passed_over(plan_now_->passed_over);
   const BlockChanges changes = each_block ? BlockChanges::anything : dialect->changes_of(*this, *plan_now_);
   if (changes == BlockChanges::anything) keep_state();
-  else if (changes != BlockChanges::position) keep_little();
+  else if (changes != BlockChanges::position) keep_simple_state();
   if (changes == BlockChanges::cycle) journal.keep(cycle_memory);
-  KADR_TRY(carry_out(*plan_now_));
+  KADR_TRY(execute(*plan_now_));
   if (state_kept_) {
     KADR_TRY(check_place());
-    KADR_TRY(check_zero_kept());
+    KADR_TRY(check_work_offset_kept());
   }
   return dialect->after_block(*this);
 }
@@ -392,7 +392,7 @@ Status Interpreter::check_place() const {
 
 /// Checks that the work offset does not move during cutter compensation
 /// (2С42 6.4.1, Mach3 10.7.18; INFERRED for every code that moves it).
-Status Interpreter::check_zero_kept() const {
+Status Interpreter::check_work_offset_kept() const {
   if (dialect->zero_may_move() || modal.radius_side == 0 || frames.origin == before_.frames.origin) return {};
   return fail(alarm(AlarmId::compensation_zero, block->where));
 }

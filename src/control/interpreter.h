@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "action/in_force.h"
-#include "config/setup_file.h"
+#include "config/setup/setup_file.h"
 #include "control/block/motion_run.h"
 #include "control/block/plan.h"
 #include "control/control.h"
@@ -40,7 +40,7 @@ class Interpreter final : public Emitter {
   void power_cycle();
   bool is_stopped() const { return phase_ == RunPhase::stopped; }
   void check_uncalled(const std::function<void(const AlarmReport&)>& on_fault);
-  Ending ending();
+  FinalState ending();
   /// Starts recording the state after each block, for state_of().
   void watch_states();
   std::optional<BlockState> state_of(const Origin& at) const;
@@ -71,14 +71,15 @@ class Interpreter final : public Emitter {
   void run_modes(std::initializer_list<Function> functions);
   void warn(const Alarm& alarm) override;
   /// M99, M47 of a main program: starts another pass, from its first block or from `from`. If nothing in this pass could make the next
-  /// one different, or after RunLimits::restarts passes, the run ends with a note, which is not a fault (control/functions/again.cpp).
+  /// one different, or after RunLimits::restarts passes, the run ends with a note, which is not a fault
+  /// (control/functions/continuation.cpp).
   Status begin_again(Span where, Position from = {});
 
   /// Saves the state, so that an alarm later in the block can restore it.
   void keep_state();
   /// Executes a block that is a statement (IF, GOTO, #1=…), when no interrupt macro and no machine logic observes blocks; stops with an
   /// alarm if the block is faulty.
-  void carry_out_statement();
+  void execute_statement();
   /// Executes a block that only sets variables (sets_variables_only()). Returns false if the block is faulty; then no variable has
   /// changed.
   bool assign_again();
@@ -87,7 +88,7 @@ class Interpreter final : public Emitter {
   /// Executes a block that is only a macro call or a return (word number `word` of the block), when no interrupt macro and no machine
   /// logic observes blocks.
   ///   returns  false if the block must be executed in the general way; nothing has changed
-  bool carry_out_call(std::uint8_t word);
+  bool execute_call(std::uint8_t word);
   /// Saves the position in the program, so that an alarm later in the block can restore it.
   void keep_flow_place() { flow_before_ = flow.place(); }
   /// Drops the canned cycle or ellipse that is being executed.
@@ -115,9 +116,9 @@ class Interpreter final : public Emitter {
   void check_setup(const Setup& setup);
   void start_modal(const Setup& setup);
   bool starts(const std::string& text) const;
-  bool note_unserved();
+  bool note_unsupported();
   Status modes_served(const PlanItem& item) const;
-  Status execute();
+  Status execute_block();
   void take_block();
   bool returns_from_entered() const;
   void watch_block();
@@ -130,17 +131,17 @@ class Interpreter final : public Emitter {
   Status attempt();
   Status check_numbers();
   Status words();
-  Status carry_out(const Plan& plan);
-  Status carry_out(const PlanItem& item);
-  Status check_zero_kept() const;
+  Status execute(const Plan& plan);
+  Status execute(const PlanItem& item);
+  Status check_work_offset_kept() const;
   bool is_call(const PlanItem& item) const;
-  bool waits_for(const Running& cycle, const PlanItem& item) const;
+  bool waits_for(const SteppedCycle& cycle, const PlanItem& item) const;
   void keep_for_return(const PlanItem& item);
   Status end_possible(const PlanItem& item, std::size_t depth) const;
   const CodeRow* row_of(const PlanItem& item) const { return item.row >= 0 ? &def.codes[static_cast<std::size_t>(item.row)] : nullptr; }
   Phase phase_of(const PlanItem& item) const { return item.row >= 0 ? row_of(item)->phase : def.address(item.address).phase; }
   void begin_batch(ActionBatch& to);
-  bool goes_on_with_last();
+  bool continues_last();
   bool waits_for_dialect();
   std::optional<Control::State> close_file(Block* last);
   std::optional<Control::State> take_read(const Result<BlockReader::Got>& got);
@@ -156,21 +157,21 @@ class Interpreter final : public Emitter {
   Status check_place() const;
   Status structure();
   Status next_program();
-  void tell_passed_over(std::uint64_t letters_passed);
+  void warn_passed_over(std::uint64_t letters_passed);
   void note_section();
-  Span label_place() const;
+  Span label_span() const;
   Status end_of_file();
-  void keep_little();
-  void take_back(std::size_t actions);
+  void keep_simple_state();
+  void undo_block(std::size_t actions);
   Origin origin_of_block() const;
   void fail_with(const Alarm& alarm);
   bool follows_refused_motion(AlarmId id) const;
   void keep_from_faulty_block();
   void keep_modes_of_faulty_block();
-  void stand_where_meant();
+  void assume_meant_position();
   void note_placed();
   std::shared_ptr<const BlockMemory> block_memory() const;
-  void go_on_in_block(const BlockMemory& then);
+  void continue_in_block(const BlockMemory& then);
 
   /// Cancels what was to happen at the end of a watched block, because that end is not reached.
   void close_block() {

@@ -6,7 +6,7 @@
 #include <memory>
 #include <vector>
 
-#include "config/setup.h"
+#include "config/setup/setup.h"
 #include "control/variables/macro_variables.h"
 
 namespace kadr {
@@ -23,7 +23,7 @@ class SharedMemory {
   }
   /// Called before and after a channel runs. Only one channel runs at a time.
   void lend(std::vector<ToolOffset>& to) const { std::copy_n(offsets_.begin(), std::min(offsets_.size(), to.size()), to.begin()); }
-  void take_back(const std::vector<ToolOffset>& from) {
+  void undo_block(const std::vector<ToolOffset>& from) {
     std::copy_n(from.begin(), std::min(offsets_.size(), from.size()), offsets_.begin());
   }
 

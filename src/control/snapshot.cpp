@@ -29,7 +29,7 @@ Flow::Memory Flow::memory() const {
   return now;
 }
 
-Status Flow::remember(const Memory& memory) {
+Status Flow::resume_from(const Memory& memory) {
   constexpr std::size_t own_files = 2;  // files with a fixed number: the program, the cycle bodies
   std::vector<std::uint16_t> readers;
   for (std::size_t i = own_files; i < memory.files.size(); ++i) {
@@ -52,7 +52,7 @@ Status Flow::remember(const Memory& memory) {
   built_in_.clear();
   for (std::size_t i = 0; i < files_.size(); ++i) {
     if (!files_[i]) continue;
-    files_[i]->remember(memory.files[i].memory);
+    files_[i]->resume_from(memory.files[i].memory);
     if (i >= own_files && i != memory.now.entered.reader)
       (memory.files[i].built_in ? built_in_ : opened_)[memory.files[i].name] = static_cast<std::uint16_t>(i);
   }
@@ -86,8 +86,8 @@ std::shared_ptr<const BlockMemory> Interpreter::block_memory() const {
   now->text = block->text;
   now->plan = *plan_now_;
   now->waiting.assign(waiting_.begin(), waiting_.begin() + static_cast<std::ptrdiff_t>(waiting_count_));
-  now->cycle_run = cycle_run;
-  if (cycle_run.active()) now->cycle = static_cast<std::size_t>(cycle_run.cycle() - def.cycles.data());
+  now->canned_cycle_run = canned_cycle_run;
+  if (canned_cycle_run.active()) now->cycle = static_cast<std::size_t>(canned_cycle_run.cycle() - def.cycles.data());
   now->ellipse_run = ellipse_run;
   if (running) now->running = running->clone();
   now->phase = phase_;
@@ -98,7 +98,7 @@ std::shared_ptr<const BlockMemory> Interpreter::block_memory() const {
   return now;
 }
 
-void Interpreter::go_on_in_block(const BlockMemory& then) {
+void Interpreter::continue_in_block(const BlockMemory& then) {
   first_block = then.block;
   first_block.kept = false;  // after the restore the block is in no loop's memory
   first_text_ = then.text;
@@ -107,8 +107,8 @@ void Interpreter::go_on_in_block(const BlockMemory& then) {
   plan_now_ = &plan_;
   std::copy(then.waiting.begin(), then.waiting.end(), waiting_.begin());
   waiting_count_ = then.waiting.size();
-  cycle_run = then.cycle_run;
-  if (cycle_run.active()) cycle_run.lead_to(&def.cycles[then.cycle]);
+  canned_cycle_run = then.canned_cycle_run;
+  if (canned_cycle_run.active()) canned_cycle_run.lead_to(&def.cycles[then.cycle]);
   ellipse_run = then.ellipse_run;
   if (then.running) running = then.running->clone();
   phase_ = then.phase;
@@ -120,7 +120,7 @@ void Interpreter::go_on_in_block(const BlockMemory& then) {
 
 Status Interpreter::restore(const Snapshot& from) {
   const Snapshot::Content& then = from.content();
-  KADR_TRY(flow.remember(then.flow));
+  KADR_TRY(flow.resume_from(then.flow));
   stop_cycles();
   waiting_count_ = 0;
   phase_ = RunPhase::next_block;
@@ -137,7 +137,7 @@ Status Interpreter::restore(const Snapshot& from) {
   tables = *then.tables;
   variables.put(*then.variables);
   variables.inch = modal.inch && !def.has_parameter_file();  // with a parameter file: in the machine's unit (spec/linuxcnc 1.1)
-  go_on_in_block(*then.block);
+  continue_in_block(*then.block);
   return then.dialect ? dialect->restore(*this, *then.dialect) : Status();
 }
 

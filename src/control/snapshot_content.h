@@ -14,10 +14,10 @@ struct BlockMemory {
   std::string text;  // text of the block
   Plan plan;
   std::vector<std::uint8_t> waiting;  // items of the plan that wait for the end of the cycle
-  CycleRun cycle_run;
+  CannedCycleRun canned_cycle_run;
   std::size_t cycle = 0;  // row of the cycle in ControlDef::cycles
   EllipseRun ellipse_run;
-  std::shared_ptr<const Running> running;
+  std::shared_ptr<const SteppedCycle> running;
   RunPhase phase = RunPhase::next_block;
   AlarmReport report;                                                   // the alarm, if the control has stopped
   bool exact = false, machine_coordinates = false, axes_taken = false;  // as block_exact … of BlockContext

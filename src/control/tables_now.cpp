@@ -1,23 +1,23 @@
-// Returns the tables of a control as a set-up would give them: the inverse of read_setup in control/start. Used by Control::tables_now;
-// tested by tests/panel/panel_tables_test.cpp, tests/panel_tables.py.
+// Returns the tables of a control as a set-up would give them: the inverse of read_setup in control/interpreter_start. Used by
+// Control::tables_now; tested by tests/panel/panel_tables_test.cpp, tests/panel_tables.py.
 
 #include "control/tables_now.h"
 
 #include <algorithm>
 
-#include "config/setup_names.h"
+#include "config/setup/setup_names.h"
 #include "control/emitter.h"
 
 namespace kadr {
 namespace {
 
-constexpr std::size_t most_stored = 6;  // maximum number of axes in the variables of a fixture
+constexpr std::size_t max_stored = 6;  // maximum number of axes in the variables of a fixture
 
 Axes stored_zero(const BlockContext& m, std::uint32_t row) {
   if (!m.has_fixtures) return row < m.tables.zeros.size() ? m.tables.zeros[row] : Axes{};
   Axes values{};
   const std::uint32_t first = m.variables.first(VariableKind::fixture, row - 1);
-  for (std::uint32_t a = 0; a < most_stored && a < m.axis_count; ++a) values[a] = m.variables.raw(first + a);
+  for (std::uint32_t a = 0; a < max_stored && a < m.axis_count; ++a) values[a] = m.variables.raw(first + a);
   return values;
 }
 
@@ -35,7 +35,7 @@ void add_work_systems(const BlockContext& m, Setup& tables) {
 }  // namespace
 
 Setup tables_of(const Emitter& m) {
-  if (const MachineSide* const side = m.dialect->machine_side()) return side->run_state(m).tables;
+  if (const MachineInterface* const side = m.dialect->machine_interface()) return side->run_state(m).tables;
   Setup tables;
   if (m.dialect->add_tables(m, tables)) return tables;
   for (std::size_t i = 1; i < m.tables.offsets.size(); ++i)

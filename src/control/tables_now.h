@@ -2,7 +2,7 @@
 // Returns the tables of a control (offsets, work offsets, parameters) with the values that the program and the operator's lines have
 // written.
 
-#include "config/setup.h"
+#include "config/setup/setup.h"
 
 namespace kadr {
 

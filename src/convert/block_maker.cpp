@@ -1,4 +1,4 @@
-// BlockMaker: writes blocks of one control. Used by convert/flat_program; tested by tests/convert.
+// BlockMaker: writes blocks of one control. Used by convert/flat/flat_program; tested by tests/convert.
 
 #include "convert/block_maker.h"
 
@@ -12,7 +12,7 @@ namespace kadr {
 
 Alarm too_long() {
   constexpr int in_mb = 20;  // bytes → MB: shift by 20 bits
-  return alarm(AlarmId::conversion_too_long, {}, double(most_made >> in_mb));
+  return alarm(AlarmId::conversion_too_long, {}, double(max_made >> in_mb));
 }
 
 void BlockMaker::begin() {

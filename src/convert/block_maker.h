@@ -8,14 +8,14 @@
 #include <utility>
 
 #include "base/result.h"
-#include "config/control_def.h"
+#include "config/control/control_def.h"
 #include "out/program/codes.h"
 #include "out/program/words.h"
 
 namespace kadr {
 
 /// The greatest size in bytes of a converted program: some ten million blocks. The text is kept in memory while it is proven.
-constexpr std::size_t most_made = std::size_t{256} << 20;
+constexpr std::size_t max_made = std::size_t{256} << 20;
 /// Returns the alarm conversion_too_long.
 Alarm too_long();
 

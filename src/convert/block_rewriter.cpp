@@ -260,13 +260,13 @@ Status BlockRewriter::implied_number(const Block& block, const CodeRow& row, Blo
 
 /// Writes the motion code again if the block has none and other blocks were inserted before it.
 Status BlockRewriter::said_again(const Kinds& kinds, BlockMaker& out) {
-  if (!says_again_ || !kinds.has_axes || kinds.takes_axes) return {};
+  if (!repeats_modes_ || !kinds.has_axes || kinds.takes_axes) return {};
   if (kinds.motion == nullptr && motion_ != nullptr) {
     if (motion_is_cycle_) return cannot(motion_->code);
     KADR_TRY(code(*motion_, out));
   }
-  says_again_ = false;
-  if (std::exchange(says_feed_again_, false) && !kinds.has_feed && feed_ > 0) return out.word('F', feed_, 0);
+  repeats_modes_ = false;
+  if (std::exchange(repeats_feed_, false) && !kinds.has_feed && feed_ > 0) return out.word('F', feed_, 0);
   return {};
 }
 

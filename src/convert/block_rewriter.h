@@ -7,7 +7,7 @@
 #include <optional>
 #include <string>
 
-#include "config/machine_codes.h"
+#include "config/machine/machine_codes.h"
 #include "convert/block_maker.h"
 #include "convert/code_match.h"
 #include "convert/flow_rewriter.h"
@@ -36,7 +36,7 @@ class BlockRewriter {
   /// Call it for a block that is not rewritten here: only tracks the modes that the block puts in force.
   void pass(const Block& block);
   /// Call it when other blocks were inserted: the next motion then repeats its code and, in inches, its feed.
-  void say_again() { says_again_ = true, says_feed_again_ = is_inch_; }
+  void repeat_modes() { repeats_modes_ = true, repeats_feed_ = is_inch_; }
   /// True if the lengths in the text are inches from the present block on.
   bool is_inch() const { return is_inch_; }
 
@@ -47,7 +47,7 @@ class BlockRewriter {
     double scale;  // factor from the number in the source text to mm, degrees, s, …
   };
   bool is_plain(const Block& block) const {
-    return block.shape && (block.letters & ~plain_letters_) == 0 && !says_again_ && !(stops_.is_mode && stops_.by_block);
+    return block.shape && (block.letters & ~plain_letters_) == 0 && !repeats_modes_ && !(stops_.is_mode && stops_.by_block);
   }
   /// Returns the alarm for a word that the target control does not have.
   static Status cannot(std::string_view what);
@@ -91,7 +91,7 @@ class BlockRewriter {
   } stops_;
   bool is_metric_ = false;  // the target control reads mm only
   bool is_inch_ = false, in_section_ = false;
-  bool says_again_ = false, says_feed_again_ = false;
+  bool repeats_modes_ = false, repeats_feed_ = false;
   double feed_ = -1;                                // last F in the source text
   double tool_ = 0;                                 // last T in the source text
   std::array<std::optional<PlainWord>, 26> plain_;  // by letter: words whose meaning does not depend on other words of the block

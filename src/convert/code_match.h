@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "config/control_def.h"
+#include "config/control/control_def.h"
 
 namespace kadr {
 

@@ -7,10 +7,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "config/machine_codes.h"
-#include "config/told.h"
+#include "config/language.h"
+#include "config/machine/machine_codes.h"
 #include "convert/code_match.h"
-#include "convert/flat_program.h"
+#include "convert/flat/flat_program.h"
 #include "convert/proving.h"
 #include "convert/source_comments.h"
 #include "convert/word_by_word.h"
@@ -20,7 +20,7 @@
 namespace kadr {
 namespace {
 
-/// Writes the whole program as flat blocks, in one of the ways of FlatWay.
+/// Writes the whole program as flat blocks, in one of the ways of FlatForm.
 class Writing {
  public:
   Writing(const ConversionSpec& spec, ConvertedAs as)
@@ -28,7 +28,7 @@ class Writing {
         blocks_(*spec.to,
                 [this](std::string_view line) {
                   text_.append(line);
-                  return text_.size() <= most_made;
+                  return text_.size() <= max_made;
                 }),
         comments_(spec.source_text) {
     made_.as = as;
@@ -38,39 +38,39 @@ class Writing {
     auto opened = spec_.source(spec_.setup);
     if (!opened) return tl::unexpected(opened.error());
     session_ = std::move(*opened);
-    const FlatWay way = made_.as == ConvertedAs::contours  ? FlatWay::contours
-                        : made_.as == ConvertedAs::lengths ? FlatWay::lengths
-                                                           : FlatWay::plain;
+    const FlatForm way = made_.as == ConvertedAs::contours  ? FlatForm::contours
+                         : made_.as == ConvertedAs::lengths ? FlatForm::lengths
+                                                            : FlatForm::plain;
     Control& control = session_->control();
-    control.hand_over_each_block();
+    control.return_each_block();
     FlatProgram flat(blocks_, flat_source_of(*session_, *spec_.to), way);
     flat_ = &flat;
     Outlets& outlets = session_->outlets();
     outlets.stop = spec_.stop;
-    if (way == FlatWay::contours) {
+    if (way == FlatForm::contours) {
       outlets.programmed = [this](const Action& action) { take(action); };
       outlets.step = [](const Step&) {};
     } else {
       outlets.step = [this](const Step& step) { take(step.action); };
     }
     note(flat.begin(session_->stand(), control.placement()));
-    while (!made_.cannot_say && session_->go_on() == Session::State::running) {
+    while (!made_.cannot_express && session_->go_on() == Session::State::running) {
     }
-    if (!made_.cannot_say) note(flat.finish());
+    if (!made_.cannot_express) note(flat.finish());
     made_.counts_from = flat.counts_from();
     for (const std::string& comment : comments_.rest())
-      if (!made_.cannot_say) blocks_.comment(comment), note(blocks_.end());
-    if (!made_.cannot_say) made_.text = text_.source();
+      if (!made_.cannot_express) blocks_.comment(comment), note(blocks_.end());
+    if (!made_.cannot_express) made_.text = text_.source();
     return std::move(made_);
   }
 
  private:
   void note(const Status& status) {
-    if (!status && !made_.cannot_say) made_.cannot_say = status.error(), made_.at = at_;
+    if (!status && !made_.cannot_express) made_.cannot_express = status.error(), made_.at = at_;
   }
 
   void take(const Action& action) {
-    if (made_.cannot_say) return;
+    if (made_.cannot_express) return;
     const Origin& origin = action.origin;
     if (origin.number != at_.number || origin.line != at_.line || origin.file != at_.file) {
       note(flat_->end_block());
@@ -127,7 +127,7 @@ tl::expected<ConversionTry, std::string> one_try(const ConversionSpec& spec, Con
     if (!written) return tl::unexpected(written.error());
     one = std::move(*written);
   }
-  if (one.cannot_say || spec.stop.asked()) return one;
+  if (one.cannot_express || spec.stop.asked()) return one;
   auto proof = proving.from_given(one.text, as);
   if (!proof) return tl::unexpected(proof.error());
   one.proof = std::move(*proof);
@@ -175,7 +175,7 @@ bool is_of_exact_stop(const CodeRow& row) {
 }
 
 /// True if expanded blocks can express the code too.
-bool is_said_there(const CodeRow& code, const PathModes& there) {
+bool is_written_there(const CodeRow& code, const PathModes& there) {
   if (there.exact && is_of_exact_stop(code)) return true;
   return (there.speeds && code.function == Function::feed_control) || (there.smoothing && code.function == Function::smoothing);
 }
@@ -210,7 +210,7 @@ tl::expected<Converted, std::string> converted(const ConversionSpec& spec) {
   const PathModes there = path_modes_of(*spec.to);
   for (const std::size_t row : shape.path_modes()) {
     const CodeRow& code = opened->def().codes[row];
-    if (is_said_there(code, there)) continue;
+    if (is_written_there(code, there)) continue;
     all.path_modes.push_back(code.code);
     if (match.of(code) == nullptr) all.path_modes_unknown.push_back(code.code);
   }

@@ -1,4 +1,4 @@
-// Names the ways of a conversion, and describes why a way was not used. Used by cli/convert and view/page_conversion; tested by
+// Names the ways of a conversion, and describes why a way was not used. Used by cli/convert and view/page/page_conversion; tested by
 // tests/convert.py and tests/serve_convert.py.
 
 #include "convert/conversion_text.h"
@@ -8,7 +8,7 @@
 #include <algorithm>
 
 #include "compare/comparison_text.h"
-#include "config/told.h"
+#include "config/language.h"
 #include "out/text/alarm_print.h"
 
 namespace kadr {
@@ -27,8 +27,8 @@ std::string function_in_words(std::string_view name, const ControlDef& def) {
   return word == def.addresses.end() ? std::string(name) : std::string(1, word->letter);
 }
 
-std::string cannot_say(const Alarm& alarm, const ConversionSides& sides) {
-  const Lang lang = told_lang();
+std::string cannot_express(const Alarm& alarm, const ConversionSides& sides) {
+  const Lang lang = thread_language();
   if (alarm.id != AlarmId::function_has_no_code) return sides.of_target.sentence(alarm, lang);
   std::string sentence = sides.of_target.pattern(alarm.id, lang);
   constexpr std::string_view argument = "{0}";
@@ -39,7 +39,7 @@ std::string cannot_say(const Alarm& alarm, const ConversionSides& sides) {
 
 }  // namespace
 
-std::string way_in_words(ConvertedAs as) {
+std::string method_in_words(ConvertedAs as) {
   switch (as) {
     case ConvertedAs::as_it_stands: return told("as it stands", "как есть");
     case ConvertedAs::words: return told("word by word", "слово за словом");
@@ -62,8 +62,8 @@ const char* name_of(ConvertedAs as) {
 }
 
 ConversionRefusal refusal_of(const ConversionTry& one, const ConversionSides& sides) {
-  const Lang lang = told_lang();
-  if (one.cannot_say) return {cannot_say(*one.cannot_say, sides), one.at};
+  const Lang lang = thread_language();
+  if (one.cannot_express) return {cannot_express(*one.cannot_express, sides), one.at};
   if (one.proof.stopped_a)
     return {
         fmt::format("{}: {}", told("an alarm stops the program under its own control", "программу останавливает ошибка у своей системы"),
@@ -87,8 +87,8 @@ ConversionRefusal refusal_of(const ConversionTry& one, const ConversionSides& si
 }
 
 std::string why_written_out(const WrittenOut& lines, const ConversionSides& sides) {
-  if (lines.cannot_say) return cannot_say(*lines.cannot_say, sides);
-  if (lines.differs) return sentence_of(*lines.differs, told_lang());
+  if (lines.cannot_express) return cannot_express(*lines.cannot_express, sides);
+  if (lines.differs) return sentence_of(*lines.differs, thread_language());
   return lines.varies ? told("not the same each time", "каждый раз по-разному") : told("calculated in", "рассчитано");
 }
 
@@ -125,10 +125,10 @@ std::vector<std::string> notes_on(const Converted& made, const ConversionTry& on
 }
 
 std::optional<std::size_t> best_unproven(const Converted& made) {
-  const auto could_be_said = [](const ConversionTry& one) {
-    return !one.cannot_say && one.text->size() != 0 && one.as != ConvertedAs::as_it_stands;
+  const auto is_expressible = [](const ConversionTry& one) {
+    return !one.cannot_express && one.text->size() != 0 && one.as != ConvertedAs::as_it_stands;
   };
-  const auto found = std::find_if(made.tries.begin(), made.tries.end(), could_be_said);
+  const auto found = std::find_if(made.tries.begin(), made.tries.end(), is_expressible);
   if (found == made.tries.end()) return std::nullopt;
   return std::size_t(found - made.tries.begin());
 }

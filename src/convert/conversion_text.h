@@ -1,5 +1,5 @@
 #pragma once
-// Describes a conversion in words, in the language of the current thread (config/told.h). Used by the command line and the web page.
+// Describes a conversion in words, in the language of the current thread (config/language.h). Used by the command line and the web page.
 
 #include <string>
 #include <vector>
@@ -10,7 +10,7 @@
 namespace kadr {
 
 /// Returns the way in words: "as it stands", "with the path of the tool's centre", ….
-std::string way_in_words(ConvertedAs as);
+std::string method_in_words(ConvertedAs as);
 /// Returns the way as a key for programs: "as_it_stands", "contours", ….
 const char* name_of(ConvertedAs as);
 

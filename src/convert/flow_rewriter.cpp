@@ -13,7 +13,7 @@
 namespace kadr {
 namespace {
 
-constexpr int most_nested = 3;                                                   // DO1 to DO3
+constexpr int max_nested = 3;                                                    // DO1 to DO3
 constexpr std::uint32_t first_named = 8000;                                      // first number for named subprograms
 constexpr std::uint32_t last_local = 33, first_global = 100, last_global = 199;  // ranges of variable numbers (spec/fanuc 5.1)
 
@@ -26,7 +26,7 @@ std::string_view trimmed(std::string_view text) {
 }
 
 /// Returns the text after the keyword.
-std::string_view behind_word(const Block& block) {
+std::string_view after_keyword(const Block& block) {
   std::string_view rest = block.text.substr(block.statement.label_where.end, block.where.end - block.statement.label_where.end);
   rest = rest.substr(0, rest.find_first_of("(;"));
   rest = trimmed(rest);
@@ -64,7 +64,7 @@ bool FlowRewriter::ends_subprogram(const Block& block) {
 
 Status FlowRewriter::write(const Block& block, BlockMaker& out) {
   const Statement& s = block.statement;
-  const std::string_view label = block.text_of(s.label_where), rest = behind_word(block);
+  const std::string_view label = block.text_of(s.label_where), rest = after_keyword(block);
   const bool has_macros = to_.grammar.has_statements();
   switch (s.o_word) {
     case OWord::label:
@@ -129,7 +129,7 @@ Status FlowRewriter::begin_loop(Open open, std::string_view condition, BlockMake
     return label_line(open.next, out);
   }
   open.loop = nested();
-  if (open.loop > most_nested) return no_way("DO4");
+  if (open.loop > max_nested) return no_way("DO4");
   auto text = expression(condition);
   if (!text) return fail(text.error());
   if (open.word == OWord::repeat) {
@@ -226,12 +226,12 @@ Status FlowRewriter::call_in_section(const std::string& label, std::uint32_t tim
 }
 
 Status FlowRewriter::call_in_section(const Block& block, BlockMaker& out) {
-  constexpr double most_label = 9999;  // a greater number in P consists of repetitions and label (spec/fanuc 9.1)
+  constexpr double max_label = 9999;  // a greater number in P consists of repetitions and label (spec/fanuc 9.1)
   std::optional<std::uint32_t> label;
   std::uint32_t times = 1;
   for (std::uint32_t i = 0; i < block.word_count; ++i) {
     const Word& one = block.words[i];
-    const bool is_count = one.code < 0 && !one.expression && one.value >= 0 && one.value <= most_label;
+    const bool is_count = one.code < 0 && !one.expression && one.value >= 0 && one.value <= max_label;
     if (is_count && one.address == 'P') label = static_cast<std::uint32_t>(one.value);
     else if (is_count && one.address == 'L') times = static_cast<std::uint32_t>(one.value);
     else if (one.address != 'M' && one.address != 'N') return no_way(block.text_of(block.where));
@@ -305,9 +305,9 @@ Result<std::string> FlowRewriter::expression(std::string_view text) {
       i = end;
     } else if (is_variable && std::isdigit(static_cast<unsigned char>(text[i])) != 0) {
       const std::size_t end = std::min(text.find_first_not_of("0123456789", i), text.size());
-      constexpr std::size_t most_digits = 8;
+      constexpr std::size_t max_digits = 8;
       const std::string digits(text.substr(i, end - i));
-      const auto number = digits.size() > most_digits ? std::nullopt : numbers_.of(static_cast<std::uint32_t>(std::stoul(digits)));
+      const auto number = digits.size() > max_digits ? std::nullopt : numbers_.of(static_cast<std::uint32_t>(std::stoul(digits)));
       if (!number) return fail(alarm(AlarmId::function_has_no_code, {}, "#" + digits));
       made += std::to_string(*number);
       i = end - 1;

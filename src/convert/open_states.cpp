@@ -7,14 +7,14 @@
 #include <random>
 #include <string>
 
-#include "config/setup_names.h"
+#include "config/setup/setup_names.h"
 #include "convert/source_setup.h"
 
 namespace kadr {
 namespace {
 
-constexpr std::size_t most_systems = 64;
-constexpr int most_offsets = 99, most_zeros = 16;
+constexpr std::size_t max_systems = 64;
+constexpr int max_offsets = 99, max_zeros = 16;
 constexpr std::uint32_t first_seed = 20999;
 
 /// Generates random values, as multiples of steps that the words of every control can express.
@@ -54,7 +54,7 @@ class Filler {
   void zeros() {
     Setup& setup = state_.setup;
     if (allows_key(def_, "zeros")) {
-      for (int number = 1; number <= most_zeros; ++number)
+      for (int number = 1; number <= max_zeros; ++number)
         if (known_.allows(SetupNames::zero, std::to_string(number))) fill_zero(setup.zeros[number], number);
       return;
     }
@@ -62,7 +62,7 @@ class Filler {
     // G110 and G154 P1 of the Haas name the same work system.
     std::map<std::uint32_t, std::string> name_of;
     for (const WorkSystem& system : work_systems(def_))
-      if (system.works && system.row != 0 && (name_of.size() < most_systems || setup.work_offsets.contains(system.name)))
+      if (system.works && system.row != 0 && (name_of.size() < max_systems || setup.work_offsets.contains(system.name)))
         if (const auto [at, is_new] = name_of.try_emplace(system.row, system.name); !is_new && setup.work_offsets.contains(system.name))
           at->second = system.name;
     for (const auto& [row, name] : name_of) fill_zero(setup.work_offsets[name], int(row));
@@ -78,7 +78,7 @@ class Filler {
     // M6 looks the tool up in a tool table (spec/linuxcnc 5), so each added row is an added tool.
     if (def_.has_parameter_file()) numbers.assign(names_.tools.begin(), names_.tools.end());
     else
-      for (int number = 1; number <= most_offsets; ++number) numbers.push_back(number);
+      for (int number = 1; number <= max_offsets; ++number) numbers.push_back(number);
     for (const int number : numbers) {
       if (number == 0 || !known_.allows(SetupNames::offset, std::to_string(number))) continue;
       if (state_.setup.correctors.contains(number)) continue;  // another name of the same table row

@@ -7,8 +7,8 @@
 #include <optional>
 #include <vector>
 
-#include "config/control_def.h"
-#include "config/setup.h"
+#include "config/control/control_def.h"
+#include "config/setup/setup.h"
 #include "convert/program_shape.h"
 
 namespace kadr {

@@ -38,7 +38,7 @@ bool is_straight(Function function) {
          std::find(std::begin(phases), std::end(phases), traits.phase) != std::end(phases);
 }
 
-constexpr std::uint32_t first_name_label = 1'000'000'000, most_variable = 10'000'000;
+constexpr std::uint32_t first_name_label = 1'000'000'000, max_variable = 10'000'000;
 constexpr double most_tool = 100'000;
 constexpr std::uint32_t hundred = 100;
 
@@ -101,8 +101,8 @@ std::uint32_t ProgramShape::last_return(TextLines lines) const {
 }
 
 void ProgramShape::take_number(const Block& block) {
-  constexpr std::size_t most_numbers = 100'000;
-  if (has_jumps_ && block.has_number && numbers_.size() < most_numbers) numbers_.emplace(block.number, block.position.line);
+  constexpr std::size_t max_numbers = 100'000;
+  if (has_jumps_ && block.has_number && numbers_.size() < max_numbers) numbers_.emplace(block.number, block.position.line);
 }
 
 void ProgramShape::take_jump(const Block& block, const ControlDef& def) {
@@ -113,7 +113,7 @@ void ProgramShape::take_jump(const Block& block, const ControlDef& def) {
   const std::size_t digits = text.find_last_not_of("0123456789 ");
   std::uint32_t number = 0;
   for (const char c : text.substr(digits + 1))
-    if (c != ' ' && number < most_variable) number = 10 * number + static_cast<std::uint32_t>(c - '0');
+    if (c != ' ' && number < max_variable) number = 10 * number + static_cast<std::uint32_t>(c - '0');
   if (number != 0) jumps_.emplace_back(block.position.line, number);
 }
 
@@ -199,7 +199,7 @@ void ProgramShape::take_o_line(const Block& block) {
 void ProgramShape::take_variables(std::string_view text) {
   for (std::size_t at = text.find('#'); at != std::string_view::npos; at = text.find('#', at + 1)) {
     std::uint32_t number = 0;
-    for (std::size_t i = at + 1; i < text.size() && text[i] >= '0' && text[i] <= '9' && number < most_variable; ++i)
+    for (std::size_t i = at + 1; i < text.size() && text[i] >= '0' && text[i] <= '9' && number < max_variable; ++i)
       number = 10 * number + static_cast<std::uint32_t>(text[i] - '0');
     if (number != 0) variables_.insert(number);
   }

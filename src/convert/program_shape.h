@@ -10,8 +10,8 @@
 #include <string>
 #include <vector>
 
-#include "base/stop.h"
-#include "config/control_def.h"
+#include "base/stop_token.h"
+#include "config/control/control_def.h"
 #include "convert/o_line_rewriter.h"
 #include "lang/block/block_reader.h"
 

@@ -12,14 +12,14 @@
 namespace kadr {
 namespace {
 
-constexpr std::size_t most_told = 60;      // bytes of a block that a comment quotes
+constexpr std::size_t max_reported = 60;   // bytes of a block that a comment quotes
 constexpr std::uint32_t early_end = 1000;  // lines: most lines that cannot be expressed are close together, near the beginning
 
 /// Shortens the text, without cutting a UTF-8 character in two.
 std::string_view beginning_of(std::string_view text) {
   constexpr unsigned char follows = 0x80, mask = 0xc0;
-  if (text.size() <= most_told) return text;
-  std::size_t end = most_told;
+  if (text.size() <= max_reported) return text;
+  std::size_t end = max_reported;
   while (end > 0 && (static_cast<unsigned char>(text[end]) & mask) == follows) --end;
   return text.substr(0, end);
 }
@@ -57,7 +57,7 @@ class Rewriter {
       lines_before(line);
       source_line_ = line;
       if (spec_.ends_early && !made_.unsaid.empty() && line > made_.unsaid.back().line + early_end) return std::move(made_);
-      if (is_over_ && is_all_behind_end()) {
+      if (is_over_ && is_all_after_end()) {
         last_block_ = line;
         continue;  // the control reads nothing after the end of the program
       }
@@ -192,7 +192,7 @@ class Rewriter {
   }
 
   /// True if the target control allows no subprogram after the program end.
-  bool is_all_behind_end() const {
+  bool is_all_after_end() const {
     const Grammar& grammar = spec_.from->grammar;
     return spec_.from->behaviour.ends_reading && (grammar.label_address == 0 || spec_.from->behaviour.label_is_number) &&
            grammar.section_address == 0 && !grammar.programs_by_label;
@@ -201,9 +201,9 @@ class Rewriter {
   bool is_left_out(std::uint32_t line) const {
     return std::any_of(spec_.left_out->begin(), spec_.left_out->end(), [&](const TextLines& range) { return range.holds(line); });
   }
-  const FlatPlace* place_at(std::uint32_t line) const {
+  const FlatRange* place_at(std::uint32_t line) const {
     const auto after = std::upper_bound(spec_.places->begin(), spec_.places->end(), line,
-                                        [](std::uint32_t at, const FlatPlace& place) { return at < place.lines.first; });
+                                        [](std::uint32_t at, const FlatRange& place) { return at < place.lines.first; });
     if (after == spec_.places->begin() || !std::prev(after)->lines.holds(line)) return nullptr;
     return &*std::prev(after);
   }
@@ -221,7 +221,7 @@ class Rewriter {
 
   void block(std::uint32_t line) {
     last_block_ = line;
-    if (const FlatPlace* const place = place_at(line)) {
+    if (const FlatRange* const place = place_at(line)) {
       words_.pass(block_);
       if (place != last_place_) written_out(*place);
       last_place_ = place;
@@ -235,7 +235,7 @@ class Rewriter {
     if (const Status status = words_.end(blocks_); !status) unsaid(status.error());
   }
 
-  void written_out(const FlatPlace& place) {
+  void written_out(const FlatRange& place) {
     const bool is_long = place.motions > 1 || place.lines.first != place.lines.last;
     if (is_long) {
       std::string_view text = block_.text_of(block_.where);
@@ -250,7 +250,7 @@ class Rewriter {
       else (void)say(rest.substr(0, end));
       rest.remove_prefix(end);
     }
-    words_.say_again();
+    words_.repeat_modes();
   }
 
   /// Writes a block of a subprogram, with a block number of the section.
@@ -273,7 +273,7 @@ class Rewriter {
   BlockReader reader_;
   LineReader raw_;
   Block block_;
-  const FlatPlace* last_place_ = nullptr;
+  const FlatRange* last_place_ = nullptr;
   std::uint32_t source_line_ = 0, last_block_ = 0, next_raw_ = 1;
   Position passed_{0, 0, 0};           // position of a line that raw_ has not read yet; line 0: none
   std::uint32_t label_ = 0;            // label of the present subprogram in a section

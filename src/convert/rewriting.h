@@ -10,13 +10,13 @@
 #include <vector>
 
 #include "convert/block_rewriter.h"
-#include "convert/flat_places.h"
+#include "convert/flat/flat_ranges.h"
 #include "lang/block/block_reader.h"
 
 namespace kadr {
 
 /// A line that the target control cannot express.
-struct UnsaidLine {
+struct InexpressibleLine {
   std::uint32_t line = 0;
   Alarm why;
 };
@@ -25,7 +25,7 @@ struct RewriteSpec {
   std::shared_ptr<ByteSource> source;  // the source program, UTF-8
   const ControlDef* from = nullptr;
   const ControlDef* to = nullptr;
-  const std::vector<FlatPlace>* places = nullptr;    // expanded ranges, in order; each must be settled()
+  const std::vector<FlatRange>* places = nullptr;    // expanded ranges, in order; each must be settled()
   const std::vector<TextLines>* left_out = nullptr;  // lines of subprograms that nothing calls any more
   std::set<std::uint32_t> used_variables{};          // numbers of the variables that the program uses
   MacroShape macros{};
@@ -59,7 +59,7 @@ class LineOrigins {
 };
 
 struct Rewritten {
-  std::vector<UnsaidLine> unsaid;
+  std::vector<InexpressibleLine> unsaid;
   LineOrigins lines;  // source line of each line of the new text, including its head
   std::string head;   // text that goes before the text passed to `put`: a section of subprograms
 };

@@ -14,8 +14,8 @@ constexpr std::uint32_t most = 99;  // greatest number with two digits
 /// Returns the label as a number; 0 if it is a name, or a number that the section does not allow.
 std::uint32_t number_in(const std::string& label) {
   const bool digits = !label.empty() && std::all_of(label.begin(), label.end(), [](char c) { return c >= '0' && c <= '9'; });
-  constexpr std::size_t most_digits = 8;
-  const unsigned long number = digits && label.size() <= most_digits ? std::stoul(label) : 0;
+  constexpr std::size_t max_digits = 8;
+  const unsigned long number = digits && label.size() <= max_digits ? std::stoul(label) : 0;
   return number <= most ? static_cast<std::uint32_t>(number) : 0;
 }
 

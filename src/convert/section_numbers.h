@@ -8,7 +8,7 @@
 #include <set>
 #include <string>
 
-#include "config/control_def.h"
+#include "config/control/control_def.h"
 
 namespace kadr {
 

@@ -1,4 +1,5 @@
-// Finds the corresponding set-up and the offsets in force. Used by convert/conversion and convert/flat_places; tested by tests/convert.py.
+// Finds the corresponding set-up and the offsets in force. Used by convert/conversion and convert/flat/flat_ranges; tested by
+// tests/convert.py.
 
 #include "convert/source_setup.h"
 
@@ -7,9 +8,9 @@
 #include <iterator>
 #include <nlohmann/json.hpp>
 
-#include "config/machine_codes.h"
-#include "config/setup_check.h"
-#include "config/setup_names.h"
+#include "config/machine/machine_codes.h"
+#include "config/setup/setup_check.h"
+#include "config/setup/setup_names.h"
 #include "convert/variable_numbers.h"
 #include "out/program/codes.h"
 
@@ -152,7 +153,7 @@ namespace {
 
 /// True if the control passes M1 to its machine, which reads the optional-stop switch itself: M1 is then reported whether the switch is
 /// on or off.
-bool tells_optional_stops(const ControlDef& def) {
+bool reports_optional_stops(const ControlDef& def) {
   return std::any_of(def.codes.begin(), def.codes.end(),
                      [](const CodeRow& row) { return row.function == Function::optional_stop && row.arg == 1; });
 }
@@ -167,7 +168,7 @@ Setup corresponding_setup(const Setup& setup, const ControlDef& from, const Cont
   for (const auto& [axis, limits] : setup.machine)
     if (axis == "*" || !axes.of({{axis, 0}}).empty()) made.machine[axis] = limits;
   made.axis_limits = setup.axis_limits;
-  made.skip = setup.skip, made.optional_stop = setup.optional_stop || tells_optional_stops(from);
+  made.skip = setup.skip, made.optional_stop = setup.optional_stop || reports_optional_stops(from);
   take_spindles(made, setup, from, to);
   made.feed_override = setup.feed_override, made.rapid_override = setup.rapid_override, made.spindle_override = setup.spindle_override;
   made.tool = setup.tool;

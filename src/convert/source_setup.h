@@ -4,9 +4,9 @@
 #include <map>
 #include <string>
 
-#include "config/control_def.h"
-#include "config/setup.h"
-#include "convert/flat_program.h"
+#include "config/control/control_def.h"
+#include "config/setup/setup.h"
+#include "convert/flat/flat_program.h"
 #include "convert/program_shape.h"
 #include "session/session.h"
 

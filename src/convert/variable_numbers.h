@@ -7,7 +7,7 @@
 #include <optional>
 #include <string>
 
-#include "config/control_def.h"
+#include "config/control/control_def.h"
 
 namespace kadr {
 

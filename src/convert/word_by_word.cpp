@@ -7,7 +7,7 @@
 #include <optional>
 #include <utility>
 
-#include "config/told.h"
+#include "config/language.h"
 #include "convert/proving.h"
 #include "convert/rewriting.h"
 #include "lang/text/text_spool.h"
@@ -15,9 +15,9 @@
 namespace kadr {
 namespace {
 
-constexpr int most_rounds = 100;              // greatest number of rounds; a round rewrites and proves the program once
-constexpr int early_rounds = 3;               // number of first rounds that may stop soon after a line that cannot be expressed
-constexpr std::size_t most_work = 6'000'000;  // greatest number of lines, blocks and motions processed in all rounds together
+constexpr int max_rounds = 100;              // greatest number of rounds; a round rewrites and proves the program once
+constexpr int early_rounds = 3;              // number of first rounds that may stop soon after a line that cannot be expressed
+constexpr std::size_t max_work = 6'000'000;  // greatest number of lines, blocks and motions processed in all rounds together
 
 class WordByWord {
  public:
@@ -32,12 +32,12 @@ class WordByWord {
     from_ = &(*session)->def();
     opened_ = std::move(*session);
     write_out_calls();
-    for (int round = 0; round < most_rounds && !spec_.stop.asked(); ++round) {
+    for (int round = 0; round < max_rounds && !spec_.stop.asked(); ++round) {
       auto grown = one_round(round < early_rounds);
       if (!grown) return tl::unexpected(grown.error());
       work_ += shape_.lines() + 1 + made_.proof.moves_a + made_.proof.moves_b;
       if (!*grown && (made_.is_proven() || is_hopeless() || !begin_anew())) return std::move(made_);
-      if (work_ > most_work) break;
+      if (work_ > max_work) break;
     }
     if (!spec_.stop.asked()) unsayable(alarm(AlarmId::conversion_takes_long, {}), 0);
     return std::move(made_);
@@ -57,22 +57,22 @@ class WordByWord {
 
   /// Rewrites and proves once. Returns true if more lines must be expanded.
   tl::expected<bool, std::string> one_round(bool ends_early) {
-    made_.text = text_source({}), made_.cannot_say.reset(), made_.proof = {};
+    made_.text = text_source({}), made_.cannot_express.reset(), made_.proof = {};
     made_.told_states.reset(), made_.differs_elsewhere = made_.differs_unstated = false;
-    std::vector<FlatPlace> places;
+    std::vector<FlatRange> places;
     if (!places_.empty()) {
       for (const auto& [first, last] : places_) places.push_back({{first, last}, follows({first, last}, places)});
       auto source = spec_.source(spec_.setup);
       if (!source) return tl::unexpected(source.error());
       const auto blocks =
-          write_flat_places(**source, *spec_.to, places, centres_, shape_.goes_straight_on_after(places.back().lines.last), spec_.stop);
+          write_flat_ranges(**source, *spec_.to, places, centres_, shape_.goes_straight_on_after(places.back().lines.last), spec_.stop);
       if (!blocks) {
         unsayable(blocks.error(), 0);
         return false;
       }
       work_ += *blocks;
       if (const auto told = look_elsewhere(places); !told) return tl::unexpected(told.error());
-      for (const FlatPlace& place : places)
+      for (const FlatRange& place : places)
         if (!place.settled()) {
           why_ = place.cannot, varies_ = place.differs;
           if (grow(place.lines)) return true;
@@ -84,11 +84,11 @@ class WordByWord {
                                 spec_.to,          &places,
                                 &left_out_,        shape_.variables(),
                                 shape_.macros(),   spec_.stop,
-                                ends_early,        told_lang() == Lang::ru && has_russian(spec_.letters.value_or(spec_.to->letters))};
+                                ends_early,        thread_language() == Lang::ru && has_russian(spec_.letters.value_or(spec_.to->letters))};
     TextSpool text;
     const auto written = rewrite(rewriting, [&text](std::string_view line) {
       text.append(line);
-      return text.size() <= most_made;
+      return text.size() <= max_made;
     });
     if (!written) {
       unsayable(written.error(), 0);
@@ -100,13 +100,13 @@ class WordByWord {
   }
 
   /// Finds ranges whose coordinates change with what a probe touches or with what the set-up leaves open; they must not be expanded.
-  tl::expected<void, std::string> look_elsewhere(std::vector<FlatPlace>& places) const {
+  tl::expected<void, std::string> look_elsewhere(std::vector<FlatRange>& places) const {
     for (const Setup& witness : proving_.witnesses()) {
-      std::vector<FlatPlace> others;
-      for (const FlatPlace& place : places) others.push_back({place.lines, place.follows});
+      std::vector<FlatRange> others;
+      for (const FlatRange& place : places) others.push_back({place.lines, place.follows});
       auto source = spec_.source(witness);
       if (!source) return tl::unexpected(source.error());
-      if (!write_flat_places(**source, *spec_.to, others, centres_, shape_.goes_straight_on_after(others.back().lines.last), spec_.stop))
+      if (!write_flat_ranges(**source, *spec_.to, others, centres_, shape_.goes_straight_on_after(others.back().lines.last), spec_.stop))
         continue;
       for (std::size_t i = 0; i < places.size(); ++i) {
         if (places[i].text == others[i].text || places[i].times != others[i].times || places[i].cannot) continue;
@@ -118,7 +118,7 @@ class WordByWord {
 
   bool write_out_unsaid(const Rewritten& written) {
     bool any = false;
-    for (const UnsaidLine& unsaid : written.unsaid) {
+    for (const InexpressibleLine& unsaid : written.unsaid) {
       if (is_left_out(unsaid.line)) continue;
       why_ = unsaid.why, varies_ = false;
       if (write_out({unsaid.line, unsaid.line})) {
@@ -201,10 +201,12 @@ class WordByWord {
   /// Removes the expanded ranges that begin in these lines.
   void erase_places(TextLines lines) { places_.erase(places_.lower_bound(lines.first), places_.upper_bound(lines.last)); }
   /// True if neither a further round nor another way can succeed.
-  bool is_hopeless() const { return made_.proof.stopped_a || (made_.cannot_say && made_.cannot_say->id == AlarmId::conversion_too_long); }
+  bool is_hopeless() const {
+    return made_.proof.stopped_a || (made_.cannot_express && made_.cannot_express->id == AlarmId::conversion_too_long);
+  }
 
   void unsayable(const Alarm& why, std::uint32_t line) {
-    made_.cannot_say = why;
+    made_.cannot_express = why;
     made_.at.line = line;
   }
 
@@ -226,15 +228,15 @@ class WordByWord {
     return true;
   }
 
-  bool follows(TextLines lines, const std::vector<FlatPlace>& before) const {
+  bool follows(TextLines lines, const std::vector<FlatRange>& before) const {
     return !before.empty() && before.back().lines.holds(shape_.block_before(lines.first));
   }
 
   /// Expands earlier blocks too, since they may cause the difference: one block before the range, then twice as many at each attempt.
   bool grow_back(TextLines lines) {
-    constexpr int most_steps = 6;
+    constexpr int max_steps = 6;
     int& steps = steps_back_[lines.first];
-    if (steps >= most_steps) return false;
+    if (steps >= max_steps) return false;
     bool any = false;
     std::uint32_t line = lines.first;
     for (int left = 1 << steps++; left > 0; --left) {

@@ -21,7 +21,7 @@ class Chain {
   Pose forward(const Axes& axes) const { return {tip(axes), {0, 0, 1}}; }
   /// Returns the tip in the work system for work coordinates, even if the programming frame `space` is rotated or shifted against the
   /// work system.
-  Vec3 tip(const WorkSpace* space, const Axes& work) const { return tip(space == nullptr ? work : space->in_system(work)); }
+  Vec3 tip(const WorkTransform* space, const Axes& work) const { return tip(space == nullptr ? work : space->in_system(work)); }
   Vec3 tip(const Axes& axes) const { return {value(axes, 0), value(axes, 1), value(axes, 2)}; }
 
   /// Returns the axis positions that give the pose; axes that do not move the tool keep their positions from `near`.
@@ -36,7 +36,7 @@ class Chain {
 };
 
 /// Returns the origin of the work system in machine coordinates.
-inline Vec3 zero_of(const Chain& chain, const Placement& placement) {
+inline Vec3 work_origin_of(const Chain& chain, const Placement& placement) {
   return placement.space && placement.space->has_rotary() ? placement.space->zero() : chain.tip(placement.origin);
 }
 

@@ -1,5 +1,5 @@
 // Computes the tool's pose in the part for a machine with two rotary and three linear axes, and the inverse. Used by
-// kinematics/part_space and control/fanuc/five_axis; tested by tests/kinematics/five_axis_test.cpp.
+// kinematics/five_axis_transform and control/fanuc/five_axis; tested by tests/kinematics/five_axis_test.cpp.
 
 #include "kinematics/five_axis.h"
 
@@ -97,7 +97,7 @@ Vec3 FiveAxis::length_vector(RotaryPair at, Vec3 along) const {
   }
 }
 
-Vec3 FiveAxis::place_on_machine(RotaryPair at, Vec3 point, RotaryPair zero) const {
+Vec3 FiveAxis::point_on_machine(RotaryPair at, Vec3 point, RotaryPair zero) const {
   switch (group) {
     case MachineGroup::table_table: {
       const Vec3 on_second = turned_back(first_turn(zero.first), point - table) - second_table;
@@ -108,7 +108,7 @@ Vec3 FiveAxis::place_on_machine(RotaryPair at, Vec3 point, RotaryPair zero) cons
   }
 }
 
-Vec3 FiveAxis::place_in_part(RotaryPair at, Vec3 point, RotaryPair zero) const { return place_on_machine(zero, point, at); }
+Vec3 FiveAxis::point_in_part(RotaryPair at, Vec3 point, RotaryPair zero) const { return point_on_machine(zero, point, at); }
 
 RotarySolutions FiveAxis::solutions(Vec3 wanted, RotaryPair zero) const {
   const Vec3 t = table_turn({}, zero) * wanted;  // direction in the part's orientation with the tables at 0

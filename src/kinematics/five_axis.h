@@ -65,9 +65,9 @@ struct FiveAxis {
   /// 6.1).
   Vec3 length_vector(RotaryPair at, Vec3 length) const;
   /// Returns the machine position, at the rotary positions `at`, of a point fixed to the part. `point` is its machine position when the
-  /// rotary axes are at `zero` (25.4; 25a 6.2). place_in_part() is the inverse.
-  Vec3 place_on_machine(RotaryPair at, Vec3 point, RotaryPair zero = {}) const;
-  Vec3 place_in_part(RotaryPair at, Vec3 point, RotaryPair zero = {}) const;
+  /// rotary axes are at `zero` (25.4; 25a 6.2). point_in_part() is the inverse.
+  Vec3 point_on_machine(RotaryPair at, Vec3 point, RotaryPair zero = {}) const;
+  Vec3 point_in_part(RotaryPair at, Vec3 point, RotaryPair zero = {}) const;
 
   /// Returns the rotary positions within one revolution, (-180, 180], that give a direction of unit length (25a 5.1).
   ///   law  direction(solutions(t).pairs[i]) == t

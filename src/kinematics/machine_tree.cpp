@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "config/told.h"
+#include "config/language.h"
 
 namespace kadr {
 namespace {
@@ -104,9 +104,9 @@ FiveAxis MachineTree::directions(const std::vector<const MachineJoint*>& rotary)
 /// positions that gives the wanted change of direction.
 bool MachineTree::turn_by_steps(Vec3 wanted, Axes& axes) const {
   const std::vector<const MachineJoint*> rotary = joints(true);
-  constexpr int most_steps = 100;
+  constexpr int max_steps = 100;
   constexpr double probe = 1e-4;  // degrees: step of the numerical derivative
-  for (int step = 0; step < most_steps; ++step) {
+  for (int step = 0; step < max_steps; ++step) {
     const Vec3 now = direction(axes), missing = wanted - now;
     if (length(missing) < same_way) return true;
     std::vector<Vec3> change;

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "action/placement.h"
-#include "config/machine_profile.h"
+#include "config/machine/machine_profile.h"
 #include "kinematics/five_axis.h"
 
 namespace kadr {

@@ -16,7 +16,7 @@ std::vector<PartJoint> part_joints(const MachineTree& tree) {
   return joints;
 }
 
-std::vector<PartJoint> part_joints(const PartSpaceData& data) {
+std::vector<PartJoint> part_joints(const FiveAxisTransformData& data) {
   const FiveAxis& machine = data.machine;
   std::vector<PartJoint> joints;
   const auto add = [&](const RotaryJoint& joint, Vec3 through, double from) {

@@ -4,8 +4,8 @@
 
 #include <vector>
 
+#include "kinematics/five_axis_transform.h"
 #include "kinematics/machine_tree.h"
-#include "kinematics/part_space.h"
 
 namespace kadr {
 
@@ -22,6 +22,6 @@ struct PartJoint {
 ///   law  seen from the link that carries the first joint, a point of the part is at
 ///        J1(a1) · J2(a2) · … · (J1(from1) · J2(from2) · …)⁻¹ · place, where Ji(a) is the motion of joint i to the axis position a
 std::vector<PartJoint> part_joints(const MachineTree& tree);
-std::vector<PartJoint> part_joints(const PartSpaceData& data);
+std::vector<PartJoint> part_joints(const FiveAxisTransformData& data);
 
 }  // namespace kadr

@@ -30,7 +30,7 @@ std::optional<GearTooFast> GearWatch::look(const Action& action, const std::vect
         if (speed.number == master_ && !speed.surface) rpm_ = speed.value;
       },
       ignores<Motion, Dwell, CoolantSwitch, ToolSelect, ToolChange, MachineFunction, AuxiliaryFunction, Stop, Message, FrameChange,
-              SurfaceSpeed, Sync, ZoneChange, ContourBreak, ContourCorner, ContourCheck>);
+              SurfaceSpeed, Sync, ZoneChange, CompensationBreak, CompensationCorner, CompensationCheck>);
   if (!on_ || !turns_ || slave_ >= axes.size()) return std::nullopt;
   constexpr double turn = 360, rounding = 1e-9;
   const double needed = turn * std::fabs(rpm_ * ratio_);

@@ -21,7 +21,7 @@ class GearWatch {
   bool concerns(const Action& action) const {
     return by_kind(action, same<Couple>(true), same<Uncouple, Spindle, Speed>(on_),
                    same<Motion, Dwell, CoolantSwitch, ToolSelect, ToolChange, MachineFunction, AuxiliaryFunction, Stop, Message,
-                        FrameChange, SurfaceSpeed, Sync, ZoneChange, ContourBreak, ContourCorner, ContourCheck>(false));
+                        FrameChange, SurfaceSpeed, Sync, ZoneChange, CompensationBreak, CompensationCorner, CompensationCheck>(false));
   }
   /// Returns the table's axis if the action makes the spindle demand a speed that is too high for the axis.
   ///   most  rapid rates of the axes, °/min

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "config/setup_parameters.h"
+#include "config/setup/setup_parameters.h"
 
 namespace kadr {
 

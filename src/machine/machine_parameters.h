@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "base/vec.h"
-#include "config/setup.h"
+#include "config/setup/setup.h"
 
 namespace kadr {
 

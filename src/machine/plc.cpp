@@ -8,7 +8,7 @@
 #include <optional>
 #include <utility>
 
-#include "config/told.h"
+#include "config/language.h"
 
 namespace kadr {
 namespace {
@@ -56,11 +56,11 @@ double answer_value(const std::string& answer) {
 }
 
 /// Returns false for codes that the control executes itself, without reporting them to the machine's logic.
-bool is_seen(const std::string& code, bool told_of_ends) {
+bool is_seen(const std::string& code, bool control_reports_ends) {
   constexpr std::string_view letters = "MSTABCUVW";
   if (letters.find(code[0]) == std::string_view::npos) return false;
   const double number = std::strtod(code.c_str() + 1, nullptr);
-  return told_of_ends || code[0] != 'M' || !(number == 2 || number == 30 || number == 98 || number == 99);
+  return control_reports_ends || code[0] != 'M' || !(number == 2 || number == 30 || number == 98 || number == 99);
 }
 
 PlcCommand command_of(const SetupEvent& event) {
@@ -85,11 +85,11 @@ PlcCommand command_of(const SetupEvent& event) {
 
 }  // namespace
 
-Plc::Plc(const std::vector<SetupEvent>& events, bool told_of_ends) {
+Plc::Plc(const std::vector<SetupEvent>& events, bool control_reports_ends) {
   for (const SetupEvent& from : events) {
     const std::string& word = from.code.empty() ? from.block : from.code;
     const char letter = word.empty() ? '\0' : word[0];
-    if (!from.code.empty() && !is_seen(from.code, told_of_ends))
+    if (!from.code.empty() && !is_seen(from.code, control_reports_ends))
       error_ = told("events: the machine's logic does not see ", "events: логика станка не видит ") + from.code;
     const double number = word.empty() ? 0 : std::strtod(word.c_str() + 1, nullptr);
     events_.push_back({from.when, letter == ':', letter, number, from.count, 0, command_of(from)});

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "action/action.h"
-#include "config/setup.h"
+#include "config/setup/setup.h"
 
 namespace kadr {
 
@@ -43,8 +43,8 @@ using PlcCommand = std::variant<SetSignal, SetSkip, AnswerBox, Start, PowerCycle
 
 class Plc {
  public:
-  ///   told_of_ends  true if the control reports M2, M30, M98 and M99 to the logic, like other M codes (nct 13.1)
-  explicit Plc(const std::vector<SetupEvent>& events, bool told_of_ends = true);
+  ///   control_reports_ends  true if the control reports M2, M30, M98 and M99 to the logic, like other M codes (nct 13.1)
+  explicit Plc(const std::vector<SetupEvent>& events, bool control_reports_ends = true);
 
   /// Returns a sentence about an event of the set-up that this class cannot handle; empty if there is none.
   const std::string& error() const { return error_; }

@@ -10,7 +10,7 @@
 namespace kadr {
 namespace {
 
-constexpr int most_rim_steps = 10'000;
+constexpr int max_rim_steps = 10'000;
 constexpr double rim_reached = 1e-10;  // mm; the search along the path stops when the ball is this close to the rim
 
 /// The path of the centre of the probe's ball. The origin is on the axis of the hole, at the top face.
@@ -73,7 +73,7 @@ std::optional<double> wall(const Way& way) {
 std::optional<double> rim(const Way& way) {
   const double whole = length(way.along);
   double gone = 0;
-  for (int step = 0; step < most_rim_steps && gone <= whole; ++step) {
+  for (int step = 0; step < max_rim_steps && gone <= whole; ++step) {
     const Vec3 p = way.at(gone / whole);
     const double free = std::hypot(Way::off_axis(p) - way.hole, p.z) - way.tip;
     if (free < rim_reached) {

@@ -13,7 +13,7 @@
 
 #include "action/action.h"
 #include "action/axis_roles.h"
-#include "config/setup.h"
+#include "config/setup/setup.h"
 #include "kinematics/chain.h"
 
 namespace kadr {

@@ -84,12 +84,12 @@ Status VirtualMachine::check(const Motion& motion) const {
       return beyond(i, to);
   }
   const bool curved = is_arc(motion.kind) || motion.kind == MotionKind::spline ||
-                      (motion.detail && motion.detail->surface == PathSurface::polar) || leads_tip(position_, motion);
+                      (motion.detail && motion.detail->surface == PathSurface::polar) || controls_tip(position_, motion);
   return curved ? check_curve(motion) : Status{};
 }
 
 Status VirtualMachine::check_curve(const Motion& motion) const {
-  if (leads_tip(position_, motion)) {
+  if (controls_tip(position_, motion)) {
     const Curve curve(roles_, position_.work, motion);
     const Extents rough = MachinePath(roles_, position_, motion, curve).rough_extents();
     bool within = true;
@@ -133,7 +133,7 @@ VirtualMachine::Outcome VirtualMachine::take(ActionBatch& batch, Follows follows
   Outcome outcome;
   for (Action& action : batch) {
     if (outcome.done == of_before) before = position_;
-    Status status = carry_out(action, on_touch);
+    Status status = execute(action, on_touch);
     outcome.refused = !status;
     if (status) {
       ++outcome.done;
@@ -151,7 +151,7 @@ VirtualMachine::Outcome VirtualMachine::take(ActionBatch& batch, Follows follows
   return outcome;
 }
 
-Status VirtualMachine::carry_out(Action& action, const OnTouch& on_touch) {
+Status VirtualMachine::execute(Action& action, const OnTouch& on_touch) {
   auto* const motion = motion_of(action);
   if (motion != nullptr && hung_ != 0) leave_hung(*motion);
   if (motion == nullptr || motion->kind != MotionKind::probe) return take(action);
@@ -207,11 +207,11 @@ VirtualMachine::Memory VirtualMachine::memory() const {
   return {position_, missing_, compression_.memory(), zones_ ? std::optional(zones_->memory()) : std::nullopt};
 }
 
-void VirtualMachine::remember(const Memory& memory) {
+void VirtualMachine::resume_from(const Memory& memory) {
   position_ = memory.position;
   missing_ = memory.missing;
-  compression_.remember(memory.compression);
-  if (zones_ && memory.zones) zones_->remember(*memory.zones);
+  compression_.resume_from(memory.compression);
+  if (zones_ && memory.zones) zones_->resume_from(*memory.zones);
 }
 
 void VirtualMachine::set_signal(std::string_view name, bool on) {

@@ -5,8 +5,8 @@
 #include <optional>
 
 #include "base/result.h"
-#include "config/machine_profile.h"
-#include "config/setup.h"
+#include "config/machine/machine_profile.h"
+#include "config/setup/setup.h"
 #include "machine/probe.h"
 #include "machine/zones.h"
 #include "path/curve/machine_extents.h"
@@ -45,7 +45,7 @@ class VirtualMachine {
 
   /// Executes one action; a probe motion ends where it touches something.
   ///   alarms    those of take(const Action&); with CBM also for the path that the probe motion would travel without a signal
-  Status carry_out(Action& action, const OnTouch& on_touch);
+  Status execute(Action& action, const OnTouch& on_touch);
 
   /// Executes an action as it is.
   ///   alarms  limit_exceeded (axis, position, limit), also if only the extreme of a curved path exceeds the limit, or the alarms of
@@ -89,7 +89,7 @@ class VirtualMachine {
     std::optional<Zones::Memory> zones{};
   };
   Memory memory() const;
-  void remember(const Memory& memory);
+  void resume_from(const Memory& memory);
 
   /// Sets a signal of the machine's logic. CP_LIM2DIS and CP_LIM3DIS suspend the check of zone 2 or 3 (nct 22.2, 22.3); other signals
   /// have no effect here.

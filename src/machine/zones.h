@@ -17,7 +17,7 @@
 
 #include "action/action.h"
 #include "base/result.h"
-#include "config/setup.h"
+#include "config/setup/setup.h"
 #include "machine/machine_parameters.h"
 #include "machine/zone_box.h"
 
@@ -51,7 +51,7 @@ class Zones {
 
   struct Memory;
   Memory memory() const;
-  void remember(const Memory& memory);
+  void resume_from(const Memory& memory);
 
   /// Checks a motion against all zones and switches.
   ///   alarms  with CBM zone1_positive, zone1_negative, zone2_positive, zone2_negative (axis), zone2_inside, zone3_inside,
@@ -103,7 +103,7 @@ struct Zones::Memory {
   bool suspended2 = false, suspended3 = false;
 };
 inline Zones::Memory Zones::memory() const { return {zone2_, of_parameters_, checks_before_, suspended2_, suspended3_}; }
-inline void Zones::remember(const Memory& memory) {
+inline void Zones::resume_from(const Memory& memory) {
   zone2_ = memory.zone2;
   of_parameters_ = memory.of_parameters;
   checks_before_ = memory.checks_before;

@@ -15,48 +15,48 @@ namespace kadr {
 
 class PanelHub {
  public:
-  static constexpr std::size_t most_machines = 16;
+  static constexpr std::size_t max_machines = 16;
 
   /// A machine that is switched on. The object exists as long as somebody holds a pointer to it, even after the machine is switched off.
-  struct Place {
+  struct HubMachine {
     std::string name;
     std::shared_ptr<void> content;  // program and tables that the machine uses; destroyed after the machine
     std::unique_ptr<PanelMachine> machine;
     std::atomic<std::uint64_t> holder{0};  // number of the page that has control; 0: none
-    std::string stood;  // PanelSpot as JSON: where in its program the machine was when the server last ended; empty: not in mid program
+    std::string stood;  // PanelLocation as JSON: where in its program the machine was when the server last ended; empty: not in mid program
   };
 
   /// Returns a unique number for each page.
   std::uint64_t new_page() { return ++pages_; }
 
-  std::shared_ptr<Place> find(const std::string& name) const {
+  std::shared_ptr<HubMachine> find(const std::string& name) const {
     const std::lock_guard hold(lock_);
     const auto found = places_.find(name);
     return found == places_.end() ? nullptr : found->second;
   }
   /// Returns false if a machine of that name is already on, or if too many machines are on.
-  bool add(const std::shared_ptr<Place>& place) {
+  bool add(const std::shared_ptr<HubMachine>& place) {
     const std::lock_guard hold(lock_);
-    return places_.size() < most_machines && places_.emplace(place->name, place).second;
+    return places_.size() < max_machines && places_.emplace(place->name, place).second;
   }
   void remove(const std::string& name) {
-    std::shared_ptr<Place> last;  // keeps the machine alive until the lock is released
+    std::shared_ptr<HubMachine> last;  // keeps the machine alive until the lock is released
     const std::lock_guard hold(lock_);
     const auto found = places_.find(name);
     if (found == places_.end()) return;
     last = std::move(found->second);
     places_.erase(found);
   }
-  std::vector<std::shared_ptr<Place>> all() const {
+  std::vector<std::shared_ptr<HubMachine>> all() const {
     const std::lock_guard hold(lock_);
-    std::vector<std::shared_ptr<Place>> all;
+    std::vector<std::shared_ptr<HubMachine>> all;
     for (const auto& [name, place] : places_) all.push_back(place);
     return all;
   }
 
  private:
   mutable std::mutex lock_;
-  std::map<std::string, std::shared_ptr<Place>> places_;
+  std::map<std::string, std::shared_ptr<HubMachine>> places_;
   std::atomic<std::uint64_t> pages_{0};
 };
 

@@ -1,4 +1,5 @@
-// PanelJournal: saved data of panel machines. Used by view/page_panel; tested by tests/panel/panel_journal_test.cpp, tests/panel_kills.py.
+// PanelJournal: saved data of panel machines. Used by view/page/page_panel; tested by tests/panel/panel_journal_test.cpp,
+// tests/panel_kills.py.
 
 #include "panel/panel_journal.h"
 
@@ -45,7 +46,7 @@ PanelJournal::Done PanelJournal::save(const std::vector<StateRow>& rows) {
   unsaved_.insert(unsaved_.end(), rows.begin(), rows.end());
   Done done = file_->save({unsaved_});
   if (done) unsaved_.clear();
-  else if (unsaved_.size() > most_logged) unsaved_.erase(unsaved_.begin(), unsaved_.end() - std::ptrdiff_t(most_logged));
+  else if (unsaved_.size() > max_logged) unsaved_.erase(unsaved_.begin(), unsaved_.end() - std::ptrdiff_t(max_logged));
   return done;
 }
 
@@ -87,7 +88,7 @@ PanelJournal::Done PanelJournal::log(const std::string& machine, std::string ent
   const std::uint64_t number = log.empty() ? 1 : log.rbegin()->first + 1;
   std::vector<StateRow> rows = {{StateTable::panel, key(number), entry}};
   log[number] = std::move(entry);
-  while (log.size() > most_logged) {
+  while (log.size() > max_logged) {
     rows.push_back({StateTable::panel, key(log.begin()->first), std::monostate()});
     log.erase(log.begin());
   }

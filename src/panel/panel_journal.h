@@ -1,6 +1,6 @@
 #pragma once
 // PanelJournal: the data of panel machines that outlive the server (--state FILE), and the log of the shift. All data are in one state
-// file (config/state_file) of the control "panel". Each item has its own key; the code that saves an item chooses the format of its
+// file (config/state/state_file) of the control "panel". Each item has its own key; the code that saves an item chooses the format of its
 // value.
 //
 //   "machine:part.nc" how the machine was switched on · "tables:part.nc" edited tables · "spot:part.nc" location · "log:part.nc:17" log
@@ -15,13 +15,13 @@
 #include <tl/expected.hpp>
 #include <vector>
 
-#include "config/state_file.h"
+#include "config/state/state_file.h"
 
 namespace kadr {
 
 class PanelJournal {
  public:
-  static constexpr std::size_t most_logged = 10'000;  // log entries per machine; beyond this number the oldest is dropped
+  static constexpr std::size_t max_logged = 10'000;  // log entries per machine; beyond this number the oldest is dropped
   using Done = tl::expected<void, std::string>;
 
   /// Creates a journal without a file: all data are in memory only.

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "config/told.h"
+#include "config/language.h"
 #include "lang/expression/expression.h"
 #include "panel/panel_machine.h"
 
@@ -30,7 +30,7 @@ bool are_same(const Setup& a, const Setup& b) {
   return a.offsets == b.offsets && a.work_offsets == b.work_offsets && a.parameters == b.parameters && a.tool_table == b.tool_table;
 }
 
-bool is_same(const PanelSpot& a, const PanelSpot& b) {
+bool is_same(const PanelLocation& a, const PanelLocation& b) {
   if (a.mode != b.mode || a.number != b.number || a.line != b.line || a.file != b.file) return false;
   if (a.mode == PanelMode::running) return true;  // one save per block is enough while the program runs
   const auto are_near = [](const Axes& one, const Axes& other) {
@@ -46,10 +46,10 @@ void PanelMachine::tell(const char* kind, const std::string& text, std::uint32_t
 }
 
 /// Saves the block that the machine is executing, or is held before, or moves to for a restart.
-void PanelMachine::keep_spot(const PanelState& now) {
+void PanelMachine::save_location(const PanelState& now) {
   if (!keeper_.spot) return;
   const bool runs = stretch_ && stretch_->of == Stretch::Of::program;
-  PanelSpot spot;
+  PanelLocation spot;
   spot.mode = now.mode;
   spot.machine = now.sample.machine;
   for (const PanelChannel& channel : now.channels) spot.stands.push_back(channel.sample.machine);
@@ -58,7 +58,7 @@ void PanelMachine::keep_spot(const PanelState& now) {
   if (runs) spot.number = lane_->on.number;
   else if (stepping_->next()) spot.number = stepping_->next()->number - std::uint32_t(entered_);
   // a block without a motion keeps the number saved before
-  if (leads_elsewhere || (runs && spot.number == 0)) spot.number = kept_spot_.number;
+  if (leads_elsewhere || (runs && spot.number == 0)) spot.number = saved_location_.number;
   spot.line = now.line.number, spot.text = now.line.text;
   const std::uint16_t file = going_              ? going_->place->restart.at.file
                              : runs              ? lane_->on.origin.file
@@ -68,14 +68,15 @@ void PanelMachine::keep_spot(const PanelState& now) {
   if (going_) spot.number = going_->place->restart.at.number, spot.line = going_->place->line.number, spot.text = going_->place->line.text;
   const bool broken = now.mode == PanelMode::alarm || now.mode == PanelMode::emergency;
   if (broken && spot.number == 0)
-    spot.number = kept_spot_.number, spot.line = kept_spot_.line, spot.text = kept_spot_.text, spot.file = kept_spot_.file;
-  if (is_same(spot, kept_spot_)) return;
+    spot.number = saved_location_.number, spot.line = saved_location_.line, spot.text = saved_location_.text,
+    spot.file = saved_location_.file;
+  if (is_same(spot, saved_location_)) return;
   if (!has_moved_) {
-    kept_spot_ = std::move(spot);
+    saved_location_ = std::move(spot);
     return;
   }
   kept_.not_kept = keeper_.spot(spot);
-  kept_spot_ = std::move(spot);
+  saved_location_ = std::move(spot);
 }
 
 /// Finds the variables that have changed since the last call, and records `line` as the line that set them; 0: not the program.
@@ -140,7 +141,7 @@ bool PanelMachine::is_in_contour() const {
   return false;
 }
 
-PanelMachine::Answer PanelMachine::may_take_tables_now() const {
+PanelMachine::Answer PanelMachine::may_apply_tables_now() const {
   if (const Answer may = may_begin(); !may) return may;
   const auto is_open = [](const Channel& channel) { return channel.control->in_block(); };
   if ((goes_on_ && !stepping_->next()) || std::any_of(session_->channels().begin(), session_->channels().end(), is_open))
@@ -151,20 +152,20 @@ PanelMachine::Answer PanelMachine::may_take_tables_now() const {
   return {};
 }
 
-PanelMachine::Answer PanelMachine::may_take_tables() {
-  return ask([this]() -> Answer { return may_take_tables_now(); });
+PanelMachine::Answer PanelMachine::may_apply_tables() {
+  return ask([this]() -> Answer { return may_apply_tables_now(); });
 }
 
 PanelMachine::Answer PanelMachine::take_tables() {
   return ask([this]() -> Answer {
-    if (const Answer may = may_take_tables_now(); !may) return may;
+    if (const Answer may = may_apply_tables_now(); !may) return may;
     const bool has_run = stepping_->next() && stepping_->next()->number - std::uint32_t(entered_) > 1;
     if (!has_run) return open(lane_->clock.sample().machine);
     StopPoint here;
     here.line = stepping_->next()->line;
     if (stepping_->next()->file != 0) here.file = session_->control().file_name(stepping_->next()->file);
     here.number = stepping_->next()->number - std::uint32_t(entered_);
-    retables_.emplace(PanelSearch::Wish{here, 0, false, {}});
+    retables_.emplace(PanelSearch::SearchRequest{here, 0, false, {}});
     for (std::size_t i = 0; !is_alone() && i < lanes_.size(); ++i)
       retables_->blocks.push_back(session_->channels()[i].control->blocks() - lanes_[i]->entered);
     begin_search();
@@ -173,7 +174,7 @@ PanelMachine::Answer PanelMachine::take_tables() {
 }
 
 /// Applies edited tables as if the program had run to here with them; the axes stay where they are.
-void PanelMachine::look_after_tables() {
+void PanelMachine::apply_edited_tables() {
   const PanelSearch::Answer found = search_->find(*retables_);
   if (!found.ready) return;
   retables_.reset();
@@ -185,7 +186,7 @@ void PanelMachine::look_after_tables() {
     taken = Failed(told("with these tables the other channels would be at other blocks now: reset, then go on in mid program",
                         "с этими таблицами другие каналы были бы сейчас в других кадрах: сброс, затем продолжить с середины"));
   if (taken) taken = begin_session(start_);
-  if (taken) taken = remember(*found.place);
+  if (taken) taken = resume_from(*found.place);
   if (!taken) {
     kept_.told = taken.error();
   } else {

@@ -1,4 +1,4 @@
-// PanelMachine: its thread, and the operator's requests. Used by view/page_panel; tested by tests/panel/panel_machine_test.cpp.
+// PanelMachine: its thread, and the operator's requests. Used by view/page/page_panel; tested by tests/panel/panel_machine_test.cpp.
 
 #include "panel/panel_machine.h"
 
@@ -8,7 +8,7 @@
 #include <chrono>
 #include <utility>
 
-#include "config/told.h"
+#include "config/language.h"
 
 namespace kadr {
 namespace {
@@ -48,8 +48,8 @@ PanelMachine::Answer PanelMachine::ask(std::function<Answer()> what) {
   {
     const std::lock_guard hold(lock_);
     if (ends_) return Failed(told("the machine is off", "станок выключен"));
-    asked_.push_back({[what = std::move(what), lang = told_lang()] {
-                        tell_here_in(lang);  // messages of this request are in the caller's language
+    asked_.push_back({[what = std::move(what), lang = thread_language()] {
+                        set_thread_language(lang);  // messages of this request are in the caller's language
                         return what();
                       },
                       {},
@@ -67,7 +67,7 @@ PanelMachine::Answer PanelMachine::ask(std::function<Answer()> what) {
   return Failed(told("it has begun and is not over yet", "начато и ещё не закончено"));
 }
 
-void PanelMachine::carry_out_asked() {
+void PanelMachine::execute_requests() {
   while (true) {
     Asked next;
     {
@@ -92,9 +92,9 @@ void PanelMachine::carry_out_asked() {
 ///   returns  false if the machine is switched off
 bool PanelMachine::look_round() {
   if (!ends_ && must_stop()) stand_still();
-  carry_out_asked();
-  if (stretch_ && !must_stop()) look_after_stretch();
-  if (retables_) look_after_tables();
+  execute_requests();
+  if (stretch_ && !must_stop()) watch_run();
+  if (retables_) apply_edited_tables();
   std::unique_lock hold(lock_);
   if (ends_) return false;
   const auto is_asked = [this] { return ends_ || !asked_.empty() || must_stop(); };
@@ -111,29 +111,29 @@ void PanelMachine::live() {
       stop_at_once();
     }
   }
-  drop_stretch();
+  drop_run();
   while (!asked_.empty()) asked_.front().answer.set_value({}), asked_.pop_front();
 }
 
 void PanelMachine::stand_still() {
-  drop_stretch();
+  drop_run();
   retables_.reset();
   kept_.mode = PanelMode::emergency;
   tell("emergency");
   show();
 }
 
-void PanelMachine::look_after_stretch() {
+void PanelMachine::watch_run() {
   provide();
   const bool stand = std::all_of(lanes_.begin(), lanes_.end(), [](const auto& lane) { return lane->stands(); });
   if (resets_ && stand) {
-    drop_stretch();
+    drop_run();
     if (const Answer opened = start_over(); !opened) kept_.told = opened.error();
     return;
   }
   const bool held = std::any_of(lanes_.begin(), lanes_.end(), [](const auto& lane) { return lane->clock.sample().held; });
   kept_.mode = stand && held ? PanelMode::held : PanelMode::running;
-  if (is_over()) end_stretch();
+  if (is_over()) end_run();
   show();
 }
 
@@ -161,9 +161,9 @@ void PanelMachine::show() {
   now.hit = stepping_->hit();
   now.can_undo = before_.size();
   now.blocks = session_->blocks();
-  keep_spot(now);
+  save_location(now);
   now.not_kept = kept_.not_kept;
-  set_share();
+  apply_overrides();
   const std::lock_guard hold(lock_);
   shown_ = std::move(now);
 }
@@ -171,7 +171,7 @@ void PanelMachine::show() {
 void PanelMachine::show_channels(PanelState& now) const {
   if (is_alone()) return;
   for (std::size_t i = 0; i < lanes_.size(); ++i) {
-    const PanelLane& lane = *lanes_[i];
+    const ChannelAxes& lane = *lanes_[i];
     PanelChannel& shown = now.channels.emplace_back();
     shown.number = lane.number, shown.axes = lane.axes;
     shown.sample = lane.clock.sample(), shown.block = lane.on;
@@ -200,8 +200,8 @@ PanelMachine::Answer PanelMachine::may_begin() const {
   return {};
 }
 
-void PanelMachine::set_share() {
-  for (const auto& lane : lanes_) lane->set_share(kept_.shares, holds_ || resets_);
+void PanelMachine::apply_overrides() {
+  for (const auto& lane : lanes_) lane->apply_overrides(kept_.shares, holds_ || resets_);
 }
 
 /// After a feed hold the function returns only when the axes move again.
@@ -209,7 +209,7 @@ PanelMachine::Answer PanelMachine::run(std::optional<Stepping::How> how) {
   const Answer runs = ask([this, how]() -> Answer {
     if (stretch_) {
       holds_ = false;
-      set_share();
+      apply_overrides();
       return {};
     }
     if (const Answer may = may_begin(); !may) return may;
@@ -247,7 +247,7 @@ PanelMachine::Answer PanelMachine::hold() {
   const Answer held = ask([this]() -> Answer {
     holds_ = stretch_.has_value();
     if (holds_) tell("hold", {}, lane_->on.origin.line);
-    set_share();
+    apply_overrides();
     return {};
   });
   wait_until_seen([&] {
@@ -265,7 +265,7 @@ PanelMachine::Answer PanelMachine::reset() {
     tell("reset");
     if (!stretch_) return start_over();
     resets_ = true;
-    set_share();
+    apply_overrides();
     return {};
   });
 }
@@ -306,10 +306,10 @@ PanelMachine::Answer PanelMachine::set_skip(int number, bool on) {
   });
 }
 
-PanelMachine::Answer PanelMachine::set_shares(const PanelShares& shares) {
+PanelMachine::Answer PanelMachine::set_overrides(const PanelOverrides& shares) {
   const auto is_share = [](double share) { return share >= 0 && share <= 1; };
   if (!is_share(shares.feed) || !is_share(shares.rapid)) return Failed(told("override: want 0 to 100 %", "коррекция: нужно от 0 до 100 %"));
-  if (!(shares.spindle >= PanelShares::least_spindle && shares.spindle <= PanelShares::most_spindle))
+  if (!(shares.spindle >= PanelOverrides::least_spindle && shares.spindle <= PanelOverrides::max_spindle))
     return Failed(told("override of the spindle: want 50 to 120 %", "коррекция шпинделя: нужно от 50 до 120 %"));
   if (!(shares.dry_feed >= 0 && shares.dry_feed <= 1e5))
     return Failed(told("dry run: want a feed up to 100000", "пробный прогон: нужна подача до 100000"));
@@ -317,13 +317,13 @@ PanelMachine::Answer PanelMachine::set_shares(const PanelShares& shares) {
     kept_.shares = shares;
     tell("override", fmt::format("F {:.0f} % G0 {:.0f} % S {:.0f} %{}", 100 * shares.feed, 100 * shares.rapid, 100 * shares.spindle,
                                  shares.dry_feed > 0 ? fmt::format(" dry {:.0f}", shares.dry_feed) : std::string()));
-    set_share();
+    apply_overrides();
     return {};
   });
 }
 
 PanelMachine::Answer PanelMachine::enter(const std::string& line) {
-  if (line.empty() || line.size() > most_entered || line.find_first_of("\n\r") != std::string::npos)
+  if (line.empty() || line.size() > max_entered || line.find_first_of("\n\r") != std::string::npos)
     return Failed(told("want one line, not longer than 1000 bytes", "нужна одна строка не длиннее 1000 байт"));
   return ask([this, line]() -> Answer {
     if (const Answer may = may_begin(); !may) return may;
@@ -376,7 +376,7 @@ PanelMachine::Answer PanelMachine::jog(const std::string& axis, double way, doub
 tl::expected<std::size_t, std::string> PanelMachine::add_stop(StopPoint point) {
   const auto number = std::make_shared<std::size_t>(0);  // shared: the request may time out before the function runs
   const Answer answer = ask([this, number, point = std::move(point)]() -> Answer {
-    if (kept_.stops.size() == most_stops) return Failed(told("too many stop points", "слишком много точек останова"));
+    if (kept_.stops.size() == max_stops) return Failed(told("too many stop points", "слишком много точек останова"));
     if (!point.condition.empty())
       if (const auto holds = stepping_->holds(point.condition); !holds)
         return Failed(

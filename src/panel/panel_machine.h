@@ -20,10 +20,10 @@
 #include <vector>
 
 #include "base/thread.h"
-#include "panel/panel_lane.h"
-#include "panel/panel_opens.h"
+#include "panel/channel_axes.h"
 #include "panel/panel_search.h"
 #include "panel/panel_sheet.h"
+#include "panel/session_opener.h"
 #include "session/stepping.h"
 
 namespace kadr {
@@ -51,7 +51,7 @@ struct PanelChannel {
 struct PanelState {
   PanelMode mode = PanelMode::standing;
   ServoSample sample;
-  PanelShares shares;      // overrides set by the operator
+  PanelOverrides shares;   // overrides set by the operator
   PanelBlock block;        // the block that the machine is executing, or executed last
   AlarmReport::Line line;  // text and location of that block while the program runs; else of the next block
   bool entered = false;    // a line of the operator is being executed
@@ -74,7 +74,7 @@ struct PanelState {
 };
 
 /// Location of a machine in its program.
-struct PanelSpot {
+struct PanelLocation {
   PanelMode mode = PanelMode::standing;
   Axes machine{};
   std::uint32_t number = 0;  // PanelBlock::number of the current block, or of the next one; 0: no block of the program
@@ -85,10 +85,10 @@ struct PanelSpot {
 };
 
 /// Saves the machine's data. The functions are called in the machine's thread.
-struct PanelKeeper {
+struct PanelRecorder {
   /// Called at each block.
   ///   returns  an error sentence if the location cannot be saved
-  std::function<std::string(const PanelSpot&)> spot;
+  std::function<std::string(const PanelLocation&)> spot;
   /// For the log of the shift: "run" "hold" "reset" "emergency" "override" "line" "restart" "stopped" "ended".
   std::function<void(const char* kind, const std::string& text, std::uint32_t line)> event;
   std::function<void(const AlarmReport&)> alarm;
@@ -120,7 +120,7 @@ struct PanelWatch {
 };
 
 /// The motion from where the axes are at rest to where they stop next.
-struct PanelStretch {
+struct PanelRun {
   enum class Of : std::uint8_t { program, line, hand };
   Of of = Of::program;
   std::size_t channel = 0;           // index of the channel in which an entered line runs; only for Of::line
@@ -130,33 +130,33 @@ struct PanelStretch {
 };
 
 /// A path that one channel travels to its restart position.
-struct PanelWay {
+struct PanelPath {
   std::size_t channel = 0;  // index of the channel
   std::vector<WayPoint> way;
 };
 
 /// State of a restart while the machine moves to the block where the program is to continue.
-struct PanelGoing {
+struct PanelApproach {
   struct Line {
     std::size_t channel;
     std::string text;
   };
-  std::shared_ptr<const PanelPlace> place;
-  std::deque<Line> before;    // lines to execute before the paths are travelled
-  std::deque<PanelWay> ways;  // paths to travel, one after the other
-  std::deque<Line> after;     // lines to execute after the paths
+  std::shared_ptr<const RestartPoint> place;
+  std::deque<Line> before;     // lines to execute before the paths are travelled
+  std::deque<PanelPath> ways;  // paths to travel, one after the other
+  std::deque<Line> after;      // lines to execute after the paths
   bool is_there = false;
 };
 
 class PanelMachine {
  public:
   static constexpr double rate = 1000;  // rate of the servo clock, Hz
-  static constexpr std::size_t most_entered = 1000, most_undone = 50, most_stops = 100;
+  static constexpr std::size_t max_entered = 1000, most_undone = 50, max_stops = 100;
 
   ///   returns  an error sentence
   ///   start    machine coordinates of the axes; nullopt: the set-up states the start position
   ///   stands   start position of each of several channels, by index; empty: the set-up states them
-  static tl::expected<std::unique_ptr<PanelMachine>, std::string> make(PanelOpens opens, PanelKeeper keeper = {},
+  static tl::expected<std::unique_ptr<PanelMachine>, std::string> make(SessionOpener opens, PanelRecorder keeper = {},
                                                                        const std::optional<Axes>& start = {},
                                                                        std::vector<Axes> stands = {});
   ~PanelMachine();
@@ -181,7 +181,7 @@ class PanelMachine {
   /// Optional stop: if on, M1 holds the program.
   Answer set_optional_stop(bool on);
   Answer set_skip(int number, bool on);
-  Answer set_shares(const PanelShares& shares);
+  Answer set_overrides(const PanelOverrides& shares);
   /// Answers a question of the program (#3107 of the NCT): 0 cancel, 1 OK, 2 yes, 3 no; the program continues.
   Answer answer(double answer);
   /// Executes a line of the operator (MDI) at once.
@@ -202,23 +202,23 @@ class PanelMachine {
   tl::expected<std::vector<PanelWatch>, std::string> watch_values(const std::vector<std::string>& expressions);
   tl::expected<PanelTables, std::string> tables();
   /// Checks that the machine is at rest, which take_tables() requires.
-  Answer may_take_tables();
-  /// Applies edited tables at the current block. PanelOpens must already return sessions with the changed set-up.
+  Answer may_apply_tables();
+  /// Applies edited tables at the current block. SessionOpener must already return sessions with the changed set-up.
   Answer take_tables();
 
   /// Searches for a block where the program could continue. Returns what the search has found so far.
-  PanelSearch::Answer find(const PanelSearch::Wish& wish) {
+  PanelSearch::Answer find(const PanelSearch::SearchRequest& request) {
     if (state().takes_tables) return {};  // the tables are being applied with a search of their own
-    return search_->find(wish);
+    return search_->find(request);
   }
   /// Computes what restores the state at the restart position, starting from the present state of the machine.
-  ///   returns  the sheet of the program's own channel, then one sheet per channel of PanelPlace::beside, in the same order
-  tl::expected<std::vector<PanelSheet>, std::string> sheets(const std::shared_ptr<const PanelPlace>& place, const WayRules& rules);
+  ///   returns  the sheet of the program's own channel, then one sheet per channel of RestartPoint::beside, in the same order
+  tl::expected<std::vector<PanelSheet>, std::string> sheets(const std::shared_ptr<const RestartPoint>& place, const WayRules& rules);
   /// Moves the machine to the restart position and holds it before the block, as if the program had run up to there.
   ///   left  keys of items that keep their present value: key_of(), for other channels preceded by the channel number: "2/tool:"
   ///   ways  the paths to travel, one after the other: those of the sheets, or others that end at the same positions.
   ///         A channel without a path must already be at its position
-  Answer go_there(std::shared_ptr<const PanelPlace> place, const std::set<std::string>& left, std::vector<PanelWay> ways);
+  Answer go_there(std::shared_ptr<const RestartPoint> place, const std::set<std::string>& left, std::vector<PanelPath> ways);
 
   /// Sets an observer. The machine's thread calls it with each step that the control executes (program, entered lines, motion by hand),
   /// in order and ahead of the machine. Set it before the first run().
@@ -234,7 +234,7 @@ class PanelMachine {
   std::size_t own() const { return own_; }
 
  private:
-  using Stretch = PanelStretch;
+  using Stretch = PanelRun;
   /// The state before a line of the operator, for undo().
   struct Before {
     Stepping::Memory stepping;
@@ -248,19 +248,19 @@ class PanelMachine {
     std::uint64_t number = 0;
   };
 
-  PanelMachine(PanelOpens opens, PanelKeeper keeper, std::vector<Axes> stands)
+  PanelMachine(SessionOpener opens, PanelRecorder keeper, std::vector<Axes> stands)
       : opens_(std::move(opens)), keeper_(std::move(keeper)), stands_(std::move(stands)) {}
   // the functions in panel_machine.cpp: the thread, and the requests
   Answer ask(std::function<Answer()> what);
   void live();
   bool look_round();
-  void carry_out_asked();
-  void look_after_stretch();
+  void execute_requests();
+  void watch_run();
   /// True if an emergency stop was requested and the machine's thread has not handled it yet.
   bool must_stop() const { return lane_->clock.was_stopped() && kept_.mode != PanelMode::emergency; }
   void stand_still();
   Answer may_begin() const;
-  void set_share();
+  void apply_overrides();
   void show_channels(PanelState& now) const;
   bool is_alone() const { return lanes_.size() == 1; }
   void show();
@@ -273,16 +273,16 @@ class PanelMachine {
   void begin_search();
   void stand_here();
   // the functions in panel_keeping.cpp
-  void keep_spot(const PanelState& now);
+  void save_location(const PanelState& now);
   void tell(const char* kind, const std::string& text = {}, std::uint32_t line = 0) const;
   void note_variables(std::uint32_t line);
-  void look_after_tables();
+  void apply_edited_tables();
   void keep_tables(const Setup& before);
   bool is_in_contour() const;
-  Answer may_take_tables_now() const;
+  Answer may_apply_tables_now() const;
   AlarmReport::Line line_of(const ServoSample& sample) const;
-  // the functions in panel_stretch.cpp
-  void look(PanelLane& lane, Control& control, const Step& step);
+  // the functions in panel_run.cpp
+  void look(ChannelAxes& lane, Control& control, const Step& step);
   void begin_leg(std::size_t channel);
   void watch_channels();
   void begin(Stretch::Of of, std::size_t channel);
@@ -292,33 +292,33 @@ class PanelMachine {
   void play();
   void go_on();
   bool is_over() const;
-  void end_stretch();
+  void end_run();
   void show_what_is_in_force();
-  void drop_stretch();
+  void drop_run();
   ToolPosition standing_plainly(std::size_t channel) const;
-  void begin_by_hand(PanelLane& lane, const std::vector<Motion>& motions);
+  void begin_by_hand(ChannelAxes& lane, const std::vector<Motion>& motions);
   Answer move_by_hand(std::size_t channel, const std::string& axis, double way, double feed);
   // the functions in panel_restart.cpp
   Answer may_go_there() const;
-  tl::expected<Axes, std::string> end_of(const PanelWay& way) const;
-  Answer lead_to(const std::vector<PanelWay>& ways, const PanelPlace& place) const;
+  tl::expected<Axes, std::string> end_of(const PanelPath& way) const;
+  Answer lead_to(const std::vector<PanelPath>& ways, const RestartPoint& place) const;
   tl::expected<PanelSheet, std::string> sheet_of_channel(std::size_t channel, const Restart& restart, bool in_block,
                                                          const WayRules& rules) const;
-  Answer prepare(PanelGoing& going, std::size_t channel, const Restart& restart, bool in_block, const std::set<std::string>& left) const;
-  void go_along(const PanelWay& way);
+  Answer prepare(PanelApproach& going, std::size_t channel, const Restart& restart, bool in_block, const std::set<std::string>& left) const;
+  void match_paths(const PanelPath& way);
   Answer go_on_there();
-  void carry_out(std::deque<PanelGoing::Line>& lines);
-  Answer arrive(const PanelPlace& place);
-  Answer remember(const PanelPlace& place);
-  void stand_beside(const PanelBeside& channel);
-  bool stand_as_in(const PanelPlace& place) const;
+  void execute(std::deque<PanelApproach::Line>& lines);
+  Answer arrive(const RestartPoint& place);
+  Answer resume_from(const RestartPoint& place);
+  void set_other_channel(const OtherChannelState& channel);
+  bool stand_as_in(const RestartPoint& place) const;
 
-  const PanelOpens opens_;
-  const PanelKeeper keeper_;
+  const SessionOpener opens_;
+  const PanelRecorder keeper_;
   std::function<void(const Step&)> looks_on_;
   std::unique_ptr<PanelSearch> search_;
-  std::vector<std::unique_ptr<PanelLane>> lanes_;  // one lane per channel; the objects are never replaced
-  PanelLane* lane_ = nullptr;                      // the lane of the program's own channel, for the machine's thread only
+  std::vector<std::unique_ptr<ChannelAxes>> lanes_;  // one lane per channel; the objects are never replaced
+  ChannelAxes* lane_ = nullptr;                      // the lane of the program's own channel, for the machine's thread only
   std::size_t own_ = 0;
 
   // the members below are used by the machine's thread only, except for stops_
@@ -334,13 +334,13 @@ class PanelMachine {
   bool goes_on_ = false;              // the program has not ended: a block of one of its channels is held
   Control* asks_ = nullptr;           // the control whose program waits for an answer to its question
   std::vector<Before> before_;
-  std::optional<PanelGoing> going_;
+  std::optional<PanelApproach> going_;
   // number of blocks in lines of the operator; number of blocks executed before the current line
   std::uint64_t entered_ = 0, entering_from_ = 0;
   // edited tables: the search for the present location in a run with these tables; nullopt: no search
-  std::optional<PanelSearch::Wish> retables_;
+  std::optional<PanelSearch::SearchRequest> retables_;
   std::optional<Setup> tables_before_;  // the tables before the line of the operator that is being executed
-  PanelSpot kept_spot_;
+  PanelLocation saved_location_;
   bool has_moved_ = false;  // false: no motion has started since the machine was switched on
   std::map<std::string, double> variables_;
   std::map<std::string, std::uint32_t> set_by_;  // program line that set each variable last, by name of the variable

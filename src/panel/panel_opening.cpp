@@ -1,7 +1,7 @@
 // PanelMachine: opens the session of its program at the beginning, and applies the switches. Used by panel/panel_machine; tested by
 // tests/panel/panel_machine_test.cpp, tests/panel/panel_channels_test.cpp.
 
-#include "config/told.h"
+#include "config/language.h"
 #include "panel/panel_machine.h"
 
 namespace kadr {
@@ -12,7 +12,7 @@ using Failed = tl::unexpected<std::string>;
 }  // namespace
 
 /// Called once; the number of channels never changes after that.
-tl::expected<std::unique_ptr<PanelMachine>, std::string> PanelMachine::make(PanelOpens opens, PanelKeeper keeper,
+tl::expected<std::unique_ptr<PanelMachine>, std::string> PanelMachine::make(SessionOpener opens, PanelRecorder keeper,
                                                                             const std::optional<Axes>& start, std::vector<Axes> stands) {
   std::unique_ptr<PanelMachine> machine(new PanelMachine(std::move(opens), std::move(keeper), std::move(stands)));
   try {
@@ -30,8 +30,8 @@ PanelMachine::Answer PanelMachine::make_lanes() {
   const std::vector<Channel>& channels = session_->channels();
   for (std::size_t i = lanes_.size(); lane_ == nullptr && i < channels.size(); ++i) {
     const Control& control = *channels[i].control;
-    lanes_.push_back(std::make_unique<PanelLane>(channels[i].number, control.axes(), AxisRoles::of(control.axes(), control.rotary()), rate,
-                                                 session_->stand(i).machine));
+    lanes_.push_back(std::make_unique<ChannelAxes>(channels[i].number, control.axes(), AxisRoles::of(control.axes(), control.rotary()),
+                                                   rate, session_->stand(i).machine));
   }
   if (lanes_.size() != channels.size())
     return Failed(told("another number of channels: switch off and on", "другое число каналов: выключите и включите станок"));
@@ -61,7 +61,7 @@ PanelMachine::Answer PanelMachine::begin_session(const std::optional<Axes>& star
     kept_.skip.insert(session_->setup().skip.begin(), session_->setup().skip.end()), kept_.optional_stop = session_->setup().optional_stop;
   start_ = start;
   Control& control = session_->control();
-  control.hand_over_each_block();  // so that a stop request can hold before the very next block
+  control.return_each_block();  // so that a stop request can hold before the very next block
   control.watch_calls();
   stepping_ = std::make_unique<Stepping>(*session_);
   stepping_->keep(kept_.stops);
@@ -132,7 +132,7 @@ void PanelMachine::begin_search() { search_->begin({start_, stands_, kept_.skip,
 void PanelMachine::stand_here() {
   for (std::size_t i = 0; i < lanes_.size(); ++i) {
     const Control& control = *session_->channels()[i].control;
-    PanelLane& lane = *lanes_[i];
+    ChannelAxes& lane = *lanes_[i];
     lane.placement = control.placement();
     lane.on.work = session_->stand(i).work, lane.on.machine = session_->stand(i).machine, lane.on.placement = lane.placement;
     lane.on.modes = std::make_shared<PanelModes>(PanelModes{control.in_force(), {}});

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <utility>
 
-#include "config/told.h"
+#include "config/language.h"
 #include "panel/panel_machine.h"
 
 namespace kadr {
@@ -41,7 +41,7 @@ tl::expected<PanelSheet, std::string> PanelMachine::sheet_of_channel(std::size_t
   return std::move(*made);
 }
 
-tl::expected<std::vector<PanelSheet>, std::string> PanelMachine::sheets(const std::shared_ptr<const PanelPlace>& place,
+tl::expected<std::vector<PanelSheet>, std::string> PanelMachine::sheets(const std::shared_ptr<const RestartPoint>& place,
                                                                         const WayRules& rules) {
   const auto sheets = std::make_shared<std::vector<PanelSheet>>();  // shared: the request may time out before the function runs
   const Answer answer = ask([sheets, this, place, rules]() -> Answer {
@@ -51,7 +51,7 @@ tl::expected<std::vector<PanelSheet>, std::string> PanelMachine::sheets(const st
     auto own = sheet_of_channel(own_, place->restart, place->in_block, rules);
     if (!own) return Failed(own.error());
     sheets->push_back(std::move(*own));
-    for (const PanelBeside& channel : place->beside) {
+    for (const OtherChannelState& channel : place->beside) {
       auto other = sheet_of_channel(channel.channel, channel.restart, channel.in_block, of_others);
       if (!other) return Failed(other.error());
       sheets->push_back(std::move(*other));
@@ -64,8 +64,8 @@ tl::expected<std::vector<PanelSheet>, std::string> PanelMachine::sheets(const st
 
 /// Checks a path against the limits of the axes.
 ///   returns  its end, or an error sentence
-tl::expected<Axes, std::string> PanelMachine::end_of(const PanelWay& way) const {
-  const PanelLane& lane = *lanes_[way.channel];
+tl::expected<Axes, std::string> PanelMachine::end_of(const PanelPath& way) const {
+  const ChannelAxes& lane = *lanes_[way.channel];
   Axes at = lane.clock.sample().machine;
   for (const WayPoint& point : way.way) {
     for (std::size_t a = 0; a < lane.axes.size() && a < max_axes; ++a) {
@@ -79,15 +79,15 @@ tl::expected<Axes, std::string> PanelMachine::end_of(const PanelWay& way) const 
   return at;
 }
 
-PanelMachine::Answer PanelMachine::lead_to(const std::vector<PanelWay>& ways, const PanelPlace& place) const {
+PanelMachine::Answer PanelMachine::lead_to(const std::vector<PanelPath>& ways, const RestartPoint& place) const {
   const auto lead_there = [&](std::size_t channel, const Axes& there) -> Answer {
-    const auto is_its = [&](const PanelWay& way) { return way.channel == channel; };
+    const auto is_its = [&](const PanelPath& way) { return way.channel == channel; };
     if (std::count_if(ways.begin(), ways.end(), is_its) > 1)
       return Failed(told("want one way of each channel", "нужен один путь каждого канала"));
     const auto way = std::find_if(ways.begin(), ways.end(), is_its);
-    const auto end = end_of(way == ways.end() ? PanelWay{channel, {}} : *way);
+    const auto end = end_of(way == ways.end() ? PanelPath{channel, {}} : *way);
     if (!end) return Failed(end.error());
-    const PanelLane& lane = *lanes_[channel];
+    const ChannelAxes& lane = *lanes_[channel];
     for (std::size_t a = 0; a < lane.axes.size() && a < max_axes; ++a)
       if (!(std::fabs((*end)[a] - there[a]) <= at_place))
         return Failed((is_alone() ? "" : fmt::format("{}: ", lane.number)) + lane.axes[a] +
@@ -95,13 +95,13 @@ PanelMachine::Answer PanelMachine::lead_to(const std::vector<PanelWay>& ways, co
     return {};
   };
   Answer leads = lead_there(own_, place.restart.stand.machine);
-  for (const PanelBeside& channel : place.beside)
+  for (const OtherChannelState& channel : place.beside)
     if (leads) leads = lead_there(channel.channel, channel.restart.stand.machine);
   return leads;
 }
 
 /// Prepares the lines to be executed in a channel before and after the paths. Keys of other channels start with the channel number.
-PanelMachine::Answer PanelMachine::prepare(PanelGoing& going, std::size_t channel, const Restart& restart, bool in_block,
+PanelMachine::Answer PanelMachine::prepare(PanelApproach& going, std::size_t channel, const Restart& restart, bool in_block,
                                            const std::set<std::string>& left) const {
   const auto sheet = sheet_of_channel(channel, restart, in_block, {});
   if (!sheet) return Failed(sheet.error());
@@ -119,18 +119,18 @@ PanelMachine::Answer PanelMachine::prepare(PanelGoing& going, std::size_t channe
   return {};
 }
 
-PanelMachine::Answer PanelMachine::go_there(std::shared_ptr<const PanelPlace> place, const std::set<std::string>& left,
-                                            std::vector<PanelWay> ways) {
+PanelMachine::Answer PanelMachine::go_there(std::shared_ptr<const RestartPoint> place, const std::set<std::string>& left,
+                                            std::vector<PanelPath> ways) {
   return ask([this, place = std::move(place), left, ways = std::move(ways)]() -> Answer {
     if (const Answer may = may_go_there(); !may) return may;
     if (const Answer fits = lead_to(ways, *place); !fits) return fits;
-    PanelGoing going;
+    PanelApproach going;
     going.place = place;
     Answer ready = prepare(going, own_, place->restart, place->in_block, left);
-    for (const PanelBeside& channel : place->beside)
+    for (const OtherChannelState& channel : place->beside)
       if (ready) ready = prepare(going, channel.channel, channel.restart, channel.in_block, left);
     if (!ready) return ready;
-    for (const PanelWay& way : ways)
+    for (const PanelPath& way : ways)
       if (!way.way.empty()) going.ways.push_back(way);
     kept_.told.clear(), kept_.why.clear();
     kept_.alarm.reset();
@@ -146,15 +146,15 @@ PanelMachine::Answer PanelMachine::lead(const std::vector<WayPoint>& way) {
     const Control& control = session_->control();
     if (control.in_block() || control.meeting())
       return Failed(told("a block is not over: run it to its end first", "кадр не закончен: сначала отработайте его до конца"));
-    const PanelWay own{own_, way};
+    const PanelPath own{own_, way};
     if (const auto end = end_of(own); !end) return Failed(end.error());
     if (way.empty()) return Failed(told("want a way", "нужен путь"));
-    go_along(own);
+    match_paths(own);
     return {};
   });
 }
 
-void PanelMachine::go_along(const PanelWay& way) {
+void PanelMachine::match_paths(const PanelPath& way) {
   std::vector<Motion> motions;
   ToolPosition at = standing_plainly(way.channel);
   for (const WayPoint& point : way.way) {
@@ -175,15 +175,15 @@ void PanelMachine::go_along(const PanelWay& way) {
 
 /// Performs the next part of the move to the restart position. Called while the axes are at rest.
 PanelMachine::Answer PanelMachine::go_on_there() {
-  PanelGoing& going = *going_;
+  PanelApproach& going = *going_;
   if (!going.before.empty()) {
-    carry_out(going.before);
+    execute(going.before);
     return {};
   }
   if (!going.ways.empty()) {
-    const PanelWay next = std::move(going.ways.front());
+    const PanelPath next = std::move(going.ways.front());
     going.ways.pop_front();
-    go_along(next);
+    match_paths(next);
     return {};
   }
   if (!going.is_there) {
@@ -194,7 +194,7 @@ PanelMachine::Answer PanelMachine::go_on_there() {
     going.is_there = true;
   }
   if (!going.after.empty()) {
-    carry_out(going.after);
+    execute(going.after);
     return {};
   }
   going_.reset();
@@ -203,21 +203,21 @@ PanelMachine::Answer PanelMachine::go_on_there() {
   return {};
 }
 
-void PanelMachine::carry_out(std::deque<PanelGoing::Line>& lines) {
-  const PanelGoing::Line line = std::move(lines.front());
+void PanelMachine::execute(std::deque<PanelApproach::Line>& lines) {
+  const PanelApproach::Line line = std::move(lines.front());
   lines.pop_front();
   begin_line(line.text, line.channel);
 }
 
 /// The axes have arrived: from here on the state is as if the program had run.
-PanelMachine::Answer PanelMachine::arrive(const PanelPlace& place) {
+PanelMachine::Answer PanelMachine::arrive(const RestartPoint& place) {
   lane_->clock.stand_at(place.restart.stand.machine);
-  for (const PanelBeside& channel : place.beside) lanes_[channel.channel]->clock.stand_at(channel.restart.stand.machine);
-  return remember(place);
+  for (const OtherChannelState& channel : place.beside) lanes_[channel.channel]->clock.stand_at(channel.restart.stand.machine);
+  return resume_from(place);
 }
 
 /// Restores the state of a control that has run to the restart position.
-PanelMachine::Answer PanelMachine::remember(const PanelPlace& place) {
+PanelMachine::Answer PanelMachine::resume_from(const RestartPoint& place) {
   if (const Status restored = stepping_->restore(place.memory); !restored)
     return Failed(told("a file that the program had called is not as it was", "файл, который вызывала УП, изменился"));
   obey_switches();
@@ -230,13 +230,13 @@ PanelMachine::Answer PanelMachine::remember(const PanelPlace& place) {
   lane_->on.origin = place.restart.at;
   lane_->on.work = place.restart.stand.work, lane_->on.machine = place.restart.stand.machine, lane_->on.placement = lane_->placement;
   lane_->on.modes = std::make_shared<PanelModes>(PanelModes{place.restart.in_force, place.calls});
-  for (const PanelBeside& channel : place.beside) stand_beside(channel);
+  for (const OtherChannelState& channel : place.beside) set_other_channel(channel);
   return {};
 }
 
 /// Restores another channel to its state at the restart position: it waits for other channels, or continues with them.
-void PanelMachine::stand_beside(const PanelBeside& channel) {
-  PanelLane& lane = *lanes_[channel.channel];
+void PanelMachine::set_other_channel(const OtherChannelState& channel) {
+  ChannelAxes& lane = *lanes_[channel.channel];
   lane.start_over();
   lane.placement = channel.placement;
   lane.on.origin = channel.restart.at;
@@ -250,9 +250,9 @@ void PanelMachine::stand_beside(const PanelBeside& channel) {
 }
 
 /// True if the other channels have executed as many blocks as at the restart position, and those that wait are at the same axis positions.
-bool PanelMachine::stand_as_in(const PanelPlace& place) const {
-  for (const PanelBeside& channel : place.beside) {
-    const PanelLane& lane = *lanes_[channel.channel];
+bool PanelMachine::stand_as_in(const RestartPoint& place) const {
+  for (const OtherChannelState& channel : place.beside) {
+    const ChannelAxes& lane = *lanes_[channel.channel];
     const Control& control = *session_->channels()[channel.channel].control;
     if (control.blocks() - lane.entered != channel.blocks || control.meeting().has_value() != channel.waits.has_value() || channel.in_block)
       return false;

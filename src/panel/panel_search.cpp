@@ -4,11 +4,11 @@
 
 #include <utility>
 
-#include "config/told.h"
+#include "config/language.h"
 
 namespace kadr {
 
-PanelSearch::PanelSearch(PanelOpens opens) : opens_(std::move(opens)) {
+PanelSearch::PanelSearch(SessionOpener opens) : opens_(std::move(opens)) {
   thread_.begin_or_throw([this] { live(); });
 }
 
@@ -32,11 +32,11 @@ void PanelSearch::begin(const PanelStart& start) {
   wakes_.notify_all();
 }
 
-PanelSearch::Answer PanelSearch::find(const Wish& wish) {
+PanelSearch::Answer PanelSearch::find(const SearchRequest& request) {
   const std::lock_guard hold(lock_);
-  if (wish_ == wish && lang_ == told_lang()) return answer_.value_or(Answer{});
+  if (request_ == request && lang_ == thread_language()) return answer_.value_or(Answer{});
   if (searching_) stops_ = true;
-  wish_ = wish, lang_ = told_lang();
+  request_ = request, lang_ = thread_language();
   answer_.reset();
   wakes_.notify_all();
   return {};
@@ -45,7 +45,7 @@ PanelSearch::Answer PanelSearch::find(const Wish& wish) {
 void PanelSearch::live() {
   std::unique_lock hold(lock_);
   while (true) {
-    wakes_.wait(hold, [this] { return ends_ || to_begin_ || (wish_ && !answer_ && run_.is_there); });
+    wakes_.wait(hold, [this] { return ends_ || to_begin_ || (request_ && !answer_ && run_.is_there); });
     if (ends_) break;
     stops_ = false;
     if (to_begin_) {
@@ -55,14 +55,14 @@ void PanelSearch::live() {
       hold.lock();
       continue;
     }
-    const Wish wish = *wish_;
-    tell_here_in(lang_);
+    const SearchRequest request = *request_;
+    set_thread_language(lang_);
     searching_ = true;
     hold.unlock();
-    Answer answer = search(wish);
+    Answer answer = search(request);
     hold.lock();
     searching_ = false;
-    if (wish_ == wish && !to_begin_ && !stops_) answer_ = std::move(answer);
+    if (request_ == request && !to_begin_ && !stops_) answer_ = std::move(answer);
   }
   hold.unlock();
   forget();
@@ -119,14 +119,14 @@ void PanelSearch::prepare(const PanelStart& start) {
   run_.session = std::move(session);
 }
 
-std::optional<Restart> PanelSearch::reach(const Wish& wish) {
+std::optional<Restart> PanelSearch::reach(const SearchRequest& request) {
   Session& session = *run_.session;
   own_is_over_ = false;
-  const auto reached =
-      run_.checkpoints ? run_.checkpoints->reach(*run_.stepping, wish.target) : Result<Session::State>(run_.stepping->go_to(wish.target));
+  const auto reached = run_.checkpoints ? run_.checkpoints->reach(*run_.stepping, request.target)
+                                        : Result<Session::State>(run_.stepping->go_to(request.target));
   if (!reached || *reached != Session::State::held) return std::nullopt;
   auto restart = restart_here(session, *run_.stepping);
-  if (restart && wish.hole != 0 && !go_over_hole(session, *run_.stepping, wish.hole, *restart)) return std::nullopt;
+  if (restart && request.hole != 0 && !move_over_hole(session, *run_.stepping, request.hole, *restart)) return std::nullopt;
   return restart;
 }
 
@@ -139,7 +139,7 @@ std::optional<BlockSearch> PanelSearch::search_by_control(const StopPoint& targe
 }
 
 /// Finds the block that the channel would start next, without executing it. The session cannot be continued after that.
-void PanelSearch::find_next(PanelBeside& channel) {
+void PanelSearch::find_next(OtherChannelState& channel) {
   Session& session = *run_.session;
   Control& control = *session.channels()[channel.channel].control;
   control.holds_before = [&](const Origin& origin) {
@@ -152,14 +152,14 @@ void PanelSearch::find_next(PanelBeside& channel) {
 }
 
 /// Returns the state of the other channels when the own channel has reached the restart position.
-std::vector<PanelBeside> PanelSearch::beside() {
+std::vector<OtherChannelState> PanelSearch::beside() {
   Session& session = *run_.session;
-  std::vector<PanelBeside> all;
+  std::vector<OtherChannelState> all;
   session.hold_each(false);
   for (std::size_t i = 0; i < session.channels().size(); ++i) {
     if (i == session.own()) continue;
     Control& control = *session.channels()[i].control;
-    PanelBeside one;
+    OtherChannelState one;
     one.channel = i, one.number = session.channels()[i].number;
     one.restart = {Origin(), control.in_force(), session.stand(i), control.plane_normal()};
     one.calls = control.calls();
@@ -170,7 +170,7 @@ std::vector<PanelBeside> PanelSearch::beside() {
     one.restart.at = one.waits ? one.waits->origin : control.origin();
     all.push_back(std::move(one));
   }
-  for (PanelBeside& one : all) {
+  for (OtherChannelState& one : all) {
     if (!one.waits && !one.in_block) find_next(one);
     one.line = session.channels()[one.channel].control->line_at(one.restart.at);
   }
@@ -178,7 +178,7 @@ std::vector<PanelBeside> PanelSearch::beside() {
 }
 
 /// Runs each channel from the beginning to the number of blocks requested for it.
-void PanelSearch::run_apart(const Wish& wish) {
+void PanelSearch::run_each_channel(const SearchRequest& request) {
   run_.session = open();
   if (!run_.session) return;
   Session& session = *run_.session;
@@ -186,33 +186,33 @@ void PanelSearch::run_apart(const Wish& wish) {
   run_.stepping = std::make_unique<Stepping>(session);
   session.alone(session.own());  // the own channel runs first
   (void)run_.stepping->go(Stepping::How::block);
-  for (std::size_t i = 0; i < session.channels().size() && i < wish.blocks.size(); ++i)
+  for (std::size_t i = 0; i < session.channels().size() && i < request.blocks.size(); ++i)
     if (i != session.own())
-      session.channels()[i].control->holds_before = [most = wish.blocks[i]](const Origin& origin) { return origin.number > most; };
+      session.channels()[i].control->holds_before = [most = request.blocks[i]](const Origin& origin) { return origin.number > most; };
   session.hold_each(true);
 }
 
-PanelSearch::Answer PanelSearch::search(const Wish& wish) {
-  if (wish.blocks.empty()) return found(wish);
+PanelSearch::Answer PanelSearch::search(const SearchRequest& request) {
+  if (request.blocks.empty()) return found(request);
   Run kept = std::exchange(run_, {});
-  run_apart(wish);
-  Answer answer = found(wish);
+  run_each_channel(request);
+  Answer answer = found(request);
   forget();
   run_ = std::move(kept);
   run_.is_there = true;
   return answer;
 }
 
-PanelSearch::Answer PanelSearch::found(const Wish& wish) {
+PanelSearch::Answer PanelSearch::found(const SearchRequest& request) {
   Answer answer;
   answer.ready = true;
   if (!run_.session) {
     answer.error = run_.error;
     return answer;
   }
-  auto restart = reach(wish);
+  auto restart = reach(request);
   if (!restart) {
-    answer.error = wish.hole != 0
+    answer.error = request.hole != 0
                        ? told("the block is not reached, or drills not so many holes", "кадр не достигнут или сверлит меньше отверстий")
                        : told("the block is not reached in this run", "в этом прогоне кадр не достигнут");
     return answer;
@@ -225,16 +225,16 @@ PanelSearch::Answer PanelSearch::found(const Wish& wish) {
   memory->next = restart->at;
   const Control& control = run_.session->control();
   const bool in_block = control.in_block();
-  PanelPlace place{std::move(*restart),
-                   control.line_at(memory->next.value()),
-                   control.calls(),
-                   control.placement(),
-                   std::move(*memory),
-                   in_block,
-                   wish.by_control ? search_by_control(wish.target) : std::nullopt,
-                   {}};
+  RestartPoint place{std::move(*restart),
+                     control.line_at(memory->next.value()),
+                     control.calls(),
+                     control.placement(),
+                     std::move(*memory),
+                     in_block,
+                     request.by_control ? search_by_control(request.target) : std::nullopt,
+                     {}};
   place.beside = beside();
-  answer.place = std::make_shared<const PanelPlace>(std::move(place));
+  answer.place = std::make_shared<const RestartPoint>(std::move(place));
   return answer;
 }
 

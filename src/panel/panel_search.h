@@ -13,7 +13,7 @@
 
 #include "base/thread.h"
 #include "config/alarm_texts.h"
-#include "panel/panel_opens.h"
+#include "panel/session_opener.h"
 #include "session/block_search.h"
 #include "session/checkpoints.h"
 #include "session/restart.h"
@@ -22,7 +22,7 @@ namespace kadr {
 
 /// State of another channel when the program's own channel is at the restart position. The other channel is between two blocks, as far as
 /// its virtual time allows (session/channels).
-struct PanelBeside {
+struct OtherChannelState {
   std::size_t channel = 0;  // index of the channel
   int number = 1;
   Restart restart;  // restart.at: the channel's next block, or the block that it is executing
@@ -36,7 +36,7 @@ struct PanelBeside {
 };
 
 /// A position where the program could continue.
-struct PanelPlace {
+struct RestartPoint {
   Restart restart;
   AlarmReport::Line line;
   std::vector<AlarmReport::Call> calls;
@@ -44,26 +44,26 @@ struct PanelPlace {
   Stepping::Memory memory;                // state of the run when its control has reached this position
   bool in_block = false;                  // the position is over a drilled hole of a canned cycle
   std::optional<BlockSearch> by_control;  // result of the control's own block search; nullopt if it has none
-  std::vector<PanelBeside> beside;        // state of the other channels
+  std::vector<OtherChannelState> beside;  // state of the other channels
 };
 
 class PanelSearch {
  public:
-  struct Wish {
+  struct SearchRequest {
     StopPoint target;
     std::uint32_t hole = 0;   // number of a drilled hole of a canned cycle: the restart is over this hole; 0: before the block
     bool by_control = false;  // also use the control's own block search, which needs another run through the whole program
     // number of blocks that each channel has executed, by index; empty: the own channel's virtual time decides
     std::vector<std::uint64_t> blocks{};
-    friend bool operator==(const Wish&, const Wish&) = default;
+    friend bool operator==(const SearchRequest&, const SearchRequest&) = default;
   };
   struct Answer {
     bool ready = false;
-    std::shared_ptr<const PanelPlace> place{};  // nullptr although ready: no restart position matches the request
-    std::string error{};                        // why there is no restart position
+    std::shared_ptr<const RestartPoint> place{};  // nullptr although ready: no restart position matches the request
+    std::string error{};                          // why there is no restart position
   };
 
-  explicit PanelSearch(PanelOpens opens);
+  explicit PanelSearch(SessionOpener opens);
   ~PanelSearch();
   PanelSearch(const PanelSearch&) = delete;  // the search thread uses this object
   PanelSearch& operator=(const PanelSearch&) = delete;
@@ -71,7 +71,7 @@ class PanelSearch {
   /// Starts searching in a new run, with this start position and these switches.
   void begin(const PanelStart& start);
   /// Returns immediately with what is known now. A request that differs from the previous one starts a new search.
-  Answer find(const Wish& wish);
+  Answer find(const SearchRequest& request);
 
  private:
   /// All data that belong to one run.
@@ -86,17 +86,17 @@ class PanelSearch {
   void live();
   void forget();
   void prepare(const PanelStart& start);
-  Answer search(const Wish& wish);
+  Answer search(const SearchRequest& request);
   void end_with_own(Control& other);
-  void run_apart(const Wish& wish);
-  Answer found(const Wish& wish);
-  std::optional<Restart> reach(const Wish& wish);
-  std::vector<PanelBeside> beside();
-  void find_next(PanelBeside& channel);
+  void run_each_channel(const SearchRequest& request);
+  Answer found(const SearchRequest& request);
+  std::optional<Restart> reach(const SearchRequest& request);
+  std::vector<OtherChannelState> beside();
+  void find_next(OtherChannelState& channel);
   std::optional<BlockSearch> search_by_control(const StopPoint& target);
   std::unique_ptr<Session> open();
 
-  const PanelOpens opens_;
+  const SessionOpener opens_;
   // the members below are used by the search thread only
   Run run_;
   PanelStart start_;
@@ -107,7 +107,7 @@ class PanelSearch {
   std::condition_variable wakes_;
   bool ends_ = false;
   std::optional<PanelStart> to_begin_;
-  std::optional<Wish> wish_;
+  std::optional<SearchRequest> request_;
   Lang lang_{};
   bool searching_ = false;
   std::optional<Answer> answer_;  // the answer to wish_; nullopt: not found yet

@@ -12,9 +12,9 @@ namespace {
 namespace beast = boost::beast;
 namespace websocket = beast::websocket;
 
-constexpr std::size_t most_unsent = std::size_t{8} << 20;           // bytes waiting to be sent to the page
-constexpr std::size_t most_questions = 256;                         // number of requests that wait for their answers
-constexpr std::size_t most_question_bytes = std::size_t{48} << 20;  // total length of the waiting requests, bytes
+constexpr std::size_t max_unsent = std::size_t{8} << 20;           // bytes waiting to be sent to the page
+constexpr std::size_t max_questions = 256;                         // number of requests that wait for their answers
+constexpr std::size_t max_question_bytes = std::size_t{48} << 20;  // total length of the waiting requests, bytes
 
 }  // namespace
 
@@ -31,7 +31,7 @@ void Connection::accept(const PageRequest& request) {
                                                        // the first
                                                        ignored);
   socket_.set_option(websocket::stream_base::timeout::suggested(beast::role_type::server));
-  socket_.read_message_max(PageSession::most_message);
+  socket_.read_message_max(PageSession::max_message);
   socket_.auto_fragment(false);  // else a long frame would be sent in pieces of 4 KiB
   socket_.async_accept(request, [self = shared_from_this()](beast::error_code error) {
     if (error) return self->lost();
@@ -62,7 +62,7 @@ void Connection::take_message() {
     if (session_ && PageSession::asks_for_emergency(text)) session_->emergency();
     question_bytes_ += text.size();
     questions_.push_back({std::move(text)});
-    flood = questions_.size() > most_questions || question_bytes_ > most_question_bytes;
+    flood = questions_.size() > max_questions || question_bytes_ > max_question_bytes;
   }
   news_.notify_all();
   if (flood) return close(websocket::close_code::policy_error);
@@ -108,7 +108,7 @@ bool Connection::answer_next() {
 bool Connection::send(Outgoing out) {
   {
     std::unique_lock hold(lock_);
-    news_.wait(hold, [this] { return over_ || hurries_ || unsent_ < most_unsent; });
+    news_.wait(hold, [this] { return over_ || hurries_ || unsent_ < max_unsent; });
     if (over_) return false;
     unsent_ += out.bytes.size();
     out_.push_back(std::move(out));

@@ -12,7 +12,7 @@
 #include <mutex>
 #include <string>
 
-#include "view/page_session.h"
+#include "view/page/page_session.h"
 
 namespace kadr {
 

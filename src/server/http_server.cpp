@@ -7,7 +7,7 @@
 #include <new>
 #include <optional>
 
-#include "config/told.h"
+#include "config/language.h"
 #include "server/connection.h"
 #include "server/page_files.h"
 
@@ -20,9 +20,9 @@ namespace http = beast::http;
 using tcp = asio::ip::tcp;
 using Response = http::response<http::string_body>;
 
-constexpr std::uint32_t most_header = 16 << 10, most_body = 1 << 10;  // bytes
+constexpr std::uint32_t max_header = 16 << 10, most_body = 1 << 10;  // bytes
 constexpr auto until_asked = std::chrono::seconds(10), until_taken = std::chrono::seconds(60);
-constexpr int most_requests = 512;  // maximum number of connections that are open and not yet sessions
+constexpr int max_requests = 512;  // maximum number of connections that are open and not yet sessions
 
 constexpr const char* policy =
     "default-src 'none'; script-src 'self'; worker-src 'self'; style-src 'self' 'unsafe-inline'; img-src 'self' blob:; connect-src 'self'; "
@@ -105,7 +105,7 @@ class Request : public std::enable_shared_from_this<Request> {
 
   void read() {
     parser_.emplace();
-    parser_->header_limit(most_header);
+    parser_->header_limit(max_header);
     parser_->body_limit(most_body);
     stream_.expires_after(until_asked);
     http::async_read(stream_, buffer_, *parser_, [self = shared_from_this()](beast::error_code error, std::size_t) {
@@ -121,7 +121,7 @@ class Request : public std::enable_shared_from_this<Request> {
     if (!beast::websocket::is_upgrade(request))
       return write(answer_to(request), request.keep_alive(), request.method() == http::verb::head);
     if (view_of(request.target()) != "/session") return write(answer(request, http::status::not_found, plain, "not found\n"), false, false);
-    if (++*shared_.sessions > HttpServer::most_sessions) {
+    if (++*shared_.sessions > HttpServer::max_sessions) {
       --*shared_.sessions;
       return write(answer(request, http::status::service_unavailable, plain, "too many sessions\n"), false, false);
     }
@@ -159,7 +159,7 @@ class Request : public std::enable_shared_from_this<Request> {
 void HttpServer::Inside::accept() {
   acceptor.async_accept([self = shared_from_this()](beast::error_code error, tcp::socket socket) {
     if (error == asio::error::operation_aborted) return;
-    if (!error && self->requests < most_requests)
+    if (!error && self->requests < max_requests)
       std::make_shared<Request>(std::move(socket), Request::Shared{self->address, self->page, self->sessions, self->requests})->read();
     if (!error) return self->accept();
     self->rest.expires_after(std::chrono::milliseconds(50));  // no file descriptors left: retries a little later

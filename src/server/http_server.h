@@ -9,13 +9,13 @@
 #include <tl/expected.hpp>
 
 #include "server/guard.h"
-#include "view/page_session.h"
+#include "view/page/page_session.h"
 
 namespace kadr {
 
 class HttpServer {
  public:
-  static constexpr int most_sessions = 32;
+  static constexpr int max_sessions = 32;
 
   /// Starts listening, on any free port if the port is 0. `page` must outlive the server.
   ///   returns  an error sentence

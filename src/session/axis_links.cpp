@@ -64,20 +64,20 @@ void AxisLinks::end(const LinkedAxis& link) {
 
 void AxisLinks::relink(std::size_t channel) {
   Control& control = *channels_[channel].control;
-  const std::vector<FarAxis> wanted = control.far_axes();
+  const std::vector<CrossChannelAxis> wanted = control.cross_channel_axes();
   std::erase_if(links_, [&](const LinkedAxis& link) {
     if (link.channel != channel || std::find(wanted.begin(), wanted.end(), link.far) != wanted.end()) return false;
     end(link);
     return true;
   });
-  for (const FarAxis& far : wanted) {
+  for (const CrossChannelAxis& far : wanted) {
     const bool known =
         std::any_of(links_.begin(), links_.end(), [&](const LinkedAxis& link) { return link.channel == channel && link.far == far; });
     if (known) continue;
     const auto place = place_of(far.other);
     const LinkedAxis link{channel, far, place ? place->first : 0, place ? place->second : 0, 0};
     if (place && may_link(link)) begin(link);
-    else control.drop_far(far);
+    else control.drop_cross_channel(far);
   }
 }
 
@@ -97,7 +97,7 @@ Status AxisLinks::carry(std::size_t moved) {
   return {};
 }
 
-void AxisLinks::remember(const std::vector<LinkedAxis>& then) {
+void AxisLinks::resume_from(const std::vector<LinkedAxis>& then) {
   const auto put = [&](bool on) {
     for (const LinkedAxis& link : links_) {
       if (link.far.link == AxisLink::follows) runs_[link.channel]->hang(link.far.axis, on);

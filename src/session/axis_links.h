@@ -2,7 +2,8 @@
 // AxisLinks: links between axes of different channels: an axis follows a master axis of another channel, or two axes are exchanged (nct
 // 20.2, 20.3).
 //
-//   machine's logic ─▶ Control::far_axes() ─▶ relink()          a block of the master's channel ─▶ carry() ─▶ the follower has moved along
+//   machine's logic ─▶ Control::cross_channel_axes() ─▶ relink()          a block of the master's channel ─▶ carry() ─▶ the follower has
+//   moved along
 //
 // INFERRED: the follower travels as part of the master's motion, without an action of its own. An exchanged axis has the position, the
 // end positions and the name (in alarms) of the axis that it drives; the programmed axis determines the times.
@@ -12,7 +13,7 @@
 #include <utility>
 #include <vector>
 
-#include "control/state/far_axis.h"
+#include "control/state/cross_channel_axis.h"
 #include "session/channel_run.h"
 
 namespace kadr {
@@ -22,7 +23,7 @@ struct Channel;
 /// One link between two axes.
 struct LinkedAxis {
   std::size_t channel = 0;  // index of the channel whose axis follows or is exchanged
-  FarAxis far;
+  CrossChannelAxis far;
   std::size_t to_channel = 0, to_axis = 0;  // channel and axis that are followed, or exchanged with
   double lead = 0;  // offset of a following axis: its machine position = lead + sign · machine position of the master
 };
@@ -41,7 +42,7 @@ class AxisLinks {
 
   const std::vector<LinkedAxis>& memory() const { return links_; }
   /// Restores the links. The channels must be restored to the same time before.
-  void remember(const std::vector<LinkedAxis>& then);
+  void resume_from(const std::vector<LinkedAxis>& then);
 
  private:
   using Place = std::pair<std::size_t, std::size_t>;  // index of a channel, index of an axis

@@ -29,7 +29,7 @@ std::uint32_t m_code_of(const Action& action) {
         }
       },
       same<Motion, Dwell, Speed, ToolSelect, ToolChange, AuxiliaryFunction, Stop, Message, FrameChange, SurfaceSpeed, Sync, ZoneChange,
-           Couple, Uncouple, ContourBreak, ContourCorner, ContourCheck>(none));
+           Couple, Uncouple, CompensationBreak, CompensationCorner, CompensationCheck>(none));
 }
 
 /// Collects the codes of all actions executed during the search.

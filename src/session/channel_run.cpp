@@ -14,12 +14,12 @@ namespace {
 constexpr unsigned shown_each = 64;  // number of batches between two updates of the progress display
 
 /// Says what follows a batch, for the calculation of corners in room `path`.
-ContourCorners::Follows behind(Control::State state) {
+CornerResolver::Follows behind(Control::State state) {
   switch (state) {
     case Control::State::running:
-    case Control::State::held: return ContourCorners::Follows::more;
-    case Control::State::stopped: return ContourCorners::Follows::alarm;
-    default: return ContourCorners::Follows::nothing;
+    case Control::State::held: return CornerResolver::Follows::more;
+    case Control::State::stopped: return CornerResolver::Follows::alarm;
+    default: return CornerResolver::Follows::nothing;
   }
 }
 
@@ -28,7 +28,7 @@ bool goes_on(Control::State state) { return state == Control::State::running || 
 
 /// Computes the corners of a whole contour, for a control that checks the contour before it executes it.
 std::optional<Alarm> corners_of(ActionBatch& contour, const Axes& from) {
-  const auto fault = ContourCorners(ToolPosition{from, from, nullptr}).take(contour, ContourCorners::Follows::nothing);
+  const auto fault = CornerResolver(ToolPosition{from, from, nullptr}).take(contour, CornerResolver::Follows::nothing);
   return fault ? std::optional(fault->alarm) : std::nullopt;
 }
 
@@ -47,14 +47,14 @@ ChannelRun::ChannelRun(Control& control, const MachineProfile& profile, const Se
       compensation_(control.tool_position()),
       machine_(control.axes(), control.rotary(), profile, setup, control.tool_position()),
       rates_(rates_of(profile, setup, control.axes())),
-      least_most_(rates_.least_most()),
+      lowest_rapid_rate_(rates_.least_most()),
       clock_(outlets.clock) {
   if (outlets.wants_times) (void)clock();
   control.on_warning = [this](const AlarmReport& warning) {
     if (!(ahead_ && ahead_->keep(warning))) warn(warning);
   };
   control.find_corners = corners_of;
-  if (control.queues_contours()) queued_.emplace(control.tool_position());
+  if (control.queues_compensation()) queued_.emplace(control.tool_position());
   for (std::size_t a = 0; a < control.axes().size(); ++a) {
     const auto [least, most] = control.limits_by_file(a);
     machine_.limit(a, least, most);
@@ -62,7 +62,7 @@ ChannelRun::ChannelRun(Control& control, const MachineProfile& profile, const Se
   if (control.has_machine_parameters()) machine_.obey_parameters(setup);
   control.on_signal = [this](const std::string& name, bool on) { machine_.set_signal(name, on); };
   const bool answers = machine_.has_limits() || !logic.plc.idle();
-  if (answers) control.hand_over_each_block();
+  if (answers) control.return_each_block();
   if (!answers && logic.channels.size() == 1 && !control.on_changes && !control.holds_before) ahead_.emplace(control);
   if (logic.plc.idle()) return;
   control.on_block = [this](const Origin& origin, bool at_end) { apply(logic_.plc.block(origin, at_end), control_, logic_.channels); };
@@ -76,12 +76,12 @@ ChannelRun::~ChannelRun() {
 }
 
 /// Passes the machine's position to the control: on a compensated contour the control has only the programmed point.
-void ChannelRun::note_place() {
+void ChannelRun::note_position() {
   if (beside_contour()) stopped_.machine_stood = machine_.position();
 }
 
 ChannelRun::State ChannelRun::stop(const AlarmReport& report) {
-  note_place();
+  note_position();
   stopped_.report = report;
   return State::stopped;
 }
@@ -106,7 +106,7 @@ Control::State ChannelRun::next_batch() {
   // A thread saves time only if path and machine have about as much work as the control; otherwise passing the batches costs more.
   const bool contour = queued_ ? queued_->at_work() : compensation_.at_work();
   const bool pays = (outlets_.works_long || contour) && !control_.holds_before;
-  if (ahead_ && pays && state == Control::State::running && !control_.hands_over_each_block()) ahead_->start();
+  if (ahead_ && pays && state == Control::State::running && !control_.returns_each_block()) ahead_->start();
   return state;
 }
 
@@ -124,7 +124,7 @@ ChannelRun::State ChannelRun::step() { return take(next_batch()); }
 
 ChannelRun::State ChannelRun::let_out() {
   batch_.clear();
-  if (queued_) batch_.add().what = ContourBreak{};
+  if (queued_) batch_.add().what = CompensationBreak{};
   const State state = take(Control::State::ended);
   finish();
   return state;
@@ -151,7 +151,7 @@ ChannelRun::State ChannelRun::take(Control::State state) {
       // room machine: limits, zones, probes
       machine_.take(batch_, follows, [this](const ProbeAnswer& touched) { control_.answer(touched); });
   batch_.cut(taken.done);
-  hand_out(std::move(before));
+  deliver(std::move(before));
   if (!logic_.plc.idle())
     for (const Action& action : batch_) apply(logic_.plc.action(action), control_, logic_.channels);
   if (taken.alarm) {
@@ -168,7 +168,7 @@ ChannelRun::State ChannelRun::take(Control::State state) {
     report.other = settled().line_at(cut.other);
     warn(report);
   }
-  if (!goes_on_after(fault) || !goes_on_after(corner_fault)) return State::stopped;
+  if (!can_continue_after(fault) || !can_continue_after(corner_fault)) return State::stopped;
   if (state == Control::State::stopped || (!is_ahead && control_.is_stopped())) {
     const AlarmReport report = control_.report();
     if (!outlets_.alarm(report)) return stop(report);
@@ -177,7 +177,7 @@ ChannelRun::State ChannelRun::take(Control::State state) {
   if (state == Control::State::ended) {
     constexpr double ms = 1000;
     if (control_.reads_clock()) control_.set_time(now() * ms, spent().cutting * ms);
-    note_place();
+    note_position();
     return State::ended;
   }
   if (outlets_.writable && !outlets_.writable()) return State::stopped;
@@ -186,13 +186,14 @@ ChannelRun::State ChannelRun::take(Control::State state) {
     (void)outlets_.alarm(report);
     return stop(report);
   }
-  if (outlets_.onlooker != nullptr && ++steps_ % shown_each == 0 && outlets_.onlooker->is_due()) outlets_.onlooker->show(settled());
+  if (outlets_.progress_display != nullptr && ++steps_ % shown_each == 0 && outlets_.progress_display->is_due())
+    outlets_.progress_display->show(settled());
   if (state == Control::State::held) return State::held;
   return state == Control::State::waiting ? State::waiting : State::running;
 }
 
 /// Reports an alarm of room `path`. The control had executed blocks beyond the faulty one. Returns false if the run stops.
-bool ChannelRun::goes_on_after(const std::optional<CompensationFault>& fault) {
+bool ChannelRun::can_continue_after(const std::optional<CompensationFault>& fault) {
   if (!fault) return true;
   const AlarmReport report = settled().report_for(fault->alarm, fault->origin);
   if (outlets_.alarm(report)) return true;
@@ -228,8 +229,8 @@ Status ChannelRun::lead(std::size_t axis, double machine) {
 void ChannelRun::exchange(std::size_t axis, ChannelRun& with, std::size_t other, bool on) {
   ToolPosition mine = machine_.position(), its = with.machine_.position();
   std::swap(mine.machine[axis], its.machine[other]);
-  control_.exchange_far(axis, mine.machine[axis], on);
-  with.control_.exchange_far(other, its.machine[other], on);
+  control_.exchange_cross_channel(axis, mine.machine[axis], on);
+  with.control_.exchange_cross_channel(other, its.machine[other], on);
   machine_.go_back(mine);
   with.machine_.go_back(its);
   exchange_limits(axis, with, other);
@@ -244,7 +245,7 @@ void ChannelRun::change_clock() {
   }
   if (outlets_.wants_times) (void)clock();
   if (clock_ != nullptr) clock_->start_over();
-  now_.goes_on_at = at;
+  now_.continued_at = at;
   now_.spent_then = 0;
 }
 
@@ -276,16 +277,16 @@ std::optional<ChannelRun::Memory> ChannelRun::memory() {
   return now;
 }
 
-Status ChannelRun::remember(const Memory& memory) {
+Status ChannelRun::resume_from(const Memory& memory) {
   if (ahead_) ahead_->forget();
   KADR_TRY(control_.restore(memory.control));
   to_come_.assign(memory.to_come.begin(), memory.to_come.end());
-  corners_.remember(memory.corners);
-  if (memory.compensation) compensation_.remember(*memory.compensation);
-  if (queued_ && memory.queued) queued_->remember(*memory.queued);
-  machine_.remember(memory.machine);
+  corners_.resume_from(memory.corners);
+  if (memory.compensation) compensation_.resume_from(*memory.compensation);
+  if (queued_ && memory.queued) queued_->resume_from(*memory.queued);
+  machine_.resume_from(memory.machine);
   if (memory.clock) clock() = *memory.clock;
-  if (look_ahead_ && memory.look_ahead) look_ahead_->remember(*memory.look_ahead);
+  if (look_ahead_ && memory.look_ahead) look_ahead_->resume_from(*memory.look_ahead);
   now_ = memory.own;
   stopped_ = memory.stopped;
   return {};
@@ -299,25 +300,27 @@ TimeEstimate& ChannelRun::clock() {
   return *clock_;
 }
 
-double ChannelRun::now() { return now_.goes_on_at + (spent().now - now_.spent_then); }
+double ChannelRun::now() { return now_.continued_at + (spent().now - now_.spent_then); }
 
 void ChannelRun::wait_until(double at) {
   const double from = now();
   if (!(at > from)) return;
   now_.waited += at - from;
-  now_.goes_on_at = at;
+  now_.continued_at = at;
   now_.spent_then = spent().now;
 }
 
 /// Passes the batch to the outlets (trace, summary, plot). This function gives each action the tool position and the time at its start.
 ///   from  tool position before the batch
-void ChannelRun::hand_out(ToolPosition from) {
-  const auto leads = [](const auto& space) { return space && space->leads_tip(); };
+void ChannelRun::deliver(ToolPosition from) {
+  const auto leads = [](const auto& space) { return space && space->controls_tip(); };
   const bool led = leads(from.space) || std::any_of(batch_.begin(), batch_.end(), [&](const Action& action) {
                      const auto* const frame = std::get_if<FrameChange>(&action.what);
                      return frame != nullptr && leads(frame->placement.space);
                    });
-  const auto watched = [this](const Action& action) { return (!now_.too_fast_told && is_suspect(action)) || now_.gear.concerns(action); };
+  const auto watched = [this](const Action& action) {
+    return (!now_.too_fast_reported && is_suspect(action)) || now_.gear.concerns(action);
+  };
   const bool looks_on = ((outlets_.step || outlets_.timed) && !outlets_.silent) || clock_ != nullptr;
   if (!looks_on && !led && std::none_of(batch_.begin(), batch_.end(), watched)) return;
   Steps steps(machine_.roles(), std::move(from), clock_);
@@ -338,8 +341,8 @@ void ChannelRun::give(Steps& steps, const Action& action) {
     if (look_ahead_) look_ahead_->consume(step);
     else if (outlets_.timed) outlets_.timed(step, 0);
     if (!moves && outlets_.step) outlets_.step(step);
-    if (knows_rates_ && !now_.too_fast_told && is_suspect(step.action)) watch_feed(step);
-    if (step.from.space && step.from.space->leads_tip()) watch_whirl(step);
+    if (knows_rates_ && !now_.too_fast_reported && is_suspect(step.action)) watch_feed(step);
+    if (step.from.space && step.from.space->controls_tip()) watch_singularity(step);
     if (now_.gear.concerns(step.action)) watch_gear(step.action);
   });
 }
@@ -347,10 +350,10 @@ void ChannelRun::give(Steps& steps, const Action& action) {
 /// True for a motion whose feed may exceed the speed of some axis.
 bool ChannelRun::is_suspect(const Action& action) const {
   const auto* const motion = motion_of(action);
-  return motion != nullptr && motion->feed > least_most_ && motion->unit == FeedUnit::mm_per_min;
+  return motion != nullptr && motion->feed > lowest_rapid_rate_ && motion->unit == FeedUnit::mm_per_min;
 }
 
-void ChannelRun::watch_whirl(const Step& step) {
+void ChannelRun::watch_singularity(const Step& step) {
   const auto whirl = now_.whirls.look(step);
   if (whirl)
     warn(settled().report_for(warning(AlarmId::axis_whirls, {}, control_.axes()[whirl->axis], whirl->degrees, whirl->way),
@@ -372,7 +375,7 @@ void ChannelRun::watch_feed(const Step& step) {
   if (!(slowest.minutes > step.curve().length(motion.along) / motion.feed * (1 + rounding))) return;
   const Alarm told = warning(AlarmId::feed_above_rapid, {}, motion.feed, control_.axes()[slowest.axis], rates_.most[slowest.axis]);
   warn(settled().report_for(told, step.action.origin));
-  now_.too_fast_told = true;
+  now_.too_fast_reported = true;
 }
 
 }  // namespace kadr

@@ -8,18 +8,18 @@
 #include <optional>
 #include <vector>
 
-#include "config/machine_profile.h"
-#include "config/setup.h"
+#include "config/machine/machine_profile.h"
+#include "config/setup/setup.h"
 #include "control/control.h"
 #include "machine/gear_watch.h"
 #include "machine/plc.h"
+#include "machine/rotary_swing.h"
 #include "machine/virtual_machine.h"
-#include "machine/whirl.h"
 #include "motion/look_ahead/look_ahead.h"
 #include "motion/time/steps.h"
-#include "path/contour/contour_corners.h"
-#include "path/contour/queued_compensation.h"
-#include "path/contour/radius_compensation.h"
+#include "path/compensation/corner_resolver.h"
+#include "path/compensation/queued_compensation.h"
+#include "path/compensation/radius_compensation.h"
 #include "session/run_ahead.h"
 
 namespace kadr {
@@ -32,9 +32,9 @@ struct VirtualTime {
 VirtualTime virtual_time(const TimeSplit& split);
 
 /// Displays the progress of a run, e.g. as a bar.
-class Onlooker {
+class ProgressDisplay {
  public:
-  virtual ~Onlooker() = default;
+  virtual ~ProgressDisplay() = default;
   /// Returns true if the display is due for an update. Called often.
   virtual bool is_due() const = 0;
   /// Updates the display. The control stands still during the call, so it may be queried.
@@ -50,7 +50,7 @@ struct Outlets {
   std::function<void(const AlarmReport&)> warning;
   /// Called at an alarm. Returns true to continue with the next block (checking).
   std::function<bool(const AlarmReport&)> alarm;
-  Onlooker* onlooker = nullptr;  // called now and then to display the progress
+  ProgressDisplay* progress_display = nullptr;  // called now and then to display the progress
   // computes the times of the steps; nullptr: the run has its own clock, created when times are requested
   TimeEstimate* clock = nullptr;
   bool wants_times = false;                         // steps must always have times
@@ -136,19 +136,19 @@ class ChannelRun {
 
   /// The state of this object between two steps.
   struct Clocks {
-    double waited = 0;      // total waiting time, s
-    double goes_on_at = 0;  // time at which the last waiting ended, s …
+    double waited = 0;        // total waiting time, s
+    double continued_at = 0;  // time at which the last waiting ended, s …
     // … and the time spent until then, s. Both are stored, since rounding of a running sum could change the order of steps
     double spent_then = 0;
-    bool too_fast_told = false;
-    WhirlWatch whirls{};
+    bool too_fast_reported = false;
+    SingularityWatch whirls{};
     GearWatch gear{};
   };
   /// Everything that determines how the run continues, including the state of path and machine, as a value.
   struct Memory {
     Snapshot control;
     std::vector<RunAhead::Batch> to_come;  // batches that the control had executed ahead of the machine
-    ContourCorners::Memory corners;
+    CornerResolver::Memory corners;
     std::shared_ptr<const RadiusCompensation::Memory> compensation;
     std::shared_ptr<const QueuedCompensation::Memory> queued;
     VirtualMachine::Memory machine;
@@ -161,36 +161,36 @@ class ChannelRun {
   std::optional<Memory> memory();
   /// Restores a state; the run continues from there.
   ///   alarms  as Control::restore()
-  Status remember(const Memory& memory);
+  Status resume_from(const Memory& memory);
 
  private:
   Control::State next_batch();
   std::optional<CompensationFault> compensate(Control::State state, bool corner_failed);
   bool beside_contour() const { return queued_ ? queued_->beside() : compensation_.beside(); }
   State take(Control::State state);
-  void hand_out(ToolPosition from);
+  void deliver(ToolPosition from);
   void give(Steps& steps, const Action& action);
   bool is_suspect(const Action& action) const;
   void watch_feed(const Step& step);
-  void watch_whirl(const Step& step);
+  void watch_singularity(const Step& step);
   void watch_gear(const Action& action);
   TimeEstimate& clock();
   VirtualTime spent() { return virtual_time(clock().split()); }
-  void note_place();
+  void note_position();
   State stop(const AlarmReport& report);
-  bool goes_on_after(const std::optional<CompensationFault>& fault);
+  bool can_continue_after(const std::optional<CompensationFault>& fault);
 
   Control& control_;
   const Setup& setup_;
   const bool knows_rates_;  // the rapid rates are known: a machine is selected, or the set-up states them
   const Outlets& outlets_;
   Logic& logic_;
-  ContourCorners corners_;
+  CornerResolver corners_;
   RadiusCompensation compensation_;
   std::optional<QueuedCompensation> queued_;  // used instead of compensation_ if the control queues its contours
   VirtualMachine machine_;
   Rates rates_;
-  double least_most_;                      // the lowest rapid rate of all axes
+  double lowest_rapid_rate_;               // the lowest rapid rate of all axes
   TimeEstimate* clock_;                    // the clock of the outlets, or …
   std::optional<TimeEstimate> own_clock_;  // … this object's own clock, created at the first query; clock_ is nullptr until then
   std::optional<LookAhead> look_ahead_;    // set if something limits the speed

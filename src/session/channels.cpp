@@ -84,7 +84,7 @@ tl::expected<std::vector<Channel>, ChannelsFault> open_channels(const ControlDef
   return channels;
 }
 
-void InOrder::release(const std::vector<double>& clocks, const Sink& sink) {
+void TimeOrder::release(const std::vector<double>& clocks, const Sink& sink) {
   for (;;) {
     std::size_t first = queues_.size();
     for (std::size_t i = 0; i < queues_.size(); ++i)
@@ -110,14 +110,14 @@ Channels::Channels(std::vector<Channel>& channels, const MachineProfile& profile
   for (std::size_t i = 0; i < channels.size(); ++i) {
     Control& control = *channels[i].control;
     logic_.channels.push_back(&control);
-    control.hand_over_each_block();
+    control.return_each_block();
     control.set_waiting(Control::Waiting::meet);
     runs_.push_back(std::make_unique<ChannelRun>(control, profile, channels[i].setup, outlets.own[i], logic_));
     (void)runs_.back()->now();  // the first call of now() starts the clock of the channel
   }
   for (std::size_t i = 0; i < channels.size(); ++i) {
     links_.relink(i);
-    channels[i].control->on_far_axes = [this, i] { links_.relink(i); };
+    channels[i].control->on_cross_channel_axes = [this, i] { links_.relink(i); };
   }
   constexpr std::uint64_t never = ~std::uint64_t{0};
   common_.assign(channels.size(), never);
@@ -125,7 +125,7 @@ Channels::Channels(std::vector<Channel>& channels, const MachineProfile& profile
 }
 
 Channels::~Channels() {
-  for (Channel& channel : channels_) channel.control->on_far_axes = nullptr;
+  for (Channel& channel : channels_) channel.control->on_cross_channel_axes = nullptr;
 }
 
 std::size_t Channels::index_of(int number) const {
@@ -237,15 +237,15 @@ std::optional<Channels::Memory> Channels::memory() {
   return now;
 }
 
-Status Channels::remember(const Memory& memory) {
-  for (std::size_t i = 0; i < runs_.size(); ++i) KADR_TRY(runs_[i]->remember(memory.runs[i]));
+Status Channels::resume_from(const Memory& memory) {
+  for (std::size_t i = 0; i < runs_.size(); ++i) KADR_TRY(runs_[i]->resume_from(memory.runs[i]));
   logic_.plc = memory.plc;
   states_ = memory.states;
   stopped_ = memory.stopped;
   rendezvous_ = memory.rendezvous;
   order_ = memory.order;
   common_ = memory.common;
-  links_.remember(memory.links);
+  links_.resume_from(memory.links);
   over_ = memory.over;
   return {};
 }

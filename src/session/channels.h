@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "base/result.h"
-#include "config/setup_file.h"
+#include "config/setup/setup_file.h"
 #include "machine/rendezvous.h"
 #include "session/axis_links.h"
 #include "session/channel_run.h"
@@ -55,9 +55,9 @@ struct ChannelOutlets {
 
 /// Sorts the steps of several channels by the time at which they begin. A step is passed on later than the machine executes it, so it is
 /// stored with the tool position at its beginning.
-class InOrder {
+class TimeOrder {
  public:
-  explicit InOrder(std::size_t channels) : queues_(channels) {}
+  explicit TimeOrder(std::size_t channels) : queues_(channels) {}
   /// Adds a step. The steps of one channel must be added in the order of time.
   void put(std::size_t channel, const Step& step) { queues_[channel].push_back({++count_, KeptStep(step)}); }
 
@@ -115,13 +115,13 @@ class Channels {
     std::vector<State> states;
     std::vector<Stopped> stopped;
     Rendezvous rendezvous;
-    InOrder order;
+    TimeOrder order;
     std::vector<std::uint64_t> common;
     std::vector<LinkedAxis> links;
     bool over = false;
   };
   std::optional<Memory> memory();
-  Status remember(const Memory& memory);
+  Status resume_from(const Memory& memory);
 
  private:
   std::optional<std::size_t> next();
@@ -146,7 +146,7 @@ class Channels {
   std::vector<State> states_;
   std::vector<Stopped> stopped_;
   Rendezvous rendezvous_;
-  InOrder order_;
+  TimeOrder order_;
   std::vector<std::uint64_t> common_;  // version of the shared data in each channel, when the data of all channels last agreed
   bool over_ = false;
   bool each_holds_ = false;

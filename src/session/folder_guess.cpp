@@ -1,5 +1,5 @@
-// FolderGuess: guesses the controls of programs from their texts and from the programs in their folders. Used by cli/guessed_control and
-// view/opening; tested by tests/guess.py, tests/serve_guess.py.
+// FolderGuess: guesses the controls of programs from their texts and from the programs in their folders. Used by cli/job/guessed_control
+// and view/opening; tested by tests/guess.py, tests/serve_guess.py.
 
 #include "session/folder_guess.h"
 
@@ -11,7 +11,7 @@
 
 #include "config/program_names.h"
 #include "config/read_file.h"
-#include "config/toml_tools.h"
+#include "config/tools/toml_tools.h"
 #include "session/guess_trial.h"
 
 namespace kadr {
@@ -46,10 +46,10 @@ std::vector<std::string> files_of(const std::string& folder, std::size_t most, c
 }
 
 /// Returns the rows of section [guess] in the control files of the folder, so that a factory's own control can be guessed too.
-std::vector<GuessRows> own_rows(const std::string& folder, const FileDoor* door) {
-  constexpr std::size_t most_files = 100;
+std::vector<GuessRows> own_rows(const std::string& folder, const FileAccess* door) {
+  constexpr std::size_t max_files = 100;
   std::vector<GuessRows> all;
-  for (const std::string& file : files_of(folder, most_files, [](const fs::path& path) { return path.extension() == ".toml"; })) {
+  for (const std::string& file : files_of(folder, max_files, [](const fs::path& path) { return path.extension() == ".toml"; })) {
     const auto text = read_file(file, limits::config_file_bytes, door);
     if (!text || text->find("[guess]") == std::string::npos) continue;
     const auto table = toml_tools::parsed(*text, file);  // errors of the file are reported when the file is used as a control
@@ -72,10 +72,10 @@ std::string called(const std::string& file) {
 }
 
 /// Returns programs of the folder that are not in `but`, which follow or precede the first of `but` alphabetically.
-std::vector<std::string> others_beside(const std::string& folder, const std::vector<std::string>& but) {
-  constexpr std::size_t most_looked_at = 2000, most = 12;
-  const auto names = files_of(folder, most_looked_at, [](const fs::path& path) {
-    return !path.filename().string().starts_with('.') && told_by_name(path.string()) != NameTells::other;
+std::vector<std::string> others_near(const std::string& folder, const std::vector<std::string>& but) {
+  constexpr std::size_t max_looked_at = 2000, most = 12;
+  const auto names = files_of(folder, max_looked_at, [](const fs::path& path) {
+    return !path.filename().string().starts_with('.') && judge_name(path.string()) != NameVerdict::other;
   });
   const auto here = std::lower_bound(names.begin(), names.end(), but.front());
   const auto before = std::min<std::ptrdiff_t>(here - names.begin(), most / 2);
@@ -87,11 +87,11 @@ std::vector<std::string> others_beside(const std::string& folder, const std::vec
 
 }  // namespace
 
-std::optional<std::string> beginning_of_program(const std::string& file, const SaidEncoding& encoding, const FileDoor* door) {
+std::optional<std::string> beginning_of_program(const std::string& file, const GivenEncoding& encoding, const FileAccess* door) {
   return sample_of(open_text(file, encoding, door), whole_sample);
 }
 
-FolderGuess::FolderGuess(GuessWays ways, const std::vector<std::string>& files) : ways_(std::move(ways)) {
+FolderGuess::FolderGuess(GuessAccess ways, const std::vector<std::string>& files) : ways_(std::move(ways)) {
   std::map<std::string, std::vector<std::string>> of_folder;
   for (const std::string& file : files) {
     if (!named(file).empty()) continue;
@@ -108,15 +108,15 @@ FolderGuess::FolderGuess(GuessWays ways, const std::vector<std::string>& files) 
   for (const auto& [folder, its_files] : below) take_folder(folder, its_files);
 }
 
-void FolderGuess::take(const std::string& file, std::size_t most_bytes) {
-  const bool edited = ways_.text && most_bytes == whole_sample;
+void FolderGuess::take(const std::string& file, std::size_t max_bytes) {
+  const bool edited = ways_.text && max_bytes == whole_sample;
   const auto text =
-      sample_of(edited ? OpenedText{text_source(*ways_.text), Encoding::utf8} : open_text(file, ways_.encoding, ways_.door), most_bytes);
+      sample_of(edited ? OpenedText{text_source(*ways_.text), Encoding::utf8} : open_text(file, ways_.encoding, ways_.door), max_bytes);
   if (!text) return;
   const std::string folder = folder_of(file);
   if (!rows_.contains(folder)) rows_[folder] = own_rows(folder, ways_.door);
   Guess& guess = guesses_[file] = guess_control(*text, called(file), rows_[folder]);
-  if (most_bytes == whole_sample) try_guess(guess, *text);
+  if (max_bytes == whole_sample) try_guess(guess, *text);
 }
 
 /// Reads other programs of the folder if only a few of its programs are given and the control of one of them is uncertain.
@@ -124,7 +124,7 @@ void FolderGuess::take_neighbours(const std::string& folder, const std::vector<s
   constexpr std::size_t many = 12;
   const bool sure = std::all_of(of.begin(), of.end(), [this](const std::string& file) { return guesses_[file].decisive; });
   if (sure || of.size() >= many || of.front() == "-") return;
-  for (const std::string& file : others_beside(folder, of))
+  for (const std::string& file : others_near(folder, of))
     if (named(file).empty()) take(file, short_sample);
 }
 

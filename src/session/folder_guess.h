@@ -8,30 +8,30 @@
 #include <string>
 #include <vector>
 
-#include "base/file_door.h"
-#include "config/guess.h"
+#include "base/file_access.h"
+#include "config/control/guess.h"
 #include "lang/text/utf16.h"
 
 namespace kadr {
 
 /// How the program files are opened and read.
-struct GuessWays {
+struct GuessAccess {
   // returns the control that the user has named for a file; empty: none, so the control is guessed
   std::function<std::string(const std::string& file)> named{};
-  SaidEncoding encoding{};
-  const FileDoor* door = nullptr;     // opens the files; nullptr: the file system
+  GivenEncoding encoding{};
+  const FileAccess* door = nullptr;   // opens the files; nullptr: the file system
   std::optional<std::string> text{};  // contents of the program if there is only one, used instead of the contents of its file
 };
 
 /// Reads the beginning of a program file as text.
 ///   returns  nullopt if the file cannot be read; errno says why
-std::optional<std::string> beginning_of_program(const std::string& file, const SaidEncoding& encoding, const FileDoor* door = nullptr);
+std::optional<std::string> beginning_of_program(const std::string& file, const GivenEncoding& encoding, const FileAccess* door = nullptr);
 
 /// A program whose own text leaves the control open is assigned the control of the other programs in its folder, or in the nearest folder
 /// above. If only a few programs of a folder are given, some other programs of the folder are read too.
 class FolderGuess {
  public:
-  FolderGuess(GuessWays ways, const std::vector<std::string>& files);
+  FolderGuess(GuessAccess ways, const std::vector<std::string>& files);
 
   struct Neighbours {
     CommonGuess common;
@@ -47,13 +47,13 @@ class FolderGuess {
   std::optional<Answer> of(const std::string& file) const;
 
  private:
-  void take(const std::string& file, std::size_t most_bytes);
+  void take(const std::string& file, std::size_t max_bytes);
   void take_neighbours(const std::string& folder, const std::vector<std::string>& of);
   void take_folder(const std::string& folder, const std::vector<std::string>& files);
   std::optional<Neighbours> neighbours_of(const std::string& file) const;
   std::string named(const std::string& file) const { return ways_.named ? ways_.named(file) : std::string(); }
 
-  GuessWays ways_;
+  GuessAccess ways_;
   std::map<std::string, std::vector<GuessRows>> rows_;  // by folder: the evidence that control files in the folder define
   std::map<std::string, Guess> guesses_;                // by file: readable files whose control the user has not named
   std::map<std::string, Neighbours> folders_;

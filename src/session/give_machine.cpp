@@ -19,7 +19,7 @@ bool has_kinematics_parameters(const ControlDef& control) {
                      [](const ParameterRow& row) { return row.name == first_parameter; });
 }
 
-bool says_kinematics(const Setup& setup) {
+bool has_kinematics(const Setup& setup) {
   return std::any_of(setup.parameters.begin(), setup.parameters.end(),
                      [](const auto& given) { return given.first.name >= first_parameter && given.first.name <= last_parameter; });
 }
@@ -78,7 +78,7 @@ void give_kinematics(Setup& setup, const FiveAxis& five) {
 }  // namespace
 
 void give_machine(Setup& setup, const MachineProfile& profile, const ControlDef& control) {
-  const bool tells = profile.chains.given() && control.machine_axes() && has_kinematics_parameters(control) && !says_kinematics(setup);
+  const bool tells = profile.chains.given() && control.machine_axes() && has_kinematics_parameters(control) && !has_kinematics(setup);
   if (tells && setup.axes.empty() && setup.channels.empty()) setup.axes = axes_of(profile);
   const std::vector<std::string>& axes = setup.axes.empty() ? control.axes : setup.axes;
   for (const std::string& axis : axes) setup.axis_limits[axis] = limits_of(profile, setup, axis);

@@ -3,9 +3,9 @@
 // them. They come from the machine's file: end positions of the axes and, for a machine with rotary axes, its kinematics (nct N3200 to
 // N3224) and its list of axes.
 
-#include "config/control_def.h"
-#include "config/machine_profile.h"
-#include "config/setup.h"
+#include "config/control/control_def.h"
+#include "config/machine/machine_profile.h"
+#include "config/setup/setup.h"
 
 namespace kadr {
 

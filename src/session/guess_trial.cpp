@@ -10,7 +10,7 @@
 #include <utility>
 #include <vector>
 
-#include "config/control_file.h"
+#include "config/control/control_file.h"
 #include "session/session.h"
 
 namespace kadr {
@@ -18,13 +18,13 @@ namespace {
 
 constexpr std::size_t lines_tried = 200;
 constexpr std::uint64_t blocks_tried = 1000;  // number of blocks that are executed, including repetitions in loops and subprograms
-constexpr std::size_t most_bytes = 16384;
+constexpr std::size_t max_bytes = 16384;
 
 std::string beginning_of(std::string_view sample) {
   std::size_t end = 0;
   for (std::size_t lines = 0; end < sample.size() && lines < lines_tried; ++lines) {
     const std::size_t next = std::min(sample.find('\n', end), sample.size() - 1) + 1;
-    if (next > most_bytes) break;
+    if (next > max_bytes) break;
     end = next;
   }
   return std::string(sample.substr(0, end));

@@ -4,7 +4,7 @@
 
 #include <string_view>
 
-#include "config/guess.h"
+#include "config/control/guess.h"
 
 namespace kadr {
 

@@ -36,10 +36,10 @@ Planned::Memory Planned::memory() {
   return {motion_.snapshot(), time_, writer_ ? std::optional(writer_->memory()) : std::nullopt};
 }
 
-void Planned::remember(const Memory& memory) {
+void Planned::resume_from(const Memory& memory) {
   motion_.restore(memory.motion);
   time_ = memory.time;
-  if (writer_ && memory.samples) writer_->remember(*memory.samples);
+  if (writer_ && memory.samples) writer_->resume_from(*memory.samples);
 }
 
 void Planned::colour(Plot& plot) {
@@ -82,7 +82,7 @@ std::vector<AlarmReport> Planned::reports(const Control& control) const {
   std::vector<AlarmReport> reports;
   const PlanFaults& faults = motion_.faults();
   if (faults.unsolved > 0)
-    reports.push_back(report(control, warning(AlarmId::plan_unsolved, {}, static_cast<double>(faults.unsolved), faults.unsolved_way),
+    reports.push_back(report(control, warning(AlarmId::plan_unsolved, {}, static_cast<double>(faults.unsolved), faults.unsolved_length),
                              faults.unsolved_at));
   if (faults.beyond > 0) {
     const double part = std::ceil(percent * faults.beyond);

@@ -33,7 +33,7 @@ class Planned {
   void end_with_samples() { ends_with_samples_ = true; }
 
   /// Records which lines of the program lose the most time, for why().
-  void ask_why() { lost_time_.emplace(limits_); }
+  void record_lost_time() { lost_time_.emplace(limits_); }
 
   /// Records the data for draw_speed().
   void record_speed() { record_.emplace(limits_); }
@@ -52,22 +52,22 @@ class Planned {
 
   /// Calls Planner::plan_each().
   void plan_each(double seconds) { motion_.plan_each(seconds); }
-  /// Calls Planner::work_side_by_side().
-  void work_side_by_side() { motion_.work_side_by_side(); }
+  /// Calls Planner::work_in_background().
+  void work_in_background() { motion_.work_in_background(); }
   /// Calls AxisMotion::run_dry().
   void run_dry(double feed) { motion_.run_dry(feed); }
 
   void consume(const Step& step) { motion_.consume(step); }
   const MotionLimits& limits() const { return limits_; }
 
-  /// The state between two steps, without the data recorded for ask_why(), record_speed() and colour().
+  /// The state between two steps, without the data recorded for record_lost_time(), record_speed() and colour().
   struct Memory {
     AxisMotion::Snapshot motion;
     PlannedTime time;
     std::optional<SampleWriter::Memory> samples;
   };
   Memory memory();
-  void remember(const Memory& memory);
+  void resume_from(const Memory& memory);
 
   /// True if all samples so far have been written. Otherwise error() is the errno of the failure.
   bool ok() const { return !writer_ || writer_->ok(); }
@@ -83,7 +83,7 @@ class Planned {
 
   /// The planned time; nullptr if the planner failed by an error of its own, or planned only as far as samples are requested.
   const PlannedTime* time() const { return motion_.ended() == PlanEnd::too_slow || motion_.ended() == PlanEnd::enough ? nullptr : &time_; }
-  /// Returns the table of lost time. Call after ask_why() and finish(). `control`: the control that executed the program.
+  /// Returns the table of lost time. Call after record_lost_time() and finish(). `control`: the control that executed the program.
   std::string why(const Control& control, Lang lang) const;
   /// Draws the speed over time. Call after record_speed() and finish(). Returns an error as a sentence.
   tl::expected<void, std::string> draw_speed(const ResultFile& file, const PlotTitle& title) const {

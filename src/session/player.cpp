@@ -61,7 +61,7 @@ std::optional<Player::Memory> Player::snapshot() {
 
 Status Player::restore(const Memory& from) {
   KADR_TRY(session_.restore(from.session));
-  playback_.remember(from.playback);
+  playback_.resume_from(from.playback);
   to_come_ = from.to_come;
   begun_ = from.begun;
   offered_ = from.offered;

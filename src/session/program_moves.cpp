@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "action/by_kind.h"
-#include "config/setup.h"
+#include "config/setup/setup.h"
 #include "control/control.h"
 
 namespace kadr {

@@ -32,9 +32,9 @@ std::optional<Restart> restart_here(Session& session, const Stepping& stepping) 
   return Restart{*stepping.next(), session.control().in_force(), session.stand(), session.control().plane_normal()};
 }
 
-bool go_over_hole(Session& session, Stepping& stepping, std::uint32_t hole, Restart& restart) {
+bool move_over_hole(Session& session, Stepping& stepping, std::uint32_t hole, Restart& restart) {
   Control& control = session.control();
-  control.hand_over_each_block();  // then a canned cycle passes one motion at a time
+  control.return_each_block();  // then a canned cycle passes one motion at a time
   const std::size_t axes = control.axes().size(), normal = control.plane_normal();
   std::optional<Axes> over;
   std::uint32_t holes = 0;
@@ -66,7 +66,7 @@ std::optional<Restart> restart_at(Session& session, Stepping& stepping, const St
   if (stepping.go_to(target) != Session::State::held) return std::nullopt;
   auto restart = restart_here(session, stepping);
   if (!restart || hole == 0) return restart;
-  if (!go_over_hole(session, stepping, hole, *restart)) return std::nullopt;
+  if (!move_over_hole(session, stepping, hole, *restart)) return std::nullopt;
   return restart;
 }
 
@@ -118,17 +118,17 @@ std::vector<WayPoint> way_there(const ToolPosition& from, const Restart& to, con
   return way;
 }
 
-std::vector<BlockWay> in_work_coordinates(const std::vector<WayPoint>& way, const Restart& to, const ControlDef& def) {
-  std::vector<BlockWay> blocks;
+std::vector<BlockMove> in_work_coordinates(const std::vector<WayPoint>& way, const Restart& to, const ControlDef& def) {
+  std::vector<BlockMove> blocks;
   const AxisMask normal = AxisMask{1} << to.normal;
   const auto add = [&](const WayPoint& point) {
-    BlockWay& block = blocks.emplace_back(BlockWay{point.rapid, {}, point.feed, point.named == normal});
+    BlockMove& block = blocks.emplace_back(BlockMove{point.rapid, {}, point.feed, point.named == normal});
     for (std::size_t a = 0; a < def.axes.size() && a < max_axes; ++a)
       if ((point.named >> a & 1U) != 0)
         block.to.emplace_back(def.axes[a].front(), point.machine[a] - (to.stand.machine[a] - to.stand.work[a]));
   };
   for (const WayPoint& point : way) add(point);
-  const bool none_along = std::none_of(blocks.begin(), blocks.end(), [](const BlockWay& block) { return block.along_tool; });
+  const bool none_along = std::none_of(blocks.begin(), blocks.end(), [](const BlockMove& block) { return block.along_tool; });
   // no travel, but the block makes the tool length offset effective
   if (!way.empty() && none_along) add({true, normal, way.back().machine, 0});
   return blocks;

@@ -30,7 +30,7 @@ std::optional<Restart> restart_here(Session& session, const Stepping& stepping);
 /// Executes the block before which the session is held, until the tool is over the n-th drilled hole of its canned cycle, counted from 1.
 /// Then `restart` receives the state in force there.
 ///   returns  false if the cycle has fewer holes
-bool go_over_hole(Session& session, Stepping& stepping, std::uint32_t hole, Restart& restart);
+bool move_over_hole(Session& session, Stepping& stepping, std::uint32_t hole, Restart& restart);
 
 /// One item of the state that differs from what is required.
 struct Difference {
@@ -58,6 +58,6 @@ std::vector<WayPoint> way_there(const ToolPosition& from, const Restart& to, con
 
 /// Converts the path to the work coordinates in force at the block, for restart_blocks(). At least one block names the tool's axis.
 ///   pre  the coordinate system is not rotated (no G68), as no words could express the path then
-std::vector<BlockWay> in_work_coordinates(const std::vector<WayPoint>& way, const Restart& to, const ControlDef& def);
+std::vector<BlockMove> in_work_coordinates(const std::vector<WayPoint>& way, const Restart& to, const ControlDef& def);
 
 }  // namespace kadr

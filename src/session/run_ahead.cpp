@@ -63,7 +63,7 @@ void RunAhead::make() {
   in_work_ = &batch;
   try {
     batch.state = control_.run(batch.actions);
-    batch.wants_answers = control_.hands_over_each_block();
+    batch.wants_answers = control_.returns_each_block();
   } catch (...) {
     batch.failure = std::current_exception();
   }

@@ -13,7 +13,7 @@
 #include <exception>
 #include <vector>
 
-#include "base/side_by_side.h"
+#include "base/background_worker.h"
 #include "control/control.h"
 
 namespace kadr {

@@ -227,13 +227,13 @@ Status Session::restore(const SessionSnapshot& from) {
   if (!begun_) begin();
   const SessionSnapshot::Content& then = from.content();
   if (alone_) {
-    KADR_TRY(alone_->remember(*then.alone));
+    KADR_TRY(alone_->resume_from(*then.alone));
     logic_->plc = *then.plc;
   } else {
-    KADR_TRY(channels_run_->remember(*then.together));
+    KADR_TRY(channels_run_->resume_from(*then.together));
   }
   for (std::size_t i = 0; i < planned_.size(); ++i)
-    if (planned_[i] && then.planned[i]) planned_[i]->remember(*then.planned[i]);
+    if (planned_[i] && then.planned[i]) planned_[i]->resume_from(*then.planned[i]);
   state_ = then.state;
   searched_ = then.searched;
   return {};

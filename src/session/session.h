@@ -15,8 +15,8 @@
 #include <optional>
 #include <vector>
 
-#include "config/machine_profile.h"
-#include "config/setup.h"
+#include "config/machine/machine_profile.h"
+#include "config/setup/setup.h"
 #include "control/control.h"
 #include "session/channels.h"
 #include "session/planned.h"

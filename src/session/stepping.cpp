@@ -159,8 +159,8 @@ Session::State Stepping::go(How how) {
   return session_.run();
 }
 
-Session::State Stepping::go_to(const StopPoint& target, std::uint64_t most_blocks) {
-  most_ = most_blocks;
+Session::State Stepping::go_to(const StopPoint& target, std::uint64_t max_blocks) {
+  most_ = max_blocks;
   ran_out_ = false;
   how_ = How::free;
   target_ = target;

@@ -46,9 +46,9 @@ class Stepping {
   };
   /// Continues the session. The first call holds before the first block, unless `how` is `free`.
   Session::State go(How how);
-  /// Runs until the session is held before the first block that matches `target`; stop points are ignored. After `most_blocks` blocks
+  /// Runs until the session is held before the first block that matches `target`; stop points are ignored. After `max_blocks` blocks
   /// without a match the session is held before the next block, and ran_out() is true.
-  Session::State go_to(const StopPoint& target, std::uint64_t most_blocks = ~std::uint64_t{0});
+  Session::State go_to(const StopPoint& target, std::uint64_t max_blocks = ~std::uint64_t{0});
   bool ran_out() const { return ran_out_; }
   /// Starts the block before which the session is held, and executes the first actions that the control passes together.
   Session::State begin_block();
@@ -122,7 +122,7 @@ class Stepping {
   std::uint32_t past_ = 0;                  // the line of go_past(); 0: none
   std::optional<std::size_t> past_at_;      // call depth of the line of go_past(), once it is reached
   bool again_ = false;                      // the control asks a second time about the block where it was held: do not hold again
-  std::uint64_t most_ = ~std::uint64_t{0};  // most_blocks of go_to()
+  std::uint64_t most_ = ~std::uint64_t{0};  // max_blocks of go_to()
   bool ran_out_ = false;
   bool entered_ = false;  // a line of the operator is being executed
   bool hold_asked_ = false;

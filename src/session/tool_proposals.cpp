@@ -8,13 +8,13 @@
 namespace kadr {
 namespace {
 
-constexpr std::uint32_t most_lines = 200'000;
+constexpr std::uint32_t max_lines = 200'000;
 
 }  // namespace
 
 ProgramLines lines_of(const Control& control) {
   std::set<std::uint32_t> numbers;
-  const auto most = static_cast<std::uint32_t>(std::min<std::uint64_t>(control.bytes() + 1, most_lines));
+  const auto most = static_cast<std::uint32_t>(std::min<std::uint64_t>(control.bytes() + 1, max_lines));
   for (std::uint32_t n = 1; n <= most; ++n) numbers.insert(numbers.end(), n);
   return control.texts_of(numbers, 0);
 }
@@ -23,7 +23,7 @@ ProgramLines lines_of(const Control& control) {
 /// unit on one control and a canned cycle on another. Only if the program has no motion, the codes in force decide.
 bool comments_in_inches(const Control& control, const MotionUnits& moved) {
   if (!moved.empty()) return moved.unit() == LengthUnit::inch;
-  const Ending ending = control.ending();
+  const FinalState ending = control.ending();
   return std::any_of(ending.modal.begin(), ending.modal.end(), [](const std::string& word) { return word == "G20" || word == "G70"; });
 }
 

@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <set>
 
-#include "config/told.h"
+#include "config/language.h"
 
 namespace kadr {
 namespace {

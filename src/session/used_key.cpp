@@ -5,12 +5,12 @@
 
 #include <fmt/core.h>
 
-#include "config/setup_names.h"
+#include "config/setup/setup_names.h"
 
 namespace kadr {
 namespace {
 
-std::string name_of_zero(std::uint32_t row, const ControlDef& def) {
+std::string name_of_work_offset(std::uint32_t row, const ControlDef& def) {
   for (const WorkSystem& system : work_systems(def))
     if (system.row == row && system.works) return system.name;
   return std::to_string(row);
@@ -24,7 +24,7 @@ UsedKey used_key(const Use& use, const ControlDef& def) {
     case UseKind::length: return {fmt::format("offsets.{}.length", use.number), fmt::format("{}{}", has_h ? 'H' : 'D', use.number)};
     case UseKind::radius: return {fmt::format("offsets.{}.radius", use.number), fmt::format("D{}", use.number)};
     case UseKind::work_zero: {
-      const std::string name = name_of_zero(use.number, def);
+      const std::string name = name_of_work_offset(use.number, def);
       if (has(def, SetupNeeds::zeros)) return {fmt::format("zeros.{}", use.number), name};
       return {"work_offsets." + name, name};
     }

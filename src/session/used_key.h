@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "config/control_def.h"
+#include "config/control/control_def.h"
 #include "control/state/usage.h"
 
 namespace kadr {

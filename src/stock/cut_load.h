@@ -35,6 +35,6 @@ struct AirCut {
   double seconds = 0;      // time in which nothing is removed, summed over all executions of the block
 };
 
-inline constexpr std::size_t most_told = 10;  // greatest number of blocks in each of the two lists: heaviest and emptiest
+inline constexpr std::size_t max_reported = 10;  // greatest number of blocks in each of the two lists: heaviest and emptiest
 
 }  // namespace kadr

@@ -95,7 +95,7 @@ struct CutResult {
   std::optional<PartResult> part;   // if a wanted part was given; only the part inside the window, if there is a window
   std::optional<WindowResult> window;
   std::optional<SimplifiedResult> simplified;
-  std::size_t not_told = 0;                    // number of findings beyond the limit of the lists
+  std::size_t not_listed = 0;                  // number of findings beyond the limit of the lists
   std::vector<std::uint32_t> finer_than_cell;  // numbers of the tools thinner than two lattice cells (cells of the window, if there is one)
   std::vector<ThreadCut> threads;              // in the order of the program
 };

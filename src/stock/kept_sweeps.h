@@ -17,7 +17,7 @@ struct KeptSweep {
   float from[3], to[3];
   std::uint16_t tool;
   bool watched;
-  bool leans;  // the tool is tilted: Stock::lean_ends() returns its directions
+  bool leans;  // the tool is tilted: Stock::tilted_ends() returns its directions
 };
 
 class KeptSweeps {

@@ -10,7 +10,7 @@
 namespace kadr {
 namespace {
 
-constexpr double cells_along = 400, most_cells_along = 1600;
+constexpr double cells_along = 400, max_cells_along = 1600;
 constexpr double cells_in_tool = 4;
 constexpr double least_cell = 1e-3;  // mm
 
@@ -30,13 +30,13 @@ double bytes_of_bricks(const Box3& box, double cell) {
   return count * double(sizeof(Brick) + 64);  // 64 bytes for the brick's entries in the tables of the stock
 }
 
-double cell_for(const Box3& box, double most_bytes, double finest) {
+double cell_for(const Box3& box, double max_bytes, double finest) {
   const Vec3 size = box.most - box.least;
   const double longest = std::max({size.x, size.y, size.z});
   double wanted = longest / cells_along;
-  if (finest > 0) wanted = std::min(wanted, std::max(finest / cells_in_tool, longest / most_cells_along));
+  if (finest > 0) wanted = std::min(wanted, std::max(finest / cells_in_tool, longest / max_cells_along));
   double cell = round_up(std::max(wanted, least_cell));
-  while (bytes_of_bricks(box, cell) > most_bytes && cell < 1e6) cell = round_up(cell * 1.01);
+  while (bytes_of_bricks(box, cell) > max_bytes && cell < 1e6) cell = round_up(cell * 1.01);
   return cell;
 }
 

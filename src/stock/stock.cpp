@@ -77,7 +77,7 @@ Stock::Stock(std::shared_ptr<const Blank> blank, double cell, int threads)
   bins_.resize(lattice_.size());
   const std::vector<bool> at_surface = blank_->bricks_at_surface(lattice_);
   std::atomic<std::size_t> next{0};
-  side_by_side(threads_, [&](int) {
+  run_parallel(threads_, [&](int) {
     for (std::size_t i; (i = next++) < bricks_.size();) {
       if (at_surface.empty() || at_surface[i]) fill_in(i);
       else fill_evenly(i);
@@ -117,7 +117,7 @@ std::unique_ptr<Brick> Stock::fresh(std::size_t i) const {
       }
     }
   }
-  take_tops(*brick, scale_.cell);
+  refresh_tops(*brick, scale_.cell);
   return brick;
 }
 
@@ -131,18 +131,18 @@ void Stock::fill_in(std::size_t i) {
 std::uint16_t Stock::add_tool(const ToolShape& shape) {
   tools_.push_back(shape);
   std::vector<SweptBody>& swept = swept_.emplace_back();
-  std::vector<LeanBody>& leaning = leaning_.emplace_back();
-  for (const ConvexBody& body : shape.bodies) swept.push_back(swept_body(body)), leaning.push_back(lean_body(body));
+  std::vector<TiltedBody>& leaning = tilted_.emplace_back();
+  for (const ConvexBody& body : shape.bodies) swept.push_back(swept_body(body)), leaning.push_back(tilted_body(body));
   return std::uint16_t(tools_.size() - 1);
 }
 
 void Stock::add(const Sweep& sweep) {
   if (tools_[sweep.tool].turns()) return add_turned(sweep);
-  if (!is_upright(sweep.from_direction) || !is_upright(sweep.to_direction)) return add_leaning(sweep);
+  if (!is_upright(sweep.from_direction) || !is_upright(sweep.to_direction)) return add_tilted(sweep);
   const Vec3 start = sweep.from - lattice_.origin(), way = sweep.to - sweep.from;
   const double edge = lattice_.edge();
   const Vec3 most{lattice_.bricks(0) * edge, lattice_.bricks(1) * edge, lattice_.bricks(2) * edge};
-  const WayPart part = part_that_reaches(start, way, around_tip(tools_[sweep.tool]), most);
+  const PathPart part = part_that_reaches(start, way, around_tip(tools_[sweep.tool]), most);
   const Vec3 from = start + part.first * way, to = part.last == 1 ? sweep.to - lattice_.origin() : start + part.last * way;
   KeptSweep kept{};
   for (int d = 0; d < 3; ++d) kept.from[d] = float(along(from, d)), kept.to[d] = float(along(to, d));
@@ -156,7 +156,7 @@ void Stock::bin(std::size_t first, std::size_t last) {
   for (std::size_t i = first; i < last; ++i) {
     const KeptSweep s = sweeps_[i];
     if (s.leans || tools_[s.tool].turns()) {
-      s.leans ? bin_leaning(i) : bin_turned(i);
+      s.leans ? bin_tilted(i) : bin_turned(i);
       continue;
     }
     for (const ConvexBody& body : tools_[s.tool].bodies) {
@@ -189,12 +189,12 @@ void Stock::Worker::count(std::int32_t sweep, double length, float longest, floa
 
 /// Executes one sweep in one brick. `worker` records what the sweep removed; nullptr if nothing is to be recorded.
 ///   returns  true if the brick changed
-bool Stock::carry_out(std::int32_t number, std::size_t b, BrickNow now, Worker* worker) const {
+bool Stock::execute(std::int32_t number, std::size_t b, BrickNow now, Worker* worker) const {
   const Vec3 corner = lattice_.corner(b) - lattice_.origin();
   const KeptSweep s = sweeps_[std::size_t(number)];
   const bool was_full = now.state == State::full;
-  std::optional<LeanHere> lean;
-  if (s.leans) lean = lean_here(std::size_t(number), b);
+  std::optional<TiltedSweepInBrick> lean;
+  if (s.leans) lean = tilted_sweep_in_brick(std::size_t(number), b);
   if (lean && !may_reach(std::size_t(number), *lean, was_full ? scale_.edge : now.brick->top)) return false;
   if (was_full) now.brick = whole_brick(scale_.edge);
   const Vec3 from{double(s.from[0]) - corner.x, double(s.from[1]) - corner.y, double(s.from[2]) - corner.z};
@@ -206,7 +206,7 @@ bool Stock::carry_out(std::int32_t number, std::size_t b, BrickNow now, Worker* 
     CutOutcome outcome;
     const bool told = worker != nullptr && (s.watched || body.part != ToolPart::cutting);
     if (told) outcome.watched = &box, outcome.least_piece = float(least_piece());
-    if (lean) cut_leaning(std::size_t(number), i, *lean, *now.brick, outcome);
+    if (lean) cut_tilted(std::size_t(number), i, *lean, *now.brick, outcome);
     else cut_brick(*now.brick, scale_, local_sweep(from, to, around_tip(body), lattice_.edge()), swept_[s.tool][i], number, outcome);
     changed = changed || outcome.changed;
     if (worker != nullptr && outcome.changed)
@@ -226,7 +226,7 @@ bool Stock::carry_out(std::int32_t number, std::size_t b, BrickNow now, Worker* 
 /// Recomputes the brick's height bounds, and deletes a brick that has no material left.
 void Stock::settle(BrickNow now) const {
   if (!now.brick || now.brick->cuts_since == 0) return;
-  take_tops(*now.brick, scale_.cell);
+  refresh_tops(*now.brick, scale_.cell);
   if (now.brick->top <= 0) now.state = State::empty, now.brick.reset();
 }
 
@@ -235,7 +235,7 @@ void Stock::cut_in(std::size_t b, Worker& worker) {
   for (const std::int32_t number : bins_[b]) {
     if (now.state == State::empty) break;
     const bool was_full = now.state == State::full;
-    if (!carry_out(number, b, now, &worker) || !past_) continue;
+    if (!execute(number, b, now, &worker) || !past_) continue;
     if (was_full) past_->of_brick[b].was_full = true;
     past_->add(b, number, now.brick.get());
   }
@@ -250,7 +250,7 @@ std::vector<Touch> Stock::cut(const StopToken& stop) {
     const std::size_t last = past_ ? std::min(done_ + between_room, sweeps_.size()) : sweeps_.size();
     bin(done_, last);
     std::atomic<std::size_t> next{0};
-    side_by_side(threads_, [&](int thread) {
+    run_parallel(threads_, [&](int thread) {
       for (std::size_t i; !stop.asked() && (i = next++) < touched_.size();) cut_in(touched_[i], workers[std::size_t(thread)]);
     });
     for (const std::size_t b : touched_) bins_[b] = std::vector<std::int32_t>();  // frees the memory of the lists too
@@ -291,7 +291,7 @@ bool Stock::cuts_anything(std::size_t sweep) const {
 double Stock::least_piece() const { return part_of_cell(lattice_.cell()); }
 
 std::size_t Stock::bytes() const {
-  std::size_t sum = sweeps_.bytes() + lean_ends_.size() * sizeof(LeanEnds) + shortened_.size() * sizeof(Shortened) +
+  std::size_t sum = sweeps_.bytes() + tilted_ends_.size() * sizeof(TiltedEnds) + shortened_.size() * sizeof(Shortened) +
                     bricks_.capacity() * (sizeof(void*) + sizeof(State) + sizeof(bins_[0]));
   for (const auto& b : bricks_)
     if (b) sum += bytes_of(*b);

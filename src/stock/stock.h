@@ -19,16 +19,16 @@
 #include <memory>
 #include <vector>
 
-#include "base/stop.h"
+#include "base/stop_token.h"
 #include "stock/blank/blank.h"
 #include "stock/brick/brick.h"
 #include "stock/brick/brick_past.h"
 #include "stock/brick/lattice.h"
 #include "stock/cut/brick_cut.h"
-#include "stock/cut/lean_body.h"
-#include "stock/cut/lean_cut.h"
-#include "stock/cut/lean_way.h"
 #include "stock/cut/swept_body.h"
+#include "stock/cut/tilted_body.h"
+#include "stock/cut/tilted_cut.h"
+#include "stock/cut/tilted_path.h"
 #include "stock/kept_sweeps.h"
 #include "stock/tool/round_solid.h"
 
@@ -44,19 +44,19 @@ struct Sweep {
 };
 
 /// Directions of a tilted tool at the start and the end of a sweep.
-struct LeanEnds {
+struct TiltedEnds {
   std::uint32_t sweep;
   float from[3], to[3];
 };
 
 /// The result's positions are relative to the lattice's corner.
-LeanWay lean_way_of(const KeptSweep& sweep, const LeanEnds& ends);
+TiltedPath tilted_path_of(const KeptSweep& sweep, const TiltedEnds& ends);
 
 /// A sweep of a tilted tool, in the coordinates of one brick.
-struct LeanHere {
-  LeanWay way;  // path, relative to the brick's corner
+struct TiltedSweepInBrick {
+  TiltedPath way;  // path, relative to the brick's corner
   AroundTip around;
-  LeanSweep sweep;
+  TiltedSweep sweep;
   LocalSweep tip;
 };
 
@@ -88,9 +88,9 @@ class Stock {
   /// Call it before the first add().
   void divide_as(double cell) { bend_cell_ = cell; }
   /// Records the history of each brick from now on, so that at() can be called. Call it before the first add().
-  ///   most_bytes  limit for the stored copies of bricks: with fewer copies at() is slower. The list of the sweeps that cut each brick
+  ///   max_bytes  limit for the stored copies of bricks: with fewer copies at() is slower. The list of the sweeps that cut each brick
   ///               needs additional memory, 4 bytes per cut
-  void keep_past(std::size_t most_bytes);
+  void keep_past(std::size_t max_bytes);
   /// Returns the stock as it was after the first `count` sweeps and a share of the next sweep. If the share is 0, the result equals, bit
   /// for bit, a stock that only the first `count` sweeps have cut.
   ///   share  share of the path of the next sweep, 0 to 1
@@ -119,7 +119,7 @@ class Stock {
     sweeps_.each(0, sweeps_.size(), visit);
   }
   /// Returns the directions of a sweep with a tilted tool.
-  const LeanEnds& lean_ends(std::size_t sweep) const;
+  const TiltedEnds& tilted_ends(std::size_t sweep) const;
   /// Returns by how many mm lattice lines of the three directions may disagree about the position of the same surface.
   float families_agree() const;
   const ToolShape& tool(std::size_t i) const { return tools_[i]; }
@@ -153,27 +153,27 @@ class Stock {
     float first, last;
   };
   Stock(const Stock& later, std::size_t count);
-  void keep(const KeptSweep& sweep, WayPart part);
-  WayPart kept_part(std::size_t sweep) const;
+  void keep(const KeptSweep& sweep, PathPart part);
+  PathPart kept_part(std::size_t sweep) const;
   void begin_sweep(const Stock& later, double share);
   std::unique_ptr<Brick> fresh(std::size_t i) const;
   void fill_in(std::size_t i);
   void fill_evenly(std::size_t i);
   void bin(std::size_t first, std::size_t last);
   void put_in_bin(std::size_t brick, std::size_t sweep);
-  // Functions for tilted tools: stock_leaning.cpp.
+  // Functions for tilted tools: stock_tilted.cpp.
   double most_bend() const;
-  void add_leaning(const Sweep& sweep);
-  void bin_leaning(std::size_t sweep);
-  LeanHere lean_here(std::size_t sweep, std::size_t brick) const;
-  bool may_reach(std::size_t sweep, const LeanHere& here, float top) const;
-  void cut_leaning(std::size_t sweep, std::size_t body, const LeanHere& here, Brick& material, CutOutcome& outcome) const;
+  void add_tilted(const Sweep& sweep);
+  void bin_tilted(std::size_t sweep);
+  TiltedSweepInBrick tilted_sweep_in_brick(std::size_t sweep, std::size_t brick) const;
+  bool may_reach(std::size_t sweep, const TiltedSweepInBrick& here, float top) const;
+  void cut_tilted(std::size_t sweep, std::size_t body, const TiltedSweepInBrick& here, Brick& material, CutOutcome& outcome) const;
   // Functions for turning tools: stock_turned.cpp.
   void add_turned(const Sweep& sweep);
   void bin_turned(std::size_t sweep);
   bool turn(std::int32_t sweep, std::size_t brick, Brick& material, Worker* worker) const;
   void cut_in(std::size_t brick, Worker& worker);
-  bool carry_out(std::int32_t sweep, std::size_t brick, BrickNow now, Worker* worker) const;
+  bool execute(std::int32_t sweep, std::size_t brick, BrickNow now, Worker* worker) const;
   void settle(BrickNow now) const;
   void go_back(const Stock& later, std::size_t brick);
 
@@ -186,9 +186,10 @@ class Stock {
   std::vector<State> states_;
   std::vector<ToolShape> tools_;
   std::vector<std::vector<SweptBody>> swept_;  // one vector for each tool, with its bodies
-  std::vector<std::vector<LeanBody>> leaning_;
+  std::vector<std::vector<TiltedBody>> tilted_;
   KeptSweeps sweeps_;
-  std::deque<LeanEnds> lean_ends_;   // in the order of the sweeps; std::deque, because it grows to a million elements without moving them
+  std::deque<TiltedEnds>
+      tilted_ends_;                  // in the order of the sweeps; std::deque, because it grows to a million elements without moving them
   std::deque<Shortened> shortened_;  // in the order of the sweeps; used only after keep_past()
   std::size_t done_ = 0;             // number of executed sweeps
   std::size_t first_ = 0;            // number of the first sweep of the last cut()

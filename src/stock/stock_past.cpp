@@ -17,9 +17,9 @@ OfSweeps before(const OfSweeps& all, std::size_t count) {
 
 }  // namespace
 
-void Stock::keep_past(std::size_t most_bytes) {
+void Stock::keep_past(std::size_t max_bytes) {
   assert(sweeps_.size() == 0);
-  past_ = std::make_unique<Past>(bricks_.size(), most_bytes);
+  past_ = std::make_unique<Past>(bricks_.size(), max_bytes);
 }
 
 std::size_t Stock::bytes_of_past() const { return past_ ? past_->bytes() : 0; }
@@ -34,9 +34,9 @@ Stock::Stock(const Stock& later, std::size_t count)
       states_(later.states_),
       tools_(later.tools_),
       swept_(later.swept_),
-      leaning_(later.leaning_),
+      tilted_(later.tilted_),
       sweeps_(later.sweeps_.first(count)),
-      lean_ends_(before(later.lean_ends_, count)),
+      tilted_ends_(before(later.tilted_ends_, count)),
       done_(count),
       first_(count),
       bins_(later.bins_.size()) {}
@@ -55,17 +55,17 @@ void Stock::go_back(const Stock& later, std::size_t b) {
   now.state = copy == nullptr && past.was_full ? State::full : State::mixed;
   if (copy != nullptr) now.brick = std::make_unique<Brick>(*copy->brick);
   else if (!past.was_full) now.brick = fresh(b);
-  for (std::size_t i = copy == nullptr ? 0 : copy->cuts; i < made; ++i) carry_out(past.cuts[i], b, now, nullptr);
+  for (std::size_t i = copy == nullptr ? 0 : copy->cuts; i < made; ++i) execute(past.cuts[i], b, now, nullptr);
   settle(now);
 }
 
-void Stock::keep(const KeptSweep& sweep, WayPart part) {
+void Stock::keep(const KeptSweep& sweep, PathPart part) {
   if (past_ && (part.first > 0 || part.last < 1))
     shortened_.push_back({std::uint32_t(sweeps_.size()), float(part.first), float(part.last)});
   sweeps_.push_back(sweep);
 }
 
-WayPart Stock::kept_part(std::size_t sweep) const {
+PathPart Stock::kept_part(std::size_t sweep) const {
   const auto found = std::partition_point(shortened_.begin(), shortened_.end(), [&](const Shortened& s) { return s.sweep < sweep; });
   if (found == shortened_.end() || found->sweep != sweep) return {};
   return {double(found->first), double(found->last)};
@@ -74,15 +74,15 @@ WayPart Stock::kept_part(std::size_t sweep) const {
 /// Executes the first `share` of the path of the next sweep, which is stored in the later stock.
 void Stock::begin_sweep(const Stock& later, double share) {
   const std::size_t next = sweeps_.size();
-  const WayPart kept = later.kept_part(next);
+  const PathPart kept = later.kept_part(next);
   if (!(kept.last > kept.first) || !(share > kept.first)) return;
   const double part = std::min((share - kept.first) / (kept.last - kept.first), 1.0);
   KeptSweep sweep = later.sweeps_[next];
   if (sweep.leans) {
-    LeanEnds ends = later.lean_ends(next);
-    const LeanWay way = lean_way_of(sweep, ends).between(0, part);
+    TiltedEnds ends = later.tilted_ends(next);
+    const TiltedPath way = tilted_path_of(sweep, ends).between(0, part);
     for (int d = 0; d < 3; ++d) ends.to[d] = float(along(way.to_direction, d));
-    lean_ends_.push_back(ends);
+    tilted_ends_.push_back(ends);
   }
   for (std::size_t d = 0; d < 3; ++d) sweep.to[d] = float(double(sweep.from[d]) + part * (double(sweep.to[d]) - double(sweep.from[d])));
   sweeps_.push_back(sweep);
@@ -93,7 +93,7 @@ Stock Stock::at(std::size_t count, double share) const {
   assert(past_ && count <= done_);
   Stock then(*this, count);
   std::atomic<std::size_t> next{0};
-  side_by_side(threads_, [&](int) {
+  run_parallel(threads_, [&](int) {
     for (std::size_t i; (i = next++) < then.bricks_.size();) then.go_back(*this, i);
   });
   if (share > 0 && count < done_) then.begin_sweep(*this, share);

@@ -22,8 +22,8 @@ double insert_reach(const ToolShape& tool) {
 }
 
 /// Returns the section of a path on which one coordinate is between two limits.
-WayPart part_between(double from, double to, double low, double high) {
-  if (from == to) return from < low || from > high ? WayPart{1, 0} : WayPart{};
+PathPart part_between(double from, double to, double low, double high) {
+  if (from == to) return from < low || from > high ? PathPart{1, 0} : PathPart{};
   const double a = (low - from) / (to - from), b = (high - from) / (to - from);
   return {std::max(0.0, std::min(a, b)), std::min(1.0, std::max(a, b))};
 }
@@ -38,9 +38,9 @@ void Stock::add_turned(const Sweep& sweep) {
              most = least + edge * Vec3{double(lattice_.bricks(0)), double(lattice_.bricks(1)), double(lattice_.bricks(2))};
   const double farthest =
       std::hypot(std::max(std::fabs(least.x), std::fabs(most.x)), std::max(std::fabs(least.y), std::fabs(most.y))) + reach;
-  const WayPart x = part_between(sweep.from.x, sweep.to.x, -farthest, farthest);
-  const WayPart z = part_between(sweep.from.z, sweep.to.z, least.z - reach, most.z + reach);
-  WayPart part{std::max(x.first, z.first), std::min(x.last, z.last)};
+  const PathPart x = part_between(sweep.from.x, sweep.to.x, -farthest, farthest);
+  const PathPart z = part_between(sweep.from.z, sweep.to.z, least.z - reach, most.z + reach);
+  PathPart part{std::max(x.first, z.first), std::min(x.last, z.last)};
   if (part.first > part.last) part = {0, 0};
   const Vec3 way = sweep.to - sweep.from, from = sweep.from + part.first * way,
              to = part.last == 1 ? sweep.to : sweep.from + part.last * way;

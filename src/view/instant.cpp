@@ -1,10 +1,10 @@
-// Instants: computes the state of a finished run at an instant. Used by view/page_session; tested by tests/view/instant_test.cpp.
+// Instants: computes the state of a finished run at an instant. Used by view/page/page_session; tested by tests/view/instant_test.cpp.
 
 #include "view/instant.h"
 
 #include <algorithm>
 
-#include "config/told.h"
+#include "config/language.h"
 
 namespace kadr {
 namespace {
@@ -39,7 +39,7 @@ tl::expected<Session*, std::string> Instants::session(const StopToken& stop) {
   outlets.alarm = [](const AlarmReport&) { return false; };
   outlets.stop = stop;
   outlets.step = [this](const Step& step) {
-    if (const Motion* const motion = step.motion(); motion != nullptr && motion->tool_radius > 0) led_by_ = motion->tool_radius;
+    if (const Motion* const motion = step.motion(); motion != nullptr && motion->tool_radius > 0) compensated_by_ = motion->tool_radius;
   };
   return session_.get();
 }
@@ -59,7 +59,7 @@ std::optional<double> Instants::radius_in_force(const std::vector<InForce>& all)
     const auto row = tables.offsets.find(int(number->value));
     return row == tables.offsets.end() ? 0 : row->second.whole_radius();
   }
-  return led_by_ > 0 ? std::optional(led_by_) : std::nullopt;
+  return compensated_by_ > 0 ? std::optional(compensated_by_) : std::nullopt;
 }
 
 /// Runs the session up to the block with that number, then to the end of that block.
@@ -76,7 +76,7 @@ Status Instants::reach(std::uint32_t number, InstantState& state, const StopToke
   state.before = control.in_force();
   state.calls = control.calls();
   limit_ = number + 1;
-  led_by_ = 0;
+  compensated_by_ = 0;
   (void)run(stop);
   state.after = session_->settled_control().in_force();
   state.radius = radius_in_force(state.after);
@@ -107,8 +107,8 @@ tl::expected<InstantState, std::string> Instants::after(std::uint32_t number, co
   InstantState state;
   number = std::min<std::uint32_t>(number, std::uint32_t(run_.blocks()));
   const auto& pieces = run_.path().pieces();
-  const auto begins_behind = [&](const ViewPiece& p) { return p.vertices.front().number <= number; };
-  auto piece = std::partition_point(pieces.begin(), pieces.end(), begins_behind);
+  const auto begins_after = [&](const ViewPiece& p) { return p.vertices.front().number <= number; };
+  auto piece = std::partition_point(pieces.begin(), pieces.end(), begins_after);
   if (piece != pieces.begin()) {
     --piece;
     auto vertex =

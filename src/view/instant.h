@@ -52,7 +52,7 @@ class Instants {
   std::unique_ptr<Session> session_;  // created at the first query
   std::uint32_t limit_ = 0;           // the session is to be held before the block with this number
   Origin held_;                       // the block before which the session is held
-  double led_by_ = 0;                 // compensation radius during the block's motions, mm
+  double compensated_by_ = 0;         // compensation radius during the block's motions, mm
 };
 
 }  // namespace kadr

@@ -1,4 +1,4 @@
-// machine_bounds: travel limits and forbidden zones. Used by view/page_program; tested by tests/view/machine_bounds_test.cpp.
+// machine_bounds: travel limits and forbidden zones. Used by view/page/page_program; tested by tests/view/machine_bounds_test.cpp.
 
 #include "view/machine_bounds.h"
 

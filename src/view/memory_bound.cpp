@@ -1,4 +1,4 @@
-// MemoryBound: the memory limit of a server. Used by view/page_session and cli/serve; tested by tests/serve_attacks.py.
+// MemoryBound: the memory limit of a server. Used by view/page/page_session and cli/serve; tested by tests/serve_attacks.py.
 
 #include "view/memory_bound.h"
 

@@ -1,4 +1,4 @@
-// Opens a program with its control and machine. Used by view/page_session; tested by tests/serve.py.
+// Opens a program with its control and machine. Used by view/page/page_session; tested by tests/serve.py.
 
 #include "view/opening.h"
 
@@ -6,10 +6,10 @@
 
 #include <cerrno>
 
-#include "config/control_file.h"
+#include "config/control/control_file.h"
+#include "config/control/remembered_control.h"
+#include "config/language.h"
 #include "config/read_file.h"
-#include "config/remembered_control.h"
-#include "config/told.h"
 #include "lang/text/several_programs.h"
 #include "machine/plc.h"
 #include "session/folder_guess.h"
@@ -26,30 +26,30 @@ tl::unexpected<std::string> wrong(std::string text) { return tl::unexpected(std:
 
 /// Returns the control that the request names; else the one that the folder's .kadr.toml names; else the one that `kadr check` would
 /// guess, with `opened.guess` set.
-tl::expected<std::string, std::string> control_for(const OpeningWish& wish, OpenedProgram& opened) {
+tl::expected<std::string, std::string> control_for(const OpeningRequest& request, OpenedProgram& opened) {
   std::string wrong_memory;
-  RememberedControls remembered([&](const std::string& why) { wrong_memory = why; }, wish.door);
-  const std::string named = wish.control.empty() ? remembered.of(wish.path) : wish.control;
+  RememberedControls remembered([&](const std::string& why) { wrong_memory = why; }, request.door);
+  const std::string named = request.control.empty() ? remembered.of(request.path) : request.control;
   if (!wrong_memory.empty()) return wrong(wrong_memory);
   if (!named.empty()) {
-    const auto beginning = wish.text ? wish.text : beginning_of_program(wish.path, opened.encoding, wish.door);
-    if (!beginning) return wrong(fmt::format("{}: {}", wish.path, told_errno(errno)));
-    const std::string why = named.ends_with(".toml") ? "" : refused_by_control(*beginning, named, wish.lang == Lang::ru);
-    return why.empty() ? tl::expected<std::string, std::string>(named) : wrong(fmt::format("{}: {}", wish.path, why));
+    const auto beginning = request.text ? request.text : beginning_of_program(request.path, opened.encoding, request.door);
+    if (!beginning) return wrong(fmt::format("{}: {}", request.path, errno_message(errno)));
+    const std::string why = named.ends_with(".toml") ? "" : refused_by_control(*beginning, named, request.lang == Lang::ru);
+    return why.empty() ? tl::expected<std::string, std::string>(named) : wrong(fmt::format("{}: {}", request.path, why));
   }
   const auto named_for = [&](const std::string& file) { return remembered.of(file); };
-  const auto answer = FolderGuess({named_for, opened.encoding, wish.door, wish.text}, {wish.path}).of(wish.path);
-  if (!answer) return wrong(fmt::format("{}: {}", wish.path, told_errno(errno)));
+  const auto answer = FolderGuess({named_for, opened.encoding, request.door, request.text}, {request.path}).of(request.path);
+  if (!answer) return wrong(fmt::format("{}: {}", request.path, errno_message(errno)));
   opened.guess = with_neighbours(*answer);
   if (!opened.guess->control.empty()) return opened.guess->control;
   return wrong(fmt::format("{}: {}",
                            told("no program of a control that Kadr knows; name the control to open it all the same",
                                 "это не УП для известного УЧПУ; назовите УЧПУ, чтобы открыть его всё равно"),
-                           wish.lang == Lang::ru ? opened.guess->reason_ru : opened.guess->reason_en));
+                           request.lang == Lang::ru ? opened.guess->reason_ru : opened.guess->reason_en));
 }
 
 tl::expected<Program, std::string> program_in(const OpenedProgram& opened, OpenedText text) {
-  if (!text.source) return wrong(fmt::format("{}: {}", opened.path, told_errno(errno)));
+  if (!text.source) return wrong(fmt::format("{}: {}", opened.path, errno_message(errno)));
   Program program{opened.path, {}, text.encoding};
   const std::shared_ptr<ByteSource> source = std::move(text.source);
   program.source = whole_file(source);
@@ -65,15 +65,15 @@ tl::expected<Program, std::string> program_in(const OpenedProgram& opened, Opene
 
 }  // namespace
 
-tl::expected<PlacedSetup, std::string> read_with_tables(const OpeningWish& wish, const ControlDef& def) {
+tl::expected<PlacedSetup, std::string> read_with_tables(const OpeningRequest& request, const ControlDef& def) {
   std::vector<SetupSource> sources;
-  if (!wish.setup.empty()) {
-    auto file = setup_source(wish.setup, wish.door);
+  if (!request.setup.empty()) {
+    auto file = setup_source(request.setup, request.door);
     if (!file) return wrong(file.error());
     sources.push_back(std::move(*file));
   }
-  if (!wish.tables.empty()) sources.push_back({told("tables", "таблицы"), wish.tables});
-  return read_setup(sources, &def, wish.lang);
+  if (!request.tables.empty()) sources.push_back({told("tables", "таблицы"), request.tables});
+  return read_setup(sources, &def, request.lang);
 }
 
 tl::expected<Program, std::string> OpenedProgram::program() const { return program_in(*this, text_of(*this)); }
@@ -91,30 +91,30 @@ SessionSpec OpenedProgram::spec(Program program, const StopToken& stop) const {
   return {def, machine, setup, std::move(program), within};
 }
 
-tl::expected<OpenedProgram, std::string> open_for_page(const OpeningWish& wish) {
+tl::expected<OpenedProgram, std::string> open_for_page(const OpeningRequest& request) {
   OpenedProgram opened;
-  opened.path = wish.path;
-  opened.text = wish.text;
-  opened.door = wish.door;
-  if (!read_encoding(wish.encoding, opened.encoding)) return wrong(fmt::format("encoding: {}", wish.encoding));
-  const auto control = control_for(wish, opened);
+  opened.path = request.path;
+  opened.text = request.text;
+  opened.door = request.door;
+  if (!read_encoding(request.encoding, opened.encoding)) return wrong(fmt::format("encoding: {}", request.encoding));
+  const auto control = control_for(request, opened);
   if (!control) return wrong(control.error());
-  auto def = load_control(*control, wish.door);
+  auto def = load_control(*control, request.door);
   if (!def) return wrong(def.error());
   opened.def = std::make_shared<const ControlDef>(std::move(*def));
   auto texts = AlarmTexts::load(opened.def.get());
   if (!texts) return wrong(texts.error());
   opened.texts = std::make_shared<const AlarmTexts>(std::move(*texts));
-  auto machine = load_machine(wish.machine.empty() ? "generic" : wish.machine, wish.door);
+  auto machine = load_machine(request.machine.empty() ? "generic" : request.machine, request.door);
   if (!machine) return wrong(machine.error());
   opened.machine = std::move(*machine);
-  opened.tools = tool_table_beside(wish.path, wish.door);
-  if (wish.setup.empty() && wish.tables.empty()) return opened;
-  auto setup = read_with_tables(wish, *opened.def);
+  opened.tools = tool_table_next_to(request.path, request.door);
+  if (request.setup.empty() && request.tables.empty()) return opened;
+  auto setup = read_with_tables(request, *opened.def);
   if (!setup) return wrong(setup.error());
   opened.setup = std::move(setup->setup);
   opened.stated = std::move(setup->stated);
-  if (const std::string error = Plc(opened.setup.events, opened.def->tells_of_ends()).error(); !error.empty()) return wrong(error);
+  if (const std::string error = Plc(opened.setup.events, opened.def->reports_program_ends()).error(); !error.empty()) return wrong(error);
   return opened;
 }
 

@@ -7,8 +7,8 @@
 #include <tl/expected.hpp>
 
 #include "config/alarm_texts.h"
-#include "config/guess.h"
-#include "config/setup_file.h"
+#include "config/control/guess.h"
+#include "config/setup/setup_file.h"
 #include "lang/text/utf16.h"
 #include "session/checklist/tool_table.h"
 #include "session/session.h"
@@ -16,13 +16,13 @@
 namespace kadr {
 
 /// What the page requests to open. Paths are in the file system; a path that is not given is empty.
-struct OpeningWish {
+struct OpeningRequest {
   std::string path;
   std::string control, machine, setup, encoding;
   std::optional<std::string> text;  // text of the program, UTF-8, used instead of the contents of the file
   std::string tables{};             // JSON in the form of a set-up, which overrides values of the set-up file; empty: none
   Lang lang = Lang::en;
-  const FileDoor* door = nullptr;  // opens all these files and the files that they name; outlives the run
+  const FileAccess* door = nullptr;  // opens all these files and the files that they name; outlives the run
 };
 
 struct OpenedProgram {
@@ -32,13 +32,13 @@ struct OpenedProgram {
   MachineProfile machine;
   Setup setup;
   std::set<std::string> stated;  // keys that the set-up states: PlacedSetup::stated
-  SaidEncoding encoding;
+  GivenEncoding encoding;
   std::shared_ptr<const ToolTable> tools;  // the tools file with which the checklist compares the program
   std::optional<Guess> guess;              // the guessed control; nullopt: the user has named the control
   std::optional<std::string> text;
   std::uint32_t number = 0;  // number of the program to run, on a tape with several programs; 0: the first program
   RunLimits limits;          // limits for a run that writes no files
-  const FileDoor* door = nullptr;
+  const FileAccess* door = nullptr;
 
   /// Returns the text of the program; on a tape with several programs, the text of program `number`.
   ///   returns  an error sentence
@@ -50,10 +50,10 @@ struct OpenedProgram {
 };
 
 /// Reads the set-up file and overrides its values by the tables of the request.
-tl::expected<PlacedSetup, std::string> read_with_tables(const OpeningWish& wish, const ControlDef& def);
+tl::expected<PlacedSetup, std::string> read_with_tables(const OpeningRequest& request, const ControlDef& def);
 
 /// Opens a program. Returns an error sentence if its file cannot be read or is no program of a control that Kadr supports, or if the
 /// set-up is wrong.
-tl::expected<OpenedProgram, std::string> open_for_page(const OpeningWish& wish);
+tl::expected<OpenedProgram, std::string> open_for_page(const OpeningRequest& request);
 
 }  // namespace kadr

@@ -1,4 +1,4 @@
-// Converts a machine's events to the JSON in which they are saved. Used by view/page_panel, view/page_tables; tested by
+// Converts a machine's events to the JSON in which they are saved. Used by view/page/page_panel, view/page/page_tables; tested by
 // tests/panel_kills.py.
 
 #include "view/panel_content.h"
@@ -18,7 +18,7 @@ std::string log_entry(const std::string& kind, const std::string& text, std::uin
   return dumped({{"at", at}, {"kind", kind}, {"text", text}, {"line", line}});
 }
 
-std::string spot_text(const PanelSpot& spot) {
+std::string spot_text(const PanelLocation& spot) {
   const auto list_of = [](const Axes& axes) {
     PageJson list = PageJson::array();
     for (const double value : axes) list.push_back(std::isfinite(value) ? PageJson(value) : PageJson(0));
@@ -35,10 +35,10 @@ std::string spot_text(const PanelSpot& spot) {
                  {"stands", std::move(stands)}});
 }
 
-std::optional<PanelSpot> spot_of(const std::string& text) {
+std::optional<PanelLocation> spot_of(const std::string& text) {
   const PageJson json = PageJson::parse(text, nullptr, false);
   if (!json.is_object() || !json.contains("machine") || !json["machine"].is_array()) return std::nullopt;
-  PanelSpot spot;
+  PanelLocation spot;
   spot.number = json.value("number", 0u), spot.line = json.value("line", 0u);
   spot.file = json.value("file", ""), spot.text = json.value("text", "");
   const auto axes_of = [](const PageJson& list) {

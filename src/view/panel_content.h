@@ -10,17 +10,17 @@
 namespace kadr {
 
 struct PanelContent {
-  explicit PanelContent(OpenedProgram opened, OpeningWish wish) : program(std::move(opened), std::move(wish)) {}
+  explicit PanelContent(OpenedProgram opened, OpeningRequest request) : program(std::move(opened), std::move(request)) {}
   PanelProgram program;
   std::mutex edits;  // locked from the check of an edit to its answer, so that there is one edit at a time
 };
 
-inline PanelContent& content_of(const PanelHub::Place& place) { return *static_cast<PanelContent*>(place.content.get()); }
+inline PanelContent& content_of(const PanelHub::HubMachine& place) { return *static_cast<PanelContent*>(place.content.get()); }
 
 /// Returns a log entry as JSON: present time, kind, text, and line of the program (0: no line).
 std::string log_entry(const std::string& kind, const std::string& text, std::uint32_t line);
 /// Converts the location of a machine in its program to JSON, and back.
-std::string spot_text(const PanelSpot& spot);
-std::optional<PanelSpot> spot_of(const std::string& text);
+std::string spot_text(const PanelLocation& spot);
+std::optional<PanelLocation> spot_of(const std::string& text);
 
 }  // namespace kadr

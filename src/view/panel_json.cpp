@@ -1,4 +1,4 @@
-// Converts the state of an operator panel to JSON. Used by view/page_panel; tests/panel.py compares the structure with
+// Converts the state of an operator panel to JSON. Used by view/page/page_panel; tests/panel.py compares the structure with
 // docs/panel-protocol.md.
 
 #include "view/panel_json.h"

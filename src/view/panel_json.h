@@ -2,7 +2,7 @@
 // Converts the state of an operator panel to JSON of the page's protocol (docs/panel-protocol.md, The panel).
 
 #include "panel/panel_machine.h"
-#include "view/page_json.h"
+#include "view/page/page_json.h"
 
 namespace kadr {
 

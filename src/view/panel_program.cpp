@@ -1,17 +1,18 @@
-// PanelProgram: opens the sessions of a panel machine. Used by view/page_panel, view/page_tables; tested by tests/panel_tables.py.
+// PanelProgram: opens the sessions of a panel machine. Used by view/page/page_panel, view/page/page_tables; tested by
+// tests/panel_tables.py.
 
 #include "view/panel_program.h"
 
-#include "config/setup_check.h"
-#include "config/setup_file.h"
-#include "config/state_json.h"
-#include "config/told.h"
+#include "config/language.h"
+#include "config/setup/setup_check.h"
+#include "config/setup/setup_file.h"
+#include "config/state/state_json.h"
 #include "view/source_text.h"
 
 namespace kadr {
 namespace {
 
-constexpr std::size_t most_edited = 1 << 20;  // maximum size of the edits, bytes
+constexpr std::size_t max_edited = 1 << 20;  // maximum size of the edits, bytes
 
 /// Returns the set-up with `start` as the start position of the axes; its tables are unchanged.
 Setup standing_at(Setup setup, const std::vector<std::string>& axes, const Axes& start) {
@@ -67,9 +68,9 @@ PageJson difference(const Setup& before, const Setup& after, const Setup& stated
 
 }  // namespace
 
-PanelProgram::PanelProgram(OpenedProgram opened, OpeningWish wish)
-    : opened_(std::move(opened)), wish_(std::move(wish)), edited_(PageJson::object()), setup_(opened_.setup) {
-  if (!wish_.tables.empty()) edited_ = PageJson::parse(wish_.tables, nullptr, false);
+PanelProgram::PanelProgram(OpenedProgram opened, OpeningRequest request)
+    : opened_(std::move(opened)), request_(std::move(request)), edited_(PageJson::object()), setup_(opened_.setup) {
+  if (!request_.tables.empty()) edited_ = PageJson::parse(request_.tables, nullptr, false);
   if (!edited_.is_object()) edited_ = PageJson::object();
 }
 
@@ -125,8 +126,8 @@ tl::expected<std::unique_ptr<Session>, std::string> PanelProgram::open(const std
 }
 
 tl::expected<PageJson, std::string> PanelProgram::of_file() const {
-  if (wish_.setup.empty()) return PageJson::object();
-  const auto source = setup_source(wish_.setup, wish_.door);
+  if (request_.setup.empty()) return PageJson::object();
+  const auto source = setup_source(request_.setup, request_.door);
   if (!source) return tl::unexpected(source.error());
   PageJson json = PageJson::parse(source->json, nullptr, false);
   return json.is_object() ? json : PageJson::object();
@@ -140,11 +141,11 @@ tl::expected<PanelProgram::Tables, std::string> PanelProgram::changed(const Page
   }
   tables.edited.merge_patch(patch);
   const std::string text = dumped(tables.edited);
-  if (!tables.edited.is_object() || text.size() > most_edited) return tl::unexpected(told("these are no tables", "это не таблицы"));
-  OpeningWish wish = wish_;
-  wish.tables = text;
-  wish.lang = told_lang();
-  auto setup = read_with_tables(wish, *opened_.def);
+  if (!tables.edited.is_object() || text.size() > max_edited) return tl::unexpected(told("these are no tables", "это не таблицы"));
+  OpeningRequest request = request_;
+  request.tables = text;
+  request.lang = thread_language();
+  auto setup = read_with_tables(request, *opened_.def);
   if (!setup) return tl::unexpected(setup.error());
   tables.setup = std::move(setup->setup);
   return tables;

@@ -8,19 +8,19 @@
 #include <string>
 #include <vector>
 
-#include "panel/panel_opens.h"
+#include "panel/session_opener.h"
 #include "view/opening.h"
-#include "view/page_json.h"
+#include "view/page/page_json.h"
 
 namespace kadr {
 
 class PanelProgram {
  public:
   /// `wish`: the request that opened the program, with its tables.
-  PanelProgram(OpenedProgram opened, OpeningWish wish);
+  PanelProgram(OpenedProgram opened, OpeningRequest request);
 
   const OpenedProgram& opened() const { return opened_; }
-  const std::string& setup_file() const { return wish_.setup; }
+  const std::string& setup_file() const { return request_.setup; }
 
   // All functions below may be called from any thread.
   /// Sets the text that is run and searched from now on: the contents of the program file at the time when the program started.
@@ -32,7 +32,7 @@ class PanelProgram {
   /// ' between lines.
   ///   returns  nullopt if the text is not stored in memory
   std::optional<std::string> text() const;
-  /// Opens a session: the function that PanelMachine needs as PanelOpens.
+  /// Opens a session: the function that PanelMachine needs as SessionOpener.
   tl::expected<std::unique_ptr<Session>, std::string> open(const std::optional<Axes>& start, const StopToken& stop);
 
   struct Tables {
@@ -63,7 +63,7 @@ class PanelProgram {
   tl::expected<Program, std::string> program() const;
 
   const OpenedProgram opened_;
-  OpeningWish wish_;
+  OpeningRequest request_;
   std::shared_ptr<const std::string> bytes_;
   std::string digest_;
   std::vector<std::string> axes_;  // axis names of the control; known after the first session

@@ -1,4 +1,4 @@
-// PartRun: cuts a blank with a program for the page. Used by view/page_part; tested by tests/view/part_run_test.cpp, tests/serve.py.
+// PartRun: cuts a blank with a program for the page. Used by view/page/page_part; tested by tests/view/part_run_test.cpp, tests/serve.py.
 
 #include "view/part_run.h"
 
@@ -8,7 +8,7 @@
 #include <chrono>
 #include <thread>
 
-#include "config/told.h"
+#include "config/language.h"
 #include "out/text/alarm_print.h"
 #include "out/text/cut_text.h"
 #include "session/cutting/body_watch.h"
@@ -26,15 +26,15 @@ using Failed = tl::unexpected<std::string>;
 constexpr double bytes_per_mb = 1 << 20;
 constexpr double cells_seen = 200;       // cells along the longest side of the displayed stock, which gives some hundred thousand triangles
 constexpr double share_for_past = 0.25;  // share of the memory limit for the stock's past
-constexpr double least_cell = 1e-3, most_cell = 1000;  // limits of the cell size, mm
-constexpr std::uint16_t of_no_tool = 65535;            // tool number in a frame for a surface that no tool has made
+constexpr double least_cell = 1e-3, max_cell = 1000;  // limits of the cell size, mm
+constexpr std::uint16_t of_no_tool = 65535;           // tool number in a frame for a surface that no tool has made
 
 double longest_side(const Box3& box) {
   const Vec3 size = box.most - box.least;
   return std::max({size.x, size.y, size.z});
 }
 
-std::string told_memory(double bytes) {
+std::string memory_full_message(double bytes) {
   return fmt::format(
       "{}: {:.0f} MB",
       told("at this resolution the material may take too much memory", "с таким шагом материал может занять слишком много памяти"),
@@ -44,7 +44,7 @@ std::string told_memory(double bytes) {
 }  // namespace
 
 tl::expected<std::shared_ptr<const Blank>, std::string> PartRun::body(const std::string& text) {
-  auto named = body_of(text, most_bytes, opened_.door);
+  auto named = body_of(text, max_bytes, opened_.door);
   if (!named) return Failed(named.error());
   notes_.insert(notes_.end(), named->notes.begin(), named->notes.end());
   return named->body;
@@ -52,28 +52,28 @@ tl::expected<std::shared_ptr<const Blank>, std::string> PartRun::body(const std:
 
 /// Chooses the cell sizes. The fine stock has the cells of `kadr cut`; the displayed stock is coarser, so that it can be computed for any
 /// instant within a second.
-tl::expected<void, std::string> PartRun::find_material(const PartWish& wish) {
-  auto blank = body(wish.stock);
+tl::expected<void, std::string> PartRun::find_material(const PartRequest& request) {
+  auto blank = body(request.stock);
   if (!blank) return Failed(blank.error());
   job_.blank = *blank;
-  for (const std::string& text : wish.fixtures) {
+  for (const std::string& text : request.fixtures) {
     auto fixture = body(text);
     if (!fixture) return Failed(fixture.error());
     job_.fixtures.push_back(*fixture);
   }
-  if (wish.resolution != 0 && !(wish.resolution >= least_cell && wish.resolution <= most_cell))
+  if (request.resolution != 0 && !(request.resolution >= least_cell && request.resolution <= max_cell))
     return Failed(told("resolution: want 0.001 to 1000 mm", "resolution: нужно от 0.001 до 1000 мм"));
-  const double for_material = most_bytes * (1 - share_for_past);
-  (void)find_cells(wish.resolution, std::nullopt, for_material, job_);
-  job_.past_bytes = std::size_t(most_bytes * share_for_past / 2);
+  const double for_material = max_bytes * (1 - share_for_past);
+  (void)find_cells(request.resolution, std::nullopt, for_material, job_);
+  job_.past_bytes = std::size_t(max_bytes * share_for_past / 2);
   job_.seen_cell = job_.cell;
   while (longest_side(job_.blank->box()) > cells_seen * job_.seen_cell * (1 + 1e-9)) job_.seen_cell *= 2;
   const double bytes = bytes_of_material(job_, nullptr);
-  if (bytes > most_bytes) return Failed(told_memory(bytes));
+  if (bytes > max_bytes) return Failed(memory_full_message(bytes));
   return {};
 }
 
-tl::expected<void, std::string> PartRun::open_session(const PartWish& wish) {
+tl::expected<void, std::string> PartRun::open_session(const PartRequest& request) {
   auto program = opened_.program();
   if (!program) return Failed(program.error());
   auto session = Session::open(opened_.spec(std::move(*program), stop_));
@@ -82,7 +82,7 @@ tl::expected<void, std::string> PartRun::open_session(const PartWish& wish) {
   session_->control().watch_calls();
   take_session(*session_, opened_.stated.contains("start"), job_);
   auto watch =
-      watch_bodies(*session_, job_, work_of(job_, wish.stock, wish.fixtures, wish.fixture_names), most_bytes, notes_, opened_.door);
+      watch_bodies(*session_, job_, work_of(job_, request.stock, request.fixtures, request.fixture_names), max_bytes, notes_, opened_.door);
   if (!watch) return Failed(watch.error());
   watch_ = std::move(*watch);
   run_ = std::make_unique<CutRun>(*session_, job_, watch_.get());
@@ -93,21 +93,21 @@ tl::expected<void, std::string> PartRun::open_session(const PartWish& wish) {
   return {};
 }
 
-tl::expected<std::unique_ptr<PartRun>, std::string> PartRun::make(const OpenedProgram& opened, const PartWish& wish,
+tl::expected<std::unique_ptr<PartRun>, std::string> PartRun::make(const OpenedProgram& opened, const PartRequest& request,
                                                                   const StopToken& stop) {
   std::unique_ptr<PartRun> run(new PartRun(opened, stop));
-  run->job_.tools = wish.tools;
-  run->notes_ = wish.tools.notes;
+  run->job_.tools = request.tools;
+  run->notes_ = request.tools.notes;
   run->job_.threads = std::max(1, int(std::thread::hardware_concurrency()));
   run->job_.stop = stop;
-  if (const auto material = run->find_material(wish); !material) return Failed(material.error());
-  if (const auto session = run->open_session(wish); !session) return Failed(session.error());
+  if (const auto material = run->find_material(request); !material) return Failed(material.error());
+  if (const auto session = run->open_session(request); !session) return Failed(session.error());
   return run;
 }
 
-void PartRun::tell_progress() {
+void PartRun::report_progress() {
   if (!progress_clock_.is_due()) return;
-  too_much_ = double(run_->cutting().bytes()) > most_bytes * 1.25;  // sweeps need memory in addition to the stock
+  too_much_ = double(run_->cutting().bytes()) > max_bytes * 1.25;  // sweeps need memory in addition to the stock
   if (!on_progress) return;
   const Control& control = session_->settled_control();
   const double bytes = double(control.bytes());
@@ -120,25 +120,25 @@ tl::expected<void, std::string> PartRun::fault() const {
     return Failed(told("the cut takes too much memory: a coarser resolution, or a shorter program",
                        "съём материала занимает слишком много памяти: нужен шаг крупнее или УП короче"));
   if (const auto& report = run_->without_shape()) {
-    const Finding f = finding_of(*report, *opened_.texts, told_lang());
+    const Finding f = finding_of(*report, *opened_.texts, thread_language());
     return Failed(fmt::format("{} {}: {}", told("line", "строка"), f.line, f.text));
   }
   return {};
 }
 
-tl::expected<void, std::string> PartRun::carry_out() {
+tl::expected<void, std::string> PartRun::execute() {
   run_->attach(stop_);
   Session::State state = Session::State::running;
   while (state == Session::State::running && !stop_.asked() && !too_much_ && !run_->without_shape()) {
     state = session_->go_on();
-    tell_progress();
+    report_progress();
   }
   if (auto wrong = fault(); !wrong) return wrong;
   run_->finish();
   const Surface surface = surface_of(run_->cutting().stock());
   if (stop_.asked()) return fault();
   result_ = run_->named(cut_figures(run_->cutting(), job_, surface, nullptr));
-  if (const std::string note = told_too_coarse(result_, told_lang()); !note.empty()) notes_.push_back(note);
+  if (const std::string note = too_coarse_message(result_, thread_language()); !note.empty()) notes_.push_back(note);
   return {};
 }
 
@@ -146,7 +146,7 @@ PartThen PartRun::at(double instant) const {
   const Cutting& cutting = run_->cutting();
   PartThen then;
   then.seconds = std::clamp(instant, 0.0, std::max(result_.seconds, 0.0));
-  const SweepPlace place = cutting.sweeps_at(then.seconds);
+  const SweepProgress place = cutting.sweeps_at(then.seconds);
   const Stock stock = cutting.seen()->at(place.count, place.share);
   then.stock = result_.stock;
   then.cell = stock.lattice().cell();

@@ -2,7 +2,7 @@
 // PartRun: cuts a blank with a program, for the page: finds collisions, the remaining stock, and the part as it is at any instant
 // (docs/panel-protocol.md: cut, part).
 //
-//   PartWish ─ PartRun::make() ─▶ its own session ─ CutRun ─▶ two stocks: a fine one as in `kadr cut`, for volumes and findings,
+//   PartRequest ─ PartRun::make() ─▶ its own session ─ CutRun ─▶ two stocks: a fine one as in `kadr cut`, for volumes and findings,
 //                                                              and a coarser one that keeps its past, for display
 
 #include <functional>
@@ -19,7 +19,7 @@
 namespace kadr {
 
 /// What to cut: solids as descriptions for body_of(), with files as paths in the file system.
-struct PartWish {
+struct PartRequest {
   std::string stock;
   std::vector<std::string> fixtures;
   std::vector<std::string> fixture_names;  // names of the fixtures as the page displays them
@@ -38,11 +38,12 @@ struct PartThen {
 
 class PartRun {
  public:
-  static constexpr double most_bytes = 400e6;  // memory limit of the stocks with their past, bytes
+  static constexpr double max_bytes = 400e6;  // memory limit of the stocks with their past, bytes
 
   ///   opened   must outlive this object
   ///   returns  an error sentence
-  static tl::expected<std::unique_ptr<PartRun>, std::string> make(const OpenedProgram& opened, const PartWish& wish, const StopToken& stop);
+  static tl::expected<std::unique_ptr<PartRun>, std::string> make(const OpenedProgram& opened, const PartRequest& request,
+                                                                  const StopToken& stop);
 
   /// Called several times per second with the progress, from 0 to 1.
   std::function<void(double part)> on_progress;
@@ -50,9 +51,9 @@ class PartRun {
 
   /// Runs the program to its end, or to an alarm.
   ///   returns  an error sentence if it was stopped, memory ran out, or the shape of a tool is unknown
-  tl::expected<void, std::string> carry_out();
+  tl::expected<void, std::string> execute();
 
-  // ---- the results; call these after carry_out()
+  // ---- the results; call these after execute()
   const CutResult& result() const { return result_; }
   /// Number of alarms and warnings that the program itself has caused.
   std::size_t alarms() const { return run_->alarms(); }
@@ -65,11 +66,11 @@ class PartRun {
 
  private:
   PartRun(const OpenedProgram& opened, const StopToken& stop) : opened_(opened), stop_(stop) {}
-  tl::expected<void, std::string> find_material(const PartWish& wish);
+  tl::expected<void, std::string> find_material(const PartRequest& request);
   tl::expected<std::shared_ptr<const Blank>, std::string> body(const std::string& text);
-  tl::expected<void, std::string> open_session(const PartWish& wish);
+  tl::expected<void, std::string> open_session(const PartRequest& request);
   tl::expected<void, std::string> fault() const;
-  void tell_progress();
+  void report_progress();
 
   const OpenedProgram& opened_;
   StopToken stop_;

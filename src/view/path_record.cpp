@@ -10,7 +10,7 @@ namespace {
 constexpr double chord = 0.002;      // mm by which a chord may deviate from an arc
 constexpr double same_place = 1e-6;  // mm
 constexpr double seconds_a_minute = 60;
-constexpr double shortest_stand = 1e-3;  // s; shortest dwell that gets a vertex of its own
+constexpr double shortest_dwell = 1e-3;  // s; shortest dwell that gets a vertex of its own
 
 PathKind kind_of(MotionKind kind) {
   switch (kind) {
@@ -27,7 +27,7 @@ PathKind kind_of(MotionKind kind) {
 
 /// Returns the joints that turn the part: if the control guides the tool tip, the control's own joints, else those of the machine's file.
 std::vector<PartJoint> joints_at(const Step& step, const MachineTree* tree) {
-  const auto* const space = dynamic_cast<const PartSpace*>(step.from.space.get());
+  const auto* const space = dynamic_cast<const FiveAxisTransform*>(step.from.space.get());
   if (space != nullptr && space->has_rotary()) return part_joints(space->data());
   return tree != nullptr ? part_joints(*tree) : std::vector<PartJoint>();
 }
@@ -89,7 +89,7 @@ void PathRecord::consume(const Step& step, double later, double longer) {
   vertex.number = step.action.origin.number;
   vertex.file = step.action.origin.file;
   vertex.tool = std::uint16_t(std::min<std::uint32_t>(tool_, 65535));
-  if (motion == nullptr && begun_ && step.pause > shortest_stand) add(vertex, last_, last_direction_, begins + step.pause);
+  if (motion == nullptr && begun_ && step.pause > shortest_dwell) add(vertex, last_, last_direction_, begins + step.pause);
   if (motion == nullptr) return;
   if (!begun_) joints_ = joints_at(step, tree_.get());
   if (ways_.empty()) turn_on_the_spot(step);
@@ -99,7 +99,7 @@ void PathRecord::consume(const Step& step, double later, double longer) {
   const bool rapid = motion->kind == MotionKind::rapid || motion->kind == MotionKind::home;
   vertex.feed = rapid ? 0 : float(step.time.feed);
   vertex.speed = seconds > 0 ? float(step.time.length / seconds * seconds_a_minute) : 0;
-  const WayPiece& start = ways_.front();
+  const PathSegment& start = ways_.front();
   if (!begun_ || length(start.from - last_) > same_place) {
     PathVertex there = vertex;
     there.kind = PathKind::jump;
@@ -107,7 +107,7 @@ void PathRecord::consume(const Step& step, double later, double longer) {
     add(there, start.from, start.from_direction, begins);
     begun_ = true;
   }
-  for (const WayPiece& w : ways_) {
+  for (const PathSegment& w : ways_) {
     stand_at(step, w.ends);
     add(vertex, w.to, w.to_direction, begins + seconds * w.ends);
   }
@@ -122,7 +122,7 @@ void PathRecord::turn_on_the_spot(const Step& step) {
 
 void PathRecord::stand_at(const Step& step, double part) {
   if (joints_.empty()) return;
-  const Axes axes = ToolWay::axes_at(step, part);
+  const Axes axes = ToolPath::axes_at(step, part);
   stand_.clear();
   for (const PartJoint& joint : joints_) stand_.push_back(float(axes[std::size_t(joint.axis)]));
 }
@@ -130,7 +130,7 @@ void PathRecord::stand_at(const Step& step, double part) {
 void PathRecord::note_reach(const Motion& motion) {
   Box box;
   box.take(ways_.front().from);
-  for (const WayPiece& w : ways_) box.take(w.to);
+  for (const PathSegment& w : ways_) box.take(w.to);
   all_.take(box);
   if (cuts(motion)) cutting_.take(box);
 }

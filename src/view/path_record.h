@@ -8,14 +8,14 @@
 
 #include "kinematics/part_joints.h"
 #include "out/text/extents.h"
-#include "session/cutting/tool_way.h"
+#include "session/cutting/tool_path.h"
 #include "view/path_piece.h"
 
 namespace kadr {
 
 class PathRecord {
  public:
-  /// `tool`: number of the tool in the spindle at the start. The other parameters are those of ToolWay.
+  /// `tool`: number of the tool in the spindle at the start. The other parameters are those of ToolPath.
   PathRecord(const AxisRoles& roles, std::shared_ptr<const MachineTree> tree, const std::optional<Axes>& apart, std::uint32_t tool);
 
   /// Receives each piece when it is complete. The reference is valid as long as this object.
@@ -32,12 +32,12 @@ class PathRecord {
   /// Completes the current piece, although it is not full.
   void flush();
   /// True if the maximum number of vertices is reached and nothing more is recorded.
-  bool is_full() const { return vertices_ >= most_vertices; }
+  bool is_full() const { return vertices_ >= max_vertices; }
 
   const std::deque<ViewPiece>& pieces() const { return pieces_; }
   std::size_t vertices() const { return vertices_; }
   /// Zero point of the picture, in machine coordinates.
-  Vec3 zero() const { return way_.zero().value_or(way_.present_zero()); }
+  Vec3 zero() const { return way_.zero().value_or(way_.present_origin()); }
   /// The box around the path, relative to the zero point of the picture. Arcs count by their chords.
   Box reach() const { return moved(all_); }
   Box cutting_reach() const { return moved(cutting_); }
@@ -49,7 +49,7 @@ class PathRecord {
   static double time_of(const ViewPiece& piece, const PathVertex& vertex) { return piece.begins + double(vertex.time); }
 
  private:
-  static constexpr std::size_t most_vertices = 20'000'000;
+  static constexpr std::size_t max_vertices = 20'000'000;
   void add(const PathVertex& vertex, Vec3 at, Vec3 direction, double time);
   void begin_piece();
   void stand_at(const Step& step, double part);
@@ -59,11 +59,11 @@ class PathRecord {
 
   AxisRoles roles_;
   std::shared_ptr<const MachineTree> tree_;
-  ToolWay way_;
+  ToolPath way_;
   std::vector<PartJoint> joints_;          // empty until the first motion
   std::vector<float> stand_, last_stand_;  // joint positions at the vertex that is being added, and at the previous vertex
   std::uint32_t tool_;
-  std::vector<WayPiece> ways_;
+  std::vector<PathSegment> ways_;
   std::deque<ViewPiece> pieces_;  // the last piece is being filled, unless it was flushed
   bool open_ = false;
   std::size_t vertices_ = 0;

@@ -1,4 +1,4 @@
-// ProgramRun. Used by view/page_session; tested by tests/view/program_run_test.cpp, tests/serve.py.
+// ProgramRun. Used by view/page/page_session; tested by tests/view/program_run_test.cpp, tests/serve.py.
 
 #include "view/program_run.h"
 
@@ -6,17 +6,17 @@
 #include <chrono>
 
 #include "action/by_kind.h"
-#include "config/rapid_way.h"
-#include "config/told.h"
+#include "config/language.h"
+#include "config/machine/rapid_path.h"
 #include "out/text/alarm_print.h"
 #include "session/unstated.h"
 
 namespace kadr {
 namespace {
 
-constexpr std::size_t most_marks = 10'000;
+constexpr std::size_t max_marks = 10'000;
 // number of checkpoints, of some 600 KB each with the batches that the control has executed ahead
-constexpr std::size_t most_checkpoints = 48;
+constexpr std::size_t max_checkpoints = 48;
 constexpr double short_dwell = 0.05;  // s; a shorter dwell gets no mark on the time line
 
 }  // namespace
@@ -65,7 +65,7 @@ void ProgramRun::attach() {
   checklist_ =
       std::make_unique<Checklist>(*session_, session_->own(), ChecklistBasis{opened_.tools, opened_.number == 0, opened_.number == 0});
   outlets.programmed = [this](const Action& action) {
-    take_programmed(action);
+    follow_programmed(action);
     checklist_->take(action);
   };
   outlets.clock = &statistics_->clock();
@@ -115,7 +115,7 @@ void ProgramRun::tell(const AlarmReport& report, int channel) {
   statistics_->count(report.alarm.severity);
   const bool stands = report.alarm.severity == Severity::alarm;
   add_mark({seconds_, stands ? TimeMark::Kind::alarm : TimeMark::Kind::warning, channel == 0 ? report.origin.line : 0,
-            sentence_of(report, *opened_.texts, told_lang()), report.origin.file});
+            sentence_of(report, *opened_.texts, thread_language()), report.origin.file});
   if (on_alarm) on_alarm(report, seconds_, channel);
 }
 
@@ -127,14 +127,14 @@ void ProgramRun::take(const Step& step, double longer) {
 }
 
 /// Adds a step of the contour before compensation. Motions where no compensation is in force only update the position.
-void ProgramRun::take_programmed(const Action& action) {
+void ProgramRun::follow_programmed(const Action& action) {
   programmed_->give(action, [this](const Step& step) {
     const Motion* const motion = step.motion();
     if (motion == nullptr || motion->side != 0) contour_->consume(step, 0, 0);
   });
 }
 
-void ProgramRun::tell_contour() {
+void ProgramRun::emit_contour() {
   contour_->flush();
   contour_->take_times_of(*record_);
   if (on_contour)
@@ -143,7 +143,7 @@ void ProgramRun::tell_contour() {
 }
 
 /// Reports the findings of a check after the run. They have no time.
-void ProgramRun::tell_what_is_left() {
+void ProgramRun::report_final_findings() {
   if (end_ == End::cancelled || !on_alarm) return;
   if (end_ == End::ended)
     for (const AlarmReport& report : checklist_->reports(stop_)) on_alarm(report, seconds_, 0);
@@ -151,7 +151,7 @@ void ProgramRun::tell_what_is_left() {
 }
 
 void ProgramRun::add_mark(TimeMark mark) {
-  if (marks_.size() < most_marks) marks_.push_back(std::move(mark));
+  if (marks_.size() < max_marks) marks_.push_back(std::move(mark));
 }
 
 void ProgramRun::mark(const Step& step, double at) {
@@ -166,14 +166,14 @@ void ProgramRun::mark(const Step& step, double at) {
         if (dwell.seconds > short_dwell) add(Kind::dwell);
       },
       ignores<Motion, Spindle, Speed, CoolantSwitch, ToolSelect, MachineFunction, AuxiliaryFunction, FrameChange, SurfaceSpeed, Sync,
-              ZoneChange, Couple, Uncouple, ContourBreak, ContourCorner, ContourCheck>);
+              ZoneChange, Couple, Uncouple, CompensationBreak, CompensationCorner, CompensationCheck>);
 }
 
 /// Adds a checkpoint. When there are too many, every second one is dropped.
 void ProgramRun::keep_checkpoint() {
   auto now = session_->snapshot();
   if (!now) return;
-  if (checkpoints_.size() >= most_checkpoints) {
+  if (checkpoints_.size() >= max_checkpoints) {
     std::vector<RunCheckpoint> half;
     for (std::size_t i = 0; i < checkpoints_.size(); i += 2) half.push_back(std::move(checkpoints_[i]));
     checkpoints_ = std::move(half);
@@ -182,14 +182,14 @@ void ProgramRun::keep_checkpoint() {
   checkpoints_.push_back({session_->control().blocks(), std::move(*now)});
 }
 
-void ProgramRun::tell_progress() {
+void ProgramRun::report_progress() {
   if (!on_progress || !progress_clock_.is_due()) return;
   const Control& control = session_->settled_control();
   const double bytes = double(control.bytes());
   on_progress(bytes > 0 ? std::min(double(control.bytes_read()) / bytes, 1.0) : 0, session_->blocks(), seconds_);
 }
 
-void ProgramRun::carry_out() {
+void ProgramRun::execute() {
   attach_others();
   std::uint64_t kept = 0;
   keep_checkpoint();
@@ -197,13 +197,13 @@ void ProgramRun::carry_out() {
   while (state == Session::State::running && !stop_.asked()) {
     state = session_->go_on();
     if (session_->blocks() - kept >= apart_ && state == Session::State::running) kept = session_->blocks(), keep_checkpoint();
-    tell_progress();
+    report_progress();
   }
   end_ = stop_.asked() ? End::cancelled : state == Session::State::stopped ? End::stopped : End::ended;
   record_->flush();
   for (const Other& other : others_) other.record->flush();
-  tell_contour();
-  tell_what_is_left();
+  emit_contour();
+  report_final_findings();
   add_mark({seconds_, TimeMark::Kind::end, 0, {}, 0});
 }
 

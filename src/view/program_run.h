@@ -47,7 +47,7 @@ class ProgramRun {
   std::function<void(double part, std::uint64_t blocks, double seconds)> on_progress;
 
   /// Runs the program until its end, an alarm or a stop.
-  void carry_out();
+  void execute();
 
   enum class End : std::uint8_t { ended, stopped, cancelled };
   End end() const { return end_; }
@@ -67,13 +67,13 @@ class ProgramRun {
   void attach_others();
   void tell(const AlarmReport& report, int channel);
   void take(const Step& step, double longer);
-  void take_programmed(const Action& action);
-  void tell_contour();
-  void tell_what_is_left();
+  void follow_programmed(const Action& action);
+  void emit_contour();
+  void report_final_findings();
   void mark(const Step& step, double at);
   void add_mark(TimeMark mark);
   void keep_checkpoint();
-  void tell_progress();
+  void report_progress();
 
   OpenedProgram opened_;
   StopToken stop_;

@@ -1,4 +1,4 @@
-// Proposes tools from tools files, set-up and comments. Used by view/page_part; tested by tests/view/proposals_test.cpp.
+// Proposes tools from tools files, set-up and comments. Used by view/page/page_part; tested by tests/view/proposals_test.cpp.
 
 #include "view/proposals.h"
 
@@ -9,7 +9,7 @@
 #include <functional>
 #include <map>
 
-#include "config/told.h"
+#include "config/language.h"
 #include "out/program/tools_template.h"
 #include "session/tool_proposals.h"
 #include "view/instant.h"
@@ -66,7 +66,7 @@ ProposedTool by_words(const ProgramRun& run, const ToolProposals& comments, std:
     made.from +=
         fmt::format("{}{} {} \"{}\"", made.from.empty() ? "" : "; ", told("not sure: line", "не ясно: строка"), open->line, open->text);
   (void)assume_heights(made.tool);
-  made.known = has_kind && told_fault(made.tool).empty();
+  made.known = has_kind && tool_fault_message(made.tool).empty();
   if (made.known) made.from += told("; flutes and length as most have them", "; высота зубьев и вылет обычные");
   return made;
 }

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "config/tool_library.h"
+#include "config/tools/tool_library.h"
 #include "view/program_run.h"
 
 namespace kadr {

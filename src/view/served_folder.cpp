@@ -1,4 +1,4 @@
-// ServedFolder. Used by view/page_session; tested by tests/view/served_folder_test.cpp.
+// ServedFolder. Used by view/page/page_session; tested by tests/view/served_folder_test.cpp.
 
 #include "view/served_folder.h"
 
@@ -23,11 +23,11 @@
 #include <utility>
 
 #include "base/ascii.h"
-#include "config/guess.h"
+#include "config/control/guess.h"
+#include "config/control/remembered_control.h"
+#include "config/language.h"
 #include "config/program_names.h"
 #include "config/read_file.h"
-#include "config/remembered_control.h"
-#include "config/told.h"
 #include "out/text/source_line.h"
 
 namespace kadr {
@@ -88,7 +88,7 @@ std::string refusal(const std::string& file) {
 }
 std::string of_errno(const std::string& file, int error) {
   if (error == EXDEV || error == ELOOP) return refusal(file);
-  return fmt::format("{}: {}", file, told_errno(error));
+  return fmt::format("{}: {}", file, errno_message(error));
 }
 
 std::uint64_t hash_of(std::string_view bytes) {  // FNV-1a, 64 bits: it detects changes, but gives no protection against forgery
@@ -124,7 +124,7 @@ bool is_served(std::string_view name, int fd) {
   if (kind_of_file(name) != FolderEntry::Kind::other) return true;
   const std::string ending = ending_of(name);
   if (std::find(with_programs.begin(), with_programs.end(), ending) != with_programs.end()) return true;
-  return told_by_name(name) == NameTells::nothing && is_program_text(sample);
+  return judge_name(name) == NameVerdict::nothing && is_program_text(sample);
 }
 
 tl::expected<Opened, std::string> open_regular(int folder, const std::string& name) {
@@ -165,7 +165,7 @@ std::string folder_part(const std::string& file) {
   return slash == std::string::npos ? std::string() : file.substr(0, slash);
 }
 
-constexpr std::size_t most_hashed = std::size_t{64} << 20;
+constexpr std::size_t max_hashed = std::size_t{64} << 20;
 
 }  // namespace
 
@@ -174,15 +174,15 @@ FolderEntry::Kind kind_of_file(std::string_view name) {
   const std::string ending = ending_of(name);
   if (ending == "json") return Kind::setup;
   if (ending == "toml" || ending == "tbl" || ending == "fctb") return Kind::tools;
-  return told_by_name(name) == NameTells::program || is_number_name(name) ? Kind::program : Kind::other;
+  return judge_name(name) == NameVerdict::program || is_number_name(name) ? Kind::program : Kind::other;
 }
 
 tl::expected<ServedFolder, std::string> ServedFolder::open(const std::string& path) {
   std::error_code error;
   const std::filesystem::path real = std::filesystem::canonical(path, error);
-  if (error) return tl::unexpected(fmt::format("{}: {}", path, told_errno(error.value())));
+  if (error) return tl::unexpected(fmt::format("{}: {}", path, errno_message(error.value())));
   const int fd = ::open(real.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
-  if (fd < 0) return tl::unexpected(fmt::format("{}: {}", path, told_errno(errno)));
+  if (fd < 0) return tl::unexpected(fmt::format("{}: {}", path, errno_message(errno)));
   return ServedFolder(fd, real.string(), real.filename().string());
 }
 
@@ -199,7 +199,7 @@ tl::expected<FolderList, std::string> ServedFolder::list(const std::string& fold
   if (!opened.is_open()) return tl::unexpected(of_errno(folder, errno));
   const std::unique_ptr<DIR, int (*)(DIR*)> rows(::fdopendir(::dup(opened.fd())), ::closedir);
   if (!rows) return tl::unexpected(of_errno(folder, errno));
-  constexpr int most_looked_into = 500;  // number of files that are judged by their contents, at most
+  constexpr int max_looked_into = 500;  // number of files that are judged by their contents, at most
   int looked_into = 0;
   FolderList list;
   while (const dirent* const row = ::readdir(rows.get())) {
@@ -208,12 +208,12 @@ tl::expected<FolderList, std::string> ServedFolder::list(const std::string& fold
     if (is_hidden(name) || ::fstatat(opened.fd(), name.c_str(), &stat, AT_SYMLINK_NOFOLLOW) != 0) continue;
     const bool is_folder = S_ISDIR(stat.st_mode);
     if (!is_folder && !S_ISREG(stat.st_mode)) continue;
-    if (list.entries.size() >= most_entries) {
+    if (list.entries.size() >= max_entries) {
       list.more = true;
       break;
     }
     FolderEntry::Kind kind = is_folder ? FolderEntry::Kind::folder : kind_of_file(name);
-    if (kind == FolderEntry::Kind::other && told_by_name(name) == NameTells::nothing && looked_into < most_looked_into) {
+    if (kind == FolderEntry::Kind::other && judge_name(name) == NameVerdict::nothing && looked_into < max_looked_into) {
       ++looked_into;
       const OpenFile file = open_beneath(opened.fd(), name, O_RDONLY);
       if (file.is_open() && is_served(name, file.fd())) kind = FolderEntry::Kind::program;
@@ -272,8 +272,8 @@ tl::expected<FileText, std::string> ServedFolder::read(const std::string& file, 
 tl::expected<FileDigest, std::string> ServedFolder::digest(const std::string& file) const {
   const auto opened = open_regular(fd_, file);
   if (!opened) return tl::unexpected(opened.error());
-  if (std::size_t(opened->stat.st_size) > most_hashed) return digest_of(opened->stat, "");
-  const auto text = read(file, most_hashed);
+  if (std::size_t(opened->stat.st_size) > max_hashed) return digest_of(opened->stat, "");
+  const auto text = read(file, max_hashed);
   if (!text) return tl::unexpected(text.error());
   return text->digest;
 }
@@ -333,7 +333,7 @@ tl::expected<FileDigest, ServedFolder::Refused> ServedFolder::save(const std::st
     return tl::unexpected(Refused{fmt::format("{}: {}", file,
                                               told("not the name of a program or a set-up (part.nc, O1001, part.json)",
                                                    "не имя программы или исходного состояния (part.nc, O1001, part.json)"))});
-  if (text.size() > most_saved)
+  if (text.size() > max_saved)
     return tl::unexpected(
         Refused{fmt::format("{}: {}", file, told("too long to be saved here", "слишком длинный, чтобы сохранить его здесь"))});
   static std::mutex one_at_a_time;  // if two pages save the same file, the second must see what the first has saved

@@ -9,7 +9,7 @@
 #include <tl/expected.hpp>
 #include <vector>
 
-#include "base/file_door.h"
+#include "base/file_access.h"
 
 namespace kadr {
 
@@ -23,7 +23,7 @@ struct FolderEntry {
 
 struct FolderList {
   std::vector<FolderEntry> entries;  // folders first, then files, each sorted by name
-  bool more = false;                 // the folder has more than most_entries entries
+  bool more = false;                 // the folder has more than max_entries entries
 };
 
 /// Identifies the contents of a file. If the digest differs from the one at reading, the file has been replaced or changed since.
@@ -34,10 +34,10 @@ struct FileText {
   FileDigest digest;
 };
 
-class ServedFolder : public FileDoor {
+class ServedFolder : public FileAccess {
  public:
-  static constexpr std::size_t most_entries = 10'000;
-  static constexpr std::size_t most_saved = std::size_t{16} << 20;  // maximum size of a saved file, bytes
+  static constexpr std::size_t max_entries = 10'000;
+  static constexpr std::size_t max_saved = std::size_t{16} << 20;  // maximum size of a saved file, bytes
 
   ///   returns  an error sentence if `path` is no folder or cannot be read
   static tl::expected<ServedFolder, std::string> open(const std::string& path);

@@ -1,4 +1,4 @@
-// The set-up sheet. Used by view/page_sheet, view/report; tested by tests/view/sheet_test.cpp.
+// The set-up sheet. Used by view/page/page_sheet, view/report/page_report; tested by tests/view/sheet_test.cpp.
 
 #include "view/sheet.h"
 
@@ -8,18 +8,18 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
-#include "config/setup_names.h"
+#include "config/setup/setup_names.h"
 #include "lang/text/tool_comment.h"
 #include "session/used_key.h"
 #include "stock/tool/tool_outline.h"
-#include "view/page_json.h"
+#include "view/page/page_json.h"
 
 namespace kadr {
 namespace {
 
 constexpr std::uint32_t head_lines = 200;  // number of lines at the beginning of a program that are searched for notes
-constexpr std::size_t most_calls = 12;     // number of calling lines listed per tool
-constexpr std::size_t most_stops = 500;    // number of stops on the sheet
+constexpr std::size_t max_calls = 12;      // number of calling lines listed per tool
+constexpr std::size_t max_stops = 500;     // number of stops on the sheet
 constexpr double flutes_by_diameter = 3;   // assumed length of flutes, in diameters, of a tool whose radius only is known
 
 std::string today() {
@@ -74,14 +74,14 @@ class SheetMaker {
   void take_stops(Sheet& sheet) const {
     for (const TimeMark& mark : run_.marks()) {
       if (mark.kind != TimeMark::Kind::stop && mark.kind != TimeMark::Kind::optional_stop) continue;
-      if (sheet.stops.size() >= most_stops) break;
-      sheet.stops.push_back({mark.line, mark.file == 0 ? comment_beside(mark.line) : std::string(), mark.at});
+      if (sheet.stops.size() >= max_stops) break;
+      sheet.stops.push_back({mark.line, mark.file == 0 ? comment_on_line(mark.line) : std::string(), mark.at});
     }
   }
 
  private:
   /// Returns the comment in that line, else a comment in an adjacent line that contains nothing else.
-  std::string comment_beside(std::uint32_t line) const {
+  std::string comment_on_line(std::uint32_t line) const {
     if (line == 0) return {};
     const std::uint32_t first = line > 1 ? line - 1 : 1;
     const std::vector<std::string> lines = source_.from(first, 3);
@@ -101,7 +101,7 @@ class SheetMaker {
     for (const std::string& line : source_.from(1, head_lines))
       for (const std::string& comment : comments_of(line))
         if (read_tool_comment(comment, inch_).tool == tool) return comment;
-    const std::string beside = comment_beside(called_at);
+    const std::string beside = comment_on_line(called_at);
     const auto named = read_tool_comment(beside, inch_).tool;
     return !named || *named == tool ? beside : std::string();
   }
@@ -172,7 +172,7 @@ class SheetMaker {
     tool.seconds = use.cutting_s;
     const std::string name = "T" + std::to_string(use.tool);
     for (const TimeMark& mark : run_.marks())
-      if (mark.kind == TimeMark::Kind::tool && mark.file == 0 && mark.text == name && tool.lines.size() < most_calls &&
+      if (mark.kind == TimeMark::Kind::tool && mark.file == 0 && mark.text == name && tool.lines.size() < max_calls &&
           std::find(tool.lines.begin(), tool.lines.end(), mark.line) == tool.lines.end())
         tool.lines.push_back(mark.line);
     tool.comment = comment_of(use.tool, tool.lines.empty() ? 0 : tool.lines.front());

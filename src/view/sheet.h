@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "config/tool_library.h"
+#include "config/tools/tool_library.h"
 #include "view/program_run.h"
 #include "view/source_text.h"
 

@@ -1,4 +1,4 @@
-// SourceText. Used by view/page_session; tested by tests/view/source_text_test.cpp.
+// SourceText. Used by view/page/page_session; tested by tests/view/source_text_test.cpp.
 
 #include "view/source_text.h"
 

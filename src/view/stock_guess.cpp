@@ -1,4 +1,4 @@
-// StockGuess. Used by view/page_part; tested by tests/view/stock_guess_test.cpp.
+// StockGuess. Used by view/page/page_part; tested by tests/view/stock_guess_test.cpp.
 
 #include "view/stock_guess.h"
 
@@ -10,15 +10,15 @@
 namespace kadr {
 namespace {
 
-constexpr double level_height = 0.25;         // height of a level, mm
-constexpr std::size_t most_levels = 100'000;  // number of levels; a path with more is not that of a part
-constexpr double mostly = 0.1;                // share of the sideways travel that may be above Z0 if Z0 is the top of the blank
-constexpr double above = 0.01;                // mm; tolerance of heights
-constexpr double margin_share = 0.05, least_margin = 1, most_margin = 5;  // margin as a share of the longest side; its limits in mm
-constexpr std::size_t most_places = 1000;                                 // number of positions that are checked individually
-constexpr double same_hole = 0.5;                                         // mm; a path end closer to a descent is in the same hole
-constexpr double turned_face = 1;                                         // mm of stock on a face that is turned to Z0
-constexpr double in_plane = 1e-3;                                         // mm; tolerance for a path in one plane
+constexpr double level_height = 0.25;        // height of a level, mm
+constexpr std::size_t max_levels = 100'000;  // number of levels; a path with more is not that of a part
+constexpr double mostly = 0.1;               // share of the sideways travel that may be above Z0 if Z0 is the top of the blank
+constexpr double above = 0.01;               // mm; tolerance of heights
+constexpr double margin_share = 0.05, least_margin = 1, max_margin = 5;  // margin as a share of the longest side; its limits in mm
+constexpr std::size_t max_places = 1000;                                 // number of positions that are checked individually
+constexpr double same_hole = 0.5;                                        // mm; a path end closer to a descent is in the same hole
+constexpr double turned_face = 1;                                        // mm of stock on a face that is turned to Z0
+constexpr double in_plane = 1e-3;                                        // mm; tolerance for a path in one plane
 
 bool at_feed(PathKind kind) {
   return kind == PathKind::feed || kind == PathKind::arc_cw || kind == PathKind::arc_ccw || kind == PathKind::thread ||
@@ -61,7 +61,7 @@ void StockGuess::take_level(Vec3 from, Vec3 to) {
   const double height = std::max(from.z, to.z);
   if (!(std::fabs(height) < 1e6)) return;
   const int level = int(std::floor(height / level_height));
-  if (levels_.size() >= most_levels && !levels_.contains(level)) return;
+  if (levels_.size() >= max_levels && !levels_.contains(level)) return;
   Level& of = levels_[level];
   of.way += std::hypot(to.x - from.x, to.y - from.y);
   of.highest = std::max(of.highest, height);
@@ -77,7 +77,7 @@ void StockGuess::take_way(Place from, Place to) {
   kadr::widen(all_, {from.at, from.at}), kadr::widen(all_, {to.at, to.at});
   if (end_) widen(certain_, *end_);
   end_.reset();
-  if (sideways && after_rapid_ && starts_.size() < most_places) starts_.push_back(from);
+  if (sideways && after_rapid_ && starts_.size() < max_places) starts_.push_back(from);
   else widen(certain_, from);
   if (sideways) end_ = to, take_level(from.at, to.at);
   else widen(certain_, to);
@@ -93,7 +93,7 @@ void StockGuess::take(const ViewPiece& piece) {
     }
     after_rapid_ = true;
     if (!end_) continue;
-    if (ends_.size() < most_places) ends_.push_back(*end_);
+    if (ends_.size() < max_places) ends_.push_back(*end_);
     else widen(certain_, *end_);
     end_.reset();
   }
@@ -133,7 +133,7 @@ bool StockGuess::is_flat(Vec3 zero) const {
   if (!all_) return false;
   const Vec3 least = all_->least - zero, most = all_->most - zero;
   return std::fabs(least.y) < in_plane && std::fabs(most.y) < in_plane && most.z > least.z &&
-         (least.x > -most_margin || most.x < most_margin);
+         (least.x > -max_margin || most.x < max_margin);
 }
 
 std::string StockGuess::text(Vec3 zero, bool turned, const RadiusOf& radius_of) const {
@@ -144,7 +144,7 @@ std::string StockGuess::text(Vec3 zero, bool turned, const RadiusOf& radius_of) 
   for (const auto& [tool, box] : cut.boxes)
     kadr::widen(whole, box), kadr::widen(swept, grown(box, turned || !radius_of ? 0 : radius_of(tool)));
   const Vec3 size = whole->most - whole->least;
-  const double margin = std::clamp(margin_share * std::max({size.x, size.y, size.z}), least_margin, most_margin);
+  const double margin = std::clamp(margin_share * std::max({size.x, size.y, size.z}), least_margin, max_margin);
   Box3 blank = grown(*whole, margin), wide = grown(*swept, least_margin);
   for (const Place& one : cut.beside) end_before(wide, *whole, one.at, radius_of ? radius_of(one.tool) : 0);
   take_sides(blank, wide);

@@ -25,7 +25,8 @@ std::string name_of(const Action& action) {
       action, [](const Dwell& dwell) { return "dwell " + std::to_string(int(dwell.seconds)); },
       [](const Stop& stop) { return std::string(stop.optional ? "M1" : "M0"); },
       same<Motion, Spindle, Speed, CoolantSwitch, ToolSelect, ToolChange, MachineFunction, AuxiliaryFunction, Message, FrameChange,
-           SurfaceSpeed, Sync, ZoneChange, Couple, Uncouple, ContourBreak, ContourCorner, ContourCheck>(std::string("another")));
+           SurfaceSpeed, Sync, ZoneChange, Couple, Uncouple, CompensationBreak, CompensationCorner, CompensationCheck>(
+          std::string("another")));
 }
 
 TEST(by_kind, calls_the_function_of_the_kind) {
@@ -39,7 +40,7 @@ TEST(by_kind, may_change_what_it_is_given) {
   by_kind(
       action, [](Dwell& dwell) { dwell.seconds = 5; },
       ignores<Motion, Spindle, Speed, CoolantSwitch, ToolSelect, ToolChange, MachineFunction, AuxiliaryFunction, Stop, Message, FrameChange,
-              SurfaceSpeed, Sync, ZoneChange, Couple, Uncouple, ContourBreak, ContourCorner, ContourCheck>);
+              SurfaceSpeed, Sync, ZoneChange, Couple, Uncouple, CompensationBreak, CompensationCorner, CompensationCheck>);
   EXPECT_EQ(name_of(action), "dwell 5");
 }
 

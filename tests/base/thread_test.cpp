@@ -28,7 +28,7 @@ TEST(Thread, IsWaitedForWhenItGoes) {
 TEST(SideBySideThreads, DoEachShareOnce) {
   for (const int count : {1, 2, 7, 40}) {
     std::vector<std::atomic<int>> done(static_cast<std::size_t>(count));
-    side_by_side(count, [&](int i) { ++done[static_cast<std::size_t>(i)]; });
+    run_parallel(count, [&](int i) { ++done[static_cast<std::size_t>(i)]; });
     for (const std::atomic<int>& times : done) EXPECT_EQ(times, 1);
   }
 }
@@ -42,7 +42,7 @@ TEST(SideBySideThreads, HandOnWhatOneThrows) {
       if (i == bad) --under_way, throw std::runtime_error("full");
       --under_way;
     };
-    EXPECT_THROW(side_by_side(5, work), std::runtime_error);
+    EXPECT_THROW(run_parallel(5, work), std::runtime_error);
     EXPECT_EQ(under_way, 0);
   }
 }

@@ -6,7 +6,7 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
-#include "config/control_file.h"
+#include "config/control/control_file.h"
 #include "lang/text/utf16.h"
 
 namespace kadr::comparison_test {
@@ -37,7 +37,7 @@ std::string told(const Comparison& c) {
   std::string text;
   for (const CourseDifference& d : c.differences)
     text += fmt::format("{} {}:{} {}-{} '{}' '{}' {:.3f}\n", int(d.kind), d.a.origin.line, d.b.origin.line, d.a_to.origin.line,
-                        d.b_to.origin.line, d.a_says, d.b_says, d.distance);
+                        d.b_to.origin.line, d.a_value, d.b_value, d.distance);
   return text;
 }
 
@@ -134,7 +134,7 @@ TEST(Comparison, AnExactStopIsAtTheEndOfItsMotion) {
   const Comparison gone = compared(a, "G21 G90 G61\nG1 X10 F100\nG64 X20\nG61 Y5\nM2\n");
   ASSERT_EQ(gone.differences.size(), 1U) << told(gone);
   EXPECT_EQ(gone.differences[0].kind, CourseDifference::Kind::act);
-  EXPECT_EQ(gone.differences[0].a_says, "G9");
+  EXPECT_EQ(gone.differences[0].a_value, "G9");
   EXPECT_NEAR(gone.differences[0].a.stand[0], 20, 1e-9);
   EXPECT_FALSE(compared(a, "G21 G90 G61\nG1 X5 F100\nX10\nX20\nY5\nM2\n").equal()) << "it stops in mid line";
 }

@@ -11,10 +11,10 @@ TEST(ComparisonText, OfDifferences) {
   CourseDifference d;
   d.distance = 0.5;
   EXPECT_EQ(sentence_of(d, Lang::en), "another way, up to 0.5 mm apart");
-  d.b_says = "M8";
+  d.b_value = "M8";
   EXPECT_EQ(sentence_of(d, Lang::en), "another way, up to 0.5 mm apart; nothing — M8");
   d.kind = CourseDifference::Kind::feed;
-  d.a_says = "F100 mm/min", d.b_says = "F200 mm/min";
+  d.a_value = "F100 mm/min", d.b_value = "F200 mm/min";
   EXPECT_EQ(sentence_of(d, Lang::ru), "подача: F100 mm/min — F200 mm/min");
 }
 

@@ -6,7 +6,7 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
-#include "config/control_file.h"
+#include "config/control/control_file.h"
 #include "lang/text/utf16.h"
 
 namespace kadr::piece_follower_test {

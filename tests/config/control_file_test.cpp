@@ -1,7 +1,7 @@
-// config/control_file: the built-in controls are consistent in themselves; a user's file extends one of them. Spec gost 3;
+// config/control/control_file: the built-in controls are consistent in themselves; a user's file extends one of them. Spec gost 3;
 // docs/architecture.md.
 
-#include "config/control_file.h"
+#include "config/control/control_file.h"
 
 #include <gtest/gtest.h>
 

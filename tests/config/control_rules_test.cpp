@@ -3,9 +3,9 @@
 
 #include <gtest/gtest.h>
 
-#include "config/control_file.h"
-#include "config/function.h"
-#include "config/toml_tools.h"
+#include "config/control/control_file.h"
+#include "config/control/function.h"
+#include "config/tools/toml_tools.h"
 
 namespace kadr::control_rules_test {
 namespace {

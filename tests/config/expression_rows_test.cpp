@@ -2,8 +2,8 @@
 
 #include <gtest/gtest.h>
 
-#include "config/control_file.h"
-#include "config/machine_axes.h"
+#include "config/control/control_file.h"
+#include "config/machine/machine_axes.h"
 #include "control/control.h"
 #include "lang/expression/expression.h"
 

@@ -1,6 +1,6 @@
-// config/function: the name of each function and phase leads back to that function or phase.
+// config/control/function: the name of each function and phase leads back to that function or phase.
 
-#include "config/function.h"
+#include "config/control/function.h"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
-// config/guess: guesses the control from the text of a program. Checked with the golden programs, the examples and small samples.
+// config/control/guess: guesses the control from the text of a program. Checked with the golden programs, the examples and small samples.
 
-#include "config/guess.h"
+#include "config/control/guess.h"
 
 #include <gtest/gtest.h>
 
@@ -14,7 +14,7 @@
 #include <utility>
 #include <vector>
 
-#include "config/guess_pattern.h"
+#include "config/control/guess_pattern.h"
 #include "lang/text/encoding.h"
 
 namespace kadr::guess_test {
@@ -222,11 +222,11 @@ TEST(guess, of_heads) {
 }
 
 bool stands_in(const GuessMark& mark, const Head& head) {
-  if (mark.place == MarkPlace::name) return is_named_like(head.path, mark.pattern);
+  if (mark.place == MarkLocation::name) return is_named_like(head.path, mark.pattern);
   std::istringstream lines(head.text);
   for (std::string line; std::getline(lines, line);) {
     const GuessLine forms = guess_line(line);
-    const bool in_comment = mark.place == MarkPlace::comment;
+    const bool in_comment = mark.place == MarkLocation::comment;
     const bool found = !(in_comment ? found_in_words(forms.comments, mark.pattern) : found_in(forms, mark.pattern)).empty();
     EXPECT_TRUE(!found || (signs_needed(mark.pattern) & ~signs_of(forms.raw)) == 0) << mark.pattern;  // must not be skipped
     if (found) return true;

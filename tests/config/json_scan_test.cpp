@@ -7,13 +7,13 @@
 
 #include <nlohmann/json.hpp>
 
-#include "config/setup.h"
-#include "config/told.h"
+#include "config/language.h"
+#include "config/setup/setup.h"
 
 namespace kadr::json_scan_test {
 namespace {
 
-std::string fault(std::string_view text) { return told_json_fault(text, ""); }
+std::string fault(std::string_view text) { return json_fault_message(text, ""); }
 
 TEST(json_scan, json) {
   for (const char* text :
@@ -76,12 +76,12 @@ TEST(json_scan, set_up) {
 }
 
 TEST(json_scan, russian) {
-  tell_in(Lang::ru);
+  set_process_language(Lang::ru);
   EXPECT_EQ(fault("[1,]"), "строка 1, позиция 4: запятая перед ']'");
   EXPECT_EQ(fault("{\"a\" 1}"), "строка 1, позиция 6: '1' вместо: ':' после ключа");
   EXPECT_EQ(fault("[NaN]"), "строка 1, позиция 2: «NaN» — не число");
   EXPECT_EQ(fault(std::string(33, '[')), "строка 1, позиция 33: скобки вложены более чем на 32 уровня");
-  tell_in(Lang::en);
+  set_process_language(Lang::en);
 }
 
 /// Short texts of JSON's own characters get the same verdict as from the parser, except for duplicate keys.

@@ -1,4 +1,4 @@
-// config/machine_bodies_file: [[bodies]] of machines/*.toml.
+// config/machine/machine_bodies_file: [[bodies]] of machines/*.toml.
 
 #include <gtest/gtest.h>
 
@@ -6,7 +6,7 @@
 #include <fstream>
 #include <tuple>
 
-#include "config/machine_profile.h"
+#include "config/machine/machine_profile.h"
 #include "own_place.h"
 
 namespace kadr::machine_bodies_test {

@@ -1,13 +1,13 @@
-// config/machine_codes: converts M functions between two controls by the tables [convert] of their files.
+// config/machine/machine_codes: converts M functions between two controls by the tables [convert] of their files.
 
-#include "config/machine_codes.h"
+#include "config/machine/machine_codes.h"
 
 #include <gtest/gtest.h>
 
 #include <filesystem>
 #include <fstream>
 
-#include "config/control_file.h"
+#include "config/control/control_file.h"
 #include "own_place.h"
 
 namespace kadr::machine_codes_test {

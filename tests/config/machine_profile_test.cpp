@@ -1,6 +1,6 @@
-// config/machine_profile: machines/*.toml.
+// config/machine/machine_profile: machines/*.toml.
 
-#include "config/machine_profile.h"
+#include "config/machine/machine_profile.h"
 
 #include <gtest/gtest.h>
 

@@ -1,13 +1,13 @@
-// config/parameter_table: tables of parameters (nct 24), built in and damaged.
+// config/setup/parameter_table: tables of parameters (nct 24), built in and damaged.
 
-#include "config/parameter_table.h"
+#include "config/setup/parameter_table.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <set>
 
-#include "config/control_file.h"
+#include "config/control/control_file.h"
 
 namespace kadr::parameter_table_test {
 namespace {

@@ -3,7 +3,7 @@
 
 #include <rapidcheck.h>
 
-#include "config/setup.h"
+#include "config/setup/setup.h"
 
 namespace kadr::test {
 

@@ -9,11 +9,11 @@
 #include <filesystem>
 #include <fstream>
 
-#include "config/contour.h"
-#include "config/control_file.h"
-#include "config/machine_profile.h"
-#include "config/setup.h"
-#include "config/told.h"
+#include "config/control/control_file.h"
+#include "config/drawing/drawing.h"
+#include "config/language.h"
+#include "config/machine/machine_profile.h"
+#include "config/setup/setup.h"
 
 namespace kadr::read_file_test {
 namespace {
@@ -27,7 +27,7 @@ class read_file_of : public testing::Test {
     folder_ = mkdtemp(name.data());
   }
   ~read_file_of() override {
-    tell_in(Lang::en);
+    set_process_language(Lang::en);
     fs::remove_all(folder_);
   }
   fs::path folder_;
@@ -70,23 +70,23 @@ TEST_F(read_file_of, what_is_no_file) {
 }
 
 TEST_F(read_file_of, russian) {
-  tell_in(Lang::ru);
+  set_process_language(Lang::ru);
   EXPECT_EQ(read_file("/dev/zero").error(), "/dev/zero: это устройство, а не файл");
   EXPECT_EQ(read_file("/none").error(), "/none: не читается: такого файла нет");
-  EXPECT_EQ(told_count(1, "строка", "строки", "строк"), "1 строка");
-  EXPECT_EQ(told_count(22, "строка", "строки", "строк"), "22 строки");
-  EXPECT_EQ(told_count(112, "строка", "строки", "строк"), "112 строк");
+  EXPECT_EQ(count_in_russian(1, "строка", "строки", "строк"), "1 строка");
+  EXPECT_EQ(count_in_russian(22, "строка", "строки", "строк"), "22 строки");
+  EXPECT_EQ(count_in_russian(112, "строка", "строки", "строк"), "112 строк");
 }
 
-TEST(told_place, columns_count_characters) {
-  EXPECT_EQ(told_place("a.json", "{\n  \"Ось\": ?}", 14), "a.json:2:10: ");
-  EXPECT_EQ(told_place("", "?", 0), "line 1, column 1: ");
+TEST(location_prefix, columns_count_characters) {
+  EXPECT_EQ(location_prefix("a.json", "{\n  \"Ось\": ?}", 14), "a.json:2:10: ");
+  EXPECT_EQ(location_prefix("", "?", 0), "line 1, column 1: ");
 }
 
-TEST(told_no_text, other_encodings) {
-  EXPECT_EQ(told_no_text("\xFF\xFE{", "a"), "a:1:1: the file is UTF-16; save it as UTF-8");
-  EXPECT_EQ(told_no_text(std::string_view("x\n\0", 3), "a"), "a:2:1: a NUL byte: this is no text");
-  EXPECT_EQ(told_no_text("Ось", "a"), "");
+TEST(no_text_message, other_encodings) {
+  EXPECT_EQ(no_text_message("\xFF\xFE{", "a"), "a:1:1: the file is UTF-16; save it as UTF-8");
+  EXPECT_EQ(no_text_message(std::string_view("x\n\0", 3), "a"), "a:2:1: a NUL byte: this is no text");
+  EXPECT_EQ(no_text_message("Ось", "a"), "");
 }
 
 }  // namespace

@@ -1,8 +1,8 @@
-// config/setup reads the set-up and the state of every golden case (JSON)
+// config/setup/setup reads the set-up and the state of every golden case (JSON)
 // and of every case of our own (in the text form of tests/cases/reader.py).
 
 #include "case_files.h"
-#include "config/setup.h"
+#include "config/setup/setup.h"
 
 namespace kadr::setup_cases_test {
 namespace {

@@ -1,8 +1,8 @@
-// config/setup_events: what the machine's logic does at an event, and when. tests/golden/README.md, "Events".
+// config/setup/setup_events: what the machine's logic does at an event, and when. tests/golden/README.md, "Events".
 
 #include <gtest/gtest.h>
 
-#include "config/setup.h"
+#include "config/setup/setup.h"
 
 namespace kadr::setup_events_test {
 namespace {

@@ -1,7 +1,7 @@
-// config/setup_keys, config/setup_check: the table of keys. Each key is read with its example by the controls that have it and by no
-// other control; a mistyped key is refused.
+// config/setup/setup_keys, config/setup/setup_check: the table of keys. Each key is read with its example by the controls that have it and
+// by no other control; a mistyped key is refused.
 
-#include "config/setup_keys.h"
+#include "config/setup/setup_keys.h"
 
 #include <gtest/gtest.h>
 
@@ -9,9 +9,9 @@
 #include <set>
 
 #include "config/alarm_texts.h"
-#include "config/control_file.h"
-#include "config/setup_file.h"
-#include "config/setup_names.h"
+#include "config/control/control_file.h"
+#include "config/setup/setup_file.h"
+#include "config/setup/setup_names.h"
 
 namespace kadr::setup_keys_test {
 namespace {

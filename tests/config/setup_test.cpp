@@ -1,6 +1,6 @@
-// config/setup: the state before the start; the keys are those of tests/golden/README.md.
+// config/setup/setup: the state before the start; the keys are those of tests/golden/README.md.
 
-#include "config/setup.h"
+#include "config/setup/setup.h"
 
 #include <gtest/gtest.h>
 
@@ -97,7 +97,7 @@ TEST(setup, tool_table) {
 
 TEST(setup, place_and_form_tables) {
   const kadr::Setup s = read(R"({"place_table": {"1/8": 2, "10/1": 0}, "form_table": {"5": {"left": 4, "right": 1, "geometry": 1}}})");
-  EXPECT_EQ(s.place_table, (PlaceTable{{{1, 8}, 2}, {{10, 1}, 0}}));
+  EXPECT_EQ(s.place_table, (PocketTable{{{1, 8}, 2}, {{10, 1}, 0}}));
   EXPECT_EQ(s.form_table.at(5), (ToolForm{4, 1, 0, 0, 1}));
   for (const char* name : {"8", "1/", "/1", "1/2/3", "a/1", "1234567890/1"})
     EXPECT_EQ(refusal(std::string(R"({"place_table": {")") + name + R"(": 1}})"),

@@ -1,6 +1,6 @@
-// config/state_file: the state that survives power-off and a killed process. NCT 12.3, 23.1.4, 23.1.9, 24.1.
+// config/state/state_file: the state that survives power-off and a killed process. NCT 12.3, 23.1.4, 23.1.9, 24.1.
 
-#include "config/state_file.h"
+#include "config/state/state_file.h"
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
@@ -20,7 +20,7 @@
 #include <random>
 
 #include "config/random_setup.h"
-#include "config/state_check.h"
+#include "config/state/state_check.h"
 
 namespace kadr::state_file_test {
 namespace {

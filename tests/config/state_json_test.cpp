@@ -1,6 +1,6 @@
-// config/state_json: the state after a run, as in `state` of tests/golden/README.md.
+// config/state/state_json: the state after a run, as in `state` of tests/golden/README.md.
 
-#include "config/state_json.h"
+#include "config/state/state_json.h"
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>

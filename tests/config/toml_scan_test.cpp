@@ -6,15 +6,15 @@
 
 #include <fstream>
 
-#include "config/control_file.h"
+#include "config/control/control_file.h"
+#include "config/language.h"
 #include "config/read_file.h"
-#include "config/told.h"
-#include "config/toml_tools.h"
+#include "config/tools/toml_tools.h"
 
 namespace kadr::toml_scan_test {
 namespace {
 
-std::string limit(std::string_view text) { return told_toml_limit(text, "a.toml"); }
+std::string limit(std::string_view text) { return toml_limit_message(text, "a.toml"); }
 
 std::string times(int n, std::string_view text) {
   std::string all;
@@ -50,9 +50,9 @@ TEST(toml_parsed, faults_have_line_and_column) {
   EXPECT_TRUE(said("x = 1\ny = [1, \n z").starts_with("a.toml:3:2: Error while parsing ")) << said("x = 1\ny = [1, \n z");
   EXPECT_EQ(said("\xFF\xFEx"), "a.toml:1:1: the file is UTF-16; save it as UTF-8");
   EXPECT_EQ(said(std::string_view("x = 1\0", 6)), "a.toml:1:6: a NUL byte: this is no text");
-  tell_in(Lang::ru);
+  set_process_language(Lang::ru);
   EXPECT_EQ(said("x = 1\ny = [1, 2"), "a.toml:2:10: неверно записан список [ … ]");
-  tell_in(Lang::en);
+  set_process_language(Lang::en);
   EXPECT_TRUE(toml_tools::parsed("\xEF\xBB\xBFx = 1\r\ny = 2\r\n", "a.toml"));
 }
 

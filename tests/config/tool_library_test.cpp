@@ -1,12 +1,12 @@
 // Reads tools files in our own form and in those of other programs.
 
-#include "config/tool_library.h"
+#include "config/tools/tool_library.h"
 
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "config/tool_formats.h"
+#include "config/tools/tool_formats.h"
 
 namespace kadr::tool_library_test {
 namespace {

@@ -1,6 +1,6 @@
 // Tools as a JSON list: they give the same tools as a file, and the same refusals.
 
-#include "config/tool_list.h"
+#include "config/tools/tool_list.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

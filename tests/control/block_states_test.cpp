@@ -64,7 +64,7 @@ TEST(block_states, numbers_may_run_over) {
 /// Returns the modes after each block, by the block's number. The control returns after each block.
 std::map<std::uint32_t, std::vector<std::string>> modes_by_block(const std::string& id, const std::string& program) {
   Control control(test::control(id), {}, Program{"p", text_source(program), {}}, RunLimits{});
-  control.hand_over_each_block();
+  control.return_each_block();
   std::map<std::uint32_t, std::vector<std::string>> modes;
   ActionBatch batch;
   while (control.run(batch) == Control::State::running)

@@ -4,7 +4,7 @@
 
 #include "choices.h"
 #include "control/run_program.h"
-#include "control/state/state.h"
+#include "control/state/control_state.h"
 
 namespace kadr::cycles_test {
 namespace {

@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-#include "config/control_file.h"
+#include "config/control/control_file.h"
 
 namespace kadr::modal_groups_test {
 namespace {

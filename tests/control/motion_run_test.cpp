@@ -20,7 +20,7 @@ Given run_as(const std::string& id, const std::string& program, const Setup& set
   control.on_warning = [&](const AlarmReport& w) {
     given.alarms += std::string(name_of(w.alarm.id)) + std::to_string(w.origin.line) + "\n";
   };
-  if (each_block) control.hand_over_each_block();
+  if (each_block) control.return_each_block();
   ActionBatch batch;
   for (int alarms = 0; alarms < 50;) {
     const Control::State state = control.run(batch);

@@ -7,7 +7,7 @@
 #include <random>
 #include <string>
 
-#include "config/control_file.h"
+#include "config/control/control_file.h"
 #include "control/flow/block_numbers.h"
 
 namespace kadr::program_file_test {

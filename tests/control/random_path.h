@@ -4,7 +4,7 @@
 #include <cstdio>
 
 #include "choices.h"
-#include "control/state/state.h"
+#include "control/state/control_state.h"
 
 namespace kadr::test {
 

@@ -7,8 +7,8 @@
 #include <memory>
 #include <string>
 
-#include "config/control_file.h"
-#include "config/state_json.h"
+#include "config/control/control_file.h"
+#include "config/state/state_json.h"
 #include "control/control.h"
 
 namespace kadr::test {
@@ -26,7 +26,7 @@ struct Run {
   std::vector<AlarmReport> alarms;
   std::vector<std::size_t> actions_at_alarm;
   std::vector<AlarmReport> warnings;
-  Ending ending;
+  FinalState ending;
   std::string state;  // tables and switches as JSON, of a control that has some
 
   std::vector<Motion> motions() const {
@@ -104,7 +104,7 @@ inline std::vector<Action> untold(std::vector<Action> actions) {
 }
 
 /// Returns the state that an alarm must not change as one text: position, variables, codes in force.
-inline std::string exactly(const Ending& e) {
+inline std::string exactly(const FinalState& e) {
   std::string text;
   char number[40];
   const auto add = [&](double x) { std::snprintf(number, sizeof number, "%a ", x), text += number; };

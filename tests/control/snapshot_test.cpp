@@ -21,8 +21,8 @@ namespace {
 
 using test::Folder, test::Work;
 
-constexpr std::size_t most_steps = 4000;  // calls of run()
-constexpr std::size_t most_alarms = 50;
+constexpr std::size_t max_steps = 4000;  // calls of run()
+constexpr std::size_t max_alarms = 50;
 
 /// A control, the logic of its machine, and all their output.
 class Runner {
@@ -32,7 +32,7 @@ class Runner {
         plc_(work.setup.events),
         start_(control_.ending()) {
     listen();
-    if (each_block || !plc_.idle()) control_.hand_over_each_block();
+    if (each_block || !plc_.idle()) control_.return_each_block();
     control_.set_waiting(Control::Waiting::pass);
   }
   /// Continues from a snapshot of `other`, including the output that `other` has produced so far.
@@ -62,14 +62,14 @@ class Runner {
     if (state == Control::State::waiting) control_.release();
     if (control_.is_stopped()) {
       tell("alarm", control_.report());
-      if (++alarms_ > most_alarms) over_ = true;
+      if (++alarms_ > max_alarms) over_ = true;
       control_.go_on();
     }
     over_ = over_ || state == Control::State::ended;
     return !over_;
   }
   std::size_t finish(std::size_t steps = 0) {
-    while (steps < most_steps && step()) ++steps;
+    while (steps < max_steps && step()) ++steps;
     return steps;
   }
   std::optional<Snapshot> snapshot() const { return control_.snapshot(); }
@@ -109,7 +109,7 @@ class Runner {
 
   Control control_;
   Plc plc_;
-  Ending start_;
+  FinalState start_;
   std::array<Control*, 1> all_ = {&control_};
   ActionBatch batch_;
   std::vector<Action> actions_;
@@ -212,7 +212,7 @@ TEST(snapshot, there_is_none_while_a_probe_is_waited_for) {
 
 TEST(snapshot, tables_that_did_not_change_are_shared) {
   Control control(test::control("mach3"), {}, Program{"p", text_source("G1 X1 F100\nX2\nG10 L2 P1 X5\nX3\nM30\n"), {}}, RunLimits{});
-  control.hand_over_each_block();
+  control.return_each_block();
   ActionBatch batch;
   std::vector<Snapshot> all;
   while (control.run(batch) == Control::State::running)
@@ -229,7 +229,7 @@ TEST(snapshot, a_called_file_that_is_gone_is_an_alarm) {
   folder.put({{"O0007.nct", "G91 G0 X1\nX2\nM99\n"}});
   const Work work{"nct", "", "M98 P7\nM30\n", "main.nct", {}};
   Control control(test::control("nct"), {}, Program{"main.nct", text_source(work.program), {}}, RunLimits{});
-  control.hand_over_each_block();
+  control.return_each_block();
   ActionBatch batch;
   for (int i = 0; i < 3; ++i) (void)control.run(batch);
   const auto now = control.snapshot();

@@ -20,7 +20,7 @@ TEST(three_axes, are_found_by_their_letters) {
   EXPECT_EQ(Chain(AxisRoles::of({"U", "V"}, 0)).tip({7, 9}), (Vec3{}));
 }
 
-TEST(three_axes, cannot_lean_the_tool) {
+TEST(three_axes, cannot_tilt_the_tool) {
   const Chain chain(AxisRoles::of({"X", "Y", "Z"}, 0));
   EXPECT_FALSE(chain.inverse({{}, {0, 0.6, 0.8}}, {}));
   EXPECT_FALSE(chain.inverse({{}, {0, 0, -1}}, {}));

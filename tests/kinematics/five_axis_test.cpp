@@ -110,8 +110,8 @@ TEST(five_axis, places_there_and_back) {
     for (int i = 0; i < 50; ++i) {
       const RotaryPair at{angle(random), angle(random)}, zero{angle(random), angle(random)};
       const Vec3 p{mm(random), mm(random), mm(random)};
-      EXPECT_NEAR(distance(m.place_in_part(at, m.place_on_machine(at, p, zero), zero), p), 0, 1e-9);
-      EXPECT_NEAR(distance(m.place_on_machine(zero, p, zero), p), 0, 1e-9);  // measured in this position: the point does not move
+      EXPECT_NEAR(distance(m.point_in_part(at, m.point_on_machine(at, p, zero), zero), p), 0, 1e-9);
+      EXPECT_NEAR(distance(m.point_on_machine(zero, p, zero), p), 0, 1e-9);  // measured in this position: the point does not move
       EXPECT_NEAR(distance(m.length_vector({}, {0, 0, 120}), {0, 0, 120}), 0, 1e-12);
     }
 }

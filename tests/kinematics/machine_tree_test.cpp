@@ -44,7 +44,7 @@ Axes anywhere(std::mt19937& random) {
 void expect_near(Vec3 a, Vec3 b, double bound) { EXPECT_LT(length(a - b), bound) << a.x << ' ' << a.y << ' ' << a.z; }
 
 /// Checks forward, inverse and forward again: the tool must be at the same position, and the axis positions within the limits.
-void goes_back(const MachineTree& tree, int times, double nearby) {
+void moves_backwards(const MachineTree& tree, int times, double nearby) {
   std::mt19937 random(7);
   std::uniform_real_distribution<double> beside(-nearby, nearby);
   for (int i = 0; i < times; ++i) {
@@ -66,7 +66,7 @@ TEST(machine_tree, built_in_machines_there_and_back) {
     ASSERT_TRUE(profile) << profile.error();
     MachineProfile free = *profile;  // another test covers the limits
     for (auto& [name, axis] : free.axes) axis.least = -1e300, axis.most = 1e300;
-    goes_back(MachineTree(free, {"X", "Y", "Z", "A", "B", "C"}), 2000, 180);
+    moves_backwards(MachineTree(free, {"X", "Y", "Z", "A", "B", "C"}), 2000, 180);
   }
 }
 
@@ -98,7 +98,7 @@ TEST(machine_tree, the_same_as_the_parameters_of_the_nct) {
         const Vec3 control_point{at[0], at[1], at[2]};
         const Pose pose = tree.forward(at, 75);
         expect_near(pose.direction, five->direction(pair), 1e-12);
-        expect_near(pose.tip, five->place_in_part(pair, control_point - five->length_vector(pair, {0, 0, 75})), 1e-9);
+        expect_near(pose.tip, five->point_in_part(pair, control_point - five->length_vector(pair, {0, 0, 75})), 1e-9);
       }
     }
 }
@@ -119,7 +119,7 @@ TEST(machine_tree, any_serial_chain) {
   six.axes["C"] = rotary({0, 0, 1}, {-300, -300, -500}, true);
   const MachineTree redundant(six, {"X", "Y", "Z", "A", "B", "C"});
   EXPECT_EQ(redundant.five_axis().error(), "it has not two rotary axes");
-  goes_back(redundant, 500, 60);
+  moves_backwards(redundant, 500, 60);
 
   MachineProfile slanted = machine({"X", "Y", "Z"}, {"A"});
   slanted.axes["Y"] = linear(unit({0, 1, 1}), true);

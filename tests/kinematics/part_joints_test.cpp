@@ -75,7 +75,7 @@ TEST(part_joints, of_a_part_space_put_the_tip_back) {
   std::uniform_real_distribution<double> mm(-300, 300), degrees(-170, 170);
   for (int i = 0; i < 400; ++i) {
     const auto any = [&] { return Vec3{mm(random), mm(random), mm(random)}; };
-    PartSpaceData d;
+    FiveAxisTransformData d;
     d.machine.group = i % 2 == 0 ? MachineGroup::table_table : MachineGroup::head_table;
     d.machine.first = {3, {1, 0, 0}, random() % 2 == 0 ? 1.0 : -1.0};
     d.machine.second = {4, {0, 0, 1}, random() % 2 == 0 ? 1.0 : -1.0};
@@ -84,7 +84,7 @@ TEST(part_joints, of_a_part_space_put_the_tip_back) {
     d.zero = any();
     d.measured = {i % 2 == 0 ? degrees(random) : 0, degrees(random)};
     d.length = {0, 0, 50};
-    const PartSpace space(d);
+    const FiveAxisTransform space(d);
     Axes axes{mm(random), mm(random), mm(random), degrees(random), degrees(random)};
     if (i % 2 != 0) axes[3] = 0;
     const Vec3 seen = on_machine(part_joints(d), space.pose(axes).tip + d.zero, axes);

@@ -5,7 +5,7 @@
 #include <map>
 #include <random>
 
-#include "config/machine_axes.h"
+#include "config/machine/machine_axes.h"
 #include "lang/expression/macro_arithmetic.h"
 #include "lang/read_block.h"
 #include "macro_trees.h"

@@ -55,7 +55,7 @@ TEST(variable_names, are_compared_without_case_and_blanks) {
   EXPECT_FALSE(VariableNames::is_named(5601));
 }
 
-TEST(sign_of_file, stands_alone) {
+TEST(sign_of_file, has_nothing_else) {
   const Grammar& grammar = words_of("linuxcnc");
   EXPECT_EQ(Sample(" % ", grammar).block.marker, Marker::program_start);
   EXPECT_NE(Sample("% 5", grammar).alarm, "");

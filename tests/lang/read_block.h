@@ -7,7 +7,7 @@
 #include <map>
 #include <string>
 
-#include "config/control_file.h"
+#include "config/control/control_file.h"
 #include "lang/block/lexer.h"
 #include "lang/expression/expression.h"
 

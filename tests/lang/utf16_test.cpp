@@ -26,7 +26,7 @@ std::string all_of(ByteSource& source, std::size_t piece) {
   }
 }
 
-std::string read(std::string bytes, const SaidEncoding& said = {}) {
+std::string read(std::string bytes, const GivenEncoding& said = {}) {
   const OpenedText text = as_text(text_source(std::move(bytes)), said);
   EXPECT_EQ(text.encoding, Encoding::utf8);
   return all_of(*text.source, 1000);
@@ -60,7 +60,7 @@ TEST(utf16, other_texts_are_none) {
 }
 
 TEST(utf16, what_is_said_holds_but_the_mark_is_in_the_file_itself) {
-  SaidEncoding said;
+  GivenEncoding said;
   ASSERT_TRUE(read_encoding("UTF-16LE", said));
   EXPECT_EQ(read(bytes_of(u"€€", ByteOrder::little), said), "€€");  // not a program: only the declared encoding reveals it
   EXPECT_EQ(read(bytes_of(u"\uFEFF€", ByteOrder::big), said), "\xEF\xBB\xBF€");

@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include "config/control_file.h"
+#include "config/control/control_file.h"
 #include "session/plc_commands.h"
 
 namespace kadr::plc_test {
@@ -124,8 +124,8 @@ TEST(plc, program_end_and_spindles) {
 }
 
 TEST(plc, what_it_cannot_serve_is_said) {
-  const auto error_of = [](const char* code, bool told_of_ends) {
-    return Plc(events(R"({"when": {"code": ")" + std::string(code) + "\"}, " + start), told_of_ends).error();
+  const auto error_of = [](const char* code, bool control_reports_ends) {
+    return Plc(events(R"({"when": {"code": ")" + std::string(code) + "\"}, " + start), control_reports_ends).error();
   };
   for (const char* const code : {"M2", "M30", "M98", "M99", "G4", "N1"})
     EXPECT_EQ(error_of(code, false), "events: the machine's logic does not see " + std::string(code));
@@ -149,7 +149,7 @@ struct Machine {
     static const ControlDef def = load_control("nct").value();
     for (std::unique_ptr<Control>& c : owned) {
       c = std::make_unique<Control>(def, setup, Program{"test.nct", text_source(program), Encoding::utf8}, RunLimits{});
-      c->hand_over_each_block();
+      c->return_each_block();
       all.push_back(c.get());
     }
   }

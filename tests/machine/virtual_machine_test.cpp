@@ -147,7 +147,7 @@ TEST(virtual_machine, a_probe_motion_of_an_axis_that_rolls_over) {  // nct 5.6, 
   motion.detail = std::make_shared<MotionDetail>(detail);
   Action turn = action(motion);
   bool touched = false;
-  EXPECT_TRUE(m.carry_out(turn, [&](const ProbeAnswer& answer) { touched = answer.touched; }));
+  EXPECT_TRUE(m.execute(turn, [&](const ProbeAnswer& answer) { touched = answer.touched; }));
   EXPECT_TRUE(touched);
   EXPECT_EQ(std::get<Motion>(turn.what).to[1], 370);
   EXPECT_DOUBLE_EQ(std::get<Motion>(turn.what).machine[1], 370);
@@ -163,13 +163,13 @@ TEST(virtual_machine, with_cbm_the_whole_way_of_a_probe_must_be_free) {  // nct 
   const auto count = [&](const ProbeAnswer&) { ++answers; };
   VirtualMachine free = machine(setup);
   free.obey_parameters(setup);
-  EXPECT_TRUE(free.carry_out(way, count));
+  EXPECT_TRUE(free.execute(way, count));
   EXPECT_EQ(answers, 1);
   setup.parameters[{"1001", "", "CBM"}] = 1.0;
   VirtualMachine checked = machine(setup);
   checked.obey_parameters(setup);
   way = action(with_input(straight(probe, {80, 0, 0}, 60), 1));
-  const Status refused = checked.carry_out(way, count);
+  const Status refused = checked.execute(way, count);
   ASSERT_FALSE(refused);
   EXPECT_EQ(refused.error().id, AlarmId::zone1_positive);
   EXPECT_EQ(answers, 1);

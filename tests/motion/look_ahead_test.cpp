@@ -9,7 +9,7 @@
 #include <numbers>
 
 #include "actions.h"
-#include "kinematics/part_space.h"
+#include "kinematics/five_axis_transform.h"
 #include "motion/time/steps.h"
 
 namespace kadr::look_ahead_test {
@@ -99,15 +99,15 @@ SpeedRules any_rules() {
 /// NCT 25.14: the tip moves 10 mm while the head, 100 mm above the tip, tilts by 90°. X moves by up to 1 + 100·(π/2)/10 mm per mm of
 /// the tip. From rest to rest this takes 2·√(L·u/A).
 TEST(look_ahead, the_axes_limit_a_tip_that_is_led) {
-  PartSpaceData d;
+  FiveAxisTransformData d;
   d.machine.group = MachineGroup::head_head;
   d.machine.first = {3, {0, 1, 0}, 1};
   d.machine.second = {4, {1, 0, 0}, 1};
   d.length = {0, 0, 100};
-  d.leads_tip = d.follows_head = true;
+  d.controls_tip = d.follows_head = true;
   const AxisRoles five = AxisRoles::of({"X", "Y", "Z", "B", "A"}, 0b11000);
   ToolPosition from;
-  from.space = std::make_shared<const PartSpace>(d);
+  from.space = std::make_shared<const FiveAxisTransform>(d);
   from.machine = from.space->machine_of(from.work, from.work);
   Motion motion = straight(feed, {10, 0, 0}, 1e6);
   motion.to[3] = 90;
@@ -125,7 +125,7 @@ TEST(look_ahead, the_axes_limit_a_tip_that_is_led) {
   const double u = 1 + 100 * std::numbers::pi / 2 / 10;
   EXPECT_NEAR(seconds_of(from, linear(1000)), 2 * std::sqrt(10 * u / 1000), 0.01);
   SpeedRules slow = linear(1e9);
-  slow.most_feed = axes_filled(50);  // mm/s, for each axis
+  slow.max_feed = axes_filled(50);  // mm/s, for each axis
   EXPECT_NEAR(seconds_of(from, slow), 10 / (50 / u), 0.05);
 }
 

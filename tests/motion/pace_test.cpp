@@ -21,7 +21,7 @@ struct PolarLine {
     detail.surface = PathSurface::polar;
     detail.flat_from = start;
     detail.flat_to = end;
-    detail.rotary_most = most;
+    detail.max_rotary_speed = most;
     motion.to = {length(end), from[1] + FlatPath::line(start, end).swept(1)};
     motion.detail = std::make_shared<MotionDetail>(detail);
   }

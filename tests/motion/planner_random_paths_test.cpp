@@ -97,7 +97,7 @@ struct Recorded {
 
 /// Records a wave of short lines with a sharp corner now and then; the axes stop between some lines.
 template <class Look>
-Recorded recorded(bool side_by_side, const Look& look) {
+Recorded recorded(bool in_background, const Look& look) {
   constexpr std::size_t pieces = 9000, to_corner = 97, to_stop = 4300;
   Recorded recorded;
   std::size_t piece = 0;
@@ -106,7 +106,7 @@ Recorded recorded(bool side_by_side, const Look& look) {
     recorded.numbers.insert(recorded.numbers.end(), cells.path.begin(), cells.path.end());
     recorded.when.push_back(piece);
   });
-  if (side_by_side) planner.work_side_by_side();
+  if (in_background) planner.work_in_background();
   Point at{};
   planner.begin(at.data());
   while (++piece <= pieces) {
@@ -135,7 +135,7 @@ TEST(PlannerSideBySide, GoesOnFromWhatItRemembers) {
   const Recorded shaken = recorded(true, [](Planner& planner, std::size_t piece) {
     if (piece % 701 != 0) return;
     planner.settle();
-    planner.remember(Planner::Memory(planner.memory()));
+    planner.resume_from(Planner::Memory(planner.memory()));
   });
   ASSERT_EQ(straight.numbers.size(), shaken.numbers.size());
   EXPECT_EQ(std::memcmp(straight.numbers.data(), shaken.numbers.data(), straight.numbers.size() * sizeof(double)), 0);
@@ -145,7 +145,7 @@ TEST(PlannerSideBySide, IsLeftInTheMiddle) {  // the parallel thread ends before
   const MotionLimits limits = test::three_axes(200, 1000, 20000);
   for (int pieces = 1020; pieces < 1040; ++pieces) {
     Planner planner(limits, [](const TimedCells&) {});
-    planner.work_side_by_side();
+    planner.work_in_background();
     const Point start{};
     planner.begin(start.data());
     for (int i = 1; i <= pieces; ++i) {

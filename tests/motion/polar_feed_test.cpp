@@ -70,8 +70,8 @@ RC_GTEST_PROP(polar_feed, no_axis_is_too_fast_and_one_limit_holds, ()) {
   RC_PRE(way > 0.01);
   const double rotary = std::abs(curve.rates(part)[1]) * feed / way;
   RC_ASSERT(feed <= limits.feed * (1 + 1e-12));
-  RC_ASSERT(rotary <= limits.rotary_most * (1 + 1e-9));
-  RC_ASSERT(feed >= limits.feed * (1 - 1e-9) || rotary >= limits.rotary_most * (1 - 1e-9));
+  RC_ASSERT(rotary <= limits.max_rotary_speed * (1 + 1e-9));
+  RC_ASSERT(feed >= limits.feed * (1 - 1e-9) || rotary >= limits.max_rotary_speed * (1 - 1e-9));
 }
 
 RC_GTEST_PROP(polar_feed, time_agrees_with_its_sampled_twin, ()) {

@@ -64,16 +64,16 @@ RC_GTEST_PROP(ramp, top_speed_takes_the_whole_way, ()) {
 }
 
 TEST(ramp, from_rest_to_rest) {
-  EXPECT_NEAR(way_seconds(0, 0, 100, 100, {1000}), 1.1, 1e-12);         // F/a + L/F
-  EXPECT_NEAR(way_seconds(0, 0, 2.5, 100, {1000}), 0.1, 1e-12);         // 2·√(L/a)
-  EXPECT_NEAR(way_seconds(0, 0, 100, 100, {1000, 0.05}), 1.15, 1e-12);  // F/a + T + L/F
-  const double j = 1000 / 0.05, v = std::cbrt(j / 4);                   // 1 mm < 2·a·T²: (L²·j/4)^⅓
+  EXPECT_NEAR(travel_seconds(0, 0, 100, 100, {1000}), 1.1, 1e-12);         // F/a + L/F
+  EXPECT_NEAR(travel_seconds(0, 0, 2.5, 100, {1000}), 0.1, 1e-12);         // 2·√(L/a)
+  EXPECT_NEAR(travel_seconds(0, 0, 100, 100, {1000, 0.05}), 1.15, 1e-12);  // F/a + T + L/F
+  const double j = 1000 / 0.05, v = std::cbrt(j / 4);                      // 1 mm < 2·a·T²: (L²·j/4)^⅓
   EXPECT_NEAR(top_speed(0, 0, 1, 100, {1000, 0.05}), v, 1e-9);
-  EXPECT_NEAR(way_seconds(0, 0, 1, 100, {1000, 0.05}), 4 * std::sqrt(v / j), 1e-9);
+  EXPECT_NEAR(travel_seconds(0, 0, 1, 100, {1000, 0.05}), 4 * std::sqrt(v / j), 1e-9);
 }
 
 TEST(ramp, without_a_limit_takes_no_time) {
-  EXPECT_EQ(way_seconds(0, 0, 100, 50, {}), 2);
+  EXPECT_EQ(travel_seconds(0, 0, 100, 50, {}), 2);
   EXPECT_EQ(Ramp(0, 50, {}).seconds(), 0);
 }
 

@@ -68,7 +68,7 @@ TEST(speed_rules, parameters_by_name_number_or_for_all_axes) {
   EXPECT_EQ(rules.axis_change[1], 5);
   EXPECT_EQ(rules.normal[0], unlimited);
   EXPECT_EQ(rules.normal[2], 10);
-  EXPECT_EQ(rules.most_feed[0], unlimited);
+  EXPECT_EQ(rules.max_feed[0], unlimited);
   EXPECT_TRUE(rules.overlaps_rapids);
   EXPECT_EQ(rules.overlap_from, 0.25);
   EXPECT_EQ(rules.inner_part, 1);

@@ -1,11 +1,12 @@
-// out/text/code_page, out/text/control_page, out/text/variable_text: the explanation of a table row in kadr explain.
+// out/text/explain/code_page, out/text/explain/control_page, out/text/explain/variable_text: the explanation of a table row in kadr
+// explain.
 
-#include "out/text/code_page.h"
+#include "out/text/explain/code_page.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "config/control_file.h"
+#include "config/control/control_file.h"
 
 namespace kadr::code_page_test {
 namespace {

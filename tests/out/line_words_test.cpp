@@ -1,6 +1,6 @@
-// out/text/line_words: explains the words of a line.
+// out/text/explain/line_words: explains the words of a line.
 
-#include "out/text/line_words.h"
+#include "out/text/explain/line_words.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -8,7 +8,7 @@
 
 #include <map>
 
-#include "config/control_file.h"
+#include "config/control/control_file.h"
 
 namespace kadr::line_words_test {
 namespace {

@@ -6,7 +6,7 @@
 
 #include <cmath>
 
-#include "config/control_file.h"
+#include "config/control/control_file.h"
 #include "session/program_moves.h"
 
 namespace kadr::part_program_test {

@@ -1,6 +1,6 @@
-// out/picture/plot: bounded memory, extents, several work coordinate systems, both file formats.
+// out/picture/plot/plot: bounded memory, extents, several work coordinate systems, both file formats.
 
-#include "out/picture/plot.h"
+#include "out/picture/plot/plot.h"
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
@@ -12,7 +12,7 @@
 
 #include "actions.h"
 #include "motion/time/steps.h"
-#include "out/picture/plot_view.h"
+#include "out/picture/plot/plot_view.h"
 #include "out/picture/text_width.h"
 #include "out/text/page_file.h"
 

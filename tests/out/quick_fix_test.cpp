@@ -4,8 +4,8 @@
 
 #include <gtest/gtest.h>
 
-#include "config/control_file.h"
-#include "config/machine_profile.h"
+#include "config/control/control_file.h"
+#include "config/machine/machine_profile.h"
 #include "lang/text/utf16.h"
 #include "session/checklist/checklist.h"
 #include "session/session.h"

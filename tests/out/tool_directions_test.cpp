@@ -4,20 +4,20 @@
 
 #include <gtest/gtest.h>
 
-#include "kinematics/part_space.h"
+#include "kinematics/five_axis_transform.h"
 
 namespace kadr::tool_directions_test {
 namespace {
 
 /// Returns a head with axes A and C that leads the tip, as the NCT's G43.4 does.
-std::shared_ptr<const WorkSpace> led_space() {
-  PartSpaceData data;
+std::shared_ptr<const WorkTransform> led_space() {
+  FiveAxisTransformData data;
   data.machine.group = MachineGroup::head_head;
   data.machine.first = {4, {0, 0, 1}};
   data.machine.second = {3, {1, 0, 0}};
-  data.follows_head = data.leads_tip = true;
+  data.follows_head = data.controls_tip = true;
   data.length = {0, 0, 100};
-  return std::make_shared<const PartSpace>(data);
+  return std::make_shared<const FiveAxisTransform>(data);
 }
 
 class Along {

@@ -201,7 +201,7 @@ TEST(trace, points_of_polar_interpolation) {
   detail.surface = PathSurface::polar;
   detail.flat_from = {50, 1};
   detail.flat_to = {-50, 1};
-  detail.rotary_most = 3600;
+  detail.max_rotary_speed = 3600;
   const Motion m = with(straight(feed, {std::sqrt(2501), 178.854237, 0}, 1000), detail);
   const ToolPosition start{{std::sqrt(2501), 1.145763, 0}, {std::sqrt(2501), 1.145763, 0}};
   const auto point = [&](bool exact) {
@@ -241,7 +241,7 @@ TEST(trace, points_within_a_motion) {
 }
 
 TEST(trace, last_line) {
-  Ending ending;
+  FinalState ending;
   ending.position = {1, 2, 3};
   ending.variables = {{"#100", 2.5}};
   ending.watched_unset = {{"#101", true}};

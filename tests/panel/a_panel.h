@@ -17,7 +17,8 @@ namespace kadr::test {
 
 class APanel {
  public:
-  explicit APanel(const std::string& program, const std::string& control = "mach3", const Setup& its_setup = {}, PanelKeeper keeper = {}) {
+  explicit APanel(const std::string& program, const std::string& control = "mach3", const Setup& its_setup = {},
+                  PanelRecorder keeper = {}) {
     setup->now = its_setup;
     if (!keeper.tables)
       keeper.tables = [setup = setup](const Setup&, const Setup& after) {

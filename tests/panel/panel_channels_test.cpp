@@ -13,7 +13,7 @@ namespace {
 using test::APanel;
 
 /// Channel 1 has X, Y and Z; channel 2 has an X and a Z of its own.
-APanel two_channels(const std::string& first, const std::string& second, PanelKeeper keeper = {}) {
+APanel two_channels(const std::string& first, const std::string& second, PanelRecorder keeper = {}) {
   kadr::Setup setup;
   setup.channels[2] = {second, {"X", "Z"}};
   setup.parameters[ParameterKey{"2201", "", ""}] = 501.;  // the waiting codes
@@ -189,25 +189,25 @@ TEST(PanelChannels, WhoWaitsInVainIsAnAlarm) {
   EXPECT_NEAR(axis(panel->state(), 1, 1), 10, 1e-9);
 }
 
-PanelSearch::Answer found(const APanel& panel, const PanelSearch::Wish& wish) {
+PanelSearch::Answer found(const APanel& panel, const PanelSearch::SearchRequest& request) {
   PanelSearch::Answer answer;
-  EXPECT_TRUE(panel.until([&](const PanelState&) { return (answer = panel->find(wish)).ready; }));
+  EXPECT_TRUE(panel.until([&](const PanelState&) { return (answer = panel->find(request)).ready; }));
   EXPECT_TRUE(answer.place) << answer.error;
   return answer;
 }
 
 /// Returns the paths of the sheets; the own channel is first.
-std::vector<PanelWay> ways_to(const APanel& panel, const std::shared_ptr<const PanelPlace>& place) {
+std::vector<PanelPath> ways_to(const APanel& panel, const std::shared_ptr<const RestartPoint>& place) {
   const auto sheets = panel->sheets(place, {.clearance = 30, .above = 2, .feed = 6000});
   EXPECT_TRUE(sheets) << sheets.error();
-  std::vector<PanelWay> ways;
+  std::vector<PanelPath> ways;
   for (std::size_t i = 0; sheets && i < sheets->size(); ++i)
     ways.push_back({i == 0 ? panel->own() : place->beside[i - 1].channel, (*sheets)[i].way});
   return ways;
 }
 
-void go_to(const APanel& panel, const PanelSearch::Wish& wish, const std::set<std::string>& left = {}) {
-  const auto place = found(panel, wish).place;
+void go_to(const APanel& panel, const PanelSearch::SearchRequest& request, const std::set<std::string>& left = {}) {
+  const auto place = found(panel, request).place;
   ASSERT_TRUE(place);
   const auto went = panel->go_there(place, left, ways_to(panel, place));
   ASSERT_TRUE(went) << went.error();
@@ -221,7 +221,7 @@ TEST(PanelChannels, GoOnInMidProgramTogether) {
   const auto place = found(panel, {.target = {.line = 4}}).place;
   ASSERT_TRUE(place);
   ASSERT_EQ(place->beside.size(), 1u);
-  const PanelBeside& other = place->beside.front();
+  const OtherChannelState& other = place->beside.front();
   EXPECT_EQ(other.number, 2);
   EXPECT_EQ(other.line.number, 4u) << "both have met at M501";
   EXPECT_NEAR(other.restart.stand.machine[1], 50, 1e-9);
@@ -382,7 +382,7 @@ TEST(PanelChannels, TablesAreNotTakenOverWhereTheOtherHolds) {
   const APanel panel = two_channels("G21 G90 G94\nG0 X3\nM501 P12\nG0 X20\nM30\n", "G21 G90 G94\nG0 Z50\nM0\nG0 Z60\nM501 P12\nM30\n");
   ASSERT_TRUE(panel->run());
   ASSERT_TRUE(panel.until([](const PanelState& s) { return s.mode == PanelMode::standing && s.why == "M0"; }));
-  EXPECT_FALSE(panel->may_take_tables());
+  EXPECT_FALSE(panel->may_apply_tables());
   EXPECT_FALSE(panel->take_tables());
   ASSERT_TRUE(panel->run());
   ASSERT_TRUE(panel.stands(PanelMode::ended));
@@ -392,9 +392,9 @@ TEST(PanelChannels, TablesAreNotTakenOverWhereTheOtherHolds) {
 /// The keeper stores the positions of all axes, and the axes are restored there.
 TEST(PanelChannels, StandWhereTheyWereKept) {
   std::mutex lock;
-  PanelSpot last;
-  PanelKeeper keeper;
-  keeper.spot = [&](const PanelSpot& spot) {
+  PanelLocation last;
+  PanelRecorder keeper;
+  keeper.spot = [&](const PanelLocation& spot) {
     const std::lock_guard hold(lock);
     last = spot;
     return std::string();

@@ -114,9 +114,9 @@ TEST_F(PanelJournalTest, IsThereAgain) {
 TEST_F(PanelJournalTest, TheOldestEntriesGo) {
   PanelJournal journal;
   EXPECT_FALSE(journal.lasts());
-  for (std::size_t i = 0; i < PanelJournal::most_logged + 5; ++i) EXPECT_TRUE(journal.log("a.nc", std::to_string(i)));
+  for (std::size_t i = 0; i < PanelJournal::max_logged + 5; ++i) EXPECT_TRUE(journal.log("a.nc", std::to_string(i)));
   const auto log = journal.log_of("a.nc");
-  ASSERT_EQ(log.size(), PanelJournal::most_logged);
+  ASSERT_EQ(log.size(), PanelJournal::max_logged);
   EXPECT_EQ(log.front(), "5");
 }
 

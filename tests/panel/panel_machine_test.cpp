@@ -14,8 +14,8 @@ using namespace std::chrono_literals;
 using test::APanel;
 using test::expect_at;
 
-PanelShares feed_share(double share) {
-  PanelShares shares;
+PanelOverrides feed_share(double share) {
+  PanelOverrides shares;
   shares.feed = share;
   return shares;
 }
@@ -57,7 +57,7 @@ TEST(PanelMachine, RunsAgainFromWhereItStands) {
 /// A busy control refuses a request after two seconds, and does not execute the refused request later.
 TEST(PanelMachine, WhatIsRefusedNeverHappens) {
   std::atomic<bool> is_busy{false};
-  PanelKeeper keeper;
+  PanelRecorder keeper;
   keeper.tables = [&](const kadr::Setup&, const kadr::Setup&) {
     if (!is_busy.exchange(true)) std::this_thread::sleep_for(5s);
     return std::string();
@@ -99,7 +99,7 @@ TEST(PanelMachine, HoldsAndGoesOn) {
   std::this_thread::sleep_for(20ms);
   expect_at(panel, {there.x, 0, 0});
   EXPECT_FALSE(panel->enter("G0 X0"));
-  ASSERT_TRUE(panel->set_shares(feed_share(0.5)));
+  ASSERT_TRUE(panel->set_overrides(feed_share(0.5)));
   EXPECT_EQ(panel->state().mode, PanelMode::held) << "an override is no run";
   ASSERT_TRUE(panel->run());
   ASSERT_TRUE(panel.stands(PanelMode::ended));
@@ -108,14 +108,14 @@ TEST(PanelMachine, HoldsAndGoesOn) {
 
 TEST(PanelMachine, AnOverrideOfZeroStandsAndGoesOnByItself) {
   const APanel panel("G21 G91 G94\nG1 X60 F3000\nM30\n");
-  ASSERT_TRUE(panel->set_shares(feed_share(0)));
+  ASSERT_TRUE(panel->set_overrides(feed_share(0)));
   ASSERT_TRUE(panel->run());
   ASSERT_TRUE(panel.stands(PanelMode::held));
   EXPECT_LT(panel.at().x, 60);
-  ASSERT_TRUE(panel->set_shares(feed_share(1)));
+  ASSERT_TRUE(panel->set_overrides(feed_share(1)));
   ASSERT_TRUE(panel.stands(PanelMode::ended));
   expect_at(panel, {60, 0, 0});
-  for (const double share : {-0.1, 1.1, double(NAN)}) EXPECT_FALSE(panel->set_shares(feed_share(share)));
+  for (const double share : {-0.1, 1.1, double(NAN)}) EXPECT_FALSE(panel->set_overrides(feed_share(share)));
 }
 
 TEST(PanelMachine, AResetBrakesOnThePathAndIsAtTheBeginning) {

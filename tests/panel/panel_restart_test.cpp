@@ -16,18 +16,18 @@ using test::expect_at;
 using Kind = InForce::Kind;
 
 /// Returns what the search finds. The limit is generous, because the test machine may be busy.
-PanelSearch::Answer found(const APanel& panel, const PanelSearch::Wish& wish) {
+PanelSearch::Answer found(const APanel& panel, const PanelSearch::SearchRequest& request) {
   const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(60);
   while (true) {
-    PanelSearch::Answer answer = panel->find(wish);
+    PanelSearch::Answer answer = panel->find(request);
     if (answer.ready || std::chrono::steady_clock::now() > end) return answer;
     std::this_thread::sleep_for(std::chrono::milliseconds(1));
   }
 }
 
-std::optional<PanelSheet> sheet_at(const APanel& panel, const PanelSearch::Wish& wish,
+std::optional<PanelSheet> sheet_at(const APanel& panel, const PanelSearch::SearchRequest& request,
                                    const WayRules& rules = {.clearance = 30, .above = 2, .feed = 600}) {
-  const auto place = found(panel, wish);
+  const auto place = found(panel, request);
   EXPECT_TRUE(place.place) << place.error;
   if (!place.place) return std::nullopt;
   auto sheets = panel->sheets(place.place, rules);
@@ -35,10 +35,10 @@ std::optional<PanelSheet> sheet_at(const APanel& panel, const PanelSearch::Wish&
   return sheets ? std::optional(std::move(sheets->front())) : std::nullopt;
 }
 
-void go_to(const APanel& panel, const PanelSearch::Wish& wish, const std::set<std::string>& left = {}) {
-  const auto sheet = sheet_at(panel, wish);
+void go_to(const APanel& panel, const PanelSearch::SearchRequest& request, const std::set<std::string>& left = {}) {
+  const auto sheet = sheet_at(panel, request);
   ASSERT_TRUE(sheet);
-  const auto went = panel->go_there(found(panel, wish).place, left, {{0, sheet->way}});
+  const auto went = panel->go_there(found(panel, request).place, left, {{0, sheet->way}});
   ASSERT_TRUE(went) << went.error();
   ASSERT_TRUE(panel.until([](const PanelState& s) { return s.mode == PanelMode::standing && !s.goes_there; }));
 }

@@ -66,11 +66,11 @@ TEST(PanelTables, NotInACompensatedContour) {
   ASSERT_TRUE(panel->add_stop({.line = 5}));
   ASSERT_TRUE(panel->run());
   ASSERT_TRUE(stands_at(panel, 5));
-  EXPECT_FALSE(panel->may_take_tables());
+  EXPECT_FALSE(panel->may_apply_tables());
   EXPECT_FALSE(panel->take_tables());
   ASSERT_TRUE(panel->run());
   ASSERT_TRUE(stands_at(panel, 9));
-  EXPECT_TRUE(panel->may_take_tables());
+  EXPECT_TRUE(panel->may_apply_tables());
   panel.edit([](kadr::Setup& tables) { tables.offsets[1].radius = 4; });
   ASSERT_TRUE(panel->take_tables());
   ASSERT_TRUE(stands_at(panel, 9));
@@ -117,7 +117,7 @@ TEST(PanelTables, ALineThatIsTakenBackIsNoEdit) {
 TEST(PanelTables, WhatALineByHandChangesIsTold) {
   std::mutex lock;
   std::vector<std::pair<kadr::Setup, kadr::Setup>> changes;
-  PanelKeeper keeper;
+  PanelRecorder keeper;
   keeper.tables = [&](const kadr::Setup& before, const kadr::Setup& after) {
     const std::lock_guard hold(lock);
     changes.emplace_back(before, after);
@@ -145,7 +145,7 @@ TEST(PanelTables, WhatALineByHandChangesIsTold) {
 TEST(PanelTables, NotWhileItRuns) {
   const APanel panel("G21 G91\nG1 X200 F600\nM30\n");
   ASSERT_TRUE(panel->run());
-  EXPECT_FALSE(panel->may_take_tables());
+  EXPECT_FALSE(panel->may_apply_tables());
   EXPECT_FALSE(panel->take_tables());
   panel->stop_at_once();
 }
@@ -188,9 +188,9 @@ TEST(PanelQuestions, AProgramWaitsForItsAnswer) {
 
 TEST(PanelSwitches, RapidAndDryRunAndSpindle) {
   const APanel panel("G21 G90 G94 M3 S1000\nG0 X30\nG1 X50 F10\nM30\n");
-  PanelShares shares;
+  PanelOverrides shares;
   shares.rapid = 0.05, shares.dry_feed = 6000;
-  ASSERT_TRUE(panel->set_shares(shares));
+  ASSERT_TRUE(panel->set_overrides(shares));
   ASSERT_TRUE(panel->run());
   double fastest = 0;
   ASSERT_TRUE(panel.until([&](const PanelState& s) {
@@ -199,9 +199,9 @@ TEST(PanelSwitches, RapidAndDryRunAndSpindle) {
   }));
   EXPECT_GT(fastest, 100);
   EXPECT_LT(fastest, 0.06 * 60'000);
-  for (PanelShares bad :
-       {PanelShares{2, 1, 1, 0}, PanelShares{1, -1, 1, 0}, PanelShares{1, 1, 0.4, 0}, PanelShares{1, 1, 1.3, 0}, PanelShares{1, 1, 1, -1}})
-    EXPECT_FALSE(panel->set_shares(bad));
+  for (PanelOverrides bad : {PanelOverrides{2, 1, 1, 0}, PanelOverrides{1, -1, 1, 0}, PanelOverrides{1, 1, 0.4, 0},
+                             PanelOverrides{1, 1, 1.3, 0}, PanelOverrides{1, 1, 1, -1}})
+    EXPECT_FALSE(panel->set_overrides(bad));
 }
 
 TEST(PanelSwitches, StopsWhenAToolComes) {
@@ -237,10 +237,10 @@ TEST(PanelSwitches, StepsOverAndOutOfCalls) {
 
 TEST(PanelKeeping, EachBlockAndEachEvent) {
   std::mutex lock;
-  std::vector<PanelSpot> spots;
+  std::vector<PanelLocation> spots;
   std::vector<std::string> events;
-  PanelKeeper keeper;
-  keeper.spot = [&](const PanelSpot& spot) {
+  PanelRecorder keeper;
+  keeper.spot = [&](const PanelLocation& spot) {
     const std::lock_guard hold(lock);
     spots.push_back(spot);
     return std::string(spot.number == 3 ? "the disk is full" : "");
@@ -261,7 +261,7 @@ TEST(PanelKeeping, EachBlockAndEachEvent) {
     ASSERT_TRUE(panel.stands(PanelMode::ended));
   }
   std::vector<std::uint32_t> running;
-  for (const PanelSpot& spot : spots)
+  for (const PanelLocation& spot : spots)
     if (spot.mode == PanelMode::running && spot.number != 0 && (running.empty() || running.back() != spot.number))
       running.push_back(spot.number);
   EXPECT_EQ(running, (std::vector<std::uint32_t>{1, 2, 3, 5}));
@@ -273,9 +273,9 @@ TEST(PanelKeeping, EachBlockAndEachEvent) {
 /// After an emergency stop or an alarm in mid program, the position of the break stays known.
 TEST(PanelKeeping, WhereItWasBroken) {
   std::mutex lock;
-  PanelSpot last;
-  PanelKeeper keeper;
-  keeper.spot = [&](const PanelSpot& spot) {
+  PanelLocation last;
+  PanelRecorder keeper;
+  keeper.spot = [&](const PanelLocation& spot) {
     const std::lock_guard hold(lock);
     last = spot;
     return std::string();

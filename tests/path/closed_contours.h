@@ -162,9 +162,9 @@ struct WatchedRun {
 
 inline WatchedRun carried_out(ClosedContour contour, Style style) {
   for (Motion& m : contour.motions) {
-    m.entry = style == Style::tangent                                ? ContourEntry::tangent
-              : style == Style::by_corner || style == Style::checked ? ContourEntry::by_corner
-                                                                     : ContourEntry::normal;
+    m.entry = style == Style::tangent                                ? CompensationApproach::tangent
+              : style == Style::by_corner || style == Style::checked ? CompensationApproach::by_corner
+                                                                     : CompensationApproach::normal;
     if (style == Style::normal_arc || style == Style::tangent) m.join_corner = CornerJoin::arc;
     if (style == Style::normal_line) m.join_corner = CornerJoin::straight;
   }
@@ -176,7 +176,7 @@ inline WatchedRun carried_out(ClosedContour contour, Style style) {
   const std::size_t count = contour.motions.size();
   for (std::size_t i = 0; i <= count && !run.alarm; ++i) {
     ActionBatch batch;
-    if (i == 0) batch.add().what = ContourCheck{style == Style::checked, false, 0, 0};
+    if (i == 0) batch.add().what = CompensationCheck{style == Style::checked, false, 0, 0};
     else batch.add() = action(contour.motions[i - 1], static_cast<std::uint32_t>(i));
     run.alarm = compensation.take(batch, i == count).has_value();
     for (const Action& a : batch) {

@@ -1,6 +1,7 @@
-// path/contour/contour_offset: offset vectors at junctions. NCT 15.5: the worked numbers of 15.5.2, and properties of random junctions.
+// path/compensation/contour_offset: offset vectors at junctions. NCT 15.5: the worked numbers of 15.5.2, and properties of random
+// junctions.
 
-#include "path/contour/contour_offset.h"
+#include "path/compensation/contour_offset.h"
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>

@@ -1,6 +1,7 @@
-// path/contour/radius_compensation, path/contour/interference and path/contour/contour_watch together. For every contour, a path nearer
-// to the part than the tool's radius is reported, and whatever is reported is true. The slow reference samples path and contour. NCT
-// 15.5. If the contour crosses itself, path/contour/contour_closing decides what the part is (its own test is contour_watch_test).
+// path/compensation/radius_compensation, path/compensation/interference and path/compensation/gouge_detector together. For every contour, a
+// path nearer to the part than the tool's radius is reported, and whatever is reported is true. The slow reference samples path and
+// contour. NCT 15.5. If the contour crosses itself, path/compensation/contour_closing decides what the part is (its own test is
+// gouge_detector_test).
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
@@ -11,7 +12,7 @@
 #include <string>
 
 #include "contours.h"
-#include "path/contour/contour_closing.h"
+#include "path/compensation/contour_closing.h"
 
 namespace kadr::contour_safety_test {
 namespace {
@@ -42,8 +43,8 @@ Contour any_contour(std::int8_t side) {
   return c;
 }
 
-ContourCheck any_check() {
-  ContourCheck check;
+CompensationCheck any_check() {
+  CompensationCheck check;
   check.interference = *rc::gen::arbitrary<bool>();
   check.always_alarm = *rc::gen::arbitrary<bool>();
   check.further = static_cast<std::uint8_t>(*rc::gen::inRange(0, 9));
@@ -56,7 +57,7 @@ struct Outcome {
   double told = 0;  // reported depth of the cut, mm
 };
 
-Outcome carried_out(const Contour& contour, const ContourCheck& check) {
+Outcome carried_out(const Contour& contour, const CompensationCheck& check) {
   Outcome outcome;
   RadiusCompensation compensation{ToolPosition{}};
   for (std::size_t i = 0; i <= contour.motions.size() && !outcome.alarm; ++i) {
@@ -197,7 +198,7 @@ bool runs_back(const Contour& contour, const Outcome& outcome) {
 
 RC_GTEST_PROP(contour_safety, the_check_lets_no_block_run_back, ()) {
   const Contour contour = any_contour(*rc::gen::element<std::int8_t>(1, -1));
-  ContourCheck check = any_check();
+  CompensationCheck check = any_check();
   check.interference = true;
   const Outcome outcome = carried_out(contour, check);
   if (runs_back(contour, outcome)) RC_FAIL(shown(contour, outcome));
@@ -205,7 +206,7 @@ RC_GTEST_PROP(contour_safety, the_check_lets_no_block_run_back, ()) {
 
 RC_GTEST_PROP(contour_safety, always_alarm_is_only_stricter, ()) {
   const Contour contour = any_contour(*rc::gen::element<std::int8_t>(1, -1));
-  ContourCheck check{true, true, 0, 0};
+  CompensationCheck check{true, true, 0, 0};
   const Outcome strict = carried_out(contour, check);
   if (strict.alarm) return;
   check.always_alarm = false;  // nothing to correct: the path stays the same

@@ -1,4 +1,4 @@
-// path/contour/radius_compensation: if the contour is rotated, mirrored, reversed
+// path/compensation/radius_compensation: if the contour is rotated, mirrored, reversed
 // or divided, its path is rotated, mirrored, reversed or unchanged. NCT 15.5.
 
 #include <gtest/gtest.h>

@@ -1,7 +1,7 @@
-// path/contour/queued_compensation: corners keep their distance, the state can be copied, and actions keep their order. LinuxCNC 7.5.
+// path/compensation/queued_compensation: corners keep their distance, the state can be copied, and actions keep their order. LinuxCNC 7.5.
 // How LinuxCNC's interpreter itself compensates programs: tests/golden/linuxcnc, tests/cases/linuxcnc/compensation.cases.
 
-#include "path/contour/queued_compensation.h"
+#include "path/compensation/queued_compensation.h"
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
@@ -45,7 +45,7 @@ Taken taken(const std::vector<Action>& actions, bool snapshot) {
     batch.add() = action;
     if (snapshot) {
       auto fresh = std::make_unique<QueuedCompensation>(ToolPosition{});
-      fresh->remember(now->memory());
+      fresh->resume_from(now->memory());
       now = std::move(fresh);
     }
     all.fault = now->take(batch, Follows::more);
@@ -59,16 +59,16 @@ const Motion& motion_of(const Action& action) { return std::get<Motion>(action.w
 
 RC_GTEST_PROP(queued_corner, of_two_lines_keeps_the_radius, ()) {
   const double radius = any_number(1, 9), side = *rc::gen::element(1.0, -1.0), turn = any_number(-170, 170);
-  const CornerPlace place{{40, 30}, Vec2{40, 30} + radius * side_normal({1, 0}, side), radius, side};
+  const CornerSituation place{{40, 30}, Vec2{40, 30} + radius * side_normal({1, 0}, side), radius, side};
   const Vec2 along = rotated({1, 0}, turn);
   const auto corner = corner_to_line(place, place.point + 50 * along);
   RC_ASSERT(corner.has_value());
   RC_ASSERT(length(corner->end - (place.point + 50 * along + radius * side_normal(along, side))) < 1e-9);
   const double outside = -side * turn * rad_per_deg;  // the gap on the tool's side
-  RC_ASSERT((corner->way == CornerWay::outer) == (outside > 0.05));
-  RC_ASSERT((corner->way == CornerWay::inner) == (outside < -0.05));
-  if (corner->way == CornerWay::outer) RC_ASSERT(std::fabs(length(corner->at - place.point) - radius) < 1e-9);
-  if (corner->way != CornerWay::inner) return;
+  RC_ASSERT((corner->way == CornerKind::outer) == (outside > 0.05));
+  RC_ASSERT((corner->way == CornerKind::inner) == (outside < -0.05));
+  if (corner->way == CornerKind::outer) RC_ASSERT(std::fabs(length(corner->at - place.point) - radius) < 1e-9);
+  if (corner->way != CornerKind::inner) return;
   for (const Vec2 way : {Vec2{1, 0}, along}) RC_ASSERT(std::fabs(side * cross(way, corner->at - place.point) - radius) < 1e-6);
 }
 
@@ -81,7 +81,7 @@ RC_GTEST_PROP(queued_corner, inside_with_arcs_is_beside_both, ()) {
   else c.line(50, 1, radius);
   const Motion before = c.motions.back();
   const Vec2 tool = c.at + radius * side_normal(c.direction, side);
-  CornerPlace place{c.at, tool, radius, side};
+  CornerSituation place{c.at, tool, radius, side};
   if (first_arc) place.arc = QueuedArc{tool, before.center, before.kind == MotionKind::arc_ccw ? 1 : -1};
   const Vec2 end_direction = c.direction;
   c.direction = rotated(c.direction, turn);
@@ -89,7 +89,7 @@ RC_GTEST_PROP(queued_corner, inside_with_arcs_is_beside_both, ()) {
   const Motion& next = c.motions.back();
   const auto corner = corner_to_arc(place, {c.at, next.center, sense});
   RC_ASSERT(corner.has_value());
-  RC_ASSERT(corner->way == CornerWay::inner);
+  RC_ASSERT(corner->way == CornerKind::inner);
   const double of_next = length(place.point - next.center) - side * sense * radius;
   RC_ASSERT(std::fabs(length(corner->at - next.center) - of_next) < 1e-6);
   if (first_arc) RC_ASSERT(std::fabs(length(corner->at - before.center) - length(tool - before.center)) < 1e-6);
@@ -122,9 +122,9 @@ RC_GTEST_PROP(queued_compensation, what_it_remembers_is_a_value, ()) {
     else c.arc(any_number(2, 60), any_number(-800, 800) / 1000, side, radius);
     actions.push_back(action_of(c.motions.back(), static_cast<std::uint32_t>(i) + 2));
     if (*rc::gen::inRange(0, 4) == 0) actions.push_back(action_of(Dwell{1}));
-    if (*rc::gen::inRange(0, 6) == 0) actions.push_back(action_of(ContourBreak{}));
+    if (*rc::gen::inRange(0, 6) == 0) actions.push_back(action_of(CompensationBreak{}));
   }
-  actions.push_back(action_of(ContourBreak{true}));
+  actions.push_back(action_of(CompensationBreak{true}));
   const Taken plain = taken(actions, false), again = taken(actions, true);
   RC_ASSERT(plain.fault.has_value() == again.fault.has_value());
   if (plain.fault) RC_ASSERT(plain.fault->origin.line == again.fault->origin.line);
@@ -152,8 +152,8 @@ RC_GTEST_PROP(queued_compensation, a_tip_goes_beside_the_centre, ()) {
     m.nose = nose;
     of_tip.push_back(action_of(m));
   }
-  of_centre.push_back(action_of(ContourBreak{true}));
-  of_tip.push_back(action_of(ContourBreak{true}));
+  of_centre.push_back(action_of(CompensationBreak{true}));
+  of_tip.push_back(action_of(CompensationBreak{true}));
   const Taken centre = taken(of_centre, false), tip = taken(of_tip, true);
   RC_ASSERT(centre.fault.has_value() == tip.fault.has_value());
   RC_ASSERT(centre.actions.size() == tip.actions.size());
@@ -188,7 +188,7 @@ TEST(queued_compensation, order) {
   c.direction = {0, -1};
   c.line(50, 1, 5);
   const Taken all = taken({action_of(c.motions[0]), action_of(c.motions[1]), action_of(Dwell{1}), action_of(Message{"hi"}),
-                           action_of(c.motions[2]), action_of(ContourBreak{true})},
+                           action_of(c.motions[2]), action_of(CompensationBreak{true})},
                           false);
   ASSERT_EQ(all.actions.size(), 6U);
   EXPECT_EQ(motion_of(all.actions[0]).to[1], 5);
@@ -238,7 +238,7 @@ TEST(queued_compensation, narrow_neck_is_warned_of) {
   QueuedCompensation compensation{ToolPosition{}};
   ActionBatch batch;
   for (const Motion& m : c.motions) batch.add() = action_of(m);
-  batch.add() = action_of(ContourBreak{true});
+  batch.add() = action_of(CompensationBreak{true});
   EXPECT_FALSE(compensation.take(batch, Follows::more));
   ASSERT_EQ(compensation.warnings().size(), 1U);
   EXPECT_EQ(compensation.warnings()[0].alarm.id, AlarmId::contour_cut);

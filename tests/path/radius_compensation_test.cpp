@@ -1,7 +1,7 @@
-// path/contour/radius_compensation: the path is nowhere nearer to the contour
+// path/compensation/radius_compensation: the path is nowhere nearer to the contour
 // than the tool's radius. The slow reference is the sampled path. NCT 15.5.
 
-#include "path/contour/radius_compensation.h"
+#include "path/compensation/radius_compensation.h"
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
@@ -62,11 +62,11 @@ RC_GTEST_PROP(radius_compensation, the_path_is_nowhere_nearer_than_the_radius, (
   RC_ASSERT(farthest < 2.3 * radius + 2);  // at acute corners the path extends up to √5 radii
 }
 
-/// Returns the same contour for a control with a ContourEntry of its own.
+/// Returns the same contour for a control with a CompensationApproach of its own.
 std::vector<Motion> joined_by(CornerJoin join, std::vector<Motion> motions) {
   for (Motion& m : motions) {
     m.join_corner = join;
-    m.entry = ContourEntry::normal;
+    m.entry = CompensationApproach::normal;
   }
   return motions;
 }

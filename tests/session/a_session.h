@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "config/control_file.h"
+#include "config/control/control_file.h"
 #include "control/run_program.h"
 #include "out/trace/trace.h"
 #include "session/session.h"

@@ -232,7 +232,7 @@ RC_GTEST_PROP(block_loads, heaviest_are_the_greatest_of_each_line, ()) {
   std::vector<double> want;
   for (const auto& [line, rate] : greatest) want.push_back(rate);
   std::sort(want.rbegin(), want.rend());
-  want.resize(std::min(want.size(), most_told));
+  want.resize(std::min(want.size(), max_reported));
   std::vector<double> got;
   for (const BlockLoad& load : loads.heaviest()) got.push_back(*load.rate);
   RC_ASSERT(got == want);

@@ -1,4 +1,4 @@
-// session/cutting/machine_watch, axes_way, dog_leg: steps written by hand, and the bodies of a machine that collide during them.
+// session/cutting/machine_watch, axes_path, dog_leg: steps written by hand, and the bodies of a machine that collide during them.
 
 #include "session/cutting/machine_watch.h"
 
@@ -6,7 +6,7 @@
 
 #include <cmath>
 
-#include "session/cutting/axes_way.h"
+#include "session/cutting/axes_path.h"
 
 namespace kadr::machine_watch_test {
 namespace {
@@ -113,7 +113,7 @@ TEST(machine_watch, a_rapid_of_axes_that_go_apart) {
   }
 }
 
-TEST(axes_way, arcs_are_pieces_that_miss_it_by_little) {
+TEST(axes_path, arcs_are_pieces_that_miss_it_by_little) {
   Action action;
   Motion motion;
   motion.kind = MotionKind::arc_ccw;
@@ -126,7 +126,7 @@ TEST(axes_way, arcs_are_pieces_that_miss_it_by_little) {
   const Step step(roles, action, from);
   Axes at = from.machine;
   double worst = 0, last = 0;
-  along_axes_way(step, 0.002, {}, [&](const Axes& to, double part) {
+  along_axes_path(step, 0.002, {}, [&](const Axes& to, double part) {
     worst = std::max(worst, 50 - std::hypot(0.5 * (at[0] + to[0]), 0.5 * (at[1] + to[1])));
     EXPECT_GT(part, last);
     at = to, last = part;

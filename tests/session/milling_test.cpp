@@ -8,7 +8,7 @@
 #include <atomic>
 #include <limits>
 
-#include "config/control_file.h"
+#include "config/control/control_file.h"
 #include "session/milling/mill_summary.h"
 
 namespace kadr::milling_test {
@@ -16,16 +16,16 @@ namespace {
 
 const char* const zone = "from 0 0\nline 60 0\nline 60 40\nline 0 40\nclose\n";
 
-MillWish pocket() {
-  MillWish wish;
-  wish.task = "pocket";
-  wish.tool_diameter = 8;
-  wish.depth = 4;
-  return wish;
+MillRequest pocket() {
+  MillRequest request;
+  request.task = "pocket";
+  request.tool_diameter = 8;
+  request.depth = 4;
+  return request;
 }
 
-tl::expected<Milled, ContourFault> made(const MillWish& wish, const char* drawing, const area::Watch& watch = {}) {
-  return milled(wish, drawing, *load_control("mach3"), watch);
+tl::expected<Milled, DrawingFault> made(const MillRequest& request, const char* drawing, const area::Watch& watch = {}) {
+  return milled(request, drawing, *load_control("mach3"), watch);
 }
 
 TEST(Milling, APocketIsCutToItsDepthAndNoFurther) {
@@ -41,16 +41,16 @@ TEST(Milling, APocketIsCutToItsDepthAndNoFurther) {
 TEST(Milling, ValuesThatAreNoneAreTold) {
   const double nothing = std::numeric_limits<double>::quiet_NaN();
   for (const double value : {0.0, nothing, 1e300, std::numeric_limits<double>::infinity()}) {
-    MillWish wish = pocket();
-    wish.depth = value;
-    const auto program = made(wish, zone);
+    MillRequest request = pocket();
+    request.depth = value;
+    const auto program = made(request, zone);
     ASSERT_FALSE(program) << value;
     EXPECT_EQ(program.error().alarm.id, AlarmId::mill_value);
     EXPECT_EQ(program.error().line, 0U);
   }
-  MillWish wish = pocket();
-  wish.scheme = "round";
-  EXPECT_EQ(made(wish, zone).error().alarm.args[0].text(), "scheme");
+  MillRequest request = pocket();
+  request.scheme = "round";
+  EXPECT_EQ(made(request, zone).error().alarm.args[0].text(), "scheme");
 }
 
 TEST(Milling, AFaultOfTheDrawingHasItsLine) {
@@ -71,13 +71,13 @@ TEST(Milling, WhoeverWaitsMayEndIt) {
 }
 
 TEST(Milling, ALineIsASlotAsWideAsTheTool) {
-  MillWish wish = pocket();
-  wish.task = "slot";
-  const auto narrow = made(wish, "from 0 0\nline 50 0\n");
+  MillRequest request = pocket();
+  request.task = "slot";
+  const auto narrow = made(request, "from 0 0\nline 50 0\n");
   ASSERT_TRUE(narrow);
   EXPECT_EQ(narrow->shape.lines.size(), 1U);
-  wish.width = 12;
-  const auto wide = made(wish, "from 0 0\nline 50 0\n");
+  request.width = 12;
+  const auto wide = made(request, "from 0 0\nline 50 0\n");
   ASSERT_TRUE(wide);
   EXPECT_TRUE(wide->shape.lines.empty());
 }

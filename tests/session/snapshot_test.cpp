@@ -11,8 +11,8 @@ namespace {
 
 using test::Folder, test::Work, test::Written;
 
-constexpr std::size_t most_calls = 3000;  // calls of go_on()
-constexpr std::size_t most_alarms = 30;
+constexpr std::size_t max_calls = 3000;  // calls of go_on()
+constexpr std::size_t max_alarms = 30;
 
 /// What is compared, and how the session runs.
 struct Look {
@@ -47,7 +47,7 @@ class Run {
   bool opened() const { return session_ != nullptr; }
   Session& session() { return *session_; }
   /// Returns false if the run is over.
-  bool go_on() { return calls_++ < most_calls && session_->go_on() == Session::State::running; }
+  bool go_on() { return calls_++ < max_calls && session_->go_on() == Session::State::running; }
   void finish(std::size_t calls) {
     calls_ = calls;
     while (go_on()) {
@@ -63,7 +63,7 @@ class Run {
   /// The observers of the session continue too.
   void go_on_from(const Run& other) {
     alarms_ = other.alarms_;
-    for (std::size_t i = 0; i < traces_.size(); ++i) traces_[i]->go_on_behind_probe(other.traces_[i]->behind_probe());
+    for (std::size_t i = 0; i < traces_.size(); ++i) traces_[i]->go_on_behind_probe(other.traces_[i]->after_probe());
   }
 
  private:
@@ -85,7 +85,7 @@ class Run {
     outlets.warning = [this](const AlarmReport& report) { tell(report); };
     outlets.alarm = [this, look](const AlarmReport& report) {
       tell(report);
-      return look.past_alarms && ++alarms_ < most_alarms;
+      return look.past_alarms && ++alarms_ < max_alarms;
     };
   }
   void write(std::size_t i, const Step& step) {
@@ -98,7 +98,7 @@ class Run {
   }
   void last_lines() {
     for (std::size_t i = 0; i < traces_.size(); ++i) {
-      Ending ending = session_->channels()[i].control->ending();
+      FinalState ending = session_->channels()[i].control->ending();
       if (const auto& stood = session_->stopped(i).machine_stood) ending.position = stood->work, ending.machine_position = stood->machine;
       traces_[i]->finish(ending);
       told_ += std::to_string(session_->channels()[i].control->blocks()) + "\n";

@@ -29,7 +29,7 @@ TEST(SweepTimes, AreThoseOfEachSweep) {
   constexpr double exact = 1e-4;  // s
   for (int i = 0; i < 20'000; ++i) {
     const double instant = share() * now;
-    const SweepPlace place = times.at(instant);
+    const SweepProgress place = times.at(instant);
     ASSERT_LE(place.count, wanted.size());
     if (place.count > 0) {
       ASSERT_LE(wanted[place.count - 1].second, instant + exact);

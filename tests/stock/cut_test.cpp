@@ -107,7 +107,7 @@ TEST(Cut, TheProcessorsVectorsChangeNoBit) {
     for (Brick* brick : {&pair, &wide}) {
       for (BrickLines& lines : brick->family)
         for (int i = 0; i < brick_lines; ++i) lines.from[i] = 0, lines.to[i] = scale.edge, lines.from_by[i] = lines.to_by[i] = of_blank;
-      take_tops(*brick, scale.cell);
+      refresh_tops(*brick, scale.cell);
     }
     for (int i = 0; i < 5; ++i) {
       const ToolShape tool = some_tool(chance, SomeTool(chance.below(some_tools)));

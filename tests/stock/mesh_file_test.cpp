@@ -7,7 +7,7 @@
 
 #include <cstring>
 
-#include "config/told.h"
+#include "config/language.h"
 #include "stock/mesh/mesh_edges.h"
 #include "stock/mesh/stl.h"
 #include "stock/mesh/threemf.h"
@@ -112,9 +112,9 @@ TEST(mesh_file, what_is_open_is_told_with_its_place) {
   Mesh mesh = box_mesh({1, 2, 3}, {4, 5, 6});
   mesh.triangles.erase(mesh.triangles.begin() + 12, mesh.triangles.begin() + 15);  // the fifth; the second shares an edge
   EXPECT_EQ(fault_of_mesh(stl_of(mesh)), "not closed: 3 edges are open, the first at triangle 2, X1 Y2 Z3");
-  tell_in(Lang::ru);
+  set_process_language(Lang::ru);
   EXPECT_EQ(fault_of_mesh(stl_of(mesh)), "не замкнуто: открытых рёбер 3, первое у треугольника 2, X1 Y2 Z3");
-  tell_in(Lang::en);
+  set_process_language(Lang::en);
 }
 
 TEST(mesh_file, places_that_are_none) {

@@ -123,11 +123,11 @@ TEST_F(moving_bodies, what_touches_at_zero_is_built_so) {
   add(box({-200, -200, -420}, {200, 200, -400}), "C");
   add(box({-300, -300, -500}, {300, 300, -420}), "A");
   add(box({-50, -50, 0}, {50, 50, 200}), "Z");
-  const auto built = bodies->take_as_built();
+  const auto built = bodies->accept_initial_contacts();
   ASSERT_EQ(built.size(), 1U);
   EXPECT_EQ(built[0].first, 0U);
   EXPECT_EQ(built[0].second, 1U);
-  EXPECT_TRUE(bodies->take_as_built().empty());
+  EXPECT_TRUE(bodies->accept_initial_contacts().empty());
   EXPECT_TRUE(move({}, {0, 0, 0, 0, 180}).empty());
   EXPECT_EQ(move({}, {0, 0, -450}).size(), 2U);  // the head passes through the table into the body that carries it
 }

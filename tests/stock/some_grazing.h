@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "stock/some_leaning.h"
+#include "stock/some_tilted.h"
 
 namespace kadr {
 

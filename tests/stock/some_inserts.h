@@ -1,7 +1,7 @@
 #pragma once
 // Random inserts and paths for the tests of turning, and the distance of a point from the rings that the inserts sweep.
 
-#include "config/tool_library.h"
+#include "config/tools/tool_library.h"
 #include "stock/some_tools.h"
 
 namespace kadr {
@@ -41,7 +41,7 @@ inline ToolShape some_insert(Chance& chance) {
   if (chance.below(3) == 0 && g.insert.profile.empty()) g.length = g.flutes + 2;
   if (chance.below(3) == 0) g.insert.holder = {{5, -2}, {9, 3}};
   complete(g);
-  return told_fault(g).empty() ? shape_of(g) : shape_of(insert(-1, -1, 80, 0.4, 5));
+  return tool_fault_message(g).empty() ? shape_of(g) : shape_of(insert(-1, -1, 80, 0.4, 5));
 }
 
 /// Returns a path along an axis, at any slant, without motion, from far away, or across the axis.

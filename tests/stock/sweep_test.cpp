@@ -6,7 +6,7 @@
 #include <array>
 #include <cstdio>
 
-#include "stock/line_places.h"
+#include "stock/line_positions.h"
 #include "stock/some_tools.h"
 
 namespace kadr::sweep_test {
@@ -15,7 +15,7 @@ namespace {
 constexpr double permitted = 1e-3;  // mm
 const Box3 block{{-1, -1, -1}, {9, 9, 9}};
 
-std::string sweeps_told(const ToolShape& tool, const std::vector<Sweep>& sweeps, const LinePlace& p) {
+std::string sweeps_told(const ToolShape& tool, const std::vector<Sweep>& sweeps, const LinePosition& p) {
   const ToolGeometry& g = tool.geometry;
   char text[600];
   std::snprintf(text, sizeof text, "diameter %.17g corner %.17g angle %.17g tip %.17g flutes %.17g, family %d place (%.9g %.9g %.9g)",
@@ -53,7 +53,7 @@ TEST(SweepProperty, LeavesWhatLiesOutsideOfTheSweptTool) {
     for (const Sweep& s : sweeps) stock.add(s);
     stock.cut();
     for (int i = 0; i < places_of_a_sweep; ++i) {
-      const LinePlace p = some_place(stock, chance);
+      const LinePosition p = some_place(stock, chance);
       if (!within(block, p.at)) continue;
       ++looked_at;
       double distance = from_swept(tool, sweeps.front(), p.at);

@@ -6,8 +6,8 @@
 
 #include <cstdio>
 
-#include "config/tool_formats.h"
-#include "stock/line_places.h"
+#include "config/tools/tool_formats.h"
+#include "stock/line_positions.h"
 #include "stock/material_around.h"
 #include "stock/some_inserts.h"
 #include "stock/stock_samples.h"

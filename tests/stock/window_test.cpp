@@ -110,10 +110,10 @@ TEST(part_compare, of_a_window_only_what_lies_in_it) {
 
 TEST(part_compare, what_a_comparison_takes_grows_with_the_part) {
   const Mesh near = box_mesh({10, 10, -10}, {20, 20, -5}), far = box_mesh({-500, -500, -500}, {500, 500, 500});
-  EXPECT_LT(bytes_of_comparison(block, 0.5, near, HeldPart::whole), 3e5);
-  EXPECT_GT(bytes_of_comparison(block, 0.5, far, HeldPart::whole), 20 * bytes_of_comparison(block, 0.5, near, HeldPart::whole));
+  EXPECT_LT(bytes_of_comparison(block, 0.5, near, ComparedPart::whole), 3e5);
+  EXPECT_GT(bytes_of_comparison(block, 0.5, far, ComparedPart::whole), 20 * bytes_of_comparison(block, 0.5, near, ComparedPart::whole));
   // With a window the lattice keeps its size; only the number of its lines that the part can meet grows.
-  EXPECT_LT(10 * bytes_of_comparison(block, 0.5, far, HeldPart::window), bytes_of_comparison(block, 0.5, far, HeldPart::whole));
+  EXPECT_LT(10 * bytes_of_comparison(block, 0.5, far, ComparedPart::window), bytes_of_comparison(block, 0.5, far, ComparedPart::whole));
 }
 
 }  // namespace

@@ -32,15 +32,15 @@ constexpr const char* text =
     "M2\n";
 
 std::unique_ptr<ProgramRun> run_of(const std::string& program) {
-  OpeningWish wish;
-  wish.path = "instant_test.ngc";
-  wish.control = "linuxcnc";
-  wish.text = program;
-  auto opened = open_for_page(wish);
+  OpeningRequest request;
+  request.path = "instant_test.ngc";
+  request.control = "linuxcnc";
+  request.text = program;
+  auto opened = open_for_page(request);
   EXPECT_TRUE(opened) << opened.error();
   auto run = ProgramRun::make(*opened, {});
   EXPECT_TRUE(run);
-  (*run)->carry_out();
+  (*run)->execute();
   return std::move(*run);
 }
 

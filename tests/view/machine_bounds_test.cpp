@@ -10,11 +10,11 @@ namespace kadr::machine_bounds_test {
 namespace {
 
 MachineBounds bounds_of(const std::string& control, const Setup& setup) {
-  OpeningWish wish;
-  wish.path = "machine_bounds_test.nc";
-  wish.control = control;
-  wish.text = "G0 X1\nM30\n";
-  auto opened = open_for_page(wish);
+  OpeningRequest request;
+  request.path = "machine_bounds_test.nc";
+  request.control = control;
+  request.text = "G0 X1\nM30\n";
+  auto opened = open_for_page(request);
   EXPECT_TRUE(opened) << opened.error();
   opened->setup = setup;
   auto run = ProgramRun::make(*opened, {});

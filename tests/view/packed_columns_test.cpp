@@ -1,6 +1,6 @@
 // Columns of a report are unpacked exactly as they were packed, whatever numbers they contain.
 
-#include "view/packed_columns.h"
+#include "view/report/packed_columns.h"
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>

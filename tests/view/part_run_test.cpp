@@ -7,7 +7,7 @@
 
 #include <cstring>
 
-#include "config/tool_list.h"
+#include "config/tools/tool_list.h"
 #include "session/cutting/cut_cells.h"
 #include "session/cutting/cut_setup.h"
 
@@ -36,22 +36,22 @@ constexpr const char* tools = R"([{"number": 1, "kind": "flat", "diameter": 8, "
                                    "angle": 118, "flutes": 30}])";
 
 OpenedProgram opened(const std::string& program, const std::string& setup = "") {
-  OpeningWish wish;
-  wish.path = "part_run_test.nc";
-  wish.control = "mach3";
-  wish.text = program;
-  wish.setup = setup;
-  auto made = open_for_page(wish);
+  OpeningRequest request;
+  request.path = "part_run_test.nc";
+  request.control = "mach3";
+  request.text = program;
+  request.setup = setup;
+  auto made = open_for_page(request);
   EXPECT_TRUE(made) << made.error();
   return *made;
 }
 
-PartWish wish_for(const std::string& stock, double resolution = 0.5) {
-  PartWish wish;
-  wish.stock = stock;
-  wish.tools = *tools_of_list(tools);
-  wish.resolution = resolution;
-  return wish;
+PartRequest wish_for(const std::string& stock, double resolution = 0.5) {
+  PartRequest request;
+  request.stock = stock;
+  request.tools = *tools_of_list(tools);
+  request.resolution = resolution;
+  return request;
 }
 
 constexpr const char* block = "box:-10,-10,-10,60,30,0";
@@ -78,7 +78,7 @@ TEST(PartRun, AnyInstantIsAsIfCutUntilThen) {
   auto run = PartRun::make(program, wish_for(block), {});
   ASSERT_TRUE(run) << run.error();
   (*run)->on_finding = [&](const CutFinding& f, const AlarmReport&) { found.push_back(f); };
-  ASSERT_TRUE((*run)->carry_out());
+  ASSERT_TRUE((*run)->execute());
   const CutResult& result = (*run)->result();
   EXPECT_EQ(result.cell, 0.5);
   EXPECT_NEAR(result.left, left_until(program, 1e300, 0.5), 1e-6);
@@ -99,7 +99,7 @@ TEST(PartRun, WhatIsShownMayBeCoarser) {
   const OpenedProgram program = opened(text);
   auto run = PartRun::make(program, wish_for(block, 0.1), {});
   ASSERT_TRUE(run) << run.error();
-  ASSERT_TRUE((*run)->carry_out());
+  ASSERT_TRUE((*run)->execute());
   const PartThen then = (*run)->at(1e300);
   EXPECT_EQ((*run)->result().cell, 0.1);
   EXPECT_EQ(then.cell, 0.4);
@@ -111,11 +111,11 @@ TEST(PartRun, WithAccelerationsTimesAreTheMachines) {
   for (const char* axis : {"X", "Y", "Z"}) program.setup.machine[axis].acceleration = 20;
   auto run = PartRun::make(program, wish_for(block), {});
   ASSERT_TRUE(run) << run.error();
-  ASSERT_TRUE((*run)->carry_out());
+  ASSERT_TRUE((*run)->execute());
   const double whole = (*run)->result().seconds;
   const OpenedProgram programmed = opened(text);
   auto quick = PartRun::make(programmed, wish_for(block), {});
-  ASSERT_TRUE(quick && (*quick)->carry_out());
+  ASSERT_TRUE(quick && (*quick)->execute());
   EXPECT_GT(whole, (*quick)->result().seconds + 2);
   for (const double share : {0.2, 0.5, 0.8}) {
     const PartThen then = (*run)->at(share * whole);
@@ -127,7 +127,7 @@ TEST(PartRun, TheFrameSaysWhoMadeEachPoint) {
   const OpenedProgram program = opened("G21 G90\nG92 X100 Y0 Z0\nT1 M6\nS1000 M3\nG0 X0 Y0 Z5\nG1 Z-2 F200\nX40 F600\nM30\n");
   auto run = PartRun::make(program, wish_for(block), {});
   ASSERT_TRUE(run) << run.error();
-  ASSERT_TRUE((*run)->carry_out());
+  ASSERT_TRUE((*run)->execute());
   const PartThen then = (*run)->at(1e300);
   const std::string frame = (*run)->frame_of(then);
   std::uint32_t head[4];
@@ -165,7 +165,7 @@ TEST(PartRun, WhatIsRefused) {
   for (const double resolution : {1e-9, 1e9, std::nan(""), -1.0})
     EXPECT_FALSE(PartRun::make(program, wish_for(block, resolution), {})) << resolution;
   EXPECT_FALSE(PartRun::make(program, wish_for("box:0,0,0,1000,1000,1000", 0.1), {})) << "more memory than there may be";
-  PartWish fixture = wish_for(block);
+  PartRequest fixture = wish_for(block);
   fixture.fixtures = {"ball"}, fixture.fixture_names = {"ball"};
   EXPECT_FALSE(PartRun::make(program, fixture, {}));
 }
@@ -174,7 +174,7 @@ TEST(PartRun, GreatBodiesGetGreatCells) {
   const OpenedProgram program = opened(text);
   auto run = PartRun::make(program, wish_for("box:-1e5,-1e5,-1e5,1e5,1e5,1e5", 0), {});
   ASSERT_TRUE(run) << run.error();
-  ASSERT_TRUE((*run)->carry_out());
+  ASSERT_TRUE((*run)->execute());
   EXPECT_GE((*run)->result().cell, 250);
 }
 
@@ -183,16 +183,16 @@ TEST(PartRun, IsStopped) {
   const OpenedProgram program = opened(text);
   auto run = PartRun::make(program, wish_for(block), StopToken(stops));
   ASSERT_TRUE(run) << run.error();
-  EXPECT_FALSE((*run)->carry_out());
+  EXPECT_FALSE((*run)->execute());
 }
 
 TEST(PartRun, AToolWithoutShape) {
   const OpenedProgram program = opened(text);
-  PartWish wish = wish_for(block);
-  wish.tools.tools.pop_back();
-  auto run = PartRun::make(program, wish, {});
+  PartRequest request = wish_for(block);
+  request.tools.tools.pop_back();
+  auto run = PartRun::make(program, request, {});
   ASSERT_TRUE(run) << run.error();
-  const auto done = (*run)->carry_out();
+  const auto done = (*run)->execute();
   ASSERT_FALSE(done);
   EXPECT_NE(done.error().find("13"), std::string::npos) << done.error();
 }

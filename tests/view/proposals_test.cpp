@@ -4,22 +4,22 @@
 
 #include <gtest/gtest.h>
 
-#include "config/tool_list.h"
+#include "config/tools/tool_list.h"
 
 namespace kadr::proposals_test {
 namespace {
 
 std::unique_ptr<ProgramRun> run_of(const std::string& program, const std::string& control = "mach3") {
-  OpeningWish wish;
-  wish.path = "proposals_test.nc";
-  wish.control = control;
-  wish.text = program;
-  auto opened = open_for_page(wish);
+  OpeningRequest request;
+  request.path = "proposals_test.nc";
+  request.control = control;
+  request.text = program;
+  auto opened = open_for_page(request);
   EXPECT_TRUE(opened) << opened.error();
   opened->setup.offsets[5].radius = 3;
   auto run = ProgramRun::make(*opened, {});
   EXPECT_TRUE(run);
-  (*run)->carry_out();
+  (*run)->execute();
   return std::move(*run);
 }
 
@@ -53,7 +53,7 @@ TEST(Proposals, OfEachToolThatCuts) {
   EXPECT_EQ(tools[2].tool.diameter, 6) << tools[2].from;
   for (const ProposedTool& t : tools)
     if (t.known) {
-      EXPECT_EQ(told_fault(t.tool), "");
+      EXPECT_EQ(tool_fault_message(t.tool), "");
     }
 }
 

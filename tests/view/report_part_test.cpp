@@ -1,6 +1,6 @@
 // The part in a report: its points are near the remaining surface, each with its tool and line.
 
-#include "view/report_part.h"
+#include "view/report/report_part.h"
 
 #include <gtest/gtest.h>
 
@@ -12,13 +12,13 @@ namespace kadr::report_part_test {
 namespace {
 
 TEST(ReportPart, IsWhatIsLeft) {
-  OpeningWish wish;
-  wish.path = "report_part_test.ngc";
-  wish.control = "linuxcnc";
-  wish.text = "G21 G90 F600 S900 M3\nT1 M6\nG0 X-20 Y0 Z5\nG0 Z-3\nG1 X20\nG0 Z5\nM2\n";
-  const auto opened = open_for_page(wish);
+  OpeningRequest request;
+  request.path = "report_part_test.ngc";
+  request.control = "linuxcnc";
+  request.text = "G21 G90 F600 S900 M3\nT1 M6\nG0 X-20 Y0 Z5\nG0 Z-3\nG1 X20\nG0 Z5\nM2\n";
+  const auto opened = open_for_page(request);
   ASSERT_TRUE(opened) << opened.error();
-  PartWish blank;
+  PartRequest blank;
   blank.stock = "box:-10,-10,-10,10,10,0";
   blank.resolution = 0.5;
   ToolGeometry mill;
@@ -26,7 +26,7 @@ TEST(ReportPart, IsWhatIsLeft) {
   blank.tools.tools.push_back(mill);
   const auto run = PartRun::make(*opened, blank, {});
   ASSERT_TRUE(run) << run.error();
-  const auto done = (*run)->carry_out();
+  const auto done = (*run)->execute();
   ASSERT_TRUE(done) << done.error();
   ReportPart part;
   take_part(**run, part, {});

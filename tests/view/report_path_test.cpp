@@ -1,6 +1,6 @@
 // The path in a report: whole if there is room, otherwise thinned, with no more deviation than it states.
 
-#include "view/report_path.h"
+#include "view/report/report_path.h"
 
 #include <gtest/gtest.h>
 
@@ -14,15 +14,15 @@ namespace kadr::report_path_test {
 namespace {
 
 std::unique_ptr<ProgramRun> run_of(const std::string& program) {
-  OpeningWish wish;
-  wish.path = "report_path_test.ngc";
-  wish.control = "linuxcnc";
-  wish.text = program;
-  auto opened = open_for_page(wish);
+  OpeningRequest request;
+  request.path = "report_path_test.ngc";
+  request.control = "linuxcnc";
+  request.text = program;
+  auto opened = open_for_page(request);
   EXPECT_TRUE(opened) << opened.error();
   auto run = ProgramRun::make(*opened, {});
   EXPECT_TRUE(run);
-  (*run)->carry_out();
+  (*run)->execute();
   return std::move(*run);
 }
 

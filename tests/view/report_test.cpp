@@ -1,8 +1,8 @@
 // A report contains the text of a program only as base64, at its marker in the viewer.
 
-#include "view/report.h"
-
 #include <gtest/gtest.h>
+
+#include "view/report/page_report.h"
 
 namespace kadr::report_test {
 namespace {
@@ -10,15 +10,15 @@ namespace {
 constexpr const char* text = "(</script><img src=x onerror=alert(1)>)\nG21 G90 F600\nG0 X0 Y0 Z5\nG1 X20\nM2\n";
 
 tl::expected<std::string, std::string> made(std::string_view viewer, const std::string& licences) {
-  OpeningWish wish;
-  wish.path = "report_test.ngc";
-  wish.control = "linuxcnc";
-  wish.text = text;
-  const auto opened = open_for_page(wish);
+  OpeningRequest request;
+  request.path = "report_test.ngc";
+  request.control = "linuxcnc";
+  request.text = text;
+  const auto opened = open_for_page(request);
   EXPECT_TRUE(opened) << opened.error();
   const auto run = ProgramRun::make(*opened, {});
   EXPECT_TRUE(run);
-  (*run)->carry_out();
+  (*run)->execute();
   const SourceText source(OpenedText{text_source(text), Encoding::utf8});
   return report_html(viewer, {**run, source, "<b>.ngc", "1", Lang::en, {}, {}, nullptr, nullptr, licences});
 }

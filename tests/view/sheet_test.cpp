@@ -6,7 +6,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "config/setup_file.h"
+#include "config/setup/setup_file.h"
 
 namespace kadr::sheet_test {
 namespace {
@@ -43,11 +43,11 @@ struct Made {
 };
 
 Made made_of(const std::string& text, const std::string& setup) {
-  OpeningWish wish;
-  wish.path = "sheet_test.nc";
-  wish.control = "fanuc";
-  wish.text = text;
-  auto opened = open_for_page(wish);
+  OpeningRequest request;
+  request.path = "sheet_test.nc";
+  request.control = "fanuc";
+  request.text = text;
+  auto opened = open_for_page(request);
   EXPECT_TRUE(opened) << opened.error();
   if (!setup.empty()) {
     auto read = read_setup({{"setup", setup}}, opened->def.get(), Lang::en);
@@ -56,7 +56,7 @@ Made made_of(const std::string& text, const std::string& setup) {
   }
   auto run = ProgramRun::make(*opened, {});
   EXPECT_TRUE(run);
-  (*run)->carry_out();
+  (*run)->execute();
   return {std::move(*run), std::make_unique<SourceText>(OpenedText{text_source(text), Encoding::utf8})};
 }
 

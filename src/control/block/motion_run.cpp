@@ -20,11 +20,11 @@ bool only_words_count(const Emitter& m) {
   const Modal& modal = m.modal;
   const bool plain_modes = !modal.inch && !modal.polar && modal.surface == PathSurface::plane && modal.diameter == 0 &&
                            modal.feeds_of_axes == 0 && modal.feed_mode != FeedMode::inverse_time;
-  const bool uncompensated = modal.radius_side == 0 && modal.contour == ContourPhase::off;
+  const bool uncompensated = modal.radius_side == 0 && modal.contour == CompensationPhase::off;
   const bool plain_frames = m.transform.identity && m.frames.is_plain();
   const bool unwatched = !m.use.watches() && !m.each_block && (m.on_block == nullptr || !*m.on_block);
   const bool in_program = !m.program().in_body() && m.program().started() && !m.skipping_section && !m.cycling() && m.cycle_memory.row < 0;
-  return plain_modes && uncompensated && plain_frames && unwatched && in_program && m.unserved == 0 && m.unplaced == 0 &&
+  return plain_modes && uncompensated && plain_frames && unwatched && in_program && m.unsupported == 0 && m.unknown_position == 0 &&
          m.dialect->lines_follow(m);
 }
 
@@ -106,7 +106,7 @@ Motion& Emitter::add_motion_as(const MotionModes& modes, AxisMask named) {
 }
 
 void MotionRun::note(const Emitter& m) {
-  if (m.modal.radius_side != 0 || m.modal.contour != ContourPhase::off)
+  if (m.modal.radius_side != 0 || m.modal.contour != CompensationPhase::off)
     return end();  // the cheapest test comes first; cutter compensation mostly stays on for many blocks
   const Block& block = *m.block;
   if (block.statement.kind != StatementKind::none) {
@@ -165,7 +165,7 @@ const MotionRun::Form& MotionRun::form_of(const BlockContext& m, const Block& bl
 /// Returns true if the block consists of axis words, each axis once, and at most one motion code, codes that change nothing, an arc
 /// centre and a feed.
 bool MotionRun::make(const BlockContext& m, const Block& block, Form& form) const {
-  constexpr double most_value = 1e9;  // as Interpreter::check_ranges
+  constexpr double max_value = 1e9;  // as Interpreter::check_ranges
   for (std::uint32_t i = 0; i < block.word_count; ++i) {
     const Word& w = block.words[i];
     if (w.code >= 0) {
@@ -176,10 +176,10 @@ bool MotionRun::make(const BlockContext& m, const Block& block, Form& form) cons
     const AddressRow& row = m.def.address(w.address);
     if (row.whole) return false;
     const Slot slot{
-        static_cast<std::uint8_t>(i),  row.axis, row.function == Function::increment_axis, row.scale, std::max(row.least, -most_value),
-        std::min(row.most, most_value)};
+        static_cast<std::uint8_t>(i), row.axis, row.function == Function::increment_axis, row.scale, std::max(row.least, -max_value),
+        std::min(row.most, max_value)};
     if ((m.letters.axes & letter_bit(w.address)) != 0) {
-      if (form.axes == most_words || (form.named >> row.axis & 1u) != 0) return false;
+      if (form.axes == max_words || (form.named >> row.axis & 1u) != 0) return false;
       form.named |= AxisMask{1} << row.axis;
       form.slots[form.axes++] = slot;
     } else if (row.function == Function::feed_word) {
@@ -271,7 +271,7 @@ bool MotionRun::take(Interpreter& m) {
   const Block& block = *m.block;
   if (block.statement.kind != StatementKind::none) {
     if (!is_read_again(block) || !keeps_modes(block) || !number_fits(block)) return false;
-    m.carry_out_statement();
+    m.execute_statement();
     return true;
   }
   if (sets_variables_only(block)) return is_read_again(block) && number_fits(block) && m.assign_again();
@@ -281,7 +281,7 @@ bool MotionRun::take(Interpreter& m) {
   if (block.skip != 0 || block.marker != Marker::none || block.altered) return refused();
   const Form& form = form_of(m, block);
   if (form.calls) {
-    const bool done = form.call != no_word && is_read_again(block) && number_fits(block) && m.carry_out_call(form.call);
+    const bool done = form.call != no_word && is_read_again(block) && number_fits(block) && m.execute_call(form.call);
     if (done && !stays_after_call(m)) end();
     return done;
   }
@@ -316,7 +316,7 @@ bool MotionRun::take(Interpreter& m) {
     const auto a = static_cast<std::size_t>(__builtin_ctz(rest));
     m.position.programmed[a] = to[a];
   }
-  m.place_plainly(named);
+  m.set_plain_position(named);
   if (form.row >= 0) {
     m.modal.motion = mode_made[kind];
     m.modal.motion_row = m.modal.rows[m.def.codes[static_cast<std::size_t>(row)].group] = row;

@@ -12,7 +12,7 @@
 #include "base/vec.h"
 #include "control/block/arc.h"
 #include "control/block/plan.h"
-#include "control/state/state.h"
+#include "control/state/control_state.h"
 #include "lang/block/block.h"
 
 namespace kadr {
@@ -38,7 +38,7 @@ class MotionRun {
     end();
     return false;
   }
-  static constexpr std::size_t most_words = 8, forms = 16, most_codes = 4;
+  static constexpr std::size_t max_words = 8, forms = 16, most_codes = 4;
   /// The motion codes, as indices of rows_ and modes_.
   enum Kind : std::uint8_t { rapid, linear, arc_cw, arc_ccw, kinds };
 
@@ -64,7 +64,7 @@ class MotionRun {
     bool centered = false;
     Slot feed;
     std::array<Slot, 3> center;  // words of the arc centre, by axis
-    std::array<Slot, most_words> slots;
+    std::array<Slot, max_words> slots;
   };
   void begin(const Emitter& m, const Form& form);
   const Form& form_of(const BlockContext& m, const Block& block);

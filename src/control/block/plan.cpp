@@ -174,7 +174,7 @@ class BlockPlanner {
     return {};
   }
 
-  /// Recognises blocks that change little and can be undone cheaply (Interpreter::keep_little).
+  /// Recognises blocks that change little and can be undone cheaply (Interpreter::keep_simple_state).
   void note_kind() {
     plan_.moves_and_feeds = plan_.calls_only = true;
     for (std::uint32_t i = 0; i < plan_.count; ++i) {
@@ -255,7 +255,7 @@ class BlockPlanner {
 
 LetterSets::LetterSets(const ControlDef& def) {
   axis_of.fill(-1);
-  for (std::size_t i = 0; i < most_addresses; ++i) {
+  for (std::size_t i = 0; i < max_addresses; ++i) {
     const AddressRow& row = def.addresses[i];
     const std::uint64_t bit = std::uint64_t{1} << i;
     switch (row.function) {

@@ -6,8 +6,8 @@
 #include <cstdint>
 
 #include "base/result.h"
-#include "config/control_def.h"
-#include "control/state/state.h"
+#include "config/control/control_def.h"
+#include "control/state/control_state.h"
 #include "lang/block/block.h"
 
 namespace kadr {
@@ -39,9 +39,9 @@ struct LetterSets {
   std::uint64_t centers = 0;
   std::uint64_t acting = 0;  // addresses that act by themselves: F, S, T, …
   std::uint64_t codes = 0;
-  std::uint64_t spindles = 0;                         // words that select a spindle (nct)
-  std::array<std::int8_t, most_addresses> axis_of{};  // axis index of an axis or centre letter; -1 for other letters
-  std::array<char, max_axes> center_letter{};         // by axis
+  std::uint64_t spindles = 0;                        // words that select a spindle (nct)
+  std::array<std::int8_t, max_addresses> axis_of{};  // axis index of an axis or centre letter; -1 for other letters
+  std::array<char, max_axes> center_letter{};        // by axis
   std::array<char, max_axes> axis_letter{};
   explicit LetterSets(const ControlDef& def);
 };

@@ -6,7 +6,7 @@
 namespace kadr {
 
 /// Returns the location of the letter of the block's label; the location of the whole block if the label is written with another letter.
-Span Interpreter::label_place() const {
+Span Interpreter::label_span() const {
   const std::size_t from = block->has_number ? block->number_where.end : block->where.begin;
   const std::size_t at = block->text.find(def.grammar.label_address, from);
   if (at >= block->where.end) return block->where;
@@ -37,7 +37,7 @@ Status Interpreter::structure() {
       return {};
     case Marker::label:
       if (def.behaviour.label_is_number && flow.blocks() != start_block + 1)  // spec/gost 1: `%`, then `O0001`
-        return fail(alarm(AlarmId::program_number_place, label_place(), double(block->label)));
+        return fail(alarm(AlarmId::program_number_place, label_span(), double(block->label)));
       if (def.grammar.programs_by_label) KADR_TRY(next_program());
       if (flow.ended()) return {};
       dialect->note_line(*this);

@@ -7,14 +7,14 @@
 
 #include "base/tolerance.h"
 #include "control/interpreter.h"
-#include "control/reading.h"
+#include "control/variable_reader.h"
 #include "lang/expression/expression.h"
 
 namespace kadr {
 
 /// Computes the value of a word written as an expression; a word with a vacant value counts as not written (nct 23.1.6).
 Status Interpreter::evaluate_word(Word& w) {
-  const auto result = evaluate(*block, w.expression, Reading{*this});
+  const auto result = evaluate(*block, w.expression, VariableReader{*this});
   if (!result) return fail(result.error());
   w.value = *result;
   w.address = w.written;
@@ -51,12 +51,12 @@ Result<double> Emitter::value_of(std::string_view expression) {
   if (!compiled) return fail(compiled.error());
   cursor.skip_blanks();
   if (cursor.at < text.size()) return wrong(cursor.at);
-  return kadr::evaluate(looked_at, *compiled, Reading{*this});
+  return kadr::evaluate(looked_at, *compiled, VariableReader{*this});
 }
 
 /// Resolves AX[n]=…: finds the axis of the channel that has this control-wide number (nct 23.2.12).
 Status Interpreter::find_axis(Word& w) {
-  const auto number = evaluate(*block, w.axis, Reading{*this});
+  const auto number = evaluate(*block, w.axis, VariableReader{*this});
   if (!number) return fail(number.error());
   for (std::size_t a = 0; a < axis_count; ++a)
     if (def.axis_numbers[a] == *number) {
@@ -96,9 +96,9 @@ void BlockContext::note_addresses() {
 Status Interpreter::assign() {
   assigned_.clear();
   for (const Assignment& a : block->assignments) {
-    const auto target = evaluate(*block, a.target, Reading{*this});
+    const auto target = evaluate(*block, a.target, VariableReader{*this});
     if (!target) return fail(target.error());
-    const auto value = evaluate(*block, a.value, Reading{*this});
+    const auto value = evaluate(*block, a.value, VariableReader{*this});
     if (!value) return fail(value.error());
     assigned_.push_back(*target);
     assigned_.push_back(*value);
@@ -108,7 +108,7 @@ Status Interpreter::assign() {
       variables.set_parameter(static_cast<int>(assigned_[2 * i]), assigned_[2 * i + 1]);
     else KADR_TRY(dialect->write_variable(*this, assigned_[2 * i], assigned_[2 * i + 1], block->assignments[i].where));
   }
-  if (variables.take_frames_changed()) change_frames();
+  if (variables.consume_frames_changed()) change_frames();
   return {};
 }
 
@@ -118,7 +118,7 @@ Status Interpreter::assign_alone() {
   Status done = assign();
   if (done) return done;
   journal.undo();
-  (void)variables.take_frames_changed();
+  (void)variables.consume_frames_changed();
   return done;
 }
 

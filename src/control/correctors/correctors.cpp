@@ -20,7 +20,7 @@ using correctors::PocketCycle;
 namespace {
 
 constexpr std::size_t corrected_axes = 3;  // X, Y, Z
-constexpr double most_rounds = 1e6;        // maximum number of rounds (closed paths) of a pocket; more is a mistake in K or I
+constexpr double max_rounds = 1e6;         // maximum number of rounds (closed paths) of a pocket; more is a mistake in K or I
 
 /// The axes and the corrector that an L word names.
 struct Named {
@@ -62,7 +62,7 @@ double tool_radius(BlockContext& m) {
 /// floor of a larger one. Anywhere else, as far as the program shows, the rapid down to the clearance would enter the workpiece.
 void warn_above_solid(Emitter& m, Span where, const Axes& middle) {
   correctors::Correctors& own = correctors_of(m);
-  constexpr std::size_t most_pockets = 1000;
+  constexpr std::size_t max_pockets = 1000;
   const PocketCut now = {{middle[0], middle[1]}, {own.pocket.x / 2, own.pocket.y / 2}, middle[2], middle[2] + own.pocket.z};
   bool deeper = false, begun = false;
   for (const PocketCut& cut : own.pockets_cut) {
@@ -72,7 +72,7 @@ void warn_above_solid(Emitter& m, Span where, const Axes& middle) {
     begun = begun || (inside && cut.floor <= now.face + tol::same_point);
   }
   if (deeper && !begun) m.warn(warning(AlarmId::pocket_above_solid, where, now.face));
-  if (own.pockets_cut.size() < most_pockets) own.pockets_cut.push_back(now);
+  if (own.pockets_cut.size() < max_pockets) own.pockets_cut.push_back(now);
 }
 
 }  // namespace
@@ -99,7 +99,7 @@ void Correctors::keep(BlockContext&) {
   kept_ = true;
 }
 
-void Correctors::take_back(BlockContext&) {
+void Correctors::undo_block(BlockContext&) {
   if (!kept_) return;
   pocket = before_.pocket;
   applied = before_.applied;
@@ -177,7 +177,7 @@ Status corrector_cancel(Emitter& m, const Call& call) {
 Status pocket_define(Emitter& m, const Call& call) {
   for (const char letter : {'X', 'Y', 'Z', 'R', 'I', 'J', 'K'})
     if (!m.has(letter)) return fail(alarm(AlarmId::word_missing, call.where, letter, call.row->code));
-  constexpr double most_stepover = 40;  // % of the tool's diameter (spec/correctors 3)
+  constexpr double max_stepover = 40;  // % of the tool's diameter (spec/correctors 3)
   PocketCycle p;
   p.defined = true;
   p.x = m.value('X');
@@ -189,8 +189,8 @@ Status pocket_define(Emitter& m, const Call& call) {
   p.direction = m.value('J');
   p.pass = m.value('K');
   p.feed = m.value('F');
-  if (!(p.stepover > 0 && p.stepover <= most_stepover))
-    return fail(alarm(AlarmId::stepover_out_of_range, m.where('I'), p.stepover, most_stepover));
+  if (!(p.stepover > 0 && p.stepover <= max_stepover))
+    return fail(alarm(AlarmId::stepover_out_of_range, m.where('I'), p.stepover, max_stepover));
   if (std::fabs(p.direction) != 1) return fail(alarm(AlarmId::value_out_of_range, m.where('J'), 'J', p.direction));
   if (!(p.pass > 0)) return fail(alarm(AlarmId::value_out_of_range, m.where('K'), 'K', p.pass));
   if (!(p.z < 0)) return fail(alarm(AlarmId::value_out_of_range, m.where('Z'), 'Z', p.z));
@@ -212,7 +212,7 @@ Status pocket_run(Emitter& m, const Call& call) {
   const auto rounds = correctors::PocketRounds::of(pocket, radius, call.where);
   if (!rounds) return fail(rounds.error());
   const double all = rounds->count() * correctors::PocketRun::passes(pocket);
-  if (!(all <= most_rounds)) return fail(alarm(AlarmId::pocket_too_long, call.where, all));
+  if (!(all <= max_rounds)) return fail(alarm(AlarmId::pocket_too_long, call.where, all));
   if (pocket.feed > 0) m.modal.feed = pocket.feed;
   KADR_TRY(m.feed_known(call.where));
   Axes middle;

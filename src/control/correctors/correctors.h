@@ -36,7 +36,7 @@ class Correctors final : public Dialect, public Memory {
   BlockChanges changes_of(const BlockContext& m, const Plan& plan) const override;
   void keep(BlockContext& m) override;
   void begin_block(Emitter& m) override;
-  void take_back(BlockContext& m) override;
+  void undo_block(BlockContext& m) override;
 
   std::shared_ptr<const DialectState> snapshot() const override;
   Status restore(BlockContext& m, const DialectState& from) override;

@@ -50,7 +50,7 @@ class PocketRounds {
 std::array<PocketPiece, 9> pieces_of(const PocketRound& round, double direction);
 
 /// Executes the canned cycle one round at a time: constant memory for any pocket.
-class PocketRun final : public RunningValue<PocketRun> {
+class PocketRun final : public SteppedCycleValue<PocketRun> {
  public:
   /// middle: programmed coordinates; its Z is the face of the pocket
   PocketRun(const PocketCycle& pocket, const PocketRounds& rounds, const Axes& middle)

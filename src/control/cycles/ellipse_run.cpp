@@ -12,7 +12,7 @@
 namespace kadr {
 namespace {
 
-constexpr double most_chords = 1e6;
+constexpr double max_chords = 1e6;
 
 }  // namespace
 
@@ -25,7 +25,7 @@ void EllipseRun::start(const Job& job) {
   // from the ellipse is no larger.
   const double ratio = std::min(tol::ellipse_chord / std::max(radius, tol::ellipse_chord), 1.0);
   const double step_deg = 2 * std::acos(1 - ratio) / rad_per_deg;
-  pieces_ = static_cast<std::uint32_t>(std::clamp(std::ceil(std::fabs(job.sweep_deg) / step_deg), 1.0, most_chords));
+  pieces_ = static_cast<std::uint32_t>(std::clamp(std::ceil(std::fabs(job.sweep_deg) / step_deg), 1.0, max_chords));
 }
 
 Status EllipseRun::next(Emitter& m) {

@@ -5,7 +5,7 @@
 #include <cstdint>
 
 #include "base/result.h"
-#include "config/control_def.h"
+#include "config/control/control_def.h"
 #include "control/control.h"
 #include "lang/block/block.h"
 
@@ -67,9 +67,9 @@ class BlockDialect {
   virtual Status after_block(Interpreter& m);
   /// Saves the dialect's own data before a block that may change anything.
   virtual void keep(BlockContext& m);
-  /// take_back() restores the dialect's own data after a faulty block; taken_back() follows when everything else is restored too.
-  virtual void take_back(BlockContext& m);
-  virtual void taken_back(Emitter& m);
+  /// undo_block() restores the dialect's own data after a faulty block; block_undone() follows when everything else is restored too.
+  virtual void undo_block(BlockContext& m);
+  virtual void block_undone(Emitter& m);
   /// Executes comments that have an effect, before the block's words.
   virtual Status comments(Emitter& m);
   /// Called if a subprogram of the program has the number of a called canned cycle,

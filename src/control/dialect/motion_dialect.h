@@ -59,7 +59,7 @@ class MotionDialect {
   virtual SurfaceSpeed surface_speed(const BlockContext& m) const;
   /// True if its drilling cycles only emit their motions and call no other function of the dialect.
   virtual bool drills_plainly() const { return false; }
-  virtual Status take_answer(Emitter& m, const ProbeAnswer& answer);
+  virtual Status accept_answer(Emitter& m, const ProbeAnswer& answer);
 };
 
 }  // namespace kadr

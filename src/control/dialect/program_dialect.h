@@ -9,11 +9,11 @@
 
 #include "base/result.h"
 #include "base/vec.h"
-#include "config/setup.h"
-#include "config/setup_file.h"
-#include "config/state_file.h"
+#include "config/setup/setup.h"
+#include "config/setup/setup_file.h"
+#include "config/state/state_file.h"
 #include "control/control.h"
-#include "control/dialect/machine_side.h"
+#include "control/dialect/machine_interface.h"
 
 namespace kadr {
 
@@ -37,7 +37,7 @@ class ProgramDialect {
   ///   alarms  file_write: a file that the program was writing cannot be continued
   virtual Status restore(BlockContext& m, const DialectState& from);
   /// The interface for the machine; nullptr if the control models no machine with logic, operator or parameters.
-  virtual MachineSide* machine_side() { return nullptr; }
+  virtual MachineInterface* machine_interface() { return nullptr; }
   /// The files that the program has written: path, size in bytes.
   virtual const WrittenFiles& files_written() const;
   /// Called at power-on. Returns true if the dialect has set the initial modes itself, in place of the power-on codes in the control's

@@ -17,7 +17,7 @@ class VariableDialect {
   virtual ~VariableDialect() = default;
 
   /// Adds the variables that have a value, and the variables named in `watch`, to the report at the end of the program.
-  virtual void add_variables(Emitter& m, Ending& ending, const std::vector<std::string>& watch);
+  virtual void add_variables(Emitter& m, FinalState& ending, const std::vector<std::string>& watch);
   virtual Result<double> read_variable(Emitter& m, double number, Span where) const;
   /// Executes #n=… on a control without levels of local variables.
   virtual Status write_variable(BlockContext& m, double number, double value, Span where);

@@ -35,7 +35,7 @@ class Fanuc : public MacroB, public fanuc::Memory {
   // ---- undoing a faulty block
   void begin_block(Emitter& m) override;
   void keep_all() override;
-  void take_back(BlockContext& m) override;
+  void undo_block(BlockContext& m) override;
 
   // ---- snapshot
   std::shared_ptr<const DialectState> snapshot() const override;
@@ -46,9 +46,9 @@ class Fanuc : public MacroB, public fanuc::Memory {
   const SpindleState& spindle(int number) const { return state.spindles[static_cast<std::size_t>(number)]; }
   /// Returns the present speed of the main spindle, rev/min; 0 if the spindle does not turn.
   double spindle_rpm(const Emitter& m) const;
-  /// Returns how G96, G97 determine the speed of the main spindle (11.5). tell_surface_speed() emits this whenever it changes.
+  /// Returns how G96, G97 determine the speed of the main spindle (11.5). emit_surface_speed() emits this whenever it changes.
   SurfaceSpeed surface_speed(const BlockContext& m) const override;
-  void tell_surface_speed(Emitter& m) const;
+  void emit_surface_speed(Emitter& m) const;
   double css_rpm(const Emitter& m) const;
 
   // ---- what the machine reports
@@ -86,7 +86,7 @@ class Fanuc : public MacroB, public fanuc::Memory {
   Axes shift_of_origin(const BlockContext& m) const override;
   bool zero_may_move() const override { return true; }
   void roll(const BlockContext& m, Axes& positions) const override;
-  Status take_answer(Emitter& m, const ProbeAnswer& at) override;
+  Status accept_answer(Emitter& m, const ProbeAnswer& at) override;
   Status machine_code(Interpreter& m, const Call& call) override;
   /// Executes an M code of a spindle (indexing, closing the position loop); passes any other code to the machine's logic.
   Status spindle_machine_code(Emitter& m, int code, Span where);
@@ -96,7 +96,7 @@ class Fanuc : public MacroB, public fanuc::Memory {
   void keep_cycles() override { interrupted_cycles = {state.drilling, state.turning}; }
   void bring_cycles_back() override;
   std::size_t open_contours() const override { return finishing.size(); }
-  bool take_touched_tables() override;
+  bool consume_touched_tables() override;
   std::optional<double> table_value(Emitter& m, const FoundVariable& variable) const override;
   Result<bool> write_table(Emitter& m, const FoundVariable& variable, double value, Span where) override;
 
@@ -122,7 +122,7 @@ class Fanuc : public MacroB, public fanuc::Memory {
   void reset_codes(Interpreter& m, bool keep);
   void stop_machine(Interpreter& m);
 
-  Volatile before_;                        // the state that keep_all() has saved
+  UndoableState before_;                   // the state that keep_all() has saved
   std::array<Axes, 5> setup_reference_{};  // reference points that the set-up itself states; those of the parameters are not included
 };
 
@@ -134,7 +134,7 @@ struct FanucState : MacroState {
 };
 
 /// Returns the number of rows of the offset table: N1400; if N1400 is not set, the number of rows that variables can address (15.1).
-std::uint32_t most_offsets(const BlockContext& m);
+std::uint32_t max_offsets(const BlockContext& m);
 /// Finds the axes that the machine converts spindles to (11.8), as far as events in the set-up state such conversions.
 void find_spindle_axes(BlockContext& m, const Setup& setup);
 /// Warns if one of the named axes is moved while it turns as a spindle.

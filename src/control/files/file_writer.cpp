@@ -42,7 +42,7 @@ Status FileWriter::open(const Wanted& wanted) {
   const bool is_there = place.what == There::file || made_.count(same) != 0;
   if (is_there && !rule.takes_existing) return bad(wanted.exists);
   if (!is_there && !rule.creates) return bad(wanted.missing);
-  if (files_.size() >= options_.most_files && !files_.contains(place.path)) return bad(AlarmId::file_write);
+  if (files_.size() >= options_.max_files && !files_.contains(place.path)) return bad(AlarmId::file_write);
 
   if (options_.writing == OutputWriting::files) {
     const Result<int> opened = open_regular(place, rule, wanted.shown, options_.untouched);
@@ -72,8 +72,8 @@ Status FileWriter::write(std::string_view bytes) {
       const ssize_t count = ::write(file_, rest.data(), rest.size());
       if (count < 0 && errno == EINTR) continue;
       if (count <= 0) {
-        const bool taken_back = before >= 0 && ::ftruncate(file_, before) == 0 && ::lseek(file_, before, SEEK_SET) == before;
-        static_cast<void>(taken_back);  // if truncating the file back fails too, the alarm is the same
+        const bool block_undone = before >= 0 && ::ftruncate(file_, before) == 0 && ::lseek(file_, before, SEEK_SET) == before;
+        static_cast<void>(block_undone);  // if truncating the file back fails too, the alarm is the same
         return bad();
       }
       rest.remove_prefix(static_cast<std::size_t>(count));
@@ -97,7 +97,7 @@ FileWriter::Memory FileWriter::memory() const {
   return {open_, path_, static_cast<std::uint64_t>(std::max<off_t>(size, 0)), written_, made_, files_};
 }
 
-Status FileWriter::remember(const Memory& memory) {
+Status FileWriter::resume_from(const Memory& memory) {
   constexpr FileMode goes_on = {.creates = false, .takes_existing = true, .appends = true};
   const bool reopens = memory.open && options_.writing == OutputWriting::files;
   int file = -1;

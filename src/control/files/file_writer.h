@@ -29,8 +29,8 @@ struct OutputOptions {
   std::string root = ".";                       // folder of the program memory; may itself be a symbolic link
   std::uint64_t most = std::uint64_t{1} << 30;  // maximum number of bytes that one run may write to all files together
   OutputWriting writing = OutputWriting::files;
-  FileSet untouched{};              // files of the run itself: its state, trace, set-up
-  std::size_t most_files = 10'000;  // maximum number of files that one run may write
+  FileSet untouched{};             // files of the run itself: its state, trace, set-up
+  std::size_t max_files = 10'000;  // maximum number of files that one run may write
 };
 
 /// Returns true for a part of a path that every system accepts as a file name: not hidden, not a device, no blank or dot at its end.
@@ -80,7 +80,7 @@ class FileWriter {
   Memory memory() const;
   /// Continues the file that was open at the snapshot, without what was printed to the file since. All other files stay as they are.
   ///   alarms   file_write (path): the file is missing, is shorter than it was, or may not be written
-  Status remember(const Memory& memory);
+  Status resume_from(const Memory& memory);
 
   /// All files written in the run: path from the root, bytes.
   const std::map<std::string, std::uint64_t>& files() const { return files_; }

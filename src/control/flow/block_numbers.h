@@ -7,7 +7,7 @@
 #include <optional>
 #include <vector>
 
-#include "base/stop.h"
+#include "base/stop_token.h"
 #include "lang/block/block_reader.h"
 
 namespace kadr {

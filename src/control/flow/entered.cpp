@@ -14,7 +14,7 @@ Flow::Mark Flow::mark() const {
 
 void Flow::unread(const Mark& before) {
   BlockReader& reader = now_.reader == 1 ? *bodies_ : files_[now_.reader]->reader();
-  reader.remember(before.memory);
+  reader.resume_from(before.memory);
   go_to(now_.reader, before.position);
   now_.blocks = before.blocks;
   now_.repeated = before.repeated;

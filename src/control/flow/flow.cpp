@@ -11,7 +11,7 @@
 namespace kadr {
 namespace {
 
-constexpr std::size_t most_labels = 100'000;  // maximum number of subprograms in one file
+constexpr std::size_t max_labels = 100'000;  // maximum number of subprograms in one file
 
 /// Returns the grammar of the cycle bodies, which have neither block numbers nor the sign % nor ПС at the end of blocks.
 Grammar grammar_of_bodies(const Grammar& program) {
@@ -268,7 +268,7 @@ void Flow::make_index() {
     } else if (block->marker == Marker::label) {
       name = block->label;
     }
-    if (!name || labels_.size() >= most_labels) continue;
+    if (!name || labels_.size() >= max_labels) continue;
     auto [label, added] = labels_.try_emplace(*name, Label{block->position.offset == at.offset ? at : block->position, false, false});
     if (!added) label->second.twice = true;
   }

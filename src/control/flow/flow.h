@@ -8,10 +8,10 @@
 #include <string>
 #include <vector>
 
-#include "config/control_def.h"
+#include "config/control/control_def.h"
 #include "control/flow/program_file.h"
+#include "control/state/control_state.h"
 #include "control/state/run_limits.h"
-#include "control/state/state.h"
 #include "lang/block/block_reader.h"
 
 namespace kadr {
@@ -31,7 +31,7 @@ struct CallFrame {
   Origin caller;
   std::uint16_t work_zero = 0;  // work offset of the caller (2С42: restored on return)
   Axes zero_shift{};
-  std::int16_t zero_row = -1;
+  std::int16_t work_offset_row = -1;
   std::array<std::int16_t, 3> then{-1, -1, -1};  // code rows of the calling block that are executed on return: M17, M20, M2
   // nct
   std::uint8_t modal_calls = 0;   // number of modal macro calls in force in the caller (23.3.2)
@@ -108,7 +108,7 @@ class Flow {
   Memory memory() const;
   /// Continues from the state stored in `memory`.
   ///   alarms  file_missing: a file that had been called is missing now; nothing has changed
-  Status remember(const Memory& memory);
+  Status resume_from(const Memory& memory);
 
   // ---- jumps
   /// Open calls and the position in the program: these a faulty block may have changed.
@@ -189,9 +189,9 @@ class Flow {
   /// True once a block that begins with '%' has been read.
   bool started() const { return now_.started; }
   void set_started(bool started) { now_.started = started; }
-  /// Records that the warnings of a kept block were reported: see ProgramFile::note_told.
-  void note_told(const Block& block) {
-    if (now_.reader != 1) files_[now_.reader]->note_told(block);
+  /// Records that the warnings of a kept block were reported: see ProgramFile::note_warned.
+  void note_warned(const Block& block) {
+    if (now_.reader != 1) files_[now_.reader]->note_warned(block);
   }
   std::uint64_t blocks() const { return now_.blocks; }
   std::uint64_t repeated() const { return now_.repeated; }  // blocks executed again: after a jump back, in a call, in another pass

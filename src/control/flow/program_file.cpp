@@ -17,7 +17,7 @@ namespace {
 std::pair<StatementKind, std::uint8_t> damaged_loop(std::string_view text) {
   std::string capitals(text.substr(0, text.find('(')));
   for (char& c : capitals) c = to_upper(c);
-  const auto number_behind = [&](std::string_view word) -> std::uint8_t {
+  const auto number_after = [&](std::string_view word) -> std::uint8_t {
     for (std::size_t at = capitals.find(word); at != std::string::npos; at = capitals.find(word, at + 1)) {
       const std::size_t digit = capitals.find_first_not_of(' ', at + word.size());
       if (digit != std::string::npos && capitals[digit] >= '1' && capitals[digit] <= '3')
@@ -25,8 +25,8 @@ std::pair<StatementKind, std::uint8_t> damaged_loop(std::string_view text) {
     }
     return 0;
   };
-  if (const std::uint8_t m = number_behind("DO"); m != 0) return {StatementKind::loop, m};
-  if (const std::uint8_t m = number_behind("END"); m != 0) return {StatementKind::loop_end, m};
+  if (const std::uint8_t m = number_after("DO"); m != 0) return {StatementKind::loop, m};
+  if (const std::uint8_t m = number_after("END"); m != 0) return {StatementKind::loop_end, m};
   return {capitals.find("WHILE") == std::string::npos ? StatementKind::none : StatementKind::loop, 0};
 }
 
@@ -50,7 +50,7 @@ Result<BlockReader::Got> ProgramFile::next(Block*& block) {
   const Position at = memory_.keeps ? reader_.position() : Position();
   block = &in_hand_;
   auto got = reader_.next(in_hand_);
-  if (memory_.keeps && got && *got == BlockReader::Got::block && kept_.size() < most_kept) block = keep(at);
+  if (memory_.keeps && got && *got == BlockReader::Got::block && kept_.size() < max_kept) block = keep(at);
   else last_ = nullptr;
   return got;
 }
@@ -96,7 +96,7 @@ std::optional<Position> ProgramFile::find_number(std::uint32_t number, Position 
   if (const auto known = numbers_.find(key); known != numbers_.end()) return known->second;
   const Extent in = extent_of(from);
   const auto found = search(number, from, in);
-  if (found && !index_ && numbers_.size() < most_loops) numbers_.emplace(key, *found);
+  if (found && !index_ && numbers_.size() < max_loops) numbers_.emplace(key, *found);
   return found;
 }
 
@@ -104,7 +104,7 @@ std::optional<Position> ProgramFile::find_number(std::uint32_t number, Position 
 std::optional<Position> ProgramFile::search(std::uint32_t number, Position from, const Extent& in) {
   auto found = scan(number, from, in.end);
   if (!found) found = scan(number, in.begin, from);
-  if (found || !index_possible_ || searched_ < most_searched || stop_.asked()) return found;
+  if (found || !index_possible_ || searched_ < max_searched || stop_.asked()) return found;
   index_.emplace();
   index_possible_ = index_->make(scanner(), stop_);
   if (index_possible_) {
@@ -170,7 +170,7 @@ void ProgramFile::find_programs() {
   auto block = std::make_unique<Block>();
   for (;;) {
     const auto got = reader.next(*block);
-    if ((got && *got == BlockReader::Got::end) || programs_->size() >= most_loops || stop_.asked()) return;
+    if ((got && *got == BlockReader::Got::end) || programs_->size() >= max_loops || stop_.asked()) return;
     if (block->marker == Marker::label) programs_->push_back({block->position, block->label});
   }
 }
@@ -182,7 +182,7 @@ std::optional<Position> ProgramFile::scan(std::uint32_t number, Position from, P
   bool in_data = false;
   for (;;) {
     const Position at = reader.position();
-    if (std::tie(at.offset, at.nth) >= std::tie(to.offset, to.nth) || stop_.asked() || (index_possible_ && searched_ >= most_searched))
+    if (std::tie(at.offset, at.nth) >= std::tie(to.offset, to.nth) || stop_.asked() || (index_possible_ && searched_ >= max_searched))
       return std::nullopt;
     const auto got = reader.next(*block);
     ++searched_;
@@ -219,7 +219,7 @@ void ProgramFile::find_loops() {
     StatementKind kind = block->statement.kind;
     std::uint8_t m = block->statement.loop;
     if (!got) std::tie(kind, m) = damaged_loop(block->text);
-    if ((kind != StatementKind::loop && kind != StatementKind::loop_end) || loops_.size() >= most_loops) continue;
+    if ((kind != StatementKind::loop && kind != StatementKind::loop_end) || loops_.size() >= max_loops) continue;
     const auto same = [&](std::size_t i) { return loops_[i].number == m || loops_[i].number == 0; };
     const auto nearest = std::find_if(open.rbegin(), open.rend(), same);
     if (kind == StatementKind::loop) {

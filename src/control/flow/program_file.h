@@ -10,7 +10,7 @@
 #include <unordered_map>
 #include <vector>
 
-#include "base/stop.h"
+#include "base/stop_token.h"
 #include "control/flow/block_numbers.h"
 #include "lang/block/block_reader.h"
 
@@ -51,7 +51,7 @@ class ProgramFile {
   }
   Position position() const { return moved_ ? elsewhere_ : reader_.position(); }
   /// Records that the warnings of a kept block have been reported, so that they are reported once.
-  void note_told(const Block& block) {
+  void note_warned(const Block& block) {
     if (block.kept) memory_.told.insert(place_of(block.position));
   }
   /// State of reading that the run has left in the file; with the position in the program this is all that the run needs to continue.
@@ -65,9 +65,9 @@ class ProgramFile {
     now.reader = reader_.memory();
     return now;
   }
-  void remember(const Memory& memory) {
+  void resume_from(const Memory& memory) {
     memory_ = memory;
-    reader_.remember(memory.reader);
+    reader_.resume_from(memory.reader);
   }
   /// From now on keeps in memory the blocks that are read, because they will be read again.
   void keep_blocks() { memory_.keeps = true; }
@@ -97,9 +97,9 @@ class ProgramFile {
   const Grammar& grammar() const { return grammar_; }
 
  private:
-  static constexpr std::size_t most_kept = 4096;
-  static constexpr std::size_t most_loops = 100'000;
-  static constexpr std::size_t most_searched = 4096;  // blocks; in a short file, or if the target is near, no index is needed
+  static constexpr std::size_t max_kept = 4096;
+  static constexpr std::size_t max_loops = 100'000;
+  static constexpr std::size_t max_searched = 4096;  // blocks; in a short file, or if the target is near, no index is needed
   BlockReader& scanner();
   /// The range from the start of a program to the start of the next.
   struct Extent {

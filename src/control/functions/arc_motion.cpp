@@ -2,7 +2,7 @@
 
 #include "control/functions/arc_motion.h"
 
-#include "control/functions/contour.h"
+#include "control/functions/cutter_compensation.h"
 
 namespace kadr {
 

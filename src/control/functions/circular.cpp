@@ -7,7 +7,7 @@
 #include "base/tolerance.h"
 #include "control/block/arc.h"
 #include "control/emitter.h"
-#include "control/functions/contour.h"
+#include "control/functions/cutter_compensation.h"
 #include "control/functions/functions.h"
 
 namespace kadr {
@@ -42,7 +42,7 @@ class Circular {
         m_.letters.axes | m_.letters.centers | (m_.def.behaviour.reads_arc_radius() ? letter_bit('R') : std::uint64_t{0});
     if ((m_.block->letters & used) == 0 && !corrected) return {};  // a block with the code alone only sets the mode
     if (corrected) KADR_TRY(correct(named));
-    KADR_TRY(arc_beside_contour(m_, where, turn_ == Turn::cw ? "G2" : "G3"));
+    KADR_TRY(check_arc_at_compensation_ends(m_, where, turn_ == Turn::cw ? "G2" : "G3"));
     KADR_TRY(m_.feed_known(where));
     const Axes& start = m_.position.programmed;
     auto arc = shape(start, end, where);
@@ -51,7 +51,7 @@ class Circular {
     KADR_TRY(turned_in_plane(m_, axes_, where, turn_ == Turn::cw ? "G2" : "G3"));
     // Unequal scale factors make an ellipse of a circle (Mach3 10.7.15).
     if (m_.transform.distorts(axes_)) return start_ellipse(*arc, end, named);
-    hand_on(*arc, end, named);
+    emit_arc_motion(*arc, end, named);
     return {};
   }
 
@@ -131,7 +131,7 @@ class Circular {
     return {};
   }
 
-  void hand_on(const PlaneArc& arc, const Axes& end, AxisMask named) {
+  void emit_arc_motion(const PlaneArc& arc, const Axes& end, AxisMask named) {
     Axes center = m_.position.programmed;
     center[axes_.first] = arc.center.x;
     center[axes_.second] = arc.center.y;
@@ -190,7 +190,7 @@ Status functions::circular_pocket(Emitter& m, const Call& call) {
   const double radius = m.length_value('I');
   if (!(radius > 0)) return fail(alarm(AlarmId::value_out_of_range, m.where('I'), 'I', radius));
   const PlaneAxes plane = axes_of(Plane::xy);
-  take_up_contour(m);
+  restart_contour_at_tool(m);
   KADR_TRY(turned_in_plane(m, plane, call.where, call.row->code));
   if (m.transform.distorts(plane)) return fail(alarm(AlarmId::not_together, call.where, "G51", call.row->code));
   const Axes middle = m.position.programmed;

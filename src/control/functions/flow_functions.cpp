@@ -1,6 +1,6 @@
 // Functions for ends, calls, returns and repetitions.
 
-#include "control/functions/behind_fault.h"
+#include "control/functions/after_fault.h"
 #include "control/functions/functions.h"
 #include "control/functions/section_calls.h"
 
@@ -30,11 +30,11 @@ Status end_program(Interpreter& m, Span where) {
 }
 
 Status leave_subprogram(Interpreter& m, Span where) {
-  shorten_behind_fault(m.report, m.flow);
+  shorten_after_fault(m.report, m.flow);
   const auto left = m.flow.end_subprogram(where);
   if (!left) return fail(left.error());
   if (!*left) return {};
-  restore_zero(m, **left);
+  restore_work_offset(m, **left);
   const auto then = (*left)->then;  // what remains of the calling block, which may end a subprogram itself
   for (const std::int16_t row : then) {
     if (row < 0) break;
@@ -87,7 +87,7 @@ Status repeat_word(Interpreter& m, const Call& call) {
 }
 
 Status repetition_end(Interpreter& m, const Call& call) {
-  shorten_behind_fault(m.report, m.flow);
+  shorten_after_fault(m.report, m.flow);
   return m.flow.end_repetition(call.where);
 }
 

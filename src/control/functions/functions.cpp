@@ -5,7 +5,7 @@
 #include <iterator>
 #include <utility>
 
-#include "control/functions/contour.h"
+#include "control/functions/cutter_compensation.h"
 
 namespace kadr {
 namespace {

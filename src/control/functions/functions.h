@@ -1,6 +1,6 @@
 #pragma once
-// The functions of the interpreter, one for each row of config/function.h that has an effect. A row of a control's file calls a function
-// by its name.
+// The functions of the interpreter, one for each row of config/control/function.h that has an effect. A row of a control's file calls a
+// function by its name.
 
 #include <type_traits>
 

@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "base/tolerance.h"
-#include "control/functions/contour.h"
+#include "control/functions/cutter_compensation.h"
 #include "control/functions/functions.h"
 #include "control/functions/probe_unstated.h"
 
@@ -137,20 +137,20 @@ Status home_through(Emitter& m, const Call& call) {
   }
   Axes home{};
   for (std::size_t a = 0; a < m.axis_count && a < 6; ++a) home[a] = m.variables.raw(first + static_cast<std::uint32_t>(a));
-  return m.to_machine(MotionKind::home, home, named_axes(m), 0, call.row->arg == 2 ? EndGiven::reference_2 : EndGiven::reference_1);
+  return m.to_machine(MotionKind::home, home, named_axes(m), 0, call.row->arg == 2 ? EndReference::reference_2 : EndReference::reference_1);
 }
 
 /// G28.1 (Mach3 10.7.11): the axes move to their switches at feed; the end point of the Motion is the reference point.
 Status home_axes(Emitter& m, const Call& call) {
   KADR_TRY(no_compensation(m, call));
   KADR_TRY(m.feed_known(call.where));
-  return m.to_machine(MotionKind::home, m.tables.reference[1], named_axes(m), m.modal.feed, EndGiven::reference_1);
+  return m.to_machine(MotionKind::home, m.tables.reference[1], named_axes(m), m.modal.feed, EndReference::reference_1);
 }
 
 /// G25 (2С42): to the machine's reference point at 2000 mm/min.
 Status approach_reference(Emitter& m, const Call& call) {
   KADR_TRY(no_compensation(m, call));
-  return m.to_machine(MotionKind::home, m.tables.reference[1], named_axes(m), m.def.behaviour.reference_feed, EndGiven::reference_1);
+  return m.to_machine(MotionKind::home, m.tables.reference[1], named_axes(m), m.def.behaviour.reference_feed, EndReference::reference_1);
 }
 
 /// G26 (2С42): to an absolute point of the machine; INFERRED: at rapid.
@@ -193,7 +193,7 @@ Status probe(Emitter& m, const Call& call) {
 /// Receives the machine's answer to a probe motion: the contact point, stored in #2000…#2005 (Mach3 10.7.12).
 void Interpreter::answer(const ProbeAnswer& answer) {
   pass_varies = true;
-  const Status taken = dialect->take_answer(*this, answer);
+  const Status taken = dialect->accept_answer(*this, answer);
   if (!taken) fail_with(taken.error());
 }
 
@@ -206,7 +206,7 @@ Status Emitter::note_answer(const ProbeAnswer& answer) {
     position.machine[a] = answer.at[a] + frames.origin[a] + frames.length[a];
     if (touched && first != 0 && a < 6) variables.set_raw(first + static_cast<std::uint32_t>(a), answer.at[a]);
   }
-  (void)variables.take_frames_changed();
+  (void)variables.consume_frames_changed();
   position.programmed = transform.to_programmed(position.work);
   if (!touched) return fail(alarm(AlarmId::probe_no_contact, probe_where));
   return {};

@@ -7,7 +7,7 @@
 #include "action/by_kind.h"
 #include "base/tolerance.h"
 #include "control/emitter.h"
-#include "control/functions/contour.h"
+#include "control/functions/cutter_compensation.h"
 
 namespace kadr {
 
@@ -75,7 +75,7 @@ Motion& Emitter::add_motion(MotionKind kind, AxisMask named) {
 }
 
 void Emitter::move_to(const Axes& programmed, const Axes& work, AxisMask named) {
-  if (modal.inch || modal.contour != ContourPhase::off || modal.feeds_of_axes != 0) moved_from = position.work;
+  if (modal.inch || modal.contour != CompensationPhase::off || modal.feeds_of_axes != 0) moved_from = position.work;
   named = transform.moved_with(named);
   for (std::size_t a = 0; a < axis_count; ++a)
     if ((named >> a & 1u) != 0) position.work[a] = work[a];
@@ -138,7 +138,7 @@ void Emitter::stand_at(const Axes& machine) {
   position.programmed = transform.to_programmed(position.work);
 }
 
-Status Emitter::to_machine(MotionKind kind, const Axes& machine, AxisMask named, double feed, EndGiven end) {
+Status Emitter::to_machine(MotionKind kind, const Axes& machine, AxisMask named, double feed, EndReference end) {
   KADR_TRY(dialect->may_move(*this, named));
   for (std::size_t a = 0; a < axis_count; ++a) {
     if ((named >> a & 1u) == 0) continue;
@@ -149,10 +149,10 @@ Status Emitter::to_machine(MotionKind kind, const Axes& machine, AxisMask named,
   if (!frames.is_plain()) position.work = frames.work_of(position.machine);
   position.programmed = transform.to_programmed(position.work);
   Motion& motion = add_motion(kind, named);
-  motion.end_given = end;
+  motion.end_reference = end;
   if (feed > 0) motion.feed = feed;
   else if (kind == MotionKind::feed) set_feed(motion);
-  if (frames.space && frames.space->leads_tip()) {  // the axes move evenly: a machine position needs no control of the tool tip
+  if (frames.space && frames.space->controls_tip()) {  // the axes move evenly: a machine position needs no control of the tool tip
     auto detail = motion.detail ? std::make_shared<MotionDetail>(*motion.detail) : std::make_shared<MotionDetail>();
     detail->evenly = true;
     motion.detail = std::move(detail);
@@ -169,7 +169,7 @@ Status Emitter::feed_known(Span at) {
     return {};
   if (modal.feeds_of_axes != 0 && axes_have_feeds()) return {};
   if (def.behaviour.feed_required || modal.feed_known) return fail(alarm(AlarmId::feed_missing, at));
-  if (!std::exchange(feed_missing_told, true)) warn(warning(AlarmId::feed_missing, at));
+  if (!std::exchange(feed_missing_reported, true)) warn(warning(AlarmId::feed_missing, at));
   return {};
 }
 

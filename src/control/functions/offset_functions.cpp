@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "base/tolerance.h"
-#include "control/functions/contour.h"
+#include "control/functions/cutter_compensation.h"
 #include "control/functions/functions.h"
 
 namespace kadr {
@@ -27,7 +27,7 @@ Status radius_comp(BlockContext& m, const Call& call, std::int8_t side) {
     if (m.value('P') < 0) return fail(alarm(AlarmId::value_out_of_range, m.where('P'), 'P', m.value('P')));
     m.modal.radius_by_word = m.has('P') ? m.length_value('P') : -1;
   }
-  return begin_contour(m, call, side);
+  return begin_compensation(m, call, side);
 }
 
 Status length(Emitter& m, const Call& call, std::int8_t sign) {
@@ -44,7 +44,7 @@ Status length(Emitter& m, const Call& call, std::int8_t sign) {
 }
 
 /// 2С42, note to 6.4.1: checks that the work offset changes only in a block with a straight motion, G90 and G40.
-Status check_zero_change(const BlockContext& m, Span where) {
+Status check_work_offset_change(const BlockContext& m, Span where) {
   if (!m.def.gives(AlarmId::zero_change)) return {};
   const bool in_force = m.modal.motion == MotionMode::rapid || m.modal.motion == MotionMode::linear;
   const bool arc_coded = m.has_code({Function::arc_cw, Function::arc_ccw});
@@ -74,7 +74,7 @@ void each_axis_word(const BlockContext& m, Use use) {
 void store_set_position(BlockContext& m) {
   const std::uint32_t first = m.variables.first(VariableKind::set_position);
   for (std::uint32_t a = 0; a < 6 && a < m.axis_count && first != 0; ++a) m.variables.set_raw(first + a, m.set_position[a]);
-  (void)m.variables.take_frames_changed();
+  (void)m.variables.consume_frames_changed();
 }
 
 /// Returns a + sign · b.
@@ -143,9 +143,9 @@ Status offset_word(Emitter& m, const Call&) {
 }
 
 Status work_zero(Emitter& m, const Call& call) {
-  note_work_zero(m, static_cast<std::uint32_t>(call.row->arg));
+  note_work_offset(m, static_cast<std::uint32_t>(call.row->arg));
   if (m.modal.work_zero == call.row->arg) return {};
-  KADR_TRY(check_zero_change(m, call.where));
+  KADR_TRY(check_work_offset_change(m, call.where));
   m.modal.work_zero = static_cast<std::uint16_t>(call.row->arg);
   m.zero_shift = {};
   m.change_frames();
@@ -162,9 +162,9 @@ Status fixture(Emitter& m, const Call& call) {
     number = *named;
   }
   m.modal.fixture = number;
-  note_work_zero(m, number);
+  note_work_offset(m, number);
   if (const std::uint32_t variable = m.variables.first(VariableKind::fixture_number); variable != 0) m.variables.set_raw(variable, number);
-  (void)m.variables.take_frames_changed();
+  (void)m.variables.consume_frames_changed();
   m.change_frames();
   return {};
 }
@@ -176,7 +176,7 @@ Status zero_shift(Emitter& m, const Call& call) {
     const auto number = m.whole('A', 1, 9);
     if (!number) return fail(number.error());
     m.modal.work_zero = static_cast<std::uint16_t>(*number);
-    note_work_zero(m, *number);
+    note_work_offset(m, *number);
     m.zero_shift = {};
   }
   each_axis_word(m, [&](std::size_t a, double v) { m.zero_shift[a] = v; });
@@ -216,7 +216,7 @@ Status set_position(Emitter& m, const Call& call) {
   if (!m.has_axis_words()) return fail(alarm(AlarmId::no_axis_word, call.where, call.row->code));
   if (any_nonzero(m.set_position) && m.set_position_by_g52) return fail(alarm(AlarmId::not_together, call.where, "G92", "G52"));
   if (compensates(m.modal)) return fail(alarm(AlarmId::compensation_active, call.where, call.row->code));
-  take_up_contour(m);
+  restart_contour_at_tool(m);
   Axes reads = m.position.programmed;
   AxisMask named = 0;
   each_axis_word(m, [&](std::size_t a, double v) { reads[a] = v, named |= 1u << a; });
@@ -264,7 +264,7 @@ Status set_data(Emitter& m, const Call& call) {
     each_axis_word(m, [&](std::size_t a, double v) {
       if (a < 6) m.variables.set_raw(first + static_cast<std::uint32_t>(a), v);
     });
-    (void)m.variables.take_frames_changed();
+    (void)m.variables.consume_frames_changed();
   } else {
     ToolOffset& offset = m.tables.offsets[*number];
     m.journal.keep(m.tables.offsets[*number]);
@@ -319,7 +319,7 @@ Status rotation_off(Emitter& m, const Call&) {
 
 /// G16 (Mach3 10.7.6): the current point becomes the pole.
 Status polar_on(Emitter& m, const Call&) {
-  take_up_contour(m);
+  restart_contour_at_tool(m);
   m.modal.polar = true;
   m.modal.pole = {m.position.programmed[0], m.position.programmed[1]};
   m.modal.polar_radius = m.modal.polar_angle = 0;

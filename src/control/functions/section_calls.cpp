@@ -6,14 +6,14 @@
 #include <cmath>
 
 #include "base/tolerance.h"
-#include "control/functions/contour.h"
+#include "control/functions/cutter_compensation.h"
 
 namespace kadr {
 namespace {
 
 constexpr double mm_per_increment = 0.001;  // 6.5.1
 constexpr double pass_dwell = 0.3;          // s: `G4 E3` of L83's body, table 9
-constexpr double most_passes = 100'000;
+constexpr double max_passes = 100'000;
 
 /// L83: R1 depth, R2 retract, R3 depth of one peck, R0 feed. With G91 R1 and R2 are increments (6.7.2); INFERRED: R1 counts from the
 /// tool's position, R2 from the bottom. R1 gives the direction; the sign of R3 is ignored.
@@ -25,7 +25,7 @@ Status start_deep_drilling(Emitter& m, const CycleRow& cycle, Span where) {
     if (!value) return fail(value.error());
     r[i] = *value;
   }
-  CycleRun::Job job;
+  CannedCycleRun::Job job;
   job.cycle = &cycle;
   const double here = m.position.programmed[2];
   job.level = m.modal.absolute ? r[2] * mm_per_increment : here;
@@ -36,13 +36,13 @@ Status start_deep_drilling(Emitter& m, const CycleRow& cycle, Span where) {
   job.dwell = pass_dwell;
   job.preliminary = false;
   const double way = std::fabs(job.level - job.bottom);
-  if (!(job.peck > 0) || way / job.peck > most_passes) return fail(alarm(AlarmId::cycle_peck, where, r[3]));
+  if (!(job.peck > 0) || way / job.peck > max_passes) return fail(alarm(AlarmId::cycle_peck, where, r[3]));
   if (!(r[0] > 0)) return fail(alarm(AlarmId::feed_missing, where));
   if (way <= tol::level) return fail(alarm(AlarmId::cycle_level, where, job.level, job.bottom));
   m.modal.feed = r[0];
   m.modal.feed_known = true;
   m.block_exact = true;
-  m.cycle_run.start(m, job);
+  m.canned_cycle_run.start(m, job);
   return {};
 }
 
@@ -71,7 +71,7 @@ Status call_section(Interpreter& m, const Call& call) {
       return m.flow.call_body(*cycle, times, m.origin, w.where);
     }
     KADR_TRY(contour_allows_infeed(m, w.where));
-    if (m.modal.contour != ContourPhase::off && m.modal.plane != Plane::xy)
+    if (m.modal.contour != CompensationPhase::off && m.modal.plane != Plane::xy)
       return fail(alarm(AlarmId::compensation_active, w.where, "G17"));
     // The body of the cycle begins with G1 G9 G17 G43 and ends with G0 (table 9).
     m.run_modes({Function::plane_xy, Function::length_plus});
@@ -86,15 +86,15 @@ Status call_section(Interpreter& m, const Call& call) {
   frame.zero_shift = m.zero_shift;
   for (std::size_t g = 1; g < m.def.groups.size(); ++g)
     if (m.modal.rows[g] >= 0 && m.def.codes[static_cast<std::size_t>(m.modal.rows[g])].function == Function::work_zero)
-      frame.zero_row = m.modal.rows[g];
+      frame.work_offset_row = m.modal.rows[g];
   return {};
 }
 
-void restore_zero(Emitter& m, const CallFrame& left) {
+void restore_work_offset(Emitter& m, const CallFrame& left) {
   if (!m.def.has_sections() || left.kind != CallFrame::Kind::subprogram) return;
   m.modal.work_zero = left.work_zero;
   m.zero_shift = left.zero_shift;
-  if (left.zero_row >= 0) m.modal.rows[m.def.codes[static_cast<std::size_t>(left.zero_row)].group] = left.zero_row;
+  if (left.work_offset_row >= 0) m.modal.rows[m.def.codes[static_cast<std::size_t>(left.work_offset_row)].group] = left.work_offset_row;
   m.change_frames();
 }
 

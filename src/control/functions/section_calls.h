@@ -13,6 +13,6 @@ Status call_section(Interpreter& m, const Call& call);
 const CycleRow* called_cycle(const ControlDef& def, std::uint32_t number);
 
 /// Restores, on return, the work offset of the caller if the subprogram has changed it (last section).
-void restore_zero(Emitter& m, const CallFrame& left);
+void restore_work_offset(Emitter& m, const CallFrame& left);
 
 }  // namespace kadr

@@ -4,7 +4,7 @@
 #include <optional>
 #include <utility>
 
-#include "control/functions/contour.h"
+#include "control/functions/cutter_compensation.h"
 #include "control/functions/functions.h"
 
 namespace kadr {
@@ -202,17 +202,17 @@ Status dwell_word(Emitter& m, const Call& call) { return dwell_for(m, call.word-
 Status machine_function(Interpreter& m, const Call& call) { return m.dialect->machine_code(m, call); }
 
 Status program_stop(Emitter& m, const Call&) {
-  stop_beside_contour(m);
+  stop_off_contour(m);
   m.emit(Stop{false});
   return {};
 }
 
 /// M01 stops only while the operator's switch is on.
 Status optional_stop(Emitter& m, const Call& call) {
-  stop_beside_contour(m);
+  stop_off_contour(m);
   m.use.note(UseKind::optional_stop, 1, m.origin);
-  const bool always_told = call.row->arg == 1;  // the machine's logic reads the switch, not the interpreter
-  if (m.optional_stop_on || always_told) m.emit(Stop{true});
+  const bool always_reported = call.row->arg == 1;  // the machine's logic reads the switch, not the interpreter
+  if (m.optional_stop_on || always_reported) m.emit(Stop{true});
   return {};
 }
 

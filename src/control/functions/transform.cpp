@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "control/state/state.h"
+#include "control/state/control_state.h"
 
 namespace kadr {
 

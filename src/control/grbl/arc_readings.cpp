@@ -41,9 +41,9 @@ Reading exact_reading(const ArcWords& w) {
   return of_arc(arc_around(w.from, w.to, w.from + w.offset, w.turn, any_difference));
 }
 
-SingleArc single_arc(const ArcWords& w) {
-  return w.by_radius ? single_arc_by_radius(w.single_from, w.single_to, w.single_radius, w.turn, w.tolerance)
-                     : single_arc_by_center(w.single_from, w.single_to, w.single_offset, w.turn, w.tolerance);
+Float32Arc single_arc(const ArcWords& w) {
+  return w.by_radius ? float32_arc_by_radius(w.single_from, w.single_to, w.single_radius, w.turn, w.tolerance)
+                     : float32_arc_by_center(w.single_from, w.single_to, w.single_offset, w.turn, w.tolerance);
 }
 
 /// Changes Grbl's arc so that it ends at the programmed end point, where Grbl's last segment ends anyway. The number of whole revolutions
@@ -56,13 +56,13 @@ PlaneArc closed(const ArcWords& w, const PlaneArc& single) {
   return {single.center, turns > 0 ? turns : single.turns};
 }
 
-Reading single_reading(const ArcWords& w, const SingleArc& single) {
+Reading float32_reading(const ArcWords& w, const Float32Arc& single) {
   if (w.by_radius && w.single_same_point) return {alarm(AlarmId::full_circle_by_radius, w.where), {}};
   const double radius = double{single.radius}, other = double{single.other};
   switch (single.answer) {
-    case SingleArc::Answer::radius_small: return {alarm(AlarmId::radius_too_small, w.radius_where, radius, other), {}};
-    case SingleArc::Answer::radius_wrong: return {alarm(AlarmId::radius_mismatch, w.where, radius, other), {}};
-    case SingleArc::Answer::moves: break;
+    case Float32Arc::Answer::radius_small: return {alarm(AlarmId::radius_too_small, w.radius_where, radius, other), {}};
+    case Float32Arc::Answer::radius_wrong: return {alarm(AlarmId::radius_mismatch, w.where, radius, other), {}};
+    case Float32Arc::Answer::moves: break;
   }
   return single.segments == 0 ? Reading() : Reading{{}, PlaneArc{w.from + single.offset, single.turns}};
 }
@@ -103,8 +103,8 @@ std::optional<Alarm> parting(const ArcWords& w, const Reading& exact, const Read
 }  // namespace
 
 ArcReading read_arc(const ArcWords& words) {
-  const SingleArc single = single_arc(words);
-  const Reading exact = exact_reading(words), by_grbl = single_reading(words, single);
+  const Float32Arc single = single_arc(words);
+  const Reading exact = exact_reading(words), by_grbl = float32_reading(words, single);
   ArcReading all;
   all.segments = single.segments;
   all.parted = parting(words, exact, by_grbl);

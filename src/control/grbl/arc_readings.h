@@ -5,20 +5,20 @@
 #include <optional>
 
 #include "base/alarm.h"
-#include "control/grbl/single_arc.h"
+#include "control/grbl/float32_arc.h"
 
 namespace kadr::grbl {
 
 /// The words of an arc in the active plane, mm. Members named `single…` are the 32-bit values that Grbl has.
 struct ArcWords {
   Vec2 from, to;                                       // exact start and end, programmed coordinates
-  Single2 single_from{}, single_to{};                  // start and end in Grbl, machine coordinates
+  Float32Pair single_from{}, single_to{};              // start and end in Grbl, machine coordinates
   bool same_point = false, single_same_point = false;  // start equals end in all three axes
   bool by_radius = false;
   double radius = 0;
   float single_radius = 0;
   Vec2 offset;
-  Single2 single_offset{};
+  Float32Pair single_offset{};
   Turn turn = Turn::cw;
   float tolerance = 0;  // setting $12, arc tolerance in mm
   Span where, radius_where;

@@ -17,7 +17,7 @@ namespace kadr::grbl {
 namespace {
 
 constexpr double most_tool = 255;
-constexpr std::int32_t most_systems = 6;
+constexpr std::int32_t max_systems = 6;
 constexpr std::int32_t no_motion = 80_g;  // G80
 
 constexpr std::uint64_t bits(std::string_view letters) {
@@ -262,7 +262,7 @@ class BlockCheck {
   Status offsets() {
     if (!all_.has_axis) return fail(alarm(AlarmId::no_axis_word, block_.where, "G10"));
     if (!has("LP")) return fail(alarm(AlarmId::word_missing, block_.where, 'L', "G10"));
-    if (byte_of(value('P')) > most_systems) return fail(alarm(AlarmId::system_number_large, m_.where('P'), value('P')));
+    if (byte_of(value('P')) > max_systems) return fail(alarm(AlarmId::system_number_large, m_.where('P'), value('P')));
     const std::int32_t kind = byte_of(value('L'));
     if (kind != 20 && kind != 2) return fail(alarm(AlarmId::illegal_address, m_.where('L'), 'L'));
     if (kind == 2 && has("R")) return fail(alarm(AlarmId::illegal_address, m_.where('R'), 'R'));
@@ -272,16 +272,16 @@ class BlockCheck {
 
   void targets() {
     const bool by_machine = all_.non_modal == 53_g;
-    const Singles& singles = control_.state.singles;
+    const Float32State& float32_state = control_.state.float32_state;
     all_.target = by_machine ? m_.position.machine : all_.start;
-    all_.single_target = singles.position.single;
+    all_.single_target = float32_state.position.single;
     for (std::size_t a = 0; a < axes; ++a) {
       const char letter = m_.letters.axis_letter[a];
       if (!m_.has(letter)) continue;
       const double v = value(letter) * unit();
       all_.target[a] = all_.absolute || by_machine ? v : all_.target[a] + v;
       const float single = single_value(letter);
-      all_.single_target[a] = by_machine ? single : singles.target(a, single, work_system(), all_.absolute);
+      all_.single_target[a] = by_machine ? single : float32_state.target(a, single, work_system(), all_.absolute);
     }
   }
 
@@ -319,7 +319,7 @@ class BlockCheck {
     ArcWords words;
     words.from = {all_.start[plane.first], all_.start[plane.second]};
     words.to = {all_.target[plane.first], all_.target[plane.second]};
-    const Single3& standing = control_.state.singles.position.single;
+    const Float32Triple& standing = control_.state.float32_state.position.single;
     words.single_from = {standing[plane.first], standing[plane.second]};
     words.single_to = {all_.single_target[plane.first], all_.single_target[plane.second]};
     words.same_point = all_.target == all_.start;

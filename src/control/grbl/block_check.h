@@ -9,7 +9,7 @@
 #include "base/result.h"
 #include "base/vec.h"
 #include "control/block/arc.h"
-#include "control/grbl/singles.h"
+#include "control/grbl/float32_state.h"
 
 namespace kadr {
 class BlockContext;
@@ -31,12 +31,12 @@ struct CheckedBlock {
   bool moves = false;  // the motion code moves the tool
   bool inch = false, absolute = true, inverse_time = false;
   std::int32_t plane = 17_g;
-  std::int32_t system = -1;     // code G54 … G59 in the block
-  Axes start{};                 // programmed coordinates in the block's work system
-  Axes target{};                // programmed coordinates; machine coordinates with G53
-  std::optional<PlaneArc> arc;  // arc of G2, G3; nullopt: Grbl moves straight, as the arc is too short to be divided into segments
-  int segments = 0;             // number of straight segments into which Grbl divides the arc
-  Single3 single_target{};      // the target as Grbl's 32-bit numbers, in machine coordinates
+  std::int32_t system = -1;       // code G54 … G59 in the block
+  Axes start{};                   // programmed coordinates in the block's work system
+  Axes target{};                  // programmed coordinates; machine coordinates with G53
+  std::optional<PlaneArc> arc;    // arc of G2, G3; nullopt: Grbl moves straight, as the arc is too short to be divided into segments
+  int segments = 0;               // number of straight segments into which Grbl divides the arc
+  Float32Triple single_target{};  // the target as Grbl's 32-bit numbers, in machine coordinates
 };
 
 /// Returns the whole part of a number modulo 256, as gcode.c stores it in one byte: used for G, M, L, and P of G10.

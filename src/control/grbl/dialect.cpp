@@ -68,7 +68,7 @@ void Grbl::started(Emitter&) { before_ = state; }
 /// `$J=`: a straight motion at its own F, in mm/min; it does not change the modes (9).
 Status Grbl::jog(Emitter& m) {
   std::optional<Alarm> parted;  // unused: a jog is never an arc
-  state.singles.follow(m, state.length);
+  state.float32_state.follow(m, state.length);
   const auto jog = check(m, *this, true, parted);
   if (!jog) return fail(jog.error());
   const Modal before = m.modal;
@@ -85,13 +85,13 @@ Status Grbl::jog(Emitter& m) {
   const Status moved = by_machine ? m.to_machine(MotionKind::feed, jog->target, named_in(m), m.modal.feed)
                                   : m.straight(MotionKind::feed, jog->target, named_in(m));
   m.modal = before;
-  if (moved) state.singles.note(m, *jog, state.length);
+  if (moved) state.float32_state.note(m, *jog, state.length);
   return moved;
 }
 
 Result<bool> Grbl::takes_block(Interpreter& m) {
   std::optional<Alarm> parted;
-  state.singles.follow(m, state.length);
+  state.float32_state.follow(m, state.length);
   const auto all = check(m, *this, false, parted);
   if (parted) m.warn(*parted);
   if (!all) return fail(all.error());
@@ -108,9 +108,9 @@ Result<bool> Grbl::takes_block(Interpreter& m) {
 /// Warns, once per speed, of an S outside the speed range $31 to $30 of the spindle (4.17). The value of S is not changed.
 void Grbl::watch_speed(Emitter& m) {
   const Settings& s = state.settings;
-  const double speed = m.value('S'), turned = std::clamp(speed, std::min(s.speed_least, s.speed_most), s.speed_most);
-  if (!(speed > 0) || turned == speed || told_speed_ == speed) return;
-  told_speed_ = speed;
+  const double speed = m.value('S'), turned = std::clamp(speed, std::min(s.min_spindle_speed, s.max_spindle_speed), s.max_spindle_speed);
+  if (!(speed > 0) || turned == speed || speed_reported_ == speed) return;
+  speed_reported_ = speed;
   m.warn(warning(AlarmId::speed_beyond_setting, m.where('S'), speed, turned));
 }
 
@@ -119,7 +119,7 @@ void Grbl::begin_block(Emitter&) {
   feed_at_end_ = -1;
 }
 
-void Grbl::take_back(BlockContext&) { state = before_; }
+void Grbl::undo_block(BlockContext&) { state = before_; }
 
 BlockChanges Grbl::changes_of(const BlockContext&, const Plan&) const { return BlockChanges::anything; }
 
@@ -139,7 +139,7 @@ Status Grbl::after_block(Interpreter& m) {
     m.modal.feed = std::exchange(feed_at_end_, -1);
     m.modal.feed_known = m.modal.feed > 0;
   }
-  state.singles.note(m, checked, state.length);
+  state.float32_state.note(m, checked, state.length);
   const bool probes = checked.motion > 38_g && checked.motion < 39_g;
   if (probes) m.modal.motion_row = static_cast<std::int16_t>(m.def.row_of('G', checked.motion));  // 3: G38.n is a mode
   if (m.modal.feed_mode == FeedMode::inverse_time) {                                              // 4.2: F is valid for its block only
@@ -153,7 +153,7 @@ bool Grbl::lines_follow(const BlockContext& m) const {
   return m.modal.feed_mode == FeedMode::per_minute && m.modal.feed_known && m.modal.feed > 0 && !state.settings.soft_limits;
 }
 
-void Grbl::note_line(BlockContext& m) { state.singles.note_line(m); }
+void Grbl::note_line(BlockContext& m) { state.float32_state.note_line(m); }
 
 /// Returns a rule that checks each arc on its own, as Grbl does.
 ArcRule Grbl::arc_rule(const BlockContext& m) const {
@@ -179,7 +179,7 @@ void Grbl::refresh_frames(Emitter& m) {
 }
 
 /// A probe without contact is a fault only for G38.2 and G38.4 (4.16).
-Status Grbl::take_answer(Emitter& m, const ProbeAnswer& answer) {
+Status Grbl::accept_answer(Emitter& m, const ProbeAnswer& answer) {
   const Status noted = m.note_answer(answer);
   const bool must = m.modal.motion_row == m.def.row_of('G', 38.2_g) || m.modal.motion_row == m.def.row_of('G', 38.4_g);
   if (noted || must) return noted;

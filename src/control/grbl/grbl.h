@@ -13,19 +13,19 @@ namespace kadr::grbl {
 
 /// The settings $x of Grbl that change what a program does (10).
 struct Settings {
-  bool soft_limits = false;      // $20
-  bool homing = false;           // $22
-  double speed_most = 1000;      // $30: greatest spindle speed, rev/min
-  double speed_least = 0;        // $31: least spindle speed, rev/min
-  double arc_tolerance = 0.002;  // $12, mm
-  Axes travel{};                 // $130 to $132, mm
+  bool soft_limits = false;         // $20
+  bool homing = false;              // $22
+  double max_spindle_speed = 1000;  // $30: greatest spindle speed, rev/min
+  double min_spindle_speed = 0;     // $31: least spindle speed, rev/min
+  double arc_tolerance = 0.002;     // $12, mm
+  Axes travel{};                    // $130 to $132, mm
 };
 
 /// The state that a block changes and an alarm in the block restores.
 struct State {
   double length = 0;  // tool length set by G43.1, mm
   Settings settings;
-  Singles singles;
+  Float32State float32_state;
 };
 
 class Grbl final : public Dialect {
@@ -40,7 +40,7 @@ class Grbl final : public Dialect {
   Result<bool> statement(Interpreter& m) override;
   Result<bool> takes_block(Interpreter& m) override;
   void begin_block(Emitter& m) override;
-  void take_back(BlockContext& m) override;
+  void undo_block(BlockContext& m) override;
   BlockChanges changes_of(const BlockContext& m, const Plan& plan) const override;
   std::int16_t motion_row(const BlockContext& m) const override;
   bool end_program(Interpreter& m) override;
@@ -50,7 +50,7 @@ class Grbl final : public Dialect {
   ArcRule arc_rule(const BlockContext& m) const override;
   Status arc(Emitter& m, const Call& call, Turn turn) override;
   void refresh_frames(Emitter& m) override;
-  Status take_answer(Emitter& m, const ProbeAnswer& answer) override;
+  Status accept_answer(Emitter& m, const ProbeAnswer& answer) override;
   Status machine_code(Interpreter& m, const Call& call) override;
 
   State state;
@@ -60,8 +60,8 @@ class Grbl final : public Dialect {
   Status jog(Emitter& m);
   void watch_speed(Emitter& m);
   State before_;
-  double told_speed_ = 0;    // speed in the last warning of watch_speed()
-  double feed_at_end_ = -1;  // feed to restore after a block with M2 or M30; -1: no such block
+  double speed_reported_ = 0;  // speed in the last warning of watch_speed()
+  double feed_at_end_ = -1;    // feed to restore after a block with M2 or M30; -1: no such block
 };
 
 Grbl& grbl_of(const BlockContext& m);

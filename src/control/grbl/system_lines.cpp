@@ -76,8 +76,8 @@ Result<bool> set(Settings& settings, int number, double value, Span where) {
       settings.homing = byte_of(value) != 0;
       settings.soft_limits = settings.soft_limits && settings.homing;
       return true;
-    case 30: settings.speed_most = value; return true;
-    case 31: settings.speed_least = value; return true;
+    case 30: settings.max_spindle_speed = value; return true;
+    case 31: settings.min_spindle_speed = value; return true;
     case first_travel:
     case first_travel + 1:
     case first_travel + 2: settings.travel[static_cast<std::size_t>(number - first_travel)] = value; return true;

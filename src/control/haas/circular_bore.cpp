@@ -48,8 +48,8 @@ class CircularBore {
     const auto wrong = [&](char letter) { return fail(alarm(AlarmId::pocket_words_wrong, m_.where(letter), letter)); };
     if (!(first_ > 0)) return wrong('I');
     if (!(last_ >= first_)) return wrong('K');
-    constexpr double most_circles = 10'000;
-    if (last_ > first_ && !(step_ > 0 && (last_ - first_) / step_ < most_circles)) return wrong(m_.has('Q') ? 'Q' : 'K');
+    constexpr double max_circles = 10'000;
+    if (last_ > first_ && !(step_ > 0 && (last_ - first_) / step_ < max_circles)) return wrong(m_.has('Q') ? 'Q' : 'K');
     if (m_.has('L')) {
       const auto times = m_.whole('L', 1, 1000);
       if (!times) return fail(times.error());

@@ -18,7 +18,7 @@ namespace {
 constexpr double usual_height = mm_per_inch;                                                      // text height if J is missing
 constexpr double text_itself = 0, serial_number = 1, first_character = 32, last_character = 126;  // values and range of P
 constexpr int serial_variable = 599;
-constexpr std::size_t most_digits = 15;  // a variable stores 15 digits exactly
+constexpr std::size_t max_digits = 15;  // a variable stores 15 digits exactly
 
 /// Engraves one line of text.
 class EngravedText {
@@ -60,7 +60,7 @@ class EngravedText {
   ///     alarms  not_available: the comment has any other characters
   Status choose_serial() {
     const auto consists_of = [&](std::string_view signs) {
-      return !text_.empty() && text_.size() <= most_digits && text_.find_first_not_of(signs) == std::string::npos;
+      return !text_.empty() && text_.size() <= max_digits && text_.find_first_not_of(signs) == std::string::npos;
     };
     only_counts_ = consists_of("0123456789");
     if (only_counts_) {

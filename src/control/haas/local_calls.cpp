@@ -31,9 +31,9 @@ Status call_local(Interpreter& m, const Call& call) {
 Status jump_by_input(Interpreter& m, const Call& call) {
   for (const char letter : {'P', 'Q'})
     if (!m.has(letter)) return fail(alarm(AlarmId::word_missing, call.where, letter, call.row->code));
-  constexpr double most_inputs = 63;
+  constexpr double max_inputs = 63;
   const double input = std::round(m.value('Q') * std::pow(10.0, m.word('Q')->counted));  // Q5 is not a length: undo its scaling
-  if (!(input >= 0 && input <= most_inputs)) return fail(alarm(AlarmId::value_out_of_range, m.where('Q'), 'Q', input));
+  if (!(input >= 0 && input <= max_inputs)) return fail(alarm(AlarmId::value_out_of_range, m.where('Q'), 'Q', input));
   const auto& inputs = macro_b_of(m).plc_in;
   const auto number = static_cast<std::size_t>(input);
   if (number < inputs.size() && inputs[number] != 0) return {};

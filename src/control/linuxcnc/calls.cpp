@@ -8,8 +8,8 @@
 
 #include "control/functions/functions.h"
 #include "control/interpreter.h"
-#include "control/linuxcnc/flow.h"
 #include "control/linuxcnc/linuxcnc.h"
+#include "control/linuxcnc/o_line_flow.h"
 
 namespace kadr::linuxcnc {
 
@@ -60,7 +60,7 @@ Status call_numbered(Interpreter& m, const Call& call) {
       return {};
     }
     if (line.word != OWord::label) continue;
-    if (control.flow.calls.size() >= linuxcnc::most_calls_of_program)
+    if (control.flow.calls.size() >= linuxcnc::max_calls_of_program)
       return control.fault(AlarmId::rs274_flow, call.where, "Too many subroutine levels");
     CallFrame frame;
     frame.kind = CallFrame::Kind::subprogram;

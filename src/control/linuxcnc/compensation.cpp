@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "control/emitter.h"
-#include "control/functions/contour.h"
+#include "control/functions/cutter_compensation.h"
 #include "control/functions/functions.h"
 #include "control/linuxcnc/linuxcnc.h"
 
@@ -48,7 +48,7 @@ Status tool_side(Emitter& m, const Call& call) {
   const double radius = diameter / 2;
   m.modal.radius_by_word = std::fabs(radius);
   m.modal.nose = orientation < 0 || orientation > 9 ? unknown_nose : static_cast<std::uint8_t>(orientation);
-  return begin_contour(m, call, static_cast<std::int8_t>((radius < 0) != left ? -1 : +1));
+  return begin_compensation(m, call, static_cast<std::int8_t>((radius < 0) != left ? -1 : +1));
 }
 
 }  // namespace kadr::functions

@@ -19,8 +19,8 @@ namespace kadr::linuxcnc {
 namespace {
 
 constexpr double same_level = 1e-9;
-constexpr double most_pecks = 1e6;
-constexpr double most_repeats = 1e8;
+constexpr double max_pecks = 1e6;
+constexpr double max_repeats = 1e8;
 
 /// Computes the levels of a canned cycle from its words, with the checks in the order of LinuxCNC's source.
 class Reader {
@@ -38,7 +38,7 @@ class Reader {
     const bool same = control_.codes.g1() < 0 || control_.state.motion == hole_.code;
     const bool follows = control_.state.cycle_began;
     KADR_TRY(allowed(same));
-    remember();
+    resume_from();
     levels(follows);
     const double least = std::min(hole_.bottom, hole_.level);
     if (!(std::fabs(least) <= farthest && std::fabs(hole_.level) <= farthest))
@@ -48,7 +48,7 @@ class Reader {
     choose_spindle();
     spindle_turns();
     KADR_TRY(holes());
-    tell_turned();
+    warn_turned();
     control_.state.cycle_began = true;
     m_.modal.motion = MotionMode::cycle;
     m_.modal.motion_row = static_cast<std::int16_t>(call_.row - m_.def.codes.data());
@@ -143,7 +143,7 @@ class Reader {
     if (hole_.code == 88_g && !turns) spindle("Spindle not turning in g88");
   }
 
-  void remember() {
+  void resume_from() {
     CycleMemory& memory = m_.cycle_memory;
     if (const char drill = m_.letters.axis_letter[hole_.drill]; m_.has(drill)) {
       const bool is_diameter = (m_.modal.diameter >> hole_.drill & 1u) != 0;  // G7 in G19; R stays a radius (2.9, #2948)
@@ -188,7 +188,7 @@ class Reader {
     if (hole_.code == 83_g || hole_.code == 73_g) {
       wants('Q', hole_.code == 83_g ? "Q word missing with g83" : "Q word missing with g73");
       if (!(hole_.peck > 0)) at_hole(AlarmId::rs274_cycle, "Negative or zero q value used");
-      else if ((hole_.level - hole_.bottom) / hole_.peck > most_pecks) return fail(alarm(AlarmId::cycle_peck, m_.where('Q'), hole_.peck));
+      else if ((hole_.level - hole_.bottom) / hole_.peck > max_pecks) return fail(alarm(AlarmId::cycle_peck, m_.where('Q'), hole_.peck));
     }
     if (hole_.code == 82_g) wants('P', "Dwell time p word missing with g82");
     if (hole_.code == 86_g) wants('P', "Dwell time p word missing with g86");
@@ -221,14 +221,14 @@ class Reader {
     }
     if (!m_.has('L')) return {};
     const double repeats = std::round(m_.value('L'));
-    if (repeats > most_repeats) return fail(alarm(AlarmId::cycle_repeats, m_.where('L'), repeats));
+    if (repeats > max_repeats) return fail(alarm(AlarmId::cycle_repeats, m_.where('L'), repeats));
     hole_.repeats = static_cast<std::uint32_t>(repeats);
     for (const double last : {hole_.at_first + repeats * hole_.step_first, hole_.at_second + repeats * hole_.step_second})
       if (!(std::fabs(last) <= farthest)) return fail(alarm(AlarmId::position_out_of_range, call_.where, "X", last));
     return {};
   }
 
-  void tell_turned() const {
+  void warn_turned() const {
     if ((hole_.code == 84_g || hole_.code == 74_g) && hole_.plane != Plane::xy)
       m_.warn(warning(AlarmId::tapping_axes_turned, call_.where, call_.row->code));
   }

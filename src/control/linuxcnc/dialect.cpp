@@ -8,8 +8,8 @@
 #include "base/units.h"
 #include "base/vec.h"
 #include "control/interpreter.h"
-#include "control/linuxcnc/flow.h"
 #include "control/linuxcnc/linuxcnc.h"
+#include "control/linuxcnc/o_line_flow.h"
 #include "control/linuxcnc/rotary.h"
 #include "control/linuxcnc/spindles.h"
 
@@ -118,7 +118,7 @@ void LinuxCnc::take_setup(Emitter& m, const Setup& setup) {
   state.system = system_offset(m, number);
   state.rotation = m.variables.raw(5230 + (number - 1) * 20);
   m.variables.set_raw(debug_on, 1);
-  (void)m.variables.take_frames_changed();
+  (void)m.variables.consume_frames_changed();
 }
 
 void LinuxCnc::started(Emitter&) {
@@ -129,7 +129,7 @@ void LinuxCnc::started(Emitter&) {
 /// Switches the shift of G92 off and clears the parameters of the shift (DISABLE_G92_PERSISTENCE).
 void LinuxCnc::forget_shift(Emitter& m) {
   for (std::uint32_t n = shift_on_number; n < first_shift + axes_of_tables; ++n) m.variables.set_raw(n, 0);
-  (void)m.variables.take_frames_changed();
+  (void)m.variables.consume_frames_changed();
   state.shift = {};
   state.shift_on = false;
   m.change_frames();
@@ -183,12 +183,12 @@ Status LinuxCnc::restore(BlockContext&, const DialectState& from) {
   levels_ = all.levels;
   globals_ = all.globals;
   kept_modes = all.kept_modes;
-  flow.remember(all.flow);
+  flow.resume_from(all.flow);
   probed = all.probed;
   probe_tripped = all.probe_tripped;
   probe_kind = all.probe_kind;
   turning = all.turning;
-  KADR_TRY(outputs.remember(all.outputs));
+  KADR_TRY(outputs.resume_from(all.outputs));
   return {};
 }
 
@@ -329,7 +329,7 @@ void LinuxCnc::after_code(Interpreter& m, const CodeRow& row, std::int32_t) {
   }
   if (is_of(2) && row.tenth % 10 == 1 && m.axis_count > axis_u)  // G17.1, G18.1, G19.1: as G17, G18, G19, with U, V, W
     m.modal.axes = {m.modal.axes.first + axis_u, m.modal.axes.second + axis_u, m.modal.axes.normal + axis_u};
-  if (is_of(7) && m.modal.contour == ContourPhase::leaving) state.arc_not_allowed = true;
+  if (is_of(7) && m.modal.contour == CompensationPhase::leaving) state.arc_not_allowed = true;
   if (is_of(6)) m.variables.inch = false;  // tables and parameters are in the machine's unit (1.1)
   if (!is_of(1) || !row.modal) return;
   state.motion = row.tenth;
@@ -343,7 +343,7 @@ Status LinuxCnc::after_block(Interpreter& m) {
   return {};
 }
 
-void LinuxCnc::take_back(BlockContext& m) {
+void LinuxCnc::undo_block(BlockContext& m) {
   state = before_;
   forget_polar_words(m);
 }

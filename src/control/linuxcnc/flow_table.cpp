@@ -1,4 +1,4 @@
-// Reads the O lines of the files of a run. Used by control/linuxcnc/flow.
+// Reads the O lines of the files of a run. Used by control/linuxcnc/o_line_flow.
 
 #include "control/linuxcnc/flow_table.h"
 
@@ -41,7 +41,7 @@ OFile FlowTable::read_o_lines(const ProgramFile& file) {
     }
     began = began || !block->empty() || !block->comments.empty();
     if (block->statement.kind != StatementKind::o_word) continue;
-    if (all.lines.size() == most_lines) {
+    if (all.lines.size() == max_lines) {
       all.all = false;
       break;
     }
@@ -111,7 +111,7 @@ FlowTable::Memory FlowTable::memory() const {
   return all;
 }
 
-void FlowTable::remember(const Memory& memory) {
+void FlowTable::resume_from(const Memory& memory) {
   for (Mark& mark : marks_) mark = {};
   for (PassedSub& sub : passed_) sub = {};
   for (const auto& [of, kept] : memory.marks) mark(mark_of(label_or_none(of.first), label_of(of.second))) = kept;

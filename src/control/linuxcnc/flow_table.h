@@ -68,7 +68,7 @@ struct PassedSub {
 
 class FlowTable {
  public:
-  static constexpr std::size_t most_lines = 200'000;  // greatest number of O lines kept of a file
+  static constexpr std::size_t max_lines = 200'000;  // greatest number of O lines kept of a file
 
   /// Returns the O lines of the file being read; the file is scanned at the first call.
   OFile& of(BlockContext& m);
@@ -91,7 +91,7 @@ class FlowTable {
   // `continue` in a do loop and `break` in a while loop leave these flags set: the next loop that ends acts as if the flag were its own (a
   // fault of LinuxCNC 2.9, doing_continue and doing_break of the source).
   bool continue_left = false, break_left = false;
-  bool told_again = false, told_early = false;  // the warning of a flag left set has been reported already
+  bool warned_again = false, warned_early = false;  // the warning of a flag left set has been reported already
 
   // ---- the part of a snapshot; labels are stored as texts, as another run numbers them differently
   struct Memory {
@@ -104,7 +104,7 @@ class FlowTable {
     bool continue_left = false, break_left = false;
   };
   Memory memory() const;
-  void remember(const Memory& memory);
+  void resume_from(const Memory& memory);
 
  private:
   OFile read_o_lines(const ProgramFile& file);

@@ -80,7 +80,7 @@ Status write_system(Emitter& m, const kadr::Call& call, bool by_position) {
   } else {
     each_word(m, [&](std::size_t a, double v) { control.store_axis(m, first, a, v); });
   }
-  (void)m.variables.take_frames_changed();
+  (void)m.variables.consume_frames_changed();
   if (in_force) control.take_system(m, number);
   return {};
 }
@@ -216,7 +216,7 @@ void LinuxCnc::take_system(Emitter& m, std::uint32_t number) {
 void LinuxCnc::store_shift(BlockContext& m) {
   set(m, shift_on_number, state.shift_on ? 1 : 0);
   for (std::size_t a = 0; a < axes_of_tables && a < m.axis_count; ++a) store_axis(m, first_shift, a, state.shift[a]);
-  (void)m.variables.take_frames_changed();
+  (void)m.variables.consume_frames_changed();
 }
 
 /// Computes the frames: machine position = R·(work position + shift of G92) + work offset + tool length, where R is the rotation about Z
@@ -278,7 +278,7 @@ Status coordinate_shift_off(Emitter& m, const Call& call) {
     if (call.row->arg == 1) control.store_shift(m);
     else linuxcnc::set(m, linuxcnc::shift_on_number, 0);
   }
-  (void)m.variables.take_frames_changed();
+  (void)m.variables.consume_frames_changed();
   m.change_frames();
   return {};
 }
@@ -290,7 +290,7 @@ Status table_system(Emitter& m, const Call& call) {
   if (number == linuxcnc_of(m).state.system_number && !m.program().ended()) return {};
   m.modal.fixture = number;
   linuxcnc::set(m, linuxcnc::system_number, number);
-  (void)m.variables.take_frames_changed();
+  (void)m.variables.consume_frames_changed();
   linuxcnc_of(m).take_system(m, number);
   return {};
 }
@@ -314,7 +314,7 @@ Status reference_move(Emitter& m, const Call& call) {
   for (std::size_t a = 0; a < m.axis_count; ++a)
     if ((named >> a & 1U) != 0) to[a] = there[a];
   KADR_TRY(m.straight(MotionKind::rapid, to, named));
-  std::get<Motion>(m.batch->back().what).end_given = call.row->arg == 1 ? EndGiven::reference_1 : EndGiven::reference_2;
+  std::get<Motion>(m.batch->back().what).end_reference = call.row->arg == 1 ? EndReference::reference_1 : EndReference::reference_2;
   return {};
 }
 
@@ -323,7 +323,7 @@ Status reference_store(Emitter& m, const Call& call) {
   KADR_TRY(linuxcnc::not_compensating(m, call.where, "Cannot set reference point with cutter compensation in effect"));
   const std::uint32_t first = call.row->arg == 1 ? linuxcnc::first_home : linuxcnc::first_second_home;
   for (std::size_t a = 0; a < m.axis_count; ++a) linuxcnc_of(m).store_axis(m, first, a, m.position.machine[a]);
-  (void)m.variables.take_frames_changed();
+  (void)m.variables.consume_frames_changed();
   return {};
 }
 

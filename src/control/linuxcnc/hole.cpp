@@ -16,7 +16,7 @@ constexpr double above_bottom = 0.254;  // mm; G83, G73
 constexpr double same_height = 1e-9;
 
 /// Runs a canned cycle, a few actions at a time.
-class Drilling final : public RunningValue<Drilling> {
+class Drilling final : public SteppedCycleValue<Drilling> {
  public:
   explicit Drilling(const Hole& hole) : h_(hole), depth_(hole.level) {}
 
@@ -95,7 +95,7 @@ class Drilling final : public RunningValue<Drilling> {
         m.emit(Stop{false});
         turn_spindle(m, h_.spindle);
         m.position.programmed[h_.drill] = h_.clear;  // LinuxCNC assumes that the operator has withdrawn the tool
-        m.place_plainly(AxisMask{1} << h_.drill);
+        m.set_plain_position(AxisMask{1} << h_.drill);
         return {};
       case 89_g:
         KADR_TRY(drill(m, MotionKind::feed, h_.bottom));
@@ -145,13 +145,13 @@ class Drilling final : public RunningValue<Drilling> {
     KADR_TRY(place(m, h_.at_first + h_.i, h_.at_second + h_.j, h_.level));
     turn_spindle(m, SpindleDir::stop);
     turn_spindle(m, SpindleDir::orient);
-    KADR_TRY(emit_in_hole(*m.batch, HoleWork::stands_off, [&] { return enter(m); }));
+    KADR_TRY(emit_in_hole(*m.batch, HoleWork::clear_of_wall, [&] { return enter(m); }));
     turn_spindle(m, h_.spindle);
     KADR_TRY(drill(m, MotionKind::feed, h_.back));
     KADR_TRY(drill(m, MotionKind::feed, h_.bottom));
     turn_spindle(m, SpindleDir::stop);
     turn_spindle(m, SpindleDir::orient);
-    KADR_TRY(emit_in_hole(*m.batch, HoleWork::stands_off, [&] { return leave(m); }));
+    KADR_TRY(emit_in_hole(*m.batch, HoleWork::clear_of_wall, [&] { return leave(m); }));
     turn_spindle(m, h_.spindle);
     return {};
   }

@@ -14,13 +14,13 @@
 #include "base/code_literals.h"
 #include "control/dialect.h"
 #include "control/linuxcnc/block_codes.h"
+#include "control/linuxcnc/files/machine_file.h"
+#include "control/linuxcnc/files/parameter_file.h"
+#include "control/linuxcnc/files/written_program_files.h"
 #include "control/linuxcnc/flow_table.h"
-#include "control/linuxcnc/machine_file.h"
 #include "control/linuxcnc/modal_groups.h"
-#include "control/linuxcnc/parameter_file.h"
-#include "control/linuxcnc/program_files.h"
-#include "control/linuxcnc/turning/cycles.h"
-#include "control/state/state.h"
+#include "control/linuxcnc/turning/turning_cycles.h"
+#include "control/state/control_state.h"
 
 namespace kadr {
 class BlockContext;
@@ -35,8 +35,8 @@ namespace kadr::linuxcnc {
 /// of the work coordinate system.
 inline constexpr std::uint32_t shift_on_number = 5210, first_shift = 5211, system_number = 5220;
 
-inline constexpr std::size_t most_arguments = 30;  // arguments of a call: #1 … #30
-inline constexpr std::size_t most_spindles = 8;
+inline constexpr std::size_t max_arguments = 30;  // arguments of a call: #1 … #30
+inline constexpr std::size_t max_spindles = 8;
 inline constexpr double whole_within = 1e-4;                   // tolerance of a value that must be an integer (2.3)
 inline constexpr std::string_view axis_letters = "XYZABCUVW";  // in the order of the axes in tables and in the control
 inline constexpr std::size_t axes_of_tables = axis_letters.size(), usual_axes = 6, axis_u = 6;
@@ -54,7 +54,7 @@ struct Tool {
 
 /// Parameters of one call: #1 … #30, and named ones.
 struct Level {
-  std::array<double, most_arguments + 1> arguments{};
+  std::array<double, max_arguments + 1> arguments{};
   std::map<double, double> named;
 };
 
@@ -79,13 +79,13 @@ struct State {
   bool shift_on = false;  // the shift of G92 is in force, #5210
   Axes length{};          // tool length offsets of G43
   std::uint32_t system_number = 1;
-  int active_spindle = 0;                            // number of the spindle with which G33, G76 synchronise
-  std::array<OtherSpindle, most_spindles> others{};  // by spindle number; entry 0 is unused, the modal state has the first spindle
-  double css_most = 0;                               // greatest speed under G96, word D, rev/min; 0: no limit
-  bool cycle_began = false;                          // a canned cycle has run, and another one may continue it
-  double old_z = 0;                                  // initial level of canned cycles (7.6)
-  std::int32_t motion = 80_g;                        // motion code in force, in tenths; -1: none, after G5.3
-  bool polar_step = false;                           // the block has @ ^ in G91: each repetition of a canned cycle adds them
+  int active_spindle = 0;                           // number of the spindle with which G33, G76 synchronise
+  std::array<OtherSpindle, max_spindles> others{};  // by spindle number; entry 0 is unused, the modal state has the first spindle
+  double max_css_speed = 0;                         // greatest speed under G96, word D, rev/min; 0: no limit
+  bool cycle_began = false;                         // a canned cycle has run, and another one may continue it
+  double old_z = 0;                                 // initial level of canned cycles (7.6)
+  std::int32_t motion = 80_g;                       // motion code in force, in tenths; -1: none, after G5.3
+  bool polar_step = false;                          // the block has @ ^ in G91: each repetition of a canned cycle adds them
   double polar_radius = 0, polar_angle = 0;
   bool arc_not_allowed = false;  // cutter compensation has ended: the next motion must be straight (7.3)
   std::array<bool, 2> spindle_known{};
@@ -112,7 +112,7 @@ class LinuxCnc final : public Dialect {
   Status target(const BlockContext& m, Axes& to, AxisMask& named) const override;
   bool end_program(Interpreter& m) override;
   void failed(Emitter& m) override;
-  void add_variables(Emitter& m, Ending& ending, const std::vector<std::string>& watch) override;
+  void add_variables(Emitter& m, FinalState& ending, const std::vector<std::string>& watch) override;
   std::shared_ptr<const DialectState> snapshot() const override;
   Status restore(BlockContext& m, const DialectState& from) override;
   bool skips_unread() const override { return true; }
@@ -124,7 +124,7 @@ class LinuxCnc final : public Dialect {
   void begin_block(Emitter& m) override;
   void after_code(Interpreter& m, const CodeRow& row, std::int32_t code) override;
   Status after_block(Interpreter& m) override;
-  void take_back(BlockContext& m) override;
+  void undo_block(BlockContext& m) override;
   bool lines_follow(const BlockContext& m) const override;
   AxisMask rolling_axes(const BlockContext&) const override { return ~axes; }  // words of axes the machine lacks give an alarm
   void note_line(BlockContext& m) override;
@@ -139,7 +139,7 @@ class LinuxCnc final : public Dialect {
   double machine_unit() const override { return machine.unit; }
   Axes shift_of_origin(const BlockContext&) const override { return state.rotation == 0 ? state.shift : Axes{}; }
   Status machine_code(Interpreter& m, const Call& call) override;
-  Status take_answer(Emitter& m, const ProbeAnswer& answer) override;
+  Status accept_answer(Emitter& m, const ProbeAnswer& answer) override;
   Result<bool> end_of_file(BlockContext& m) override;
   void note_fault(Interpreter& m, bool may_have_steered) override;
   Result<bool> sign_of_file(Interpreter& m) override;

@@ -5,7 +5,7 @@
 #include <charconv>
 #include <string_view>
 
-#include "config/control_def.h"
+#include "config/control/control_def.h"
 
 namespace kadr::linuxcnc {
 

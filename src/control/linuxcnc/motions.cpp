@@ -82,7 +82,7 @@ class Arc {
     return {};
   }
 
-  bool enters() const { return m_.modal.contour == ContourPhase::on && m_.radius_in_force() != 0; }
+  bool enters() const { return m_.modal.contour == CompensationPhase::on && m_.radius_in_force() != 0; }
 
   /// Checks the entry into cutter compensation before the arc itself (convert_arc_comp1); `path` checks it again.
   Status may_enter(Vec2 from, Vec2 to) const {
@@ -100,7 +100,7 @@ class Arc {
     const double sign = radius < 0 ? -1 : 1;
     const auto arc = arc_by_radius(from, to, sign * std::max(std::fabs(radius), half), turn_, 1e9);
     if (!arc) return fail(arc.error());
-    return hand_on(*arc, end, named);
+    return emit_arc_motion(*arc, end, named);
   }
 
   Status about(Vec2 from, Vec2 to, Vec2 center, const Axes& end, AxisMask named) {
@@ -123,10 +123,10 @@ class Arc {
                       point(from), point(center), point(to), r1 / unit, r2 / unit, error / unit, relative * 100));
     const auto arc = arc_around(from, to, center, turn_, 1e9);
     if (!arc) return fail(arc.error());
-    return hand_on(*arc, end, named);
+    return emit_arc_motion(*arc, end, named);
   }
 
-  Status hand_on(const PlaneArc& arc, const Axes& end, AxisMask named) {
+  Status emit_arc_motion(const PlaneArc& arc, const Axes& end, AxisMask named) {
     arc_motion(m_, arc, turn_, end, named, m_.has('P') ? std::round(m_.value('P')) - 1 : 0);
     return {};
   }
@@ -172,7 +172,7 @@ Status LinuxCnc::write_probed(const BlockContext& m) {
   return outputs.write(ProgramFiles::Which::probe, line);
 }
 
-Status LinuxCnc::take_answer(Emitter& m, const ProbeAnswer& answer) {
+Status LinuxCnc::accept_answer(Emitter& m, const ProbeAnswer& answer) {
   m.needs_probe = false;
   for (std::size_t a = 0; a < m.axis_count; ++a) m.position.work[a] = answer.at[a];
   m.position.machine = m.frames.machine_of(m.position.work);
@@ -182,7 +182,7 @@ Status LinuxCnc::take_answer(Emitter& m, const ProbeAnswer& answer) {
   const bool touched = must ? made_contact(m, answer) : answer.touched;
   probe_tripped = touched;
   m.variables.set_raw(5070, touched ? 1 : 0);
-  (void)m.variables.take_frames_changed();
+  (void)m.variables.consume_frames_changed();
   if (touched) KADR_TRY(write_probed(m));
   if (touched || !must) return {};
   return fault(AlarmId::rs274_probe, m.probe_where,

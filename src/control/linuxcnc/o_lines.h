@@ -12,7 +12,7 @@
 #include "base/result.h"
 #include "control/interpreter.h"
 #include "control/linuxcnc/linuxcnc.h"
-#include "control/reading.h"
+#include "control/variable_reader.h"
 #include "lang/expression/expression.h"
 
 namespace kadr::linuxcnc {
@@ -37,7 +37,7 @@ class OLines {
 
   Result<Label> label();
 
-  Result<double> value_of(Expression e) { return evaluate(*m_.block, e, Reading{m_}); }
+  Result<double> value_of(Expression e) { return evaluate(*m_.block, e, VariableReader{m_}); }
 
   // ---- positions of O lines
 

@@ -57,7 +57,7 @@ Result<double> LinuxCnc::read_variable(Emitter& m, double number, Span where) co
   if (std::fabs(number - nearest) > whole_within) return fault(AlarmId::rs274_parameter, where, "Non integer value for integer");
   if (!(nearest >= 1 && nearest <= last_parameter)) return fault(AlarmId::rs274_parameter, where, out_of_range);
   const auto n = static_cast<int>(nearest);
-  if (n <= static_cast<int>(most_arguments)) return level().arguments[static_cast<std::size_t>(n)];
+  if (n <= static_cast<int>(max_arguments)) return level().arguments[static_cast<std::size_t>(n)];
   if (n >= 5400 && n <= 5413) return of_tool(m, *this, n - 5400);
   if (n >= 5420 && n <= 5428) {
     if (m.modal.radius_side != 0)
@@ -86,13 +86,13 @@ Status LinuxCnc::write_variable(BlockContext& m, double number, double value, Sp
   if (!(nearest >= 1 && nearest <= last_parameter)) return fault(AlarmId::rs274_parameter, where, out_of_range);
   const auto n = static_cast<std::size_t>(nearest);
   if ((n >= 5400 && n <= 5413) || (n >= 5420 && n <= 5428)) return fault(AlarmId::rs274_parameter, where, "Parameter is readonly");
-  if (n <= most_arguments) {
+  if (n <= max_arguments) {
     m.journal.keep(level().arguments[n]);
     level().arguments[n] = value;
     return {};
   }
   m.variables.set_raw(static_cast<std::uint32_t>(n), value);
-  (void)m.variables.take_frames_changed();  // writing the parameter of a work offset does not change the offset in force
+  (void)m.variables.consume_frames_changed();  // writing the parameter of a work offset does not change the offset in force
   return {};
 }
 
@@ -154,9 +154,9 @@ std::optional<double> mode_named(const BlockContext& m, const LinuxCnc& control,
 
 /// Returns the position that LinuxCNC assumes: under cutter compensation it is offset from the programmed point (current_x of the source).
 Axes current_point(const BlockContext& m, Axes at) {
-  if (m.modal.contour == ContourPhase::following) {
-    at[m.modal.contour_axes.first] += m.modal.contour_vector.x;
-    at[m.modal.contour_axes.second] += m.modal.contour_vector.y;
+  if (m.modal.contour == CompensationPhase::following) {
+    at[m.modal.compensation_axes.first] += m.modal.compensation_vector.x;
+    at[m.modal.compensation_axes.second] += m.modal.compensation_vector.y;
   }
   return at;
 }
@@ -207,8 +207,8 @@ std::optional<double> predefined(const BlockContext& m, const LinuxCnc& control,
 
 }  // namespace
 
-void LinuxCnc::add_variables(Emitter& m, Ending& ending, const std::vector<std::string>& watch) {
-  for (int n = 1; n <= static_cast<int>(most_arguments); ++n)
+void LinuxCnc::add_variables(Emitter& m, FinalState& ending, const std::vector<std::string>& watch) {
+  for (int n = 1; n <= static_cast<int>(max_arguments); ++n)
     if (const double v = level().arguments[static_cast<std::size_t>(n)]; v != 0) ending.variables.emplace_back("#" + std::to_string(n), v);
   for (const auto* const all : {&globals_, &level().named})
     for (const auto& [number, value] : *all)

@@ -111,7 +111,7 @@ SurfaceSpeed LinuxCnc::surface_speed(const BlockContext& m) const {
   SurfaceSpeed speed = m.speed_by_x();
   constexpr double metres_per_foot = 0.3048;
   if (m.modal.inch) speed.metres *= metres_per_foot;
-  if (state.css_most > 0) speed.most = state.css_most;
+  if (state.max_css_speed > 0) speed.most = state.max_css_speed;
   return speed;
 }
 
@@ -149,11 +149,11 @@ Status surface_speed_limited(Emitter& m, const Call& call) {
     return {};
   }
   if (!on) {
-    control.state.css_most = 0;
+    control.state.max_css_speed = 0;
     return spindle_rpm(m, call);
   }
   m.modal.surface_speed = true;
-  control.state.css_most = m.has('D') ? std::fabs(m.value('D')) : 0;
+  control.state.max_css_speed = m.has('D') ? std::fabs(m.value('D')) : 0;
   m.emit(m.surface_speed());
   return {};
 }

@@ -26,7 +26,7 @@ tl::unexpected<Alarm> spline_fault(const BlockContext& m, Span where, std::strin
 Vec2 in_plane_xy(const Axes& axes) { return {axes[x_axis], axes[y_axis]}; }
 
 /// Moves along the curve to its last point. Only X and Y move.
-void go_along(Emitter& m, const std::vector<ControlPoint>& points, std::size_t order) {
+void match_paths(Emitter& m, const std::vector<ControlPoint>& points, std::size_t order) {
   Axes end = m.position.programmed;
   end[x_axis] = points.back().at.x;
   end[y_axis] = points.back().at.y;
@@ -84,7 +84,7 @@ Status control_point_words(const BlockContext& m, const std::vector<ControlPoint
 }
 
 /// Warns of words that LinuxCNC reads but ignores.
-void tell_ignored_words(Emitter& m) {
+void warn_ignored_words(Emitter& m) {
   for (const char letter : {'Z', 'A', 'B', 'C', 'U', 'V', 'W'})
     if (m.has(letter)) m.warn(warning(AlarmId::spline_word_ignored, m.where(letter), letter));
 }
@@ -107,7 +107,7 @@ Status cubic_spline(Emitter& m, const Call& call) {
   CycleMemory& memory = m.cycle_memory;  // shared with I J of G87, as in LinuxCNC
   const Vec2 out = m.has('I') ? linuxcnc::words_of(m, 'I', 'J') : Vec2{memory.i, memory.j};
   const Vec2 in = linuxcnc::words_of(m, 'P', 'Q');
-  linuxcnc::go_along(m, {{start}, {start + out}, {*end + in}, {*end}}, 4);
+  linuxcnc::match_paths(m, {{start}, {start + out}, {*end + in}, {*end}}, 4);
   memory.i = -in.x;
   memory.j = -in.y;
   return {};
@@ -119,7 +119,7 @@ Status quadratic_spline(Emitter& m, const Call& call) {
   if (!end) return fail(end.error());
   if (!m.has('I') || !m.has('J')) return linuxcnc::spline_fault(m, call.where, "Must specify both I and J with G5.1");
   const Vec2 start = linuxcnc::in_plane_xy(m.position.programmed);
-  linuxcnc::go_along(m, {{start}, {start + linuxcnc::words_of(m, 'I', 'J')}, {*end}}, 3);
+  linuxcnc::match_paths(m, {{start}, {start + linuxcnc::words_of(m, 'I', 'J')}, {*end}}, 3);
   return {};
 }
 
@@ -137,13 +137,13 @@ Status nurbs_point(Emitter& m, const Call& call) {
   }
   const double order = m.has('L') ? std::round(m.value('L')) : -1;
   if (order > 3) state.nurbs_order = static_cast<std::size_t>(std::min(order, 1e6));
-  linuxcnc::tell_ignored_words(m);
+  linuxcnc::warn_ignored_words(m);
   if (!named) return {};
   AxisMask words = 0;
   Axes end;
   KADR_TRY(m.target(end, words));
-  if (points.size() == PlaneSpline::most_points)
-    return fail(alarm(AlarmId::spline_too_large, call.where, double{PlaneSpline::most_points}, double{PlaneSpline::most_order}));
+  if (points.size() == PlaneSpline::max_points)
+    return fail(alarm(AlarmId::spline_too_large, call.where, double{PlaneSpline::max_points}, double{PlaneSpline::most_order}));
   points.push_back({linuxcnc::in_plane_xy(end), linuxcnc::weight_of(m, call.where)});
   return {};
 }
@@ -160,8 +160,8 @@ Status nurbs_end(Emitter& m, const Call& call) {
     return linuxcnc::spline_fault(
         m, call.where, fmt::format("You must specify a number of control points at least equal to the order L = {}", state.nurbs_order));
   if (state.nurbs_order > PlaneSpline::most_order)
-    return fail(alarm(AlarmId::spline_too_large, call.where, double{PlaneSpline::most_points}, double{PlaneSpline::most_order}));
-  linuxcnc::go_along(m, state.nurbs, state.nurbs_order);
+    return fail(alarm(AlarmId::spline_too_large, call.where, double{PlaneSpline::max_points}, double{PlaneSpline::most_order}));
+  linuxcnc::match_paths(m, state.nurbs, state.nurbs_order);
   state.nurbs.clear();
   state.motion = -1;
   m.modal.motion = MotionMode::none;

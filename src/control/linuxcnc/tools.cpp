@@ -14,7 +14,7 @@
 namespace kadr::linuxcnc {
 namespace {
 
-constexpr std::size_t most_tools = 1000;
+constexpr std::size_t max_tools = 1000;
 
 /// Returns the number in the text of a word; nullopt if the text is not a number.
 std::optional<double> number_in(const std::string& text) {
@@ -98,7 +98,7 @@ std::string tools_text(const std::map<int, Tool>& tools, double unit) {
 
 std::map<int, Tool> read_tools(std::string_view text, double unit) {
   std::map<int, Tool> tools;
-  for (std::size_t at = 0; at < text.size() && tools.size() < most_tools;) {
+  for (std::size_t at = 0; at < text.size() && tools.size() < max_tools;) {
     const std::size_t end = std::min(text.find('\n', at), text.size());
     if (auto entry = entry_of(text.substr(at, end - at))) {
       scale_lengths(entry->tool, unit);

@@ -35,7 +35,7 @@ class Mach3 final : public Dialect {
     if (function == Function::probe) begin_ = m.position.work;
   }
 
-  Status take_answer(Emitter& m, const ProbeAnswer& answer) override {
+  Status accept_answer(Emitter& m, const ProbeAnswer& answer) override {
     KADR_TRY(m.note_answer(answer));
     KADR_TRY(write_point(m));
     double way = 0;
@@ -88,7 +88,7 @@ class Mach3 final : public Dialect {
     const auto& memory = static_cast<const Memory&>(from);
     begin_ = memory.begin;
     back_ = memory.back;
-    KADR_TRY(points_.remember(memory.points));
+    KADR_TRY(points_.resume_from(memory.points));
     note();
     return {};
   }

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "config/setup.h"
+#include "config/setup/setup.h"
 #include "control/dialect.h"
 #include "control/macro_b/memory.h"
 #include "control/macro_b/output/output_file.h"
@@ -26,7 +26,7 @@ struct CallFrame;
 
 namespace kadr::macro_b {
 
-class MacroB : public Dialect, public MachineSide, public Memory {
+class MacroB : public Dialect, public MachineInterface, public Memory {
  public:
   MacroB(BlockContext& m, const Setup& setup, const RunLimits& limits, std::shared_ptr<Commons> commons);
   ~MacroB() override;
@@ -46,15 +46,15 @@ class MacroB : public Dialect, public MachineSide, public Memory {
   /// Saves the macro state, so that an alarm in the block can restore it. Call keep_all() before a block changes more than the position.
   virtual void keep_all();
   void keep(BlockContext&) override { keep_all(); }
-  void take_back(BlockContext& m) override;
-  void taken_back(Emitter& m) override;
+  void undo_block(BlockContext& m) override;
+  void block_undone(Emitter& m) override;
 
   // ---- snapshot
   std::shared_ptr<const DialectState> snapshot() const override;
   Status restore(BlockContext& m, const DialectState& from) override;
 
   // ---- what the machine reports
-  MachineSide* machine_side() override { return this; }
+  MachineInterface* machine_interface() override { return this; }
   void set_signal(const std::string& name, double value) override;
   void set_answer(double to) override { answer = to; }
   void set_time(double at_ms, double cut_ms) override;
@@ -66,7 +66,7 @@ class MacroB : public Dialect, public MachineSide, public Memory {
   /// Assigns the values that the set-up gives to variables.
   void take_setup(Emitter& m, const Setup& setup) override;
   bool lose_power(Interpreter& m) override;
-  void add_variables(Emitter& m, Ending& ending, const std::vector<std::string>& watch) override;
+  void add_variables(Emitter& m, FinalState& ending, const std::vector<std::string>& watch) override;
   StateChanges take_changes(Interpreter& m) override;
   std::uint64_t common_version() const override { return parameters.version(); }
   void take_common(BlockContext& m, const Dialect& from) override;
@@ -92,7 +92,7 @@ class MacroB : public Dialect, public MachineSide, public Memory {
   /// The number of contours in the program that canned cycles are executing at the moment.
   virtual std::size_t open_contours() const = 0;
   /// Returns true if a table has been written since the last call.
-  virtual bool take_touched_tables() = 0;
+  virtual bool consume_touched_tables() = 0;
   /// Reads a system variable of a table or position: positions, tool offsets, work offsets, tools. Returns nullopt for any other variable.
   virtual std::optional<double> table_value(Emitter& m, const FoundVariable& variable) const = 0;
   /// Writes a variable that table_value() reads. Returns false for any other variable. alarms value_limit, magazine_number
@@ -120,7 +120,7 @@ class MacroB : public Dialect, public MachineSide, public Memory {
   /// The state that keep_all() saves; old values of tables and variables are in the interpreter's journal.
   struct Before {
     bool all = false;
-    Volatile state;
+    UndoableState state;
     std::size_t levels = 1, repeated_arguments = 0;
   };
 

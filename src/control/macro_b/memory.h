@@ -14,7 +14,7 @@
 #include "control/macro_b/statements/endless.h"
 #include "control/macro_b/variables/changes.h"
 #include "control/macro_b/variables/settings.h"
-#include "control/state/state.h"
+#include "control/state/control_state.h"
 #include "control/variables/macro_variables.h"
 
 namespace kadr::macro_b {
@@ -41,12 +41,12 @@ struct ModalWords {
 enum class DataMode : std::uint8_t { none, parameters, tools };
 
 /// The macro state that a block can change, in addition to ControlState. An alarm restores it as one value.
-struct Volatile {
+struct UndoableState {
   ModalWords words;
   std::vector<ModalCall> modal_calls;
   std::uint8_t active_modal_calls = 0;  // number of entries of modal_calls in force for the blocks being executed
   DataMode data_mode = DataMode::none;
-  std::optional<ProgramPlace> interrupt_program;  // interrupt macro enabled by M96
+  std::optional<ProgramLocation> interrupt_program;  // interrupt macro enabled by M96
   double parts_done = 0;
 };
 
@@ -74,7 +74,7 @@ struct Interrupted {
 /// All macro state that is a plain value: a snapshot copies it.
 struct Memory {
   Settings settings;
-  Volatile state;
+  UndoableState state;
   Programs programs;
   std::vector<std::pair<std::size_t, Locals>> repeated_arguments;  // {call depth, arguments} of the open calls that repeat (L > 1)
   Interrupted interrupted;

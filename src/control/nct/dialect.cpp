@@ -3,7 +3,7 @@
 
 #include <utility>
 
-#include "config/setup_keys.h"
+#include "config/setup/setup_keys.h"
 #include "control/fanuc/words/coordinates.h"
 #include "control/interpreter.h"
 #include "control/nct/axes/coupling.h"
@@ -33,7 +33,7 @@ void Nct::take_common(BlockContext& m, const Dialect& from) {
 }
 
 Result<bool> Nct::finish(Interpreter& m) {
-  if (!drives.asked.empty()) carry_out_asked(m);
+  if (!drives.asked.empty()) execute_requests(m);
   return Fanuc::finish(m);
 }
 
@@ -47,8 +47,8 @@ void Nct::note_motion(Emitter& m, Motion& motion) {
   if (!spindle_axes.empty()) watch_spindle_axes(m, motion.named);
 }
 
-Status Nct::take_answer(Emitter& m, const ProbeAnswer& at) {
-  const Status taken = Fanuc::take_answer(m, at);
+Status Nct::accept_answer(Emitter& m, const ProbeAnswer& at) {
+  const Status taken = Fanuc::accept_answer(m, at);
   follow_from_here(m);
   return taken;
 }
@@ -62,8 +62,8 @@ Status Nct::machine_code(Interpreter& m, const Call& call) {
 
 // ---- the tool tables: as system variables report them (12.5.3), and their state after a run
 
-bool Nct::take_touched_tables() {
-  bool touched = Fanuc::take_touched_tables();
+bool Nct::consume_touched_tables() {
+  bool touched = Fanuc::consume_touched_tables();
   touched = !tools.take_changed_rows().empty() || touched;
   touched = !tools.take_changed_places().empty() || touched;
   return !tools.take_changed_forms().empty() || touched;

@@ -16,14 +16,14 @@ struct Gear {
 };
 
 /// The state of the NCT that a run changes. An alarm restores it as one value.
-struct Volatile {
+struct UndoableState {
   Gear gear;
 };
 
 /// All memory that is a plain value: a snapshot copies it.
 struct Memory {
   Settings settings;
-  Volatile state;
+  UndoableState state;
   ToolManagement tools;
   DataInput data_input;
   Couplings couplings;        // axes that follow a master axis

@@ -94,13 +94,13 @@ void Nct::keep_all() {
   Fanuc::keep_all();
 }
 
-void Nct::take_back(BlockContext& m) {
+void Nct::undo_block(BlockContext& m) {
   if (!keeps_nothing()) state = before_;
-  Fanuc::take_back(m);
+  Fanuc::undo_block(m);
 }
 
-void Nct::taken_back(Emitter& m) {
-  Fanuc::taken_back(m);
+void Nct::block_undone(Emitter& m) {
+  Fanuc::block_undone(m);
   if (m.keeps_state()) follow_from_here(m);
 }
 

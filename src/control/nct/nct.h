@@ -30,8 +30,8 @@ class Nct : public Fanuc, public nct::Memory {
 
   // ---- undoing a faulty block
   void keep_all() override;
-  void take_back(BlockContext& m) override;
-  void taken_back(Emitter& m) override;
+  void undo_block(BlockContext& m) override;
+  void block_undone(Emitter& m) override;
 
   // ---- snapshot
   std::shared_ptr<const DialectState> snapshot() const override;
@@ -45,17 +45,17 @@ class Nct : public Fanuc, public nct::Memory {
   int spindle_magazine() const { return ToolManagement::main_spindle * std::max(Fanuc::settings.default_spindle, 1); }
   std::uint64_t common_version() const override { return tools.tables_version() + Fanuc::common_version(); }
   void take_common(BlockContext& m, const Dialect& from) override;
-  bool take_touched_tables() override;
+  bool consume_touched_tables() override;
   std::optional<double> table_value(Emitter& m, const FoundVariable& variable) const override;
   Result<bool> write_table(Emitter& m, const FoundVariable& variable, double value, Span where) override;
 
-  // ---- what the machine reports (machine_side.cpp)
+  // ---- what the machine reports (machine_interface.cpp)
   void couple_axis(Emitter& m, const std::string& name, AxisLink link, bool on) override;
-  const std::vector<FarAxis>& far_axes() const override { return couplings.far; }
-  void drop_far(Emitter& m, const FarAxis& axis) override;
+  const std::vector<CrossChannelAxis>& cross_channel_axes() const override { return couplings.far; }
+  void drop_cross_channel(Emitter& m, const CrossChannelAxis& axis) override;
   void lead_axis(Emitter& m, std::size_t axis, double machine) override;
   bool may_exchange(const BlockContext& m, std::size_t axis) const override;
-  void exchange_far(std::size_t axis, double machine, bool on) override;
+  void exchange_cross_channel(std::size_t axis, double machine, bool on) override;
   bool is_parked(std::size_t axis) const override { return (drives.parked >> axis & 1U) != 0; }
   void set_time(double at_ms, double cut_ms) override;
   bool waiting_suspended() const override;
@@ -66,7 +66,7 @@ class Nct : public Fanuc, public nct::Memory {
   bool lines_follow(const BlockContext& m) const override { return drives.parked == 0 && Fanuc::lines_follow(m); }
   Status may_move(const BlockContext& m, AxisMask named) const override;
   void note_motion(Emitter& m, Motion& motion) override;
-  Status take_answer(Emitter& m, const ProbeAnswer& at) override;
+  Status accept_answer(Emitter& m, const ProbeAnswer& at) override;
   Status machine_code(Interpreter& m, const Call& call) override;
 
  protected:
@@ -75,7 +75,7 @@ class Nct : public Fanuc, public nct::Memory {
   bool keeps_group(int group) const override;
 
  private:
-  Volatile before_;  // the state that keep_all() has saved
+  UndoableState before_;  // the state that keep_all() has saved
 };
 
 /// The part of a snapshot that belongs to the class Nct.

@@ -10,15 +10,15 @@
 namespace kadr::nct {
 namespace {
 
-constexpr int most_waiting_codes = 100;
+constexpr int max_waiting_codes = 100;
 constexpr const char* no_waiting_signal = "CP_NOWT";
 
 bool is_waiting_code(const Settings& s, int code) {
-  return s.waiting_high > 0 && code >= s.waiting_low && code <= s.waiting_high && code < s.waiting_low + most_waiting_codes;
+  return s.waiting_high > 0 && code >= s.waiting_low && code <= s.waiting_high && code < s.waiting_low + max_waiting_codes;
 }
 
 /// True if the block has only a block number, P and the waiting code.
-bool stands_alone(const BlockContext& m) {
+bool has_nothing_else(const BlockContext& m) {
   std::size_t others = 0;
   for (std::uint32_t i = 0; i < m.block->word_count; ++i)
     if (const char letter = m.block->words[i].address; letter != 0 && letter != 'P') ++others;
@@ -31,7 +31,7 @@ Result<std::uint32_t> channels_in(const BlockContext& m, std::uint32_t digits) {
   std::uint32_t channels = 0;
   for (const char c : text) {
     const int channel = c - '0';
-    const bool known = channel >= 1 && channel <= most_channels && (m.waiting.known == 0 || (m.waiting.known >> channel & 1u) != 0);
+    const bool known = channel >= 1 && channel <= max_channels && (m.waiting.known == 0 || (m.waiting.known >> channel & 1u) != 0);
     if (!known) return fail(alarm(AlarmId::channel_list, m.where('P'), std::string_view(text)));
     channels |= 1u << channel;
   }
@@ -56,7 +56,7 @@ Result<bool> waiting_code(BlockContext& m, const Call& call) {
   const int code = call.word->code / 10;
   if (!is_waiting_code(nct_of(m).settings, code)) return false;
   const std::string name = "M" + std::to_string(code);
-  if (!stands_alone(m)) return fail(alarm(AlarmId::own_block, call.where, std::string_view(name)));
+  if (!has_nothing_else(m)) return fail(alarm(AlarmId::own_block, call.where, std::string_view(name)));
   if (!m.has('P')) return fail(alarm(AlarmId::word_missing, call.where, 'P', std::string_view(name)));
   const auto digits = m.whole('P', 0, 99'999'999);
   if (!digits) return fail(digits.error());

@@ -2,7 +2,7 @@
 // Waiting codes: the channels of a machine wait for each other at `M501 P12` (spec/nct/14 14.5).
 
 #include "base/result.h"
-#include "control/state/waiting.h"
+#include "control/state/waiting_codes.h"
 
 namespace kadr {
 class BlockContext;
@@ -14,7 +14,7 @@ namespace kadr::nct {
 
 class Nct;
 
-inline constexpr int most_channels = 8;  // most channels of a machine (NCT 1.2)
+inline constexpr int max_channels = 8;  // most channels of a machine (NCT 1.2)
 
 /// Returns the channels that the set-up lists, as bits; 0 if there is no other channel.
 std::uint32_t channels_of(const Setup& setup);

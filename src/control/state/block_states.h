@@ -10,7 +10,7 @@
 #include <memory>
 #include <utility>
 
-#include "control/state/state.h"
+#include "control/state/control_state.h"
 
 namespace kadr {
 

@@ -1,4 +1,4 @@
-// Undoes what a block has written. Used by Interpreter::take_back; tested by tests/control/journal_test.cpp.
+// Undoes what a block has written. Used by Interpreter::undo_block; tested by tests/control/journal_test.cpp.
 
 #include "control/state/journal.h"
 

@@ -6,9 +6,9 @@
 #include <optional>
 #include <string>
 
-#include "base/file_door.h"
+#include "base/file_access.h"
 #include "base/file_id.h"
-#include "base/stop.h"
+#include "base/stop_token.h"
 #include "lang/block/block_reader.h"
 
 namespace kadr {
@@ -21,7 +21,7 @@ struct RunLimits {
   std::string files = ".";                     // folder of the program memory, outside of which nothing is written
   FileSet untouched{};                         // files of the run itself, which no program may write
   StopToken stop{};                            // checked at least once per block
-  const FileDoor* door = nullptr;              // opens the files that the program calls and the set-up names; must outlive the run
+  const FileAccess* door = nullptr;            // opens the files that the program calls and the set-up names; must outlive the run
 };
 
 struct Program {

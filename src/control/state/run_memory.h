@@ -10,7 +10,7 @@
 #include "action/action.h"
 #include "base/vec.h"
 #include "control/state/usage.h"
-#include "control/state/waiting.h"
+#include "control/state/waiting_codes.h"
 #include "lang/block/block.h"
 
 namespace kadr {
@@ -34,16 +34,16 @@ struct RunMemory {
   ProgramUse use;                   // which data of the set-up the program has used
   std::optional<Position> resumed;  // the block that was about to start when an interrupt macro came
   std::uint64_t start_block = 0;    // number of the block with '%'; 0 if there is none
-  std::uint64_t unserved = 0;       // bit per modal group: a code that this version does not support was in force at the start
+  std::uint64_t unsupported = 0;    // bit per modal group: a code that this version does not support was in force at the start
   bool needs_frames = true;         // the first batch starts with a FrameChange
   bool reads_clock = false;         // a block that may read a clock has been read
   bool pass_varies = false;         // this pass used something that may differ in the next pass: a variable, a skip, a probe …
   bool start_missing_reported = false;
-  bool feed_missing_told = false;
+  bool feed_missing_reported = false;
   bool skipping_section = false;
-  bool in_interrupt = false;  // the block belongs to an interrupt macro
-  bool damaged = false;       // the block could not be read without a fault
-  AxisMask unplaced = 0;      // axes whose position is unknown because a motion was refused
+  bool in_interrupt = false;      // the block belongs to an interrupt macro
+  bool damaged = false;           // the block could not be read without a fault
+  AxisMask unknown_position = 0;  // axes whose position is unknown because a motion was refused
   // ---- switches of the panel
   bool optional_stop_on = false;
   std::array<bool, 10> skip_switches{};

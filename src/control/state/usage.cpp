@@ -35,7 +35,7 @@ void ProgramUse::pass(const Origin& origin) {
   lines_[origin.line] = true;
 }
 
-void note_work_zero(BlockContext& m, std::uint32_t row) {
+void note_work_offset(BlockContext& m, std::uint32_t row) {
   if (row == 0) return;  // no work offset
   // The reset that the control itself does at the end of the program also activates a work system; this is not a use.
   if (!m.has_code({Function::work_zero, Function::fixture, Function::work_system, Function::work_system_extended, Function::table_system,

@@ -15,7 +15,7 @@ class BlockContext;
 enum class UseKind : std::uint8_t {
   length,         // an offset's length comes into force: by H, or by D of the 2С42
   radius,         // an offset's radius comes into force
-  work_zero,      // a work offset, by the row of its table; work_systems() of config/setup_names gives the names
+  work_zero,      // a work offset, by the row of its table; work_systems() of config/setup/setup_names gives the names
   corrector,      // corrector (offset value) of an axis, or of a tool's radius
   tool,           // T
   variable,       // #n is read before anything was written to it; on a control without vacant variables only after watch()
@@ -57,7 +57,7 @@ class ProgramUse {
 };
 
 /// Records that a code has put a work offset in force.
-void note_work_zero(BlockContext& m, std::uint32_t row);
+void note_work_offset(BlockContext& m, std::uint32_t row);
 /// Records that variable #`number`, or parameter R`index`, is about to be read.
 void note_read(BlockContext& m, double number);
 void note_read_parameter(BlockContext& m, int index);

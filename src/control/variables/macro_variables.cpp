@@ -34,7 +34,7 @@ MacroVariables::Memory MacroVariables::memory() const {
   return now;
 }
 
-void MacroVariables::remember(const Memory& memory) {
+void MacroVariables::resume_from(const Memory& memory) {
   for (std::size_t i = 0; i < commons_.size(); ++i) set_common(first_common + static_cast<int>(i), memory.commons[i]);
   levels_ = memory.levels;
   further_ = memory.further;

@@ -14,10 +14,10 @@
 
 namespace kadr {
 
-inline constexpr std::size_t most_locals = 33;
+inline constexpr std::size_t max_locals = 33;
 inline constexpr int first_common = 100, last_common = 999, first_kept = 500;
 
-using Locals = std::array<double, most_locals + 1>;  // by number; [0] unused
+using Locals = std::array<double, max_locals + 1>;  // by number; [0] unused
 Locals no_locals();
 
 /// #100 … #999, by number.
@@ -39,7 +39,7 @@ class MacroVariables {
       value = common(n);
       return true;
     }
-    if (n > static_cast<int>(most_locals)) return false;
+    if (n > static_cast<int>(max_locals)) return false;
     value = n == 0 ? vacant : levels_.back()[static_cast<std::size_t>(n)];
     return true;
   }
@@ -85,7 +85,7 @@ class MacroVariables {
     std::map<std::uint32_t, double> further;
   };
   Memory memory() const;
-  void remember(const Memory& memory);
+  void resume_from(const Memory& memory);
 
   /// Returns the numbers of common variables that survive power-off and were written since the last call.
   std::vector<std::uint16_t> take_changed();

@@ -111,7 +111,7 @@ std::uint32_t Variables::first(VariableKind kind, std::uint32_t nth) const {
   return 0;
 }
 
-bool Variables::take_frames_changed() {
+bool Variables::consume_frames_changed() {
   const bool changed = frames_changed_;
   frames_changed_ = false;
   return changed;

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "base/result.h"
-#include "config/control_def.h"
+#include "config/control/control_def.h"
 #include "control/state/journal.h"
 
 namespace kadr {
@@ -44,7 +44,7 @@ class Variables {
   std::uint32_t first(VariableKind kind, std::uint32_t nth = 0) const;
 
   /// Returns true if a system variable was written since the last call; the frames must then be recomputed.
-  bool take_frames_changed();
+  bool consume_frames_changed();
 
   /// Values of variables by number, and of parameters by index.
   struct Values {

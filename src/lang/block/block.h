@@ -149,8 +149,8 @@ struct Block {
   std::uint32_t number = 0;  // block number, written after N or ':'
   std::uint32_t label = 0;   // number written after O or '%'
   std::uint32_t word_count = 0;
-  std::uint64_t letters = 0;                      // bit (address - 'A') for each address present
-  std::array<std::uint8_t, most_addresses> at{};  // for each address that is present: index of its first word
+  std::uint64_t letters = 0;                     // bit (address - 'A') for each address present
+  std::array<std::uint8_t, max_addresses> at{};  // for each address that is present: index of its first word
   std::array<Word, limits::block_words> words;
   BlockShape shape;
   std::vector<Instruction> code;

@@ -8,7 +8,7 @@
 
 #include "lang/block/lexer.h"
 #include "lang/text/eia.h"
-#include "lang/text/tape_side.h"
+#include "lang/text/tape_orientation.h"
 
 namespace kadr {
 namespace {
@@ -32,7 +32,7 @@ BlockReader::BlockReader(std::shared_ptr<ByteSource> source, const Grammar& gram
     return;
   }
   if (memory_.encoding == Encoding::eia) lines_.end_lines_with(static_cast<char>(eia_end_of_block));
-  if (const auto look = look_at_tape(lines_.sample()); look) lie_ = look->lie;
+  if (const auto look = inspect_tape(lines_.sample()); look) lie_ = look->lie;
 }
 
 std::string BlockReader::shown(std::string_view text, Span& place) const {
@@ -60,7 +60,7 @@ void BlockReader::seek(Position position) {
 }
 
 Result<BlockReader::Got> BlockReader::next(Block& block) {
-  if (lie_ != TapeLie::right) [[unlikely]]
+  if (lie_ != TapeOrientation::right) [[unlikely]]
     return reversed_tape(block);
   for (;;) {
     Position here = position_;  // a copy in registers: separate stores would delay a load of the whole Position
@@ -102,7 +102,7 @@ Result<BlockReader::Got> BlockReader::reversed_tape(Block& block) {
   block.clear();
   block.text = {};
   block.where = {};
-  if (std::exchange(memory_.lie_told, true)) return Got::end;
+  if (std::exchange(memory_.orientation_reported, true)) return Got::end;
   return fail(alarm(AlarmId::tape_reversed, {}, name_of(lie_)));
 }
 

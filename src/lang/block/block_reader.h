@@ -9,7 +9,7 @@
 #include "lang/block/plain_block.h"
 #include "lang/block/program_frame.h"
 #include "lang/text/line_reader.h"
-#include "lang/text/tape_side.h"
+#include "lang/text/tape_orientation.h"
 
 namespace kadr {
 
@@ -36,12 +36,12 @@ class BlockReader {
     std::optional<Encoding> encoding;
     bool guessed = false;
     std::uint64_t first_mark = no_mark;  // offset of the first line with a block that ends with ПС or LF
-    bool lie_told = false;
+    bool orientation_reported = false;
     bool expects_high_bytes = false;  // an earlier line needed decoding, so the next ones probably do
     friend bool operator==(const Memory&, const Memory&) = default;
   };
   const Memory& memory() const { return memory_; }
-  void remember(const Memory& memory) { memory_ = memory; }
+  void resume_from(const Memory& memory) { memory_ = memory; }
   Encoding encoding() const { return memory_.encoding.value_or(Encoding::utf8); }
   bool encoding_was_guessed() const { return memory_.guessed; }
   std::uint64_t size() const { return lines_.size(); }
@@ -66,7 +66,7 @@ class BlockReader {
   std::size_t rest_ = 0;   // offset in the line where its next block starts
   bool in_line_ = false;
   bool is_text_ = false;  // text_ is known to be UTF-8
-  TapeLie lie_ = TapeLie::right;
+  TapeOrientation lie_ = TapeOrientation::right;
   ProgramFrame frame_;  // start and end of the program by the signs %, on controls that use these signs
   Position position_;
 };

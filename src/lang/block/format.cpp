@@ -1,5 +1,5 @@
 // Format descriptors: `%: / DS N04 3G2 X+053 Y+053 Z+042 F031 S04 T05 M2*` (spec/gost 3, spec/s2c42 2). Used by
-// config/control_loader_codes, config/control_loader_words; tested by tests/lang/format_test.cpp.
+// config/control/control_loader_codes, config/control/control_loader_words; tested by tests/lang/format_test.cpp.
 
 #include "lang/block/format.h"
 

@@ -1,6 +1,6 @@
 #pragma once
 // Grammar: how a control writes blocks and words: only the form, never the meaning of a code. Filled from the control's file
-// (config/control_file); descriptor strings: lang/format.
+// (config/control/control_file); descriptor strings: lang/format.
 
 #include <array>
 #include <cstdint>
@@ -14,7 +14,7 @@
 namespace kadr {
 
 /// Addresses are characters: A to Z, then words with a comma (`,C`) and names of several characters (`XDE`, `S2`).
-inline constexpr std::size_t most_addresses = 63;
+inline constexpr std::size_t max_addresses = 63;
 inline constexpr char comma_chamfer = '[';    // ,C
 inline constexpr char comma_rounding = '\\';  // ,R
 inline constexpr char comma_angle = ']';      // ,A
@@ -42,7 +42,7 @@ struct AddressName {
 
 /// Formal parameters: R0 to R9 of the 2С42; on controls with several letters they have two or three digits, a thousand per letter.
 inline constexpr int parameters_a_letter = 1000;
-inline constexpr std::size_t most_long_parameters = 8;
+inline constexpr std::size_t max_long_parameters = 8;
 /// Formal parameters may have a special sign instead of a letter (spec/correctors 3).
 constexpr bool is_parameter_sign(char c) { return c == '#' || c == '@' || c == '$' || c == '&'; }
 
@@ -81,7 +81,7 @@ enum class EndOfBlock : std::uint8_t {
 };
 
 struct Grammar {
-  std::array<WordFormat, most_addresses> words{};  // by address
+  std::array<WordFormat, max_addresses> words{};  // by address
   EndOfBlock end_of_block = EndOfBlock::line;
   bool mark_everywhere = true;         // if one block of the file ends with ПС or LF, all blocks must
   bool block_number_required = false;  // every block begins with N or ':' (2С42 6.2)
@@ -132,7 +132,7 @@ struct Grammar {
   std::vector<AddressName> names;     // in the order of their addresses
   std::uint32_t named = 0;            // bit per letter: set if a name starts with this letter
   std::vector<VariableName> symbols;  // sorted by text
-  std::array<std::uint8_t, most_addresses> axis_numbers{};  // control-wide number of each axis address, 0: not an axis
+  std::array<std::uint8_t, max_addresses> axis_numbers{};  // control-wide number of each axis address, 0: not an axis
 
   // ---- features of custom macros that RS274/NGC expressions do not have
   /// Statements: IF, WHILE, GOTO, DPRNT, …; an assignment is a statement too, and is in a block without words.

@@ -1,4 +1,4 @@
-// Splits the text of one block into words. Used by control/start, lang/block/block_reader; tested by tests/lang/lexer_test.cpp.
+// Splits the text of one block into words. Used by control/interpreter_start, lang/block/block_reader; tested by tests/lang/lexer_test.cpp.
 
 #include "lang/block/lexer.h"
 

@@ -11,7 +11,7 @@
 namespace kadr {
 namespace {
 
-constexpr double most_block_number = 1e7;  // a larger N remains a word, which the control checks
+constexpr double max_block_number = 1e7;  // a larger N remains a word, which the control checks
 
 /// Returns true for characters that are never part of a line: the control removes them from the stream as commands (spec/grbl 12).
 bool is_real_time(char c) { return c == '!' || c == '?' || c == '~' || is_high(c); }
@@ -109,14 +109,14 @@ struct CountedDigits {
 };
 
 CountedDigits counted_digits(std::string_view number) {
-  constexpr int most_digits = 8;
+  constexpr int max_digits = 8;
   CountedDigits all;
   int count = 0;
   bool fraction = false;
   for (const char c : number) {
     if (c == '.') fraction = true;
     if (!is_digit(c)) continue;
-    if (++count > most_digits) all.exponent += fraction ? 0 : 1;
+    if (++count > max_digits) all.exponent += fraction ? 0 : 1;
     else all.digits = 10 * all.digits + static_cast<std::uint32_t>(c - '0'), all.exponent -= fraction ? 1 : 0;
   }
   return all;
@@ -132,7 +132,7 @@ double value_of_digits(std::string_view number) {
   return number[0] == '-' ? -sized : sized;
 }
 
-float single_of_digits(std::string_view number) {
+float float32_of_digits(std::string_view number) {
   auto [digits, exponent] = counted_digits(number);
   auto value = static_cast<float>(digits);
   for (; exponent <= -2; exponent += 2) value *= 0.01F;
@@ -144,7 +144,7 @@ float single_of_digits(std::string_view number) {
 /// Reads the first N as the block's number, whole or not; a negative or too large N remains a word.
 bool LineWordReader::takes_number(std::string_view number) {
   const double value = value_of_digits(number);
-  if (block_.has_number || block_.has('N') || !(value >= 0 && value <= most_block_number)) return false;
+  if (block_.has_number || block_.has('N') || !(value >= 0 && value <= max_block_number)) return false;
   block_.has_number = true;
   block_.number = static_cast<std::uint32_t>(value);
   block_.number_digits = static_cast<std::uint8_t>(std::min<std::size_t>(number.size(), 255));

@@ -25,7 +25,7 @@ std::size_t size_of_number(std::string_view text);
 /// before the decimal point are read as zeros (1.3).
 double value_of_digits(std::string_view number);
 /// Like value_of_digits(), with each step of read_float rounded to 32 bits, as on the control.
-float single_of_digits(std::string_view number);
+float float32_of_digits(std::string_view number);
 
 class LineWordReader {
  public:

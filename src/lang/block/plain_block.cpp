@@ -156,8 +156,8 @@ const char* PlainBlocks::word(const char* at, const char* end, Block& block) con
 
 /// Returns true if the number of digits and the decimal point conform to the format.
 bool PlainBlocks::follows(const WordFormat& format, const Digits& digits) {
-  constexpr std::uint64_t most_code = 99'999;
-  if (format.code && (digits.fraction > 1 || digits.mantissa > most_code || digits.whole < format.code_digits)) return false;
+  constexpr std::uint64_t max_code = 99'999;
+  if (format.code && (digits.fraction > 1 || digits.mantissa > max_code || digits.whole < format.code_digits)) return false;
   if (format.whole_digits == 0) return true;
   const bool implied = format.implied && !digits.has_point;
   const std::size_t most = format.whole_digits + (implied ? std::size_t{format.fraction_digits} : 0);

@@ -32,10 +32,10 @@ class PlainBlocks {
   bool read_words(std::string_view text, std::size_t from, Block& block) const;
 
   const Grammar& grammar_;
-  std::array<Kind, 256> kinds_{};            // by character
-  std::array<bool, most_addresses> easy_{};  // by address: any number of digits is allowed
-  std::size_t most_digits_ = 0;              // maximum number of digits of a value
-  std::size_t most_number_digits_ = 0;       // maximum number of digits of a block number
+  std::array<Kind, 256> kinds_{};           // by character
+  std::array<bool, max_addresses> easy_{};  // by address: any number of digits is allowed
+  std::size_t most_digits_ = 0;             // maximum number of digits of a value
+  std::size_t most_number_digits_ = 0;      // maximum number of digits of a block number
 };
 
 }  // namespace kadr

@@ -31,7 +31,7 @@ bool is_block(std::string_view line, const Grammar& grammar) {
 }
 
 /// Returns the first line that is more than a comment; empty if there is none.
-std::string_view behind_comments(std::string_view sample, std::size_t& at) {
+std::string_view after_comments(std::string_view sample, std::size_t& at) {
   std::string_view line = first_line(sample, at);
   while (!line.empty() && line[line.find_first_not_of(" \t\r")] == '(' && line[line.find_last_not_of(" \t\r")] == ')') {
     at = std::min(sample.find('\n', at), sample.size() - 1) + 1;
@@ -53,7 +53,7 @@ ProgramFrame frame_of(std::string_view sample, const Grammar& grammar) {
   if (first.empty()) return {};
   if (has_sign(first)) return {0, at};
   std::size_t sign = at;
-  if (has_sign(behind_comments(sample, sign))) {
+  if (has_sign(after_comments(sample, sign))) {
     std::size_t behind = std::min(sample.find('\n', sign), sample.size() - 1) + 1;
     return first_line(sample, behind).empty() ? ProgramFrame() : ProgramFrame{sign, sign};
   }

@@ -13,7 +13,7 @@
 namespace kadr {
 namespace {
 
-constexpr std::size_t least_parameter_digits = 2, most_parameter_digits = 3;  // numbers of digits: R01, R123 (spec/correctors 3)
+constexpr std::size_t least_parameter_digits = 2, max_parameter_digits = 3;  // numbers of digits: R01, R123 (spec/correctors 3)
 
 }  // namespace
 
@@ -200,7 +200,7 @@ Result<double> WordReader::parameter_index() {
   const std::size_t begin = cursor_.at;
   const char letter = cursor_.text[cursor_.at++];
   std::size_t digits = 0;
-  const std::size_t most = letter == grammar_.parameter_address ? 1 : most_parameter_digits;
+  const std::size_t most = letter == grammar_.parameter_address ? 1 : max_parameter_digits;
   double index = 0;
   for (; digits < most && is_digit(cursor_.peek()); ++digits) index = index * 10 + (cursor_.text[cursor_.at++] - '0');
   const std::size_t least = letter == grammar_.parameter_address ? 1 : least_parameter_digits;
@@ -213,8 +213,8 @@ bool WordReader::assigns_parameter(char letter) const {
   if (grammar_.long_parameters.find(letter) == std::string::npos) return false;
   Cursor ahead = cursor_;
   std::size_t digits = 0;
-  for (; digits <= most_parameter_digits && is_digit(ahead.peek()); ++digits) ++ahead.at;
-  if (digits < least_parameter_digits || digits > most_parameter_digits) return false;
+  for (; digits <= max_parameter_digits && is_digit(ahead.peek()); ++digits) ++ahead.at;
+  if (digits < least_parameter_digits || digits > max_parameter_digits) return false;
   ahead.skip_blanks();
   return ahead.peek() == '+' || ahead.peek() == '-' || ahead.peek() == '=';
 }

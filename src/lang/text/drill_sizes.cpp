@@ -59,7 +59,7 @@ constexpr std::array<double, 46> metric = {1,  1.1, 1.2, 1.4, 1.6, 1.8, 2,  2.2,
                                            27, 28,  30,  32,  33,  35,  36, 38,  39,  42, 45,  48, 52,  56};
 
 constexpr double smallest_by_inches = 0.06, largest_by_inches = 4;  // in; screw #0, and the largest tap that a spindle drives
-constexpr double least_threads = 4, most_threads = 80;              // per inch
+constexpr double least_threads = 4, max_threads = 80;               // per inch
 
 }  // namespace
 
@@ -81,7 +81,7 @@ std::optional<double> inch_thread(double size, double threads_per_inch) {
   const bool is_pipe =
       std::any_of(pipes.begin(), pipes.end(), [&](const Pipe& p) { return p.size == size && p.threads == threads_per_inch; });
   const bool is_likely =
-      size >= smallest_by_inches && size <= largest_by_inches && threads_per_inch >= least_threads && threads_per_inch <= most_threads;
+      size >= smallest_by_inches && size <= largest_by_inches && threads_per_inch >= least_threads && threads_per_inch <= max_threads;
   const bool whole_pitch = threads_per_inch == std::floor(threads_per_inch) || threads_per_inch == 4.5;  // 2-4.5 UNC
   const bool too_fine = size >= 1 && threads_per_inch > 20;  // 1-20 UNEF is the finest thread of an inch and above
   if (is_pipe || !is_likely || !whole_pitch || too_fine) return std::nullopt;

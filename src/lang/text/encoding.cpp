@@ -12,7 +12,7 @@
 
 #include "base/ascii.h"
 #include "lang/text/eia.h"
-#include "lang/text/tape_side.h"
+#include "lang/text/tape_orientation.h"
 
 namespace kadr {
 namespace {
@@ -249,7 +249,7 @@ std::optional<Encoding> encoding_named(std::string_view name) {
 
 std::optional<Encoding> detect_encoding(std::string_view sample) {
   if (ascii_run(sample) == sample.size()) return std::nullopt;
-  if (const auto tape = look_at_tape(sample)) return tape->code == TapeCode::eia ? Encoding::eia : Encoding::iso7;
+  if (const auto tape = inspect_tape(sample)) return tape->code == TapeCode::eia ? Encoding::eia : Encoding::iso7;
   if (is_utf8(sample) && !is_small_cp866(sample)) return Encoding::utf8;
   auto best = Encoding::cp1251;  // if costs are equal, the most frequent encoding wins
   std::uint64_t least = cost_of(sample, best);

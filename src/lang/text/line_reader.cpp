@@ -139,7 +139,7 @@ bool has_bare_cr(std::string_view sample) {
 
 }  // namespace
 
-std::unique_ptr<ByteSource> open_file(const std::string& path, const FileDoor* door) {
+std::unique_ptr<ByteSource> open_file(const std::string& path, const FileAccess* door) {
   if (Kept text = door == nullptr ? Pipes::known(path) : nullptr) return shared_source(std::move(text));
   OpenFile file(door != nullptr ? door->open_for_reading(path)
                 : path == "-"   ? fcntl(STDIN_FILENO, F_DUPFD_CLOEXEC, 0)

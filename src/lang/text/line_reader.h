@@ -7,7 +7,7 @@
 #include <string>
 #include <string_view>
 
-#include "base/file_door.h"
+#include "base/file_access.h"
 #include "base/result.h"
 #include "lang/text/encoding.h"
 
@@ -33,7 +33,7 @@ class ByteSource {
 /// Opens a file. Returns nullptr if it cannot be read (the reason is in errno). Input that cannot be read twice (a pipe, a device; "-"
 /// is the standard input) is stored in a TextSpool, up to limits::piped_bytes or limits::device_bytes; EMSGSIZE if it is longer.
 /// Through a door only a regular file can be opened.
-std::unique_ptr<ByteSource> open_file(const std::string& path, const FileDoor* door = nullptr);
+std::unique_ptr<ByteSource> open_file(const std::string& path, const FileAccess* door = nullptr);
 std::unique_ptr<ByteSource> text_source(std::string text);
 /// Returns a source for a text that others also keep in memory.
 std::unique_ptr<ByteSource> shared_text_source(std::shared_ptr<const std::string> text);

@@ -1,5 +1,5 @@
 // A tape with several programs: where each program starts, and which sections of subprograms belong to it (spec/gost 1, 2С42 6.2, 6.3.5).
-// Used by cli/open_program.
+// Used by cli/job/open_program.
 
 #include "lang/text/several_programs.h"
 
@@ -13,7 +13,7 @@
 namespace kadr {
 namespace {
 
-constexpr std::size_t most_entries = 10'000;
+constexpr std::size_t max_entries = 10'000;
 constexpr std::size_t search_bytes = 64 * 1024;
 
 /// A source that gives the file with some ranges blanked; ends of lines remain.
@@ -54,7 +54,7 @@ class Contents {
 
   TapeContents run() {
     auto block = std::make_unique<Block>();
-    while (contents_.programs.size() + contents_.subprograms.size() < most_entries) {
+    while (contents_.programs.size() + contents_.subprograms.size() < max_entries) {
       const auto got = reader_.next(*block);
       if (got && *got == BlockReader::Got::end) break;
       take(*block);
@@ -72,9 +72,9 @@ class Contents {
 
   void take(const Block& block) {
     const std::uint64_t at = block.position.offset;
-    const bool behind_start = std::exchange(behind_start_, block.marker == Marker::program_start);
+    const bool after_start = std::exchange(after_start_, block.marker == Marker::program_start);
     if (block.marker == Marker::program_start) return begin_program(at, block.label);
-    if (block.marker == Marker::label && labels_ && behind_start && contents_.programs.back().number == 0)
+    if (block.marker == Marker::label && labels_ && after_start && contents_.programs.back().number == 0)
       contents_.programs.back().number = block.label;
     if (block.marker == Marker::section && sections_) {
       end_at(at);
@@ -124,8 +124,8 @@ class Contents {
   TapeContents contents_;
   std::vector<bool> has_words_;  // for each program: it has a block with words
   In in_ = In::nothing;
-  bool open_ = false;          // the end of a subprogram has not been reached yet
-  bool behind_start_ = false;  // the block read is the one after the block with %
+  bool open_ = false;         // the end of a subprogram has not been reached yet
+  bool after_start_ = false;  // the block read is the one after the block with %
 };
 
 }  // namespace

@@ -1,5 +1,5 @@
 // Punched tape: rows of eight tracks in the ISO 7-bit code with even parity, and text (2С42 6.1, GOST 20999-83). Used by
-// lang/text/tape_side; tested by tests/lang/tape_test.cpp.
+// lang/text/tape_orientation; tested by tests/lang/tape_test.cpp.
 
 #include "lang/text/tape.h"
 
@@ -20,7 +20,7 @@ constexpr std::uint8_t deleted_row = 0x7F;
 constexpr std::uint8_t shift_out = 0x0E;  // to Russian letters
 constexpr std::uint8_t shift_in = 0x0F;   // back to Latin letters
 constexpr std::uint8_t first_letter = 0x40;
-constexpr std::size_t most_faults = 1000;
+constexpr std::size_t max_faults = 1000;
 
 bool leaves_no_character(std::uint8_t code) {
   return code == 0 || code == '\r' || code == shift_out || code == shift_in || code == deleted_row;
@@ -128,7 +128,7 @@ TapeText decode_tape(std::string_view rows, TapeCode code) {
       continue;
     }
     tape.text += '?';
-    if (tape.faults.size() < most_faults) tape.faults.push_back({i + 1, row});
+    if (tape.faults.size() < max_faults) tape.faults.push_back({i + 1, row});
   }
   return tape;
 }

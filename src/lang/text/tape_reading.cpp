@@ -1,4 +1,4 @@
-// Reads the image of a punched tape. Used by cli/tape_command, view/page_tape; tested by tests/run_tapes.py, tests/serve_making.py.
+// Reads the image of a punched tape. Used by cli/tape_command, view/page/page_tape; tested by tests/run_tapes.py, tests/serve_making.py.
 
 #include "lang/text/tape_reading.h"
 
@@ -11,12 +11,12 @@ std::optional<TapeCode> tape_code_named(std::string_view name) {
 }
 
 TapeReading read_tape(std::string_view rows, std::optional<TapeCode> said) {
-  const std::optional<TapeLook> seen = look_at_tape(rows);
+  const std::optional<TapeFinding> seen = inspect_tape(rows);
   TapeReading reading;
   reading.looks_like_tape = seen.has_value();
   reading.code = said.value_or(seen ? seen->code : TapeCode::iso);
-  reading.lie = seen ? seen->lie : TapeLie::right;
-  TapeText text = decode_tape(reading.lie != TapeLie::right ? turned(rows, reading.lie) : rows, reading.code);
+  reading.lie = seen ? seen->lie : TapeOrientation::right;
+  TapeText text = decode_tape(reading.lie != TapeOrientation::right ? turned(rows, reading.lie) : rows, reading.code);
   reading.text = std::move(text.text);
   reading.faults = std::move(text.faults);
   return reading;

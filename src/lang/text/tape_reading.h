@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "lang/text/tape_side.h"
+#include "lang/text/tape_orientation.h"
 
 namespace kadr {
 
@@ -17,7 +17,7 @@ struct TapeReading {
   std::string text;               // UTF-8, one line per block; '?' for unreadable rows
   std::vector<TapeFault> faults;  // at most 1000
   TapeCode code = TapeCode::iso;
-  TapeLie lie = TapeLie::right;  // how the tape was read; `text` is already that of the correct orientation
+  TapeOrientation lie = TapeOrientation::right;  // how the tape was read; `text` is already that of the correct orientation
   bool looks_like_tape = false;
 };
 

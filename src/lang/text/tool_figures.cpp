@@ -18,9 +18,9 @@ namespace kadr {
 namespace {
 
 using Is = CommentToken::Is;
-using enum WordSays;
+using enum WordHints;
 
-constexpr double most_wholes = 6;          // maximum number of whole inches before a fraction: 1 1/4
+constexpr double max_wholes = 6;           // maximum number of whole inches before a fraction: 1 1/4
 constexpr std::size_t longest_size = 3;    // maximum digits of a whole size; 1234 is a number, not a size
 constexpr std::size_t longest_number = 8;  // maximum digits of T
 
@@ -33,7 +33,7 @@ class FigureMarker {
     take_units();
     mark_names();
     mark_tool_numbers();
-    mark_beside_words();
+    mark_next_to_words();
     join_wholes_and_fractions();
     mark_threads();
     mark_chains_of_numbers();
@@ -53,7 +53,7 @@ class FigureMarker {
   bool is_figure(std::size_t i) const { return has(i) && all_[i].is_figure(); }
   bool is_open(std::size_t i) const { return has(i) && all_[i].is_open(); }
   bool is_sign(std::size_t i, char c) const { return has(i) && all_[i].is_sign(c); }
-  bool says(std::size_t i, WordSays what) const { return has(i) && all_[i].meaning.is(what); }
+  bool says(std::size_t i, WordHints what) const { return has(i) && all_[i].meaning.is(what); }
   bool joined(std::size_t i) const { return has(i) && all_[i].joined; }
   static bool is_letter(const CommentPiece& p) { return p.is_word() && (p.text.size() == 1 || (p.text.size() == 2 && is_high(p.text[0]))); }
   /// Returns true for a dash between blanks.
@@ -71,7 +71,7 @@ class FigureMarker {
   void mark_names();
   bool is_part_of_name(std::size_t i) const;
   void mark_tool_numbers();
-  void mark_beside_words();
+  void mark_next_to_words();
   void mark_by_word(std::size_t word);
   bool is_called(std::size_t figure) const;
   void join_wholes_and_fractions();
@@ -142,7 +142,7 @@ bool FigureMarker::is_part_of_name(std::size_t i) const {
   if ((zeros || too_long) && !after_t) return true;
   const bool chained = (f.underscored && is_figure(i - 1)) || (has(i + 1) && all_[i + 1].underscored && is_figure(i + 1));
   if (chained || (f.underscored && whole && f.unit == 0)) return true;
-  const WordSays called = means_diameter | means_corner | number | tool_number | times | other_before | other_behind | degrees | unit_mm;
+  const WordHints called = means_diameter | means_corner | number | tool_number | times | other_before | other_after | degrees | unit_mm;
   if (f.joined && i > 0 && all_[i - 1].is_word() && !is_letter(all_[i - 1]) && !says(i - 1, called) && !f.is_fraction && !f.leads_point &&
       f.unit == 0)
     return true;
@@ -174,14 +174,14 @@ void FigureMarker::mark_tool_numbers() {
 }
 
 /// Marks figures by words that define the figure next to them: 4FL, LOC 1.5, S2000, ZMIN=-5.
-void FigureMarker::mark_beside_words() {
+void FigureMarker::mark_next_to_words() {
   for (std::size_t i = 0; i < count(); ++i)
-    if (says(i, other_before | other_behind | is_numbered)) mark_by_word(i);
+    if (says(i, other_before | other_after | is_numbered)) mark_by_word(i);
   for (std::size_t i = 0; i < count(); ++i) {
     const CommentPiece& word = all_[i];
     if (!word.is_word()) continue;
-    const WordSays known =
-        means_diameter | means_corner | tool_number | tool | letter | number | is_numbered | times | other_behind | degrees;
+    const WordHints known =
+        means_diameter | means_corner | tool_number | tool | letter | number | is_numbered | times | other_after | degrees;
     const bool is_address = is_letter(word) && !word.meaning.is(known) && word.text != "M" && word.text != "М" && word.text != "F";
     const std::size_t at = behind(i, is_address ? "=-" : "-");
     if (is_address && is_open(at) && joined(i + 1)) all_[at].figure = FigureIs::other;  // addresses: S2000, Z-.5, H7
@@ -198,7 +198,7 @@ void FigureMarker::mark_beside_words() {
 bool FigureMarker::is_called(std::size_t figure) const {
   std::size_t i = figure - 1;
   while (has(i) && all_[i].is == Is::sign && !is_sign(i, '|') && !is_sign(i, ',')) --i;
-  return says(i, means_diameter | means_corner | other_behind) && !is_figure(i - 1);
+  return says(i, means_diameter | means_corner | other_after) && !is_figure(i - 1);
 }
 
 void FigureMarker::mark_by_word(std::size_t word) {
@@ -213,14 +213,14 @@ void FigureMarker::mark_by_word(std::size_t word) {
   const bool whole = !all_[at].has_point && !all_[at].is_fraction;
   const bool divided = is_sign(word + 1, ':');  // OPERATION: 1.5MM ENDMILL: the colon separates
   const bool is_number = all_[at].unit == 0 && (whole || !divided);
-  if (says(word, other_behind) || (says(word, is_numbered) && is_number)) all_[at].figure = FigureIs::other;
+  if (says(word, other_after) || (says(word, is_numbered) && is_number)) all_[at].figure = FigureIs::other;
 }
 
 /// Joins a whole number and a fraction: 1 1/4, 1-1/4.
 void FigureMarker::join_wholes_and_fractions() {
   for (std::size_t i = 0; i < count(); ++i) {
     const CommentPiece whole = all_[i];
-    if (!is_open(i) || whole.has_point || whole.is_fraction || whole.unit != 0 || whole.value > most_wholes || whole.value < 1) continue;
+    if (!is_open(i) || whole.has_point || whole.is_fraction || whole.unit != 0 || whole.value > max_wholes || whole.value < 1) continue;
     const bool hyphen = is_sign(i + 1, '-') && joined(i + 1) && joined(i + 2);
     const std::size_t at = i + (hyphen ? 2 : 1);
     if (!is_open(at) || !all_[at].is_fraction || says(i - 1, number)) continue;

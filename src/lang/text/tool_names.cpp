@@ -9,7 +9,7 @@
 namespace kadr {
 namespace {
 
-using enum WordSays;
+using enum WordHints;
 
 /// If the words of a name mean several types, the first type in this list applies: BALL END MILL, CHAMFER MILL.
 constexpr std::array<ToolWord, 7> by_rank = {ToolWord::ball,   ToolWord::chamfer, ToolWord::taper, ToolWord::tap,
@@ -51,7 +51,7 @@ ToolName ToolNames::name_from(std::size_t first) const {
     const bool is_tap_drill = piece.meaning.kind == ToolWord::tap && next != i && pieces_[next].meaning.kind == ToolWord::drill;
     if (!is_tap_drill) name.kind = first_in_rank(name.kind, piece.meaning.kind);
     name.is_tap_drill = name.is_tap_drill || is_tap_drill;
-    name.size_behind = name.size_behind || piece.meaning.is(size_behind);
+    name.size_after = name.size_after || piece.meaning.is(size_after);
     name.work_too = name.work_too || piece.meaning.is(work_too);
     name.no_bare_size = name.no_bare_size || piece.meaning.is(no_bare_size);
     name.only_called = name.only_called || piece.meaning.is(only_called);
@@ -60,8 +60,8 @@ ToolName ToolNames::name_from(std::size_t first) const {
     if (next == i) break;
   }
   const bool is_mill = name.kind == ToolWord::mill && name.last != name.first;  // END MILL names a tool; MILL alone may name an operation
-  if (is_mill) name.size_behind = true;
-  if (slot && name.kind == ToolWord::drill) name.kind = ToolWord::mill, name.size_behind = true;
+  if (is_mill) name.size_after = true;
+  if (slot && name.kind == ToolWord::drill) name.kind = ToolWord::mill, name.size_after = true;
   if (v && name.no_bare_size) name.kind = ToolWord::chamfer;  // V-BIT
   return name;
 }
@@ -76,7 +76,7 @@ bool ToolNames::is_none(const ToolName& name) const {
   }
   const std::size_t behind = name.last + 1;
   const bool goes_on = behind < pieces_.size() && pieces_[behind].is_word() &&
-                       !pieces_[behind].meaning.is(means_diameter | means_corner | describes | of_tool | tool_number | other_behind);
+                       !pieces_[behind].meaning.is(means_diameter | means_corner | describes | of_tool | tool_number | other_after);
   const bool is_alone = name.first == name.last;
   const std::string before = name.first > 0 ? pieces_[name.first - 1].text : "";
   const bool of_machine = before == "CNC" || before == "VMC" || before == "HMC";
@@ -89,7 +89,7 @@ ToolWord ToolNames::kind() const {
   return kind;
 }
 
-bool ToolNames::any(WordSays what) const {
+bool ToolNames::any(WordHints what) const {
   return std::any_of(pieces_.begin(), pieces_.end(),
                      [&](const CommentPiece& p) { return !p.of_another && !p.is_figure() && p.meaning.is(what); });
 }

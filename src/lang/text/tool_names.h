@@ -13,7 +13,7 @@ struct ToolName {
   std::size_t first = 0, last = 0;  // indices of the first and last piece of the name
   ToolWord kind = ToolWord::none;
   bool is_tap_drill = false;
-  bool size_behind = false, work_too = false, no_bare_size = false, only_called = false;  // as in WordSays
+  bool size_after = false, work_too = false, no_bare_size = false, only_called = false;  // as in WordHints
 };
 
 class ToolNames {
@@ -24,7 +24,7 @@ class ToolNames {
   const std::vector<ToolName>& all() const { return all_; }
   ToolWord kind() const;
   /// Returns true if a word of the comment has the meaning `what` for this tool.
-  bool any(WordSays what) const;
+  bool any(WordHints what) const;
 
  private:
   bool is_of_name(std::size_t i) const;

@@ -13,19 +13,19 @@
 namespace kadr {
 namespace {
 
-using enum WordSays;
+using enum WordHints;
 
 // Limits for a figure without a unit. A figure beyond them is in the other unit, or is something other than a size.
-constexpr double most_inches = 3, most_inches_wide = 8;  // in; `wide`: face mills and saws
-constexpr std::uint8_t decimals_of_inches = 4;           // 0.5000 with four decimals is in inches
-constexpr double least_mm = 0.5, most_mm = 160;          // mm; a smaller figure is mostly in inches (.375)
-constexpr double most_drill_mm = 80;                     // mm; limit for drills
-constexpr double least_whole_mm = 3;                     // mm; below this 1 END MILL means the first end mill
-constexpr double most_of_any = 400;                      // mm; limit for all figures, even with a unit
-constexpr double least_chamfer_mm = 3;                   // mm; for a chamfer mill; a smaller figure is the size of the chamfer
-constexpr double alike_part = 0.01, alike_mm = 0.05;     // maximum difference of two sizes of one tool: 27/64 and .422
-constexpr double roughly_part = 0.1;                     // … of D10 and the size in the name; if more, D10 is an offset number
-constexpr std::size_t most_strangers = 2;                // unknown words between a size and the tool: 2" MITSUBISHI FACE MILL
+constexpr double max_inches = 3, most_inches_wide = 8;  // in; `wide`: face mills and saws
+constexpr std::uint8_t decimals_of_inches = 4;          // 0.5000 with four decimals is in inches
+constexpr double least_mm = 0.5, max_mm = 160;          // mm; a smaller figure is mostly in inches (.375)
+constexpr double max_drill_mm = 80;                     // mm; limit for drills
+constexpr double least_whole_mm = 3;                    // mm; below this 1 END MILL means the first end mill
+constexpr double most_of_any = 400;                     // mm; limit for all figures, even with a unit
+constexpr double least_chamfer_mm = 3;                  // mm; for a chamfer mill; a smaller figure is the size of the chamfer
+constexpr double alike_part = 0.01, alike_mm = 0.05;    // maximum difference of two sizes of one tool: 27/64 and .422
+constexpr double roughly_part = 0.1;                    // … of D10 and the size in the name; if more, D10 is an offset number
+constexpr std::size_t max_strangers = 2;                // unknown words between a size and the tool: 2" MITSUBISHI FACE MILL
 
 bool agree(double a, double b, double part) { return std::fabs(a - b) <= std::max(alike_mm, part * std::max(a, b)); }
 
@@ -42,7 +42,7 @@ bool is_usual_angle(double value) {
 }
 
 /// Recognises inches by the spelling: .375, 0.5000 are not written for millimetres.
-bool looks_like_inches(const CommentPiece& f) { return f.leads_point || (f.decimals == decimals_of_inches && f.value <= most_inches); }
+bool looks_like_inches(const CommentPiece& f) { return f.leads_point || (f.decimals == decimals_of_inches && f.value <= max_inches); }
 
 }  // namespace
 
@@ -75,8 +75,8 @@ bool ToolSize::is_whole(const CommentPiece& f) const { return !f.has_point && !f
 bool ToolSize::is_likely(const CommentPiece& f) const {
   if (!(f.value > 0) || mm(f) > most_of_any) return false;
   if (is_measured(f)) return true;
-  if (inch_) return !is_whole(f) && f.value <= (is_wide_ ? most_inches_wide : most_inches);
-  const bool fits = f.value >= least_mm && f.value <= (kind_ == ToolWord::drill ? most_drill_mm : most_mm);
+  if (inch_) return !is_whole(f) && f.value <= (is_wide_ ? most_inches_wide : max_inches);
+  const bool fits = f.value >= least_mm && f.value <= (kind_ == ToolWord::drill ? max_drill_mm : max_mm);
   return fits && !looks_like_inches(f) && (!is_whole(f) || f.value >= least_whole_mm);
 }
 
@@ -85,7 +85,7 @@ std::optional<double> ToolSize::diameter() const {
   if (!called.empty()) return only_one(called);
   if (has_no_size_) return std::nullopt;
   Sizes sizes = in_names();
-  if (sizes.empty()) sizes = behind_names();
+  if (sizes.empty()) sizes = after_names();
   if (sizes.empty()) sizes = without_name();
   return only_one(sizes);
 }
@@ -103,7 +103,7 @@ bool ToolSize::is_called(std::size_t i) const {
   const CommentPiece& f = pieces_[i];
   if (f.of_another || !(f.value > 0) || is_of_part(i) || is_offset(i) || !speaks_of_tool(i)) return false;
   if (f.named || is_measured(f)) return true;
-  if (inch_) return is_whole(f) ? f.value <= most_inches : f.value <= most_inches_wide;
+  if (inch_) return is_whole(f) ? f.value <= max_inches : f.value <= most_inches_wide;
   return f.value >= least_mm && f.value <= most_of_any && !looks_like_inches(f);
 }
 
@@ -149,8 +149,8 @@ bool ToolSize::speaks_of_tool(std::size_t figure) const {
   const bool is_d = pieces_[word].text == "D" || pieces_[word].text == "Д";
   const auto end = is_d ? pieces_.begin() + static_cast<std::ptrdiff_t>(figure) : pieces_.end();  // (D1 - TOOL IN SPINDLE)
   const bool is_told = std::any_of(pieces_.begin(), end, names_tool) && !names_.any(of_part);
-  const bool beside_number = is_d && std::any_of(pieces_.begin(), end, [](const CommentPiece& p) { return p.figure == FigureIs::tool; });
-  return listed || is_told || beside_number;
+  const bool next_to_number = is_d && std::any_of(pieces_.begin(), end, [](const CommentPiece& p) { return p.figure == FigureIs::tool; });
+  return listed || is_told || next_to_number;
 }
 
 // ---- figures in the name of the tool
@@ -177,12 +177,12 @@ std::optional<std::size_t> ToolSize::before(const ToolName& name) const {
       if (p.figure == FigureIs::tool) return std::nullopt;
     } else if (p.is_word()) {
       const bool goes_on =
-          p.meaning.is(describes | part_of_name | other_before | other_behind | degrees | times | unit_mm | means_diameter | means_corner);
+          p.meaning.is(describes | part_of_name | other_before | other_after | degrees | times | unit_mm | means_diameter | means_corner);
       const bool is_name = p.meaning.is(tool);
       if (p.meaning.is(ends_phrase | of_part | another) || is_name) return std::nullopt;
       const bool is_fit =
           p.joined && pieces_[i - 1].is_figure() && has(i + 1) && pieces_[i + 1].joined && pieces_[i + 1].is_figure();  // 8H7: a tolerance
-      if (!goes_on && !is_fit && ++strangers > most_strangers) return std::nullopt;
+      if (!goes_on && !is_fit && ++strangers > max_strangers) return std::nullopt;
     } else if (std::string_view("-\"*#.]})'").find(p.text[0]) == std::string_view::npos) {
       return std::nullopt;
     }
@@ -264,7 +264,7 @@ std::optional<std::size_t> ToolSize::letter_of_drill(std::size_t at) const {
 
 // ---- figures after the name of the tool
 
-ToolSize::Sizes ToolSize::behind_names() const {
+ToolSize::Sizes ToolSize::after_names() const {
   Sizes sizes;
   for (const ToolName& name : names_.all())
     if (const auto figure = behind(name)) sizes.push_back(mm(pieces_[*figure]));
@@ -277,10 +277,10 @@ std::optional<std::size_t> ToolSize::behind(const ToolName& name) const {
     const CommentPiece& p = pieces_[i];
     if (p.of_another) return std::nullopt;
     if (p.is_figure()) {
-      if (p.figure == FigureIs::open) return fits_behind(i, name, divided) ? std::optional(i) : std::nullopt;
+      if (p.figure == FigureIs::open) return fits_after(i, name, divided) ? std::optional(i) : std::nullopt;
       if (p.figure == FigureIs::tool) return std::nullopt;
     } else if (p.is_word()) {
-      if (!p.meaning.is(describes | part_of_name | other_before | other_behind | degrees | times)) return std::nullopt;
+      if (!p.meaning.is(describes | part_of_name | other_before | other_after | degrees | times)) return std::nullopt;
     } else if (std::string_view("-:,={.").find(p.text[0]) == std::string_view::npos) {
       return std::nullopt;
     } else {
@@ -290,10 +290,10 @@ std::optional<std::size_t> ToolSize::behind(const ToolName& name) const {
   return std::nullopt;
 }
 
-bool ToolSize::fits_behind(std::size_t at, const ToolName& name, bool divided) const {
+bool ToolSize::fits_after(std::size_t at, const ToolName& name, bool divided) const {
   const CommentPiece& f = pieces_[at];
-  const bool takes = name.size_behind || name.work_too || name.kind == ToolWord::tap;
-  const bool is_work = name.kind == ToolWord::chamfer || (name.kind == ToolWord::mill && !name.size_behind);  // MILL .5 OFF
+  const bool takes = name.size_after || name.work_too || name.kind == ToolWord::tap;
+  const bool is_work = name.kind == ToolWord::chamfer || (name.kind == ToolWord::mill && !name.size_after);  // MILL .5 OFF
   if (!takes || is_work || name.only_called || is_of_part(at) || !is_likely(f) || says(at + 1, joins)) return false;
   if (name.kind == ToolWord::tap) return is_measured(f);
   if (is_measured(f)) return true;
@@ -301,7 +301,7 @@ bool ToolSize::fits_behind(std::size_t at, const ToolName& name, bool divided) c
   const bool bare_whole = is_whole(f);
   const bool goes_on = has(at + 1) && pieces_[at + 1].is_word() && pieces_[at + 1].meaning.says == no_meaning;  // DRILL 4 CORNERS
   const bool of_number = is(name.first - 1, FigureIs::tool) && !goes_on;  // in T3 DRILL 10 the 10 is not the number of an operation
-  return !bare_whole || ((name.size_behind || of_number) && !divided);
+  return !bare_whole || ((name.size_after || of_number) && !divided);
 }
 
 /// Finds the size in a comment without a tool's name: 3MM CRB 2FL 12 LOC; TOOL NAME : Topo 16 mm. It is the only size with a unit, among

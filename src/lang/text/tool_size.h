@@ -21,7 +21,7 @@ class ToolSize {
  private:
   using Sizes = std::vector<double>;  // mm, all found by one rule; they must agree
   bool has(std::size_t i) const { return i < pieces_.size(); }
-  bool says(std::size_t i, WordSays what) const { return has(i) && pieces_[i].meaning.is(what); }
+  bool says(std::size_t i, WordHints what) const { return has(i) && pieces_[i].meaning.is(what); }
   bool is(std::size_t i, FigureIs what) const { return has(i) && pieces_[i].is_figure() && pieces_[i].figure == what; }
   bool names_two_works() const;
   double mm(const CommentPiece& figure) const;
@@ -42,9 +42,9 @@ class ToolSize {
   bool names_drill(std::size_t at) const;
   std::optional<std::size_t> letter_of_drill(std::size_t at) const;
 
-  Sizes behind_names() const;
+  Sizes after_names() const;
   std::optional<std::size_t> behind(const ToolName& name) const;
-  bool fits_behind(std::size_t figure, const ToolName& name, bool divided) const;
+  bool fits_after(std::size_t figure, const ToolName& name, bool divided) const;
   Sizes without_name() const;
 
   bool is_likely(const CommentPiece& figure) const;

@@ -8,17 +8,17 @@
 namespace kadr {
 namespace {
 
-using enum WordSays;
+using enum WordHints;
 
 struct Row {
   std::string_view words;  // separated by blanks
-  WordSays says;
+  WordHints says;
   ToolWord kind = ToolWord::none;
 };
 
-constexpr WordSays names_tool = tool | size_behind;
-constexpr WordSays foreign = tool | size_behind | no_bare_size;  // so uncertain that only a size with its unit counts
-constexpr WordSays either = other_before | other_behind;
+constexpr WordHints names_tool = tool | size_after;
+constexpr WordHints foreign = tool | size_after | no_bare_size;  // so uncertain that only a size with its unit counts
+constexpr WordHints either = other_before | other_after;
 
 /// English, Russian, Russian in Latin letters; of other languages only the commonest names. Each word occurs once.
 constexpr Row rows[] = {
@@ -86,8 +86,8 @@ constexpr Row rows[] = {
     {"CUTTING", of_tool | describes},
     {"OAL REACH SHANK SHK STICKOUT PROJECTION PILOT OFF OFFSETS INSERTED PITCH EXTENSION TIP TP ХВОСТОВИК ВЫЛЕТ ГЛУБИНА DEPTH GLUBINA",
      either},
-    {"LENGTH LEN ДЛИНА DLINA SPEED FEED FEEDRATE ZMIN ZMAX OVERHANG", other_behind},
-    {"THRU THROUGH LEAVE HEIGHT TOLERANCE TOL", other_behind},
+    {"LENGTH LEN ДЛИНА DLINA SPEED FEED FEEDRATE ZMIN ZMAX OVERHANG", other_after},
+    {"THRU THROUGH LEAVE HEIGHT TOLERANCE TOL", other_after},
     {"REV REVISION VERSION ITEM PRODUCT OP OPERATION OPER ОП ОПЕРАЦИЯ JOB SEQ SEQUENCE", is_numbered},
     {"STEP PASS SIDE SETUP STATION POS POSITION POCKET DRAWER PAGE SHEET LINE LEVEL CAVITY PALLET VISE ПРОХОД ПЕРЕХОД УСТАНОВ",
      is_numbered},

@@ -11,11 +11,11 @@ namespace kadr {
 constexpr std::uint64_t bit(unsigned n) { return std::uint64_t{1} << n; }
 
 /// Meanings of a word; a word may have several.
-enum class WordSays : std::uint64_t {
+enum class WordHints : std::uint64_t {
   no_meaning = 0,
   // ---- about the tool
   tool = bit(0),          // the word names a tool: a size may be before it
-  size_behind = bit(1),   // … and a size may be after it: ENDMILL 10
+  size_after = bit(1),    // … and a size may be after it: ENDMILL 10
   work_too = bit(2),      // the word names a tool or its operation: DRILL 4 is the fourth operation, DRILL 4.2 a drill
   no_bare_size = bit(3),  // only a figure with a unit, or a fraction, is the size of this tool: BIT, BROCA
   only_called = bit(4),   // only a figure that is called diameter is the size of this tool: BORING BAR
@@ -40,7 +40,7 @@ enum class WordSays : std::uint64_t {
   tool_number = bit(21),   // T, TOOL
   times = bit(22),         // X: 1/2 X 82 DEG
   other_before = bit(23),  // the figure before it is not a tool's size: 4 FLUTES
-  other_behind = bit(24),  // … nor is the figure after it: LENGTH 4.0
+  other_after = bit(24),   // … nor is the figure after it: LENGTH 4.0
   is_numbered = bit(25),   // a number after the word belongs to the word: OP 10, PART NO. 7
   // ---- what the comment is about
   another = bit(26),      // what follows describes another thing, not the tool: FOR, WITH
@@ -52,12 +52,12 @@ enum class WordSays : std::uint64_t {
   no_diameter = bit(32),  // before DIA: the diameter is not that of the tool, as in MINOR DIA
 };
 
-constexpr WordSays operator|(WordSays a, WordSays b) { return WordSays(std::uint64_t(a) | std::uint64_t(b)); }
+constexpr WordHints operator|(WordHints a, WordHints b) { return WordHints(std::uint64_t(a) | std::uint64_t(b)); }
 
 struct ToolWordMeaning {
-  WordSays says = WordSays::no_meaning;
+  WordHints says = WordHints::no_meaning;
   ToolWord kind = ToolWord::none;
-  bool is(WordSays any) const { return (std::uint64_t(says) & std::uint64_t(any)) != 0; }
+  bool is(WordHints any) const { return (std::uint64_t(says) & std::uint64_t(any)) != 0; }
 };
 
 /// Returns the meanings of a word, given in capitals; none for an unknown word.

@@ -120,7 +120,7 @@ std::optional<ByteOrder> look_at_utf16(std::string_view sample) {
   return std::nullopt;
 }
 
-bool read_encoding(std::string_view name, SaidEncoding& said) {
+bool read_encoding(std::string_view name, GivenEncoding& said) {
   std::string plain;  // spelled as encoding_named() compares names
   for (const char c : name)
     if (c != '-' && c != '_' && c != ' ') plain += c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
@@ -159,7 +159,7 @@ std::size_t append_utf16(std::string_view bytes, ByteOrder order, bool last, std
   return bytes.size();
 }
 
-bool append_if_utf16(std::string_view bytes, const SaidEncoding& said, std::string& text) {
+bool append_if_utf16(std::string_view bytes, const GivenEncoding& said, std::string& text) {
   if (said.encoding) return false;
   ByteOrder order = ByteOrder::little;
   if (said.utf16) order = order_of(bytes, *said.utf16);
@@ -169,7 +169,7 @@ bool append_if_utf16(std::string_view bytes, const SaidEncoding& said, std::stri
   return true;
 }
 
-OpenedText as_text(std::unique_ptr<ByteSource> source, const SaidEncoding& said) {
+OpenedText as_text(std::unique_ptr<ByteSource> source, const GivenEncoding& said) {
   if (!source || said.encoding) return {std::move(source), said.encoding};
   std::string sample(sample_bytes, '\0');
   sample.resize(source->read(0, sample.data(), sample.size()));
@@ -178,7 +178,7 @@ OpenedText as_text(std::unique_ptr<ByteSource> source, const SaidEncoding& said)
   return {std::make_unique<Utf16Source>(std::move(source), *order), Encoding::utf8};
 }
 
-OpenedText open_text(const std::string& path, const SaidEncoding& said, const FileDoor* door) {
+OpenedText open_text(const std::string& path, const GivenEncoding& said, const FileAccess* door) {
   return as_text(open_file(path, door), said);
 }
 

@@ -18,12 +18,12 @@ enum class ByteOrder : std::uint8_t { little, big };
 enum class Utf16 : std::uint8_t { any, little, big };
 
 /// The encoding that the user gives for a program: an Encoding, a kind of UTF-16, or none.
-struct SaidEncoding {
+struct GivenEncoding {
   std::optional<Encoding> encoding;
   std::optional<Utf16> utf16;
 };
 /// Reads the name of an encoding; an empty name means none. Returns false if there is no such encoding.
-bool read_encoding(std::string_view name, SaidEncoding& said);
+bool read_encoding(std::string_view name, GivenEncoding& said);
 
 /// Detects UTF-16 by its byte order mark (FF FE, FE FF), or if at least half of the characters in the first kilobyte are ASCII (every
 /// other byte is 0) and none is a control character, as in binary files and on a tape's blank leader. Returns nullopt if it is not UTF-16.
@@ -39,7 +39,7 @@ ByteOrder order_of(std::string_view sample, Utf16 said);
 std::size_t append_utf16(std::string_view bytes, ByteOrder order, bool last, std::string& text);
 
 /// Converts a whole text. Returns false, with nothing changed, if it is not UTF-16.
-bool append_if_utf16(std::string_view bytes, const SaidEncoding& said, std::string& text);
+bool append_if_utf16(std::string_view bytes, const GivenEncoding& said, std::string& text);
 
 /// The source of a program's text for a BlockReader, with the encoding if it is known.
 struct OpenedText {
@@ -50,7 +50,7 @@ struct OpenedText {
 /// Opens the file itself; or, for UTF-16, a UTF-8 view of the file, which can be read from any offset and stores an index entry for each
 /// 32 KiB.
 ///   returns  no source if the file cannot be read; the reason is in errno
-OpenedText open_text(const std::string& path, const SaidEncoding& said = {}, const FileDoor* door = nullptr);
-OpenedText as_text(std::unique_ptr<ByteSource> source, const SaidEncoding& said = {});
+OpenedText open_text(const std::string& path, const GivenEncoding& said = {}, const FileAccess* door = nullptr);
+OpenedText as_text(std::unique_ptr<ByteSource> source, const GivenEncoding& said = {});
 
 }  // namespace kadr

@@ -32,7 +32,7 @@ bool needs_rest(const Action& action) {
       action, [](const ToolChange& change) { return !change.there; }, [](const MachineFunction& function) { return !function.by_control; },
       same<Dwell, Stop, Sync, Spindle>(true),
       same<Motion, Speed, CoolantSwitch, ToolSelect, AuxiliaryFunction, Message, FrameChange, SurfaceSpeed, ZoneChange, Couple, Uncouple,
-           ContourBreak, ContourCorner, ContourCheck>(false));
+           CompensationBreak, CompensationCorner, CompensationCheck>(false));
 }
 
 double distance(const Axes& from, const Axes& to) {
@@ -82,7 +82,7 @@ AxisMotion::AxisMotion(const AxisRoles& roles, const MotionLimits& limits, doubl
       tolerance_(tolerance),
       now_(limits),
       sink_(std::move(sink)),
-      planner_(limits, [this](TimedCells& cells) { hand_out(cells); }),
+      planner_(limits, [this](TimedCells& cells) { deliver(cells); }),
       line_([this](const Axes& to, double feed, double corner, bool on_curve, std::uint64_t tag) {
         planner_.line_to(to.data(), feed, corner, on_curve, tag);
       }) {
@@ -125,7 +125,7 @@ double AxisMotion::spindle_rate(const Record& record, const TimedCells& cells, s
 }
 
 /// Replaces the record numbers in the cells by the data of the records and emits the cells.
-void AxisMotion::hand_out(TimedCells& cells) {
+void AxisMotion::deliver(TimedCells& cells) {
   cells.spindle.clear();
   for (std::size_t k = 0; k < cells.laws.size(); ++k) {
     CellSource& source = cells.sources[k];
@@ -145,7 +145,7 @@ void AxisMotion::look_for_faults(const TimedCells& cells) {
   constexpr double tolerated = 0.01;
   if (cells.unsolved && !cells.sources.empty()) {
     if (now_.faults.unsolved++ == 0) now_.faults.unsolved_at = Spent::of(cells.sources.front().tag);
-    for (const TimeLaw& law : cells.laws) now_.faults.unsolved_way += law.length;
+    for (const TimeLaw& law : cells.laws) now_.faults.unsolved_length += law.length;
   }
   for (const CellSource& source : cells.sources) {
     if (source.beyond <= std::max(tolerated, now_.faults.beyond)) continue;
@@ -283,7 +283,7 @@ void AxisMotion::cut_threads() {
   const Axes end = now_.threads.end();
   wait_for_spindle();
   TimedCells cells = now_.threads.cells();
-  hand_out(cells);
+  deliver(cells);
   constexpr double turn = 360;
   now_.thread_angle = std::fmod(now_.thread_angle + std::fabs(now_.spindle.per_second()) * now_.threads.seconds(), turn);
   planner_.begin(end.data());
@@ -315,10 +315,10 @@ AxisMotion::Feeds AxisMotion::feeds(const Pace& pace, const MachinePath& path, c
 
 /// Returns how far the axes may deviate from the corner at the start of a piece under tool centre point control. If the previous motion
 /// had no tool centre point control, the tip is assumed to swing with the full distance from the rotary axes.
-double AxisMotion::corner_of(const Step& step, const LedPiece& piece, double tolerance) const {
+double AxisMotion::corner_of(const Step& step, const TcpPiece& piece, double tolerance) const {
   if (!(tolerance > 0)) return 0;
   constexpr double used = 0.8;  // share of the tolerance that is used; the rest is a reserve for effects of higher order
-  if (now_.led.known) return led_tolerance(now_.led, piece, used * tolerance, step.from.space->rotary_axes());
+  if (now_.led.known) return tcp_tolerance(now_.led, piece, used * tolerance, step.from.space->rotary_axes());
   return tolerance / (1 + rad_per_deg * step.from.space->arm(step.from.machine));
 }
 
@@ -338,7 +338,7 @@ void AxisMotion::cut(const Step& step, const Motion& motion, std::uint64_t numbe
   const auto [length, speeds] = feeds(pace, path, time, pieces);
   if (on_motion) on_motion(number, length);
   Axes from = path.start();
-  const bool led = path.leads_tip();
+  const bool led = path.controls_tip();
   if (!led) now_.led.known = false;
   Vec3 tip = led ? path.tip(0) : Vec3{};
   for (int i = 1; i <= pieces && ended() == PlanEnd::none; ++i) {
@@ -348,7 +348,7 @@ void AxisMotion::cut(const Step& step, const Motion& motion, std::uint64_t numbe
     bool paced = false;
     if (led) {
       const Vec3 tip_to = path.tip(part);
-      if (const LedPiece piece = led_piece(roles_.count, from, to, tip, tip_to, feed); piece.known) {
+      if (const TcpPiece piece = tcp_piece(roles_.count, from, to, tip, tip_to, feed); piece.known) {
         corner = corner_of(step, piece, corner);
         paced = feed < unlimited_feed && piece.keeps_pace(now_.led);
         now_.led = piece;

@@ -6,11 +6,11 @@
 #include <deque>
 #include <functional>
 
-#include "config/machine_profile.h"
-#include "config/setup.h"
-#include "motion/least_time/led_corner.h"
+#include "config/machine/machine_profile.h"
+#include "config/setup/setup.h"
 #include "motion/least_time/planner.h"
 #include "motion/least_time/smoothing.h"
+#include "motion/least_time/tcp_corner.h"
 #include "motion/least_time/thread_chain.h"
 #include "motion/time/estimate.h"
 #include "motion/time/pace.h"
@@ -37,11 +37,11 @@ struct Spent {
 
 /// Faults of the finished plan: segments without a solution, and positions where the path exceeds its tolerance.
 struct PlanFaults {
-  std::size_t unsolved = 0;  // number of segments for which no speed was found (TimedCells::unsolved)
-  double unsolved_way = 0;   // mm, total length of those segments
-  Spent unsolved_at;         // activity and program line of the first such segment
-  double beyond = 0;         // greatest excess of the path's deviation over the tolerance, as a share of the tolerance
-  Spent beyond_at;           // activity and program line where the deviation first exceeds the tolerance
+  std::size_t unsolved = 0;    // number of segments for which no speed was found (TimedCells::unsolved)
+  double unsolved_length = 0;  // mm, total length of those segments
+  Spent unsolved_at;           // activity and program line of the first such segment
+  double beyond = 0;           // greatest excess of the path's deviation over the tolerance, as a share of the tolerance
+  Spent beyond_at;             // activity and program line where the deviation first exceeds the tolerance
 };
 
 /// mm/s: the feed used for a motion whose programmed time is unknown (override 0, spindle at rest).
@@ -71,8 +71,8 @@ class AxisMotion {
 
   /// Starts a plan after each `seconds` of motion, see Planner::plan_each().
   void plan_each(double seconds) { planner_.plan_each(seconds); }
-  /// Plans in a separate thread, and waits for that thread: see Planner::work_side_by_side(), Planner::settle().
-  void work_side_by_side() { planner_.work_side_by_side(); }
+  /// Plans in a separate thread, and waits for that thread: see Planner::work_in_background(), Planner::settle().
+  void work_in_background() { planner_.work_in_background(); }
   void settle() { planner_.settle(); }
   /// Dry run: replaces all feeds, except thread feeds, by `feed`, mm/min; 0 restores the programmed feeds.
   void run_dry(double feed) { dry_feed_ = feed; }
@@ -109,7 +109,7 @@ class AxisMotion {
     std::deque<Record> records;
     std::uint64_t motions = 0;
     bool exact = true;  // true if the last motion ended with an exact stop, so that the corner after it is not rounded
-    LedPiece led;       // the straight piece planned last, if tool centre point control was active in it
+    TcpPiece led;       // the straight piece planned last, if tool centre point control was active in it
     SpindleClock spindle;
     Smoothing smoothing;
     ThreadChain threads;  // consecutive threads that are not planned yet
@@ -122,7 +122,7 @@ class AxisMotion {
     Planner::Memory planner;
   };
   Snapshot snapshot() const { return {now_, planner_.memory()}; }
-  void restore(const Snapshot& from) { now_ = from.own, planner_.remember(from.planner); }
+  void restore(const Snapshot& from) { now_ = from.own, planner_.resume_from(from.planner); }
 
  private:
   /// The length of a motion, mm, and the speed in each of its pieces, mm/s. The last speed also applies to all pieces beyond the list.
@@ -134,7 +134,7 @@ class AxisMotion {
   static double spindle_rate(const Record& record, const TimedCells& cells, std::size_t cell);
   void move(const Step& step, const Motion& motion);
   void cut(const Step& step, const Motion& motion, std::uint64_t number);
-  double corner_of(const Step& step, const LedPiece& piece, double tolerance) const;
+  double corner_of(const Step& step, const TcpPiece& piece, double tolerance) const;
   Feeds feeds(const Pace& pace, const MachinePath& path, const MotionTime& programmed, int pieces) const;
   void couple(const Step& step, const Motion& motion);
   void release();
@@ -146,7 +146,7 @@ class AxisMotion {
   void rest();
   TimedCells standing(const Axes& at, double seconds, Spent spent, double spindle);
   void stand(const Axes& at, double seconds, Spent spent);
-  void hand_out(TimedCells& cells);
+  void deliver(TimedCells& cells);
   void look_for_faults(const TimedCells& cells);
 
   AxisRoles roles_;

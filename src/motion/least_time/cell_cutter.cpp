@@ -163,7 +163,7 @@ void CellCutter::set_knot(double s, std::size_t piece) { path_->evaluate(s, piec
 
 /// Returns the type (corner or curve) of the tightest rounding that extends into a cell.
 Bend CellCutter::bend_at(double to, std::size_t end_piece) const {
-  const double from = cut_, chain_before = path_->width_at(from, piece_).w, chain_behind = path_->width_at(to, end_piece).w;
+  const double from = cut_, chain_before = path_->width_at(from, piece_).w, chain_after = path_->width_at(to, end_piece).w;
   Bend bend = Bend::none;
   double tightest = 0;
   const auto take = [&](std::size_t i, double chain) {
@@ -173,7 +173,7 @@ Bend CellCutter::bend_at(double to, std::size_t end_piece) const {
     bend = path_->on_curve(i) ? Bend::curve : Bend::corner;
   };
   for (std::size_t i = piece_ + 1; i-- > 1 && from - path_->at(i) < SmoothPath::widest;) take(i, chain_before);
-  for (std::size_t i = piece_ + 1; i < path_->pieces() && path_->at(i) - to < SmoothPath::widest; ++i) take(i, chain_behind);
+  for (std::size_t i = piece_ + 1; i < path_->pieces() && path_->at(i) - to < SmoothPath::widest; ++i) take(i, chain_after);
   return bend;
 }
 
@@ -278,10 +278,10 @@ double CellCutter::standing_s(double from, double to, std::size_t piece) {
 /// a cell that is long because its path is smooth. `width`: width of the chain's roundings there, mm.
 void CellCutter::divide(double width, CutCells& out) const {
   constexpr double part = 0.2;  // length of a part as a share of `width`
-  constexpr int most_parts = 8;
+  constexpr int max_parts = 8;
   const std::size_t last = out.count() - 1;
   const double h = out.path.h[last];
-  const auto parts = static_cast<std::size_t>(std::clamp(std::ceil(h / (part * width)), 1.0, static_cast<double>(most_parts)));
+  const auto parts = static_cast<std::size_t>(std::clamp(std::ceil(h / (part * width)), 1.0, static_cast<double>(max_parts)));
   if (parts == 1 || fastest_alone(out.path, last) >= out.path.most[last]) return;
   out.path.divide_last(parts);
   out.sources.resize(out.count(), CellSource(out.sources.back()));

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "action/action.h"
-#include "base/stop.h"
+#include "base/stop_token.h"
 #include "motion/least_time/motion_limits.h"
 #include "motion/least_time/timed_cells.h"
 #include "motion/least_time/timed_path.h"

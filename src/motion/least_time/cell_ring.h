@@ -98,7 +98,7 @@ class CellRing {
     }
     return now;
   }
-  void remember(const Memory& memory) {
+  void resume_from(const Memory& memory) {
     begin_ = memory.begin;
     end_ = memory.end;
     offered_ = memory.offered;

@@ -58,14 +58,14 @@ bool LeastTime::newton_step() {
 ///   returns  the decrease that the slope predicts (to first order); 0 if no descent was found
 double LeastTime::line_search(double mu) {
   constexpr double enough = 0.01;  // least accepted decrease, as a share of the decrease that the slope predicts (Armijo)
-  constexpr int most_halvings = 40;
+  constexpr int max_halvings = 40;
   double falls = 0, part = 1;
   for (std::size_t v = 0; v < variables_; ++v) {
     falls -= gradient_[v] * step_[v];
     if (step_[v] < 0) part = std::min(part, -0.95 * y_[v] / step_[v]);
   }
   const double value = height_.at(mu);
-  for (int halved = 0; halved < most_halvings; ++halved, part *= 0.5) {
+  for (int halved = 0; halved < max_halvings; ++halved, part *= 0.5) {
     for (std::size_t v = 0; v < variables_; ++v) trial_[v] = y_[v] + part * step_[v];
     const Height height = this->height(trial_);
     if (!(height.at(mu) <= value - enough * part * falls)) continue;
@@ -80,7 +80,7 @@ double LeastTime::line_search(double mu) {
 /// First guess: the earlier solution; after its end, b decreases from cell to cell. The decrease per cell grows to a tenth, which it
 /// reaches `gently` cells after the end of the earlier solution.
 ///   returns  false if the guess exceeds a limit
-bool LeastTime::goes_on_crawling(double gently) {
+bool LeastTime::can_continue_crawling(double gently) {
   constexpr double slowing = 0.1;  // greatest decrease of b per cell, as a share
   const double slow = ends_.guess.back(), size = path_->h[ends_.guess.size() - 1];
   for (const double floor : {slow, slow / 10, ends_.crawl / 1e4}) {
@@ -101,8 +101,8 @@ bool LeastTime::goes_on_crawling(double gently) {
 /// First guess: the earlier solution; after its end the speed at that end, reduced towards the final stop and the reversals to the speed
 /// that constant jerk reaches from rest at that distance.
 ///   returns  false if the guess exceeds a limit
-bool LeastTime::goes_on_to_stop() {
-  constexpr int most_tries = 16;
+bool LeastTime::can_continue_to_stop() {
+  constexpr int max_tries = 16;
   const double slow = ends_.guess.back();
   const std::size_t known = ends_.guess.size();
   // distance of each cell's middle from the nearest stop or reversal, mm
@@ -113,11 +113,11 @@ bool LeastTime::goes_on_to_stop() {
     away[k] = std::min(away[k], way + path_->h[k] / 2);
     way += path_->h[k];
   };
-  for (std::size_t k = 0; k < n_; ++k) pass(k, k > 0 && turns_behind(k - 1));
+  for (std::size_t k = 0; k < n_; ++k) pass(k, k > 0 && turns_after(k - 1));
   way = std::numeric_limits<double>::infinity();
-  for (std::size_t k = n_; k-- > 0;) pass(k, k + 1 == n_ || turns_behind(k));
+  for (std::size_t k = n_; k-- > 0;) pass(k, k + 1 == n_ || turns_after(k));
   double part = soonest_rise(*path_);
-  for (int tries = 0; tries < most_tries; ++tries, part *= 0.7) {
+  for (int tries = 0; tries < max_tries; ++tries, part *= 0.7) {
     std::fill(y_.begin(), y_.end(), std::numeric_limits<double>::infinity());
     for (std::size_t k = first_given_ ? 1 : 0; k < n_; ++k) {
       const double m = k < known ? ends_.guess[k] : 1 / std::hypot(1 / slow, std::pow(part * away[k], -4.0 / 3));
@@ -132,13 +132,13 @@ bool LeastTime::goes_on_to_stop() {
 /// Finds a start that obeys all limits: an earlier solution continued at a crawl, or a speed so low that all limits are far away.
 bool LeastTime::first_guess() {
   for (const double gently : {1., 30., 100., 300.})  // 1: the full decrease starts at the first new cell
-    if (!ends_.guess.empty() && goes_on_crawling(gently)) return true;
-  if (!ends_.guess.empty() && ends_.to_stop && goes_on_to_stop()) return true;
+    if (!ends_.guess.empty() && can_continue_crawling(gently)) return true;
+  if (!ends_.guess.empty() && ends_.to_stop && can_continue_to_stop()) return true;
   if (!ends_.from_stop) return false;
   find_envelope();
-  constexpr int most_tries = 60;
+  constexpr int max_tries = 60;
   double part = 0.5;
-  for (int tries = 0; tries < most_tries; ++tries, part /= 2) {
+  for (int tries = 0; tries < max_tries; ++tries, part /= 2) {
     for (std::size_t k = n_; k-- > 0;) y_[variable_[k]] = part * std::min(m_[k] / scale_[k], cap_[variable_[k]]);
     std::copy(y_.begin(), y_.end(), trial_.begin());
     if (is_within(trial_)) return true;
@@ -152,8 +152,8 @@ bool LeastTime::solve(const TimedPath& path, const PathEnds& ends, StopToken sto
   constexpr double accurate = 5e-4;  // final accuracy: the share of the time by which μ may keep the result above the optimum
   // μ is reduced when the decrease predicted for the next step is below this share of the time that μ costs
   constexpr double near_enough = 0.3;
-  constexpr int most_rounds = 4;   // number of attempts to shorten a step in the cells where it violates limits
-  constexpr int most_steps = 150;  // bound of the Newton steps; 25 to 45 suffice
+  constexpr int max_rounds = 4;   // number of attempts to shorten a step in the cells where it violates limits
+  constexpr int max_steps = 150;  // bound of the Newton steps; 25 to 45 suffice
   path_ = &path;
   ends_ = ends;
   prepare();
@@ -162,10 +162,10 @@ bool LeastTime::solve(const TimedPath& path, const PathEnds& ends, StopToken sto
   const double conditions = static_cast<double>(n_) * (1 + 2 * static_cast<double>(places * path.axes));
   height_ = height(y_);
   double mu = height_.time / conditions;
-  while (steps_++ < most_steps && !stop.asked()) {
+  while (steps_++ < max_steps && !stop.asked()) {
     derivatives(mu);
     bool positive = newton_step();
-    for (int round = 0; positive && round < most_rounds && stiffen(mu, round == 0); ++round) positive = newton_step();
+    for (int round = 0; positive && round < max_rounds && stiffen(mu, round == 0); ++round) positive = newton_step();
     if (!positive) break;
     const double falls = line_search(mu);
     if (falls >= near_enough * mu * conditions) continue;

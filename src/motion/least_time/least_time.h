@@ -10,8 +10,8 @@
 #include <limits>
 #include <vector>
 
-#include "base/lanes.h"
-#include "base/stop.h"
+#include "base/double_lanes.h"
+#include "base/stop_token.h"
 #include "motion/least_time/timed_path.h"
 
 namespace kadr {
@@ -70,14 +70,14 @@ class LeastTime {
   void find_moving();
   void keep_stop(std::size_t cell);
   bool first_guess();
-  bool goes_on_crawling(double gently);
-  bool goes_on_to_stop();
+  bool can_continue_crawling(double gently);
+  bool can_continue_to_stop();
   void find_envelope();
   void find_places();
   void spread(const std::vector<double>& y);
   Ordinates ordinates(std::size_t cell) const;
   std::size_t at_places(std::size_t cell, const Moving& moving) const { return (cell * path_->axes + moving.axis) * places; }
-  bool turns_behind(std::size_t cell) const { return path_->turns[cell] != 0; }
+  bool turns_after(std::size_t cell) const { return path_->turns[cell] != 0; }
   bool is_stop_cell(std::size_t cell) const { return ends_.stand_in(cell, n_); }
   std::size_t first_variable(std::size_t cell) const { return variable_[cell > 0 ? cell - 1 : 0]; }
   double time() const;

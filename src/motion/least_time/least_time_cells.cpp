@@ -127,12 +127,12 @@ class LeastTime::Logs {
 
 LeastTime::Ordinates LeastTime::ordinates(std::size_t cell) const {
   const auto knot = [&](std::size_t left) {
-    if (turns_behind(left)) return 0.0;
+    if (turns_after(left)) return 0.0;
     const double before = path_->h[left], behind = path_->h[left + 1];
     return (behind * m_[left] + before * m_[left + 1]) / (before + behind);
   };
   const double start = cell > 0 ? knot(cell - 1) : first_given_ ? ends_.from.b : 0;
-  return {start, m_[cell], cell + 1 < n_ ? knot(cell) : turns_behind(cell) ? 0 : m_[cell]};
+  return {start, m_[cell], cell + 1 < n_ ? knot(cell) : turns_after(cell) ? 0 : m_[cell]};
 }
 
 template <class Lanes>
@@ -162,7 +162,7 @@ LeastTime::Height LeastTime::height(const std::vector<double>& y) {
     logs.take(1 - y[v] / cap_[v]);
   }
   spread(y);
-  const bool is_within = side_by_side([&](auto like) __attribute__((always_inline)) { return add_logs<decltype(like)>(logs); });
+  const bool is_within = with_best_lanes([&](auto like) __attribute__((always_inline)) { return add_logs<decltype(like)>(logs); });
   return is_within ? Height{time(), logs.sum()} : none;
 }
 
@@ -222,7 +222,7 @@ void LeastTime::derivatives(double mu) {
     gradient_[variable_[k]] -= 0.5 * by_m * scale_[k];
     hessian_.h0[variable_[k]] += bend_of_time * by_m / m_[k] * scale_[k] * scale_[k];
   }
-  side_by_side([&](auto like) __attribute__((always_inline)) {
+  with_best_lanes([&](auto like) __attribute__((always_inline)) {
     for (std::size_t k = 0; k < n_; ++k)
       if (!is_stop_cell(k)) add_cell<decltype(like)>(k, mu);
   });
@@ -288,7 +288,7 @@ bool LeastTime::stiffen(double mu, bool first) {
     hessian_.h0[v] += (3 * ratio - 1) * (step_[v] > 0 ? mu / (slack * slack) : hessian_.h0[v]);
     any = true;
   }
-  side_by_side([&](auto like) __attribute__((always_inline)) {
+  with_best_lanes([&](auto like) __attribute__((always_inline)) {
     for (std::size_t g = 0; g < groups; ++g) {
       if (!is_near(g)) continue;
       for (std::size_t k = g * group_size, end = std::min(n_, k + group_size); k < end; ++k)

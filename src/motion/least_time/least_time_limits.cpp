@@ -22,10 +22,10 @@ void LeastTime::number_variables() {
   for (std::size_t k = first_given_ ? 1 : 0; k < n_; ++k) {
     variable_[k] = count;
     const bool front = k == 0, back = k + 2 == n_ && ends_.to_stop;
-    if (k + 1 < n_ && turns_behind(k)) scale_[k + 1] = scale_[k] * h[k + 1] / h[k];
+    if (k + 1 < n_ && turns_after(k)) scale_[k + 1] = scale_[k] * h[k + 1] / h[k];
     else if (!front && !back) ++count;
-    if (front && !turns_behind(k)) scale_[0] = share_beside_stop(h[0], h[1]);
-    if (back && !turns_behind(k)) scale_[n_ - 1] = scale_[k] * share_beside_stop(h[n_ - 1], h[n_ - 2]);
+    if (front && !turns_after(k)) scale_[0] = share_next_to_stop(h[0], h[1]);
+    if (back && !turns_after(k)) scale_[n_ - 1] = scale_[k] * share_next_to_stop(h[n_ - 1], h[n_ - 2]);
   }
   variables_ = variable_[n_ - 1] + 1;
 }
@@ -69,9 +69,9 @@ void LeastTime::find_mixes() {
       add(mix, left, behind / (before + behind));
       add(mix, left + 1, before / (before + behind));
     };
-    if (k > 0 && !turns_behind(k - 1)) knot(mixes_[k][0], k - 1);
+    if (k > 0 && !turns_after(k - 1)) knot(mixes_[k][0], k - 1);
     if (k == 0 && first_given_) mixes_[k][0].given = ends_.from.b;
-    if (turns_behind(k)) continue;
+    if (turns_after(k)) continue;
     if (k + 1 < n_) knot(mixes_[k][1], k);
     else add(mixes_[k][1], k, 1);
   }
@@ -90,7 +90,7 @@ void LeastTime::find_moving() {
 
 void LeastTime::keep_stop(std::size_t cell) {
   double& cap = cap_[variable_[cell]];
-  cap = std::min(cap, most_beside_stop(*path_, cell, cell == 0, margins_) / scale_[cell]);
+  cap = std::min(cap, max_next_to_stop(*path_, cell, cell == 0, margins_) / scale_[cell]);
 }
 
 void LeastTime::find_places() {

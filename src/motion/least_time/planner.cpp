@@ -87,7 +87,7 @@ void Planner::plan(bool last) {
   settle();
   if (halted()) return;
   now_.smooth.forget(cutter_.needed_from());
-  if (!side_by_side_ || last) {
+  if (!in_background_ || last) {
     time_cells(now_.smooth, last);
     return fetch();
   }
@@ -107,10 +107,10 @@ void Planner::settle() {
   fetch();
 }
 
-void Planner::remember(const Memory& memory) {
+void Planner::resume_from(const Memory& memory) {
   beside_.wait();
   timer_.done().clear();
-  now_ = memory.path, cutter_ = memory.cutter, timer_.remember(memory.window);
+  now_ = memory.path, cutter_ = memory.cutter, timer_.resume_from(memory.window);
 }
 
 /// Emits the cells that the timer has finished.
@@ -141,7 +141,7 @@ void Planner::straight_line() {
     made.sources.push_back({path.tag(piece), path.feed(piece), Bend::none});
     s += law.length;
   }
-  timer_.hand_on(std::move(made), rest_to_rest_s(path.ends(), limits), path.tag(0));
+  timer_.pass_cells_on(std::move(made), rest_to_rest_s(path.ends(), limits), path.tag(0));
   fetch();
 }
 

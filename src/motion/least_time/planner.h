@@ -12,8 +12,8 @@
 #include <functional>
 #include <vector>
 
-#include "base/side_by_side.h"
-#include "base/stop.h"
+#include "base/background_worker.h"
+#include "base/stop_token.h"
 #include "motion/least_time/cell_cutter.h"
 #include "motion/least_time/motion_limits.h"
 #include "motion/least_time/timed_cells.h"
@@ -48,7 +48,7 @@ class Planner {
   /// after some hundred pieces. For callers that need the first cells of long pieces early; the cost is additional plans.
   void plan_each(double seconds) { plan_each_ = seconds; }
   /// Cuts and times cells in a separate thread while further pieces arrive and are smoothed. The next plan emits the cells of this one.
-  void work_side_by_side() { side_by_side_ = true; }
+  void work_in_background() { in_background_ = true; }
   /// Waits for the separate thread and emits its finished cells. Call settle() before memory().
   void settle();
   /// Sets the token that all long computations check.
@@ -89,7 +89,7 @@ class Planner {
     WindowTimer::Memory window;
   };
   Memory memory() const { return {now_, cutter_, timer_.memory()}; }
-  void remember(const Memory& memory);
+  void resume_from(const Memory& memory);
 
  private:
   bool turns(const double* to) const;
@@ -110,8 +110,8 @@ class Planner {
   SmoothPath given_;  // a copy of the path, for the separate thread
   StopToken stop_;
   double plan_each_ = 0;  // s of motion between two plans; 0: only the number of pieces triggers a plan
-  bool side_by_side_ = false;
-  SideBySide beside_;  // the separate thread, which uses cutter_, timer_, cut_, given_
+  bool in_background_ = false;
+  BackgroundWorker beside_;  // the separate thread, which uses cutter_, timer_, cut_, given_
 };
 
 }  // namespace kadr

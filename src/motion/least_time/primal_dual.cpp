@@ -62,7 +62,7 @@ void PrimalDual::mix() {
   turns_ = false;
   for (std::size_t k = 0; k < n_; ++k) {
     const double h = path.h[k];
-    const bool turn_before = k > 0 && path.turns[k - 1] != 0, turn_behind = path.turns[k] != 0, is_last = k + 1 == n_;
+    const bool turn_before = k > 0 && path.turns[k - 1] != 0, turn_after = path.turns[k] != 0, is_last = k + 1 == n_;
     of_cell(k, length) = h;
     of_cell(k, inverse) = 1 / h;
     of_cell(k, limited) = ends_->stand_in(k, n_) ? 0 : 1;
@@ -71,10 +71,10 @@ void PrimalDual::mix() {
       of_cell(k, own_before) = path.h[k - 1] / (path.h[k - 1] + h);
     }
     if (k == 0 && !ends_->from_stop) of_cell(k, given) = ends_->from.b;
-    if (is_last && !turn_behind) of_cell(k, own_behind) = 1;  // the axes crawl at constant speed at the end
-    if (!is_last && !turn_behind) {
+    if (is_last && !turn_after) of_cell(k, own_after) = 1;  // the axes crawl at constant speed at the end
+    if (!is_last && !turn_after) {
       of_cell(k, behind) = h / (h + path.h[k + 1]);
-      of_cell(k, own_behind) = path.h[k + 1] / (h + path.h[k + 1]);
+      of_cell(k, own_after) = path.h[k + 1] / (h + path.h[k + 1]);
     }
     if (turn_before) tied_[k + pad] = h / path.h[k - 1], turns_ = true;
     double most = path.most[k];
@@ -83,10 +83,10 @@ void PrimalDual::mix() {
     else if (!ends_->to_stop) most = std::min(most, ends_->crawl);
     of_cell(k, inverse_cap) = 1 / most;
   }
-  first_share_ = share_beside_stop(path.h[0], path.h[1]);
-  last_share_ = share_beside_stop(path.h[n_ - 1], path.h[n_ - 2]);
+  first_share_ = share_next_to_stop(path.h[0], path.h[1]);
+  last_share_ = share_next_to_stop(path.h[n_ - 1], path.h[n_ - 2]);
   const auto keep = [&](std::size_t stop, std::size_t next, double share) {
-    const double by = share / most_beside_stop(path, stop, stop == 0, margins);
+    const double by = share / max_next_to_stop(path, stop, stop == 0, margins);
     of_cell(next, inverse_cap) = of_cell(stop, inverse_cap) = std::max(of_cell(next, inverse_cap), by);
   };
   if (ends_->from_stop) keep(0, 1, first_share_);
@@ -162,9 +162,9 @@ void PrimalDual::lower(const Range& range) {
 
 /// Iterates over a range until it converges; if it does not, retries with a wider range and from a start farther inside the limits.
 bool PrimalDual::settle_range(Range& range, double mu) {
-  constexpr int most_steps = 16, more = 12, most_tries = 4;
+  constexpr int max_steps = 16, more = 12, max_tries = 4;
   constexpr std::size_t wider = 16;  // number of blocks by which the range grows with each attempt
-  for (int attempt = 0; attempt < most_tries; ++attempt) {
+  for (int attempt = 0; attempt < max_tries; ++attempt) {
     double now = mu;
     if (attempt > 0) {
       range = widened(range, static_cast<std::size_t>(attempt) * wider);
@@ -173,10 +173,10 @@ bool PrimalDual::settle_range(Range& range, double mu) {
       begin(range, now);
     }
     Progress progress;
-    for (int k = 0; k < most_steps + attempt * more; ++k) {
+    for (int k = 0; k < max_steps + attempt * more; ++k) {
       if (k > 0) now = std::max(mu, now * smaller);
       if (stop_.asked() || !step(range, now, progress)) return false;
-      if (now <= mu * 1.01 && (progress.is_quiet() || (progress.stands() && progress.gap <= most_gap))) return true;
+      if (now <= mu * 1.01 && (progress.is_quiet() || (progress.stands() && progress.gap <= max_gap))) return true;
     }
   }
   return false;
@@ -201,10 +201,10 @@ bool PrimalDual::settle(double mu) {
 }
 
 bool PrimalDual::solve(const TimedPath& path, const PathEnds& ends, StopToken stop) {
-  constexpr int most_looks = 12;
+  constexpr int max_polls = 12;
   // greatest factor of the excess by which limits are tightened; it doubles with each check, because tightening also acts between the
   // positions
-  constexpr int most_tighter = 16;
+  constexpr int max_tighter = 16;
   constexpr double most_of_limit = 1.01;
   path_ = &path;
   ends_ = &ends;
@@ -224,22 +224,22 @@ bool PrimalDual::solve(const TimedPath& path, const PathEnds& ends, StopToken st
   }
   bool settled = settle(mu);
   double share = greatest_share(all, 1);
-  for (int look = 1; look < most_looks && settled && share > allowed && !stop.asked(); ++look) {
+  for (int look = 1; look < max_polls && settled && share > allowed && !stop.asked(); ++look) {
     settled = settle(mu);
-    share = greatest_share(all, look + 1 < most_looks ? std::min(1 << look, most_tighter) : 0);
+    share = greatest_share(all, look + 1 < max_polls ? std::min(1 << look, max_tighter) : 0);
   }
   if (!settled || !(share <= most_of_limit)) return false;
-  hand_over();
+  deliver_result();
   return true;
 }
 
-void PrimalDual::hand_over() {
+void PrimalDual::deliver_result() {
   middles_.assign(m_.begin() + pad, m_.begin() + static_cast<std::ptrdiff_t>(pad + n_));
   speeds_.resize(n_);
   for (std::size_t k = 0; k < n_; ++k) {
     const double m = middles_[k], h = path_->h[k];
     const double start = of_cell(k, given) + (k > 0 ? of_cell(k, before) * middles_[k - 1] : 0) + of_cell(k, own_before) * m;
-    const double end = of_cell(k, own_behind) * m + (k + 1 < n_ ? of_cell(k, behind) * middles_[k + 1] : 0);
+    const double end = of_cell(k, own_after) * m + (k + 1 < n_ ? of_cell(k, behind) * middles_[k + 1] : 0);
     speeds_[k] = {{start, 2 * (m - start) / h}, {end, 2 * (end - m) / h}};
     if (ends_->stand_in(k, n_)) (k == 0 ? speeds_[k].start : speeds_[k].end) = {};
   }

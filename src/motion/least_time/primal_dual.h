@@ -1,6 +1,7 @@
 #pragma once
 // PrimalDual: the least time along a path in cells (motion/least_time/timed_path.h), by a primal-dual interior-point method whose first
-// guess may violate the limits. Eight cells are computed in parallel (base/lanes.h), with results that are bit-identical on all processors.
+// guess may violate the limits. Eight cells are computed in parallel (base/double_lanes.h), with results that are bit-identical on all
+// processors.
 //
 // Each limit is written as ±c ≤ 1, where c is acceleration or jerk as a share of its limit. It has its own slack s = 1 ∓ c and dual
 // variable z; the method solves s z = μ for μ → 0 (Nocedal, Wright: Numerical Optimization, 19). It is fast for these reasons:
@@ -18,8 +19,8 @@
 #include <cstddef>
 #include <vector>
 
-#include "base/lanes.h"
-#include "base/stop.h"
+#include "base/double_lanes.h"
+#include "base/stop_token.h"
 #include "motion/least_time/timed_path.h"
 
 namespace kadr {
@@ -51,11 +52,11 @@ class PrimalDual {
   static constexpr LimitMargins margins{0.996, 0.995};
   static constexpr double at_rest = 0.005;  // a middle ordinate has converged when its relative step is below this
   // greatest accepted excess over a limit less its margin, at the checked positions
-  static constexpr double most_beyond = 0.005;
+  static constexpr double max_excess = 0.005;
   // greatest accepted slack · dual of any limit in a cell, as a multiple of the target μ
-  static constexpr double most_gap = 3;
-  static constexpr double allowed = 1;                      // greatest accepted acceleration or jerk, as a share of its limit
-  static constexpr double most_fall = -0.7, most_rise = 2;  // bounds of the relative change of a middle ordinate in one step
+  static constexpr double max_gap = 3;
+  static constexpr double allowed = 1;                     // greatest accepted acceleration or jerk, as a share of its limit
+  static constexpr double max_fall = -0.7, most_rise = 2;  // bounds of the relative change of a middle ordinate in one step
 
   /// The numbers stored for each cell. Each is a table row of a block, with one number for each of its eight cells.
   enum Row : std::size_t {
@@ -66,7 +67,7 @@ class PrimalDual {
     own_before,  // factor of this cell's middle ordinate in the ordinate at its start
     given,       // constant part of the ordinate at the start
     behind,      // factor of the next cell's middle ordinate in the ordinate at the end of this cell
-    own_behind,  // factor of this cell's middle ordinate in the ordinate at its end
+    own_after,   // factor of this cell's middle ordinate in the ordinate at its end
     inverse_cap,
     cap_slack,
     cap_dual,
@@ -89,7 +90,7 @@ class PrimalDual {
   struct Progress {
     double worst = 1, step = 0;  // worst: least slack before the step; step: greatest relative step
     double gap = 0;              // greatest slack · dual of the limits of a cell, as a multiple of the target μ
-    bool is_quiet() const { return step <= at_rest && worst >= -most_beyond && gap <= most_gap; }
+    bool is_quiet() const { return step <= at_rest && worst >= -max_excess && gap <= max_gap; }
     /// True if further steps would change nothing. Needed where the start comes from an earlier solution that is very near the limits.
     bool stands() const { return step < 0.2 * at_rest && worst > 1 - allowed / margins.jerk; }
   };
@@ -133,7 +134,7 @@ class PrimalDual {
   bool settle_range(Range& range, double mu);
   Range widened(const Range& range, std::size_t by) const;
   void lower(const Range& range);
-  void hand_over();
+  void deliver_result();
 
   double* row(std::size_t block, Row which) { return cells_.data() + (block * rows + which) * lanes; }
   const double* row(std::size_t block, Row which) const { return cells_.data() + (block * rows + which) * lanes; }

@@ -30,7 +30,7 @@ struct PrimalDual::BlockSpeed {
   KADR_LANES BlockSpeed(const double* rows, const double* m, bool is_step) : o1(m), by_length(rows + inverse * lanes) {
     o0 = Lanes(rows + before * lanes) * Lanes(m - 1) + Lanes(rows + own_before * lanes) * o1;
     if (!is_step) o0 += Lanes(rows + given * lanes);
-    o2 = Lanes(rows + own_behind * lanes) * o1 + Lanes(rows + behind * lanes) * Lanes(m + 1);
+    o2 = Lanes(rows + own_after * lanes) * o1 + Lanes(rows + behind * lanes) * Lanes(m + 1);
   }
   KADR_LANES Lanes half_bend() const { return (o0 - 2 * o1 + o2) * by_length * by_length; }
   KADR_LANES Lanes at(double t) const { return ((1 - t) * (1 - t)) * o0 + (2 * t * (1 - t)) * o1 + (t * t) * o2; }
@@ -202,7 +202,7 @@ KADR_LANES void PrimalDual::build(const Range& range, double mu) {
         by_slack = 1 / slack;
     sums.h11 += (2 * second_derivative_of_time) * fall * by_m + dual * by_slack * by_cap * by_cap;
     sums.g1 += (mu - dual * (1 - m * by_cap - slack)) * by_slack * by_cap - fall;
-    const Lanes p(of_block + before * lanes), q(of_block + own_before * lanes), u(of_block + own_behind * lanes),
+    const Lanes p(of_block + before * lanes), q(of_block + own_before * lanes), u(of_block + own_after * lanes),
         v(of_block + behind * lanes);
     (p * p * sums.h00).to(&products_[0][i]);
     (p * (q * sums.h00 + sums.h01 + u * sums.h02)).to(&products_[1][i]);
@@ -265,8 +265,8 @@ KADR_LANES PrimalDual::Progress PrimalDual::update(const Range& range, double mu
     worst = lesser(worst, c);
     const Lanes share = by.o1 / speed.o1, size = greater(share, -share);
     all_worst = lesser(all_worst, worst), all_steps = greater(all_steps, size), all_gaps = greater(all_gaps, gap);
-    const bool is_apart = greatest_of(gap) > most_gap * mu * limits_of_cell();
-    restless_[block] = least_of(worst) < -most_beyond || greatest_of(size) > at_rest || is_apart ? 1 : 0;
+    const bool is_apart = greatest_of(gap) > max_gap * mu * limits_of_cell();
+    restless_[block] = least_of(worst) < -max_excess || greatest_of(size) > at_rest || is_apart ? 1 : 0;
   }
   return {least_of(all_worst), greatest_of(all_steps), greatest_of(all_gaps) / (mu * limits_of_cell())};
 }
@@ -275,7 +275,7 @@ template <class Lanes>
 KADR_LANES void PrimalDual::move(const Range& range) {
   for (std::size_t i = range.first * lanes; i < range.end * lanes; i += lanes) {
     const Lanes m(&m_[i]);
-    (m + lesser(greater(Lanes(&step_[i]), most_fall * m), most_rise * m)).to(&m_[i]);
+    (m + lesser(greater(Lanes(&step_[i]), max_fall * m), most_rise * m)).to(&m_[i]);
   }
 }
 
@@ -322,27 +322,27 @@ KADR_LANES double PrimalDual::look(const Range& range, int tighter) {
 }
 
 void PrimalDual::fill() {
-  side_by_side([&](auto like) __attribute__((always_inline)) { fill_shapes<decltype(like)>(); });
+  with_best_lanes([&](auto like) __attribute__((always_inline)) { fill_shapes<decltype(like)>(); });
 }
 
 void PrimalDual::begin(const Range& range, double mu) {
-  side_by_side([&](auto like) __attribute__((always_inline)) { begin_duals<decltype(like)>(range, mu); });
+  with_best_lanes([&](auto like) __attribute__((always_inline)) { begin_duals<decltype(like)>(range, mu); });
 }
 
 void PrimalDual::derive(const Range& range, double mu) {
-  side_by_side([&](auto like) __attribute__((always_inline)) { build<decltype(like)>(range, mu); });
+  with_best_lanes([&](auto like) __attribute__((always_inline)) { build<decltype(like)>(range, mu); });
   // the cells next to the range: their contributions are removed
   const std::size_t outside[] = {range.first * lanes - 1, range.end * lanes};
   for (const std::size_t i : outside)
     for (auto* const all :
          {&products_[0], &products_[1], &products_[2], &products_[3], &products_[4], &products_[5], &slopes_[0], &slopes_[1], &slopes_[2]})
       (*all)[i] = 0;
-  side_by_side([&](auto like) __attribute__((always_inline)) { gather<decltype(like)>(range); });
+  with_best_lanes([&](auto like) __attribute__((always_inline)) { gather<decltype(like)>(range); });
 }
 
 PrimalDual::Progress PrimalDual::go(const Range& range, double mu) {
   Progress progress;
-  side_by_side([&](auto like) __attribute__((always_inline)) {
+  with_best_lanes([&](auto like) __attribute__((always_inline)) {
     progress = update<decltype(like)>(range, mu);
     move<decltype(like)>(range);
   });
@@ -351,7 +351,7 @@ PrimalDual::Progress PrimalDual::go(const Range& range, double mu) {
 
 double PrimalDual::greatest_share(const Range& range, int tighter) {
   double share = 0;
-  side_by_side([&](auto like) __attribute__((always_inline)) { share = look<decltype(like)>(range, tighter); });
+  with_best_lanes([&](auto like) __attribute__((always_inline)) { share = look<decltype(like)>(range, tighter); });
   return share;
 }
 

@@ -9,7 +9,7 @@
 
 #include "base/arithmetic.h"
 #include "base/tolerance.h"
-#include "config/setup_parameters.h"
+#include "config/setup/setup_parameters.h"
 
 namespace kadr {
 namespace {

@@ -10,7 +10,7 @@
 #include <functional>
 #include <optional>
 
-#include "config/setup.h"
+#include "config/setup/setup.h"
 #include "path/curve/bezier.h"
 
 namespace kadr {

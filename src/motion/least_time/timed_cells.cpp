@@ -70,8 +70,8 @@ TimeLaw TimeLaw::of_squares(double length, double v, double a, double j) {
     return law;
   }
   double t = 2 * length / (v + end);
-  constexpr int most_steps = 30;  // bound of Newton steps; four or five suffice
-  for (int step = 0; step < most_steps; ++step) {
+  constexpr int max_steps = 30;  // bound of Newton steps; four or five suffice
+  for (int step = 0; step < max_steps; ++step) {
     const double error = law.way(t) - length, rate = law.speed(t);
     if (!(rate > 0)) break;
     const double by = std::clamp(error / rate, -t, t / 2);

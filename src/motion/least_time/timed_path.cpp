@@ -39,13 +39,13 @@ void TimedPath::divide_last(std::size_t parts) {
   const std::size_t row = axes * terms;
   const std::vector<double> whole(shapes.end() - static_cast<std::ptrdiff_t>(row), shapes.end());
   const double length = h.back() / static_cast<double>(parts);
-  const char turns_behind = turns.back();
+  const char turns_after = turns.back();
   h.back() = length;
   h.resize(h.size() + parts - 1, length);
   most.resize(h.size(), most.back());
   turns.back() = 0;
   turns.resize(h.size(), 0);
-  turns.back() = turns_behind;
+  turns.back() = turns_after;
   for (std::size_t i = 1; i < parts; ++i) {
     const double z = static_cast<double>(i) * length;
     double* const c = add_shapes();
@@ -133,7 +133,7 @@ void find_envelope(const TimedPath& path, const PathEnds& ends, std::vector<doub
 
 /// In a cell of length h next to a stop, at the distance τ h from the stop: b = b₁ τ^(4/3), where b₁ is b at the other knot. So ṡ s̈ =
 /// ±2/3 τ b₁^(3/2) / h and s⃛ = 2/9 b₁^(3/2) / h². The middle ordinate is a third of b₁.
-double most_beside_stop(const TimedPath& path, std::size_t cell, bool is_first, const LimitMargins& margins) {
+double max_next_to_stop(const TimedPath& path, std::size_t cell, bool is_first, const LimitMargins& margins) {
   constexpr std::array<double, 8> places = {0, 0.12, 0.28, 0.43, 0.57, 0.72, 0.88, 1};
   const double h = path.h[cell], ahead = is_first ? 1 : -1;
   double most = unbounded;  // the greatest b₁ that the limits allow

@@ -94,9 +94,9 @@ void find_envelope(const TimedPath& path, const PathEnds& ends, std::vector<doub
 double soonest_rise(const TimedPath& path);
 /// Returns the greatest middle ordinate of a cell next to a stop for which the motion with constant jerk in it obeys the limits.
 /// `is_first`: the stop is at the start of the cell; else at its end.
-double most_beside_stop(const TimedPath& path, std::size_t cell, bool is_first, const LimitMargins& margins);
+double max_next_to_stop(const TimedPath& path, std::size_t cell, bool is_first, const LimitMargins& margins);
 /// Returns the middle ordinate of the cell next to a stop divided by the middle ordinate of its neighbour; this ratio makes b′
 /// continuous. `h`: length of the cell; `next`: length of the neighbour.
-inline double share_beside_stop(double h, double next) { return 1.0 / 3 / (1 + 2.0 / 3 * next / h); }
+inline double share_next_to_stop(double h, double next) { return 1.0 / 3 / (1 + 2.0 / 3 * next / h); }
 
 }  // namespace kadr

@@ -16,7 +16,7 @@ namespace kadr {
 namespace {
 
 constexpr std::size_t least_window = 600;  // number of cells from which on a window is solved
-constexpr std::size_t most_window = 6000;  // with more cells, some are emitted although the window's end may have slowed them
+constexpr std::size_t max_window = 6000;   // with more cells, some are emitted although the window's end may have slowed them
 constexpr double crawl_of_slowest = 0.03;  // ṡ² of the crawl at the window's end, as a share of the ṡ² that the slowest cell allows
 
 }  // namespace
@@ -39,7 +39,7 @@ void WindowTimer::take(const CutCells& more, bool last, StopToken stop) {
 }
 
 /// Adds the plan of a segment of the path to done(), if it is a valid plan.
-void WindowTimer::hand_on(TimedCells made, double standing, std::uint64_t tag) {
+void WindowTimer::pass_cells_on(TimedCells made, double standing, std::uint64_t tag) {
   const double seconds = made.seconds();
   if (std::isfinite(seconds) && seconds <= most_of_standing * standing) return done_.push_back(std::move(made));
   std::size_t longest = 0;
@@ -78,14 +78,14 @@ void WindowTimer::solve(bool last, const StopToken& stop) {
   if (stop.asked()) return;
   if (!found && stop_where_known(stop)) return last || now_.cells.count() >= least_window ? solve(last, stop) : void();
   if (!found) return cell_by_cell();
-  if (last) return hand_out(now_.cells.count());
+  if (last) return deliver(now_.cells.count());
   const std::size_t all = now_.cells.count(), sure = sure_cells();
-  if (sure >= all / 3) hand_out(sure - sure / 8);
-  else if (all > most_window) hand_out(all / 3);
+  if (sure >= all / 3) deliver(sure - sure / 8);
+  else if (all > max_window) deliver(all / 3);
 }
 
 /// Emits the first `count` cells; the rest of the path continues after them. `stops`: the axes stop after these cells.
-void WindowTimer::hand_out(std::size_t count, bool stops) {
+void WindowTimer::deliver(std::size_t count, bool stops) {
   const TimedPath& path = now_.cells.path;
   const std::size_t all = path.cells();
   const std::vector<CellSpeeds>& speeds = timer_.speeds();
@@ -102,7 +102,7 @@ void WindowTimer::hand_out(std::size_t count, bool stops) {
   }
   made.path.assign(path.shapes.begin(), path.shapes.begin() + static_cast<std::ptrdiff_t>(count * path.axes * TimedCells::terms));
   made.sources.assign(now_.cells.sources.begin(), now_.cells.sources.begin() + static_cast<std::ptrdiff_t>(count));
-  hand_on(std::move(made), standing_of(count), now_.cells.sources.front().tag);
+  pass_cells_on(std::move(made), standing_of(count), now_.cells.sources.front().tag);
   if (count == all) return;
   now_.ends.from_stop = stops;
   now_.ends.from = stops ? PathSpeed{} : speeds[count].start;
@@ -122,7 +122,7 @@ bool WindowTimer::stop_where_known(const StopToken& stop) {
   PathEnds ends = now_.ends;
   ends.to_stop = true;
   if (!timer_.solve(now_.cells.path.first(known), ends, stop)) return false;
-  hand_out(known, true);
+  deliver(known, true);
   return true;
 }
 
@@ -152,7 +152,7 @@ void WindowTimer::cell_by_cell() {
     }
   }
   made.unsolved = true;
-  hand_on(std::move(made), standing_of(path.cells()), now_.cells.sources.empty() ? 0 : now_.cells.sources.front().tag);
+  pass_cells_on(std::move(made), standing_of(path.cells()), now_.cells.sources.empty() ? 0 : now_.cells.sources.front().tag);
   begin();
 }
 

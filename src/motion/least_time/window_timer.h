@@ -21,7 +21,7 @@ class WindowTimer {
   void take(const CutCells& more, bool last, StopToken stop);
   /// Adds a plan computed elsewhere to done(), or refuses it. `standing`: the approximate time with a stop at each corner, s. `tag`: the
   /// tag at the start of the plan.
-  void hand_on(TimedCells made, double standing, std::uint64_t tag);
+  void pass_cells_on(TimedCells made, double standing, std::uint64_t tag);
 
   /// True if no cell is waiting and the axes are at rest.
   bool is_at_rest() const { return now_.cells.count() == 0 && now_.ends.from_stop; }
@@ -56,12 +56,12 @@ class WindowTimer {
     Refused refused;
   };
   const Memory& memory() const { return now_; }
-  void remember(const Memory& memory) { now_ = memory; }
+  void resume_from(const Memory& memory) { now_ = memory; }
 
  private:
   void solve(bool last, const StopToken& stop);
   std::size_t sure_cells() const;
-  void hand_out(std::size_t count, bool stops = false);
+  void deliver(std::size_t count, bool stops = false);
   bool stop_where_known(const StopToken& stop);
   void cell_by_cell();
   double standing_of(std::size_t count) const;

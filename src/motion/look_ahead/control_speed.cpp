@@ -129,7 +129,7 @@ bool cuts_in_plane(const Motion& m, const PathShape& shape) {
 }
 
 /// Sets u under tool centre point control: sampled over quarters of the motion, and close to its ends.
-void set_led(PathShape& shape, const MachinePath& path, std::size_t axes) {
+void set_with_tip_control(PathShape& shape, const MachinePath& path, std::size_t axes) {
   constexpr double near = 1.0 / 64;
   constexpr double parts[] = {0, near, 0.25, 0.5, 0.75, 1 - near, 1};
   Axes before = path.start();
@@ -174,7 +174,7 @@ PathShape shape_of(const Step& step) {
   shape.length = curve.length(motion.along);
   const FrameTurn* const turn = step.from.turn.get();
   shape.plane = AxisMask{1} << driven(motion.first, turn) | AxisMask{1} << driven(motion.second, turn);
-  if (leads_tip(step.from, motion)) set_led(shape, MachinePath(step), step.roles.count);
+  if (controls_tip(step.from, motion)) set_with_tip_control(shape, MachinePath(step), step.roles.count);
   else set_along_curve(shape, step, curve);
   for (std::size_t i = 0; i < step.roles.count; ++i)
     if (shape.most[i] != 0) shape.moves |= AxisMask{1} << i;
@@ -189,7 +189,7 @@ Acceleration acceleration_of(const SpeedRules& rules, const PathShape& shape) {
 }
 
 double block_speed(const SpeedRules& rules, const Motion& motion, const PathShape& shape, double commanded) {
-  double speed = std::min(commanded, slowest(rules.most_feed, shape.most));
+  double speed = std::min(commanded, slowest(rules.max_feed, shape.most));
   if (shape.radius == 0) return speed;
   speed = std::min(speed, commanded * inner_arc_part(rules, motion, shape));
   return std::min(speed, arc_speed(rules, shape));

@@ -40,7 +40,7 @@ struct Nearness {
   std::uint8_t nearest() const { return static_cast<std::uint8_t>(std::max_element(part.begin(), part.end()) - part.begin()); }
 };
 
-void take(LimitShares::Share& share, double value, double limit, std::size_t axis) {
+void take(LimitUsage::Share& share, double value, double limit, std::size_t axis) {
   const double part = std::fabs(value) / limit;
   if (part > share.part) share = {part, static_cast<std::uint8_t>(axis)};
 }
@@ -52,8 +52,8 @@ Limit named(Limit in_line, Bend bend, bool by_curvature) {
 
 }  // namespace
 
-LimitShares shares_at(const TimedCells& cells, std::size_t cell, double part, const MotionLimits& limits) {
-  LimitShares shares;
+LimitUsage shares_at(const TimedCells& cells, std::size_t cell, double part, const MotionLimits& limits) {
+  LimitUsage shares;
   double squares = 0;
   each_axis(cells, cell, part, [&](std::size_t axis, const AxisState& state) {
     squares += state.speed * state.speed;

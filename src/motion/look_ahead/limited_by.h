@@ -23,7 +23,7 @@ struct LimitedBy {
 };
 
 /// How near the axes are to their limits at one position of a cell.
-struct LimitShares {
+struct LimitUsage {
   struct Share {
     double part = 0;        // share of the limit used by the axis that is nearest to its limit; 1: the limit is reached
     std::uint8_t axis = 0;  // the axis nearest to its limit
@@ -34,7 +34,7 @@ struct LimitShares {
 
 /// Computes the shares at the position `part`, 0 … 1, in a cell; TimeLaw::at() defines `part`.
 ///   law  no share exceeds 1, except by the excess that the planner tolerates between its sample positions (docs/planner.md)
-LimitShares shares_at(const TimedCells& cells, std::size_t cell, double part, const MotionLimits& limits);
+LimitUsage shares_at(const TimedCells& cells, std::size_t cell, double part, const MotionLimits& limits);
 
 /// Returns the limit with the greatest share, averaged over the start, the middle and the end of the cell. If the limit is a rapid rate
 /// equal to an axis' speed limit, the result is Limit::axis_speed.

@@ -18,7 +18,7 @@ namespace {
 bool stops(const Action& action, const SpeedRules& rules) {
   return by_kind(
       action, same<FrameChange, ZoneChange>(rules.frames_stop), [](const Message& text) { return text.asks; },
-      same<ContourBreak, ContourCorner, ContourCheck, SurfaceSpeed>(false),
+      same<CompensationBreak, CompensationCorner, CompensationCheck, SurfaceSpeed>(false),
       same<Motion, Dwell, Spindle, Speed, CoolantSwitch, ToolSelect, ToolChange, MachineFunction, AuxiliaryFunction, Stop, Sync, Couple,
            Uncouple>(true));
 }
@@ -50,8 +50,8 @@ void LookAhead::consume(const Step& step) {
     if (stops(step.action, rules_)) rest();
     hold(step);
   }
-  if (pieces_.size() >= most_pieces) plan_older();
-  if (held_.size() >= most_actions) rest();
+  if (pieces_.size() >= max_pieces) plan_older();
+  if (held_.size() >= max_actions) rest();
 }
 
 void LookAhead::finish() { rest(); }
@@ -65,7 +65,7 @@ LookAhead::Memory LookAhead::memory() const {
   return now;
 }
 
-void LookAhead::remember(const Memory& memory) {
+void LookAhead::resume_from(const Memory& memory) {
   held_ = memory.held;
   pieces_ = memory.pieces;
   open_ = memory.open;
@@ -103,7 +103,7 @@ void LookAhead::rapid(const Step& step, const Motion& motion, const PathShape& s
   RapidTime planned;
   if (rules_.overlaps_rapids) {
     Axes ways{};
-    const bool led = leads_tip(step.from, motion);
+    const bool led = controls_tip(step.from, motion);
     for (std::size_t i = 0; i < roles_.count; ++i) ways[i] = led ? motion.machine[i] - step.from.machine[i] : shape.start[i] * shape.length;
     planned = rapid_apart(rules_, ways, rapid_rates_);
   } else {

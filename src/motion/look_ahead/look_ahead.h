@@ -31,7 +31,7 @@ class LookAhead {
   LookAhead(const LookAhead&) = delete;  // the object stores pointers to its own members
   LookAhead& operator=(const LookAhead&) = delete;
 
-  /// Accepts a step (a motion with its time by the TimeEstimate) and emits the steps whose times are final. At most `most_pieces` pieces
+  /// Accepts a step (a motion with its time by the TimeEstimate) and emits the steps whose times are final. At most `max_pieces` pieces
   /// are stored: when the storage is full, the older half is planned as if the newest piece ended at rest. That is safe: further pieces
   /// can only raise the speeds in the newer half, and the speeds in the older half are low enough to stop in time. Speed is lost only if
   /// the motions are so short that the machine could not stop within the newer half.
@@ -40,8 +40,8 @@ class LookAhead {
   /// Ends the path at rest and emits all stored steps.
   void finish();
 
-  static constexpr std::size_t most_pieces = 1024;
-  static constexpr std::size_t most_actions = 4096;  // most actions stored in total, including actions between motions
+  static constexpr std::size_t max_pieces = 1024;
+  static constexpr std::size_t max_actions = 4096;  // most actions stored in total, including actions between motions
 
  private:
   struct Held {
@@ -78,7 +78,7 @@ class LookAhead {
     double start_speed = 0;
   };
   Memory memory() const;
-  void remember(const Memory& memory);
+  void resume_from(const Memory& memory);
 
  private:
   void motion(const Step& step, const Motion& motion);

@@ -11,7 +11,7 @@
 namespace kadr {
 namespace {
 
-constexpr int most_steps = 100;        // bound of the steps of a search; bisection reaches rounding errors after some 60 steps
+constexpr int max_steps = 100;         // bound of the steps of a search; bisection reaches rounding errors after some 60 steps
 constexpr double near_enough = 1e-14;  // relative accuracy of a search: a few rounding errors
 
 /// Solves x³ + 2·b·x = q for x ≥ 0; b and q must not be negative. Newton's method, started above the solution, decreases monotonically
@@ -19,7 +19,7 @@ constexpr double near_enough = 1e-14;  // relative accuracy of a search: a few r
 double cubic_root(double b, double q) {
   if (b == 0) return std::cbrt(q);
   double x = std::min(std::cbrt(q), q / (2 * b));
-  for (int step = 0; step < most_steps; ++step) {
+  for (int step = 0; step < max_steps; ++step) {
     const double less = (x * (x * x + 2 * b) - q) / (3 * x * x + 2 * b);
     x -= less;
     if (!(less > near_enough * x)) break;
@@ -62,14 +62,14 @@ double top_speed(double from, double to, double length, double most, const Accel
   if (acceleration.build_up == 0) return std::clamp(std::sqrt(acceleration.most * length + (from * from + to * to) / 2), least, most);
   if (from == to) return std::min(most, reached(from, length / 2, acceleration));
   double low = least, high = most;
-  for (int step = 0; step < most_steps && high - low > near_enough * high; ++step) {
+  for (int step = 0; step < max_steps && high - low > near_enough * high; ++step) {
     const double middle = (low + high) / 2;
     (needs(middle) <= length ? low : high) = middle;
   }
   return low;
 }
 
-double way_seconds(double from, double to, double length, double most, const Acceleration& acceleration) {
+double travel_seconds(double from, double to, double length, double most, const Acceleration& acceleration) {
   const double top = top_speed(from, to, length, most, acceleration);
   const double rest = length - ramp_length(from, top, acceleration) - ramp_length(top, to, acceleration);
   if (top == std::max(from, to) && rest < 0) return 2 * length / (from + to);
@@ -121,7 +121,7 @@ double Ramp::seconds_at(double at) const {
   if (at >= length_) return seconds_;
   double low = 0, high = seconds_;
   double t = seconds_ * at / length_;
-  for (int step = 0; step < most_steps && high - low > near_enough * seconds_; ++step) {
+  for (int step = 0; step < max_steps && high - low > near_enough * seconds_; ++step) {
     const double over = way_at(t) - at;
     if (std::abs(over) <= near_enough * length_) break;
     (over > 0 ? high : low) = t;

@@ -36,7 +36,7 @@ double top_speed(double from, double to, double length, double most, const Accel
 
 /// Returns the time of such a path: ramp up to the top speed, constant speed, ramp down. If `length` is too short for the ramp, the speed
 /// changes linearly.
-double way_seconds(double from, double to, double length, double most, const Acceleration& acceleration);
+double travel_seconds(double from, double to, double length, double most, const Acceleration& acceleration);
 
 /// A single change of speed, which can be evaluated at any time or position.
 class Ramp {

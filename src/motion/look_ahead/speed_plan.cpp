@@ -59,7 +59,7 @@ void SpeedPlan::make_linear() {
     PathPiece& p = pieces_[k];
     p.end = speed_[k + 1];
     p.top = top_speed(speed_[k], p.end, p.length, p.most, p.acceleration);
-    p.seconds = way_seconds(speed_[k], p.end, p.length, p.most, p.acceleration);
+    p.seconds = travel_seconds(speed_[k], p.end, p.length, p.most, p.acceleration);
     p.steady = true;
   }
 }

@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-#include "config/setup_parameters.h"
+#include "config/setup/setup_parameters.h"
 
 namespace kadr {
 namespace {
@@ -42,7 +42,7 @@ bool limits_something(const Axes& axes) {
 }
 
 void obey_axis(SpeedRules& rules, const SetupParameters& given, std::size_t axis) {
-  rules.most_feed[axis] = feed_limit(given.of_axis("0305", axis));
+  rules.max_feed[axis] = feed_limit(given.of_axis("0305", axis));
   rules.axis_change[axis] = feed_limit(given.of_axis("0309", axis));
   rules.normal[axis] = limit(given.of_axis("0402", axis));
   rules.line_step[axis] = limit(given.of_axis("0403", axis));
@@ -83,7 +83,7 @@ void obey_parameters(SpeedRules& rules, const Setup& setup, const std::vector<st
   const bool corners = rules.by_axis_change ? limits_something(rules.axis_change) : rules.corner_feed < unlimited;
   const bool zones = rules.inner_part < 1 && rules.inner_angle > 0;
   rules.in_force = rules.in_force || rules.stated != 0 || corners || zones || rules.least_arc_part > 0 ||
-                   limits_something(rules.most_feed) || limits_something(rules.normal) || limits_something(rules.line_step) ||
+                   limits_something(rules.max_feed) || limits_something(rules.normal) || limits_something(rules.line_step) ||
                    limits_something(rules.arc_step);
   rules.slows_inner_arcs = rules.frames_stop = rules.in_force;
 }

@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "base/vec.h"
-#include "config/machine_profile.h"
-#include "config/setup.h"
+#include "config/machine/machine_profile.h"
+#include "config/setup/setup.h"
 
 namespace kadr {
 
@@ -29,7 +29,7 @@ struct SpeedRules {
   Axes acceleration = axes_filled(unlimited);  // mm/s² or degrees/s²
   Axes build_up{};                             // time until the acceleration is reached, s; 0: linear ramps
   bool jerk_free = false;                      // parameter N0421 #1 JRK: the acceleration builds up along half a cosine (ramp.h)
-  Axes most_feed = axes_filled(unlimited);     // greatest feed of each axis (N0305 Max Feed)
+  Axes max_feed = axes_filled(unlimited);      // greatest feed of each axis (N0305 Max Feed)
   // N0306 #0 FDF: true: the change of the axis feeds limits the speed in corners; false: the corner angle limits it
   bool by_axis_change = false;
   double corner_angle = 0;                    // change of direction above which a corner limits the speed (N0307 Crit A Diff), degrees

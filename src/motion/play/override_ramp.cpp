@@ -5,7 +5,7 @@
 
 namespace kadr {
 
-OverrideRamp::OverrideRamp(OverrideShare from, double to, double seconds) : seconds_(seconds), end_(to) {
+OverrideRamp::OverrideRamp(OverrideFactor from, double to, double seconds) : seconds_(seconds), end_(to) {
   const double h = seconds, way = to - from.share - h * (from.rate + h * from.bend / 2), slope = -from.rate - h * from.bend,
                bend = -from.bend;
   c_ = {from.share,
@@ -16,7 +16,7 @@ OverrideRamp::OverrideRamp(OverrideShare from, double to, double seconds) : seco
         (6 * way - h * (3 * slope - h * bend / 2)) / (h * h * h * h * h)};
 }
 
-OverrideShare OverrideRamp::at(double t) const {
+OverrideFactor OverrideRamp::at(double t) const {
   if (t >= seconds_) return {end_, 0, 0};
   return {c_[0] + t * (c_[1] + t * (c_[2] + t * (c_[3] + t * (c_[4] + t * c_[5])))),
           c_[1] + t * (2 * c_[2] + t * (3 * c_[3] + t * (4 * c_[4] + t * 5 * c_[5]))),

@@ -79,7 +79,7 @@ void Playback::show(const Cursor& at, double* x) {
 }
 
 /// Returns true if no axis exceeds its limits at the share `pace`. Where the plan itself exceeds a limit, the planned value is the limit.
-bool Playback::is_allowed(const Cursor& at, const OverrideShare& pace) const {
+bool Playback::is_allowed(const Cursor& at, const OverrideFactor& pace) const {
   if (pace.share < 0 || pace.share > rounding_of_limits) return false;
   if (is_over(at)) return true;
   const TimeLaw& law = ring_.law(at.cell);
@@ -106,12 +106,12 @@ double Playback::shortest(double target) const {
   const TimeLaw& law = ring_.law(now_.at.cell);
   const TimeLaw::State i = law.after(now_.at.t);
   const double change = std::fabs(target - share());
-  constexpr double most_rate = 1.875, most_bend = 5.77;  // greatest first and second derivative of a ramp from 0 to 1 in 1 s
+  constexpr double max_rate = 1.875, most_bend = 5.77;  // greatest first and second derivative of a ramp from 0 to 1 in 1 s
   for (std::size_t a = 0; a < ring_.axes(); ++a) {
     const double* const c = ring_.path(now_.at.cell, a);
     const double speed =
         change * std::fabs(i.speed * (c[1] + i.way * (2 * c[2] + i.way * (3 * c[3] + i.way * (4 * c[4] + i.way * 5 * c[5])))));
-    seconds = std::max({seconds, most_rate * speed / limits_.acceleration[a], std::sqrt(most_bend * speed / limits_.jerk[a])});
+    seconds = std::max({seconds, max_rate * speed / limits_.acceleration[a], std::sqrt(most_bend * speed / limits_.jerk[a])});
   }
   return std::min(seconds, longest);
 }
@@ -149,11 +149,11 @@ void Playback::exceed_a_little() {
 
 /// Continues the check of the next ramp. The limits are checked at the servo instants, in a short ramp also between them, and at both
 /// sides of each cell boundary, because the jerk jumps there.
-void Playback::go_on_trying() {
+void Playback::keep_trying() {
   const double step = std::min(period_, now_.next.seconds() / least_places);
   bool allowed = true;
   const auto look = [&](const Cursor& end, double on_ramp) -> std::optional<double> {
-    const OverrideShare pace = now_.next.at(on_ramp);
+    const OverrideFactor pace = now_.next.at(on_ramp);
     allowed = allowed && is_allowed(end, pace) && is_allowed({end.cell + 1, 0}, pace);
     return std::nullopt;
   };
@@ -202,7 +202,7 @@ void Playback::steer() {
     now_.over = a_little_more;
     try_ramp(now_.goal, shortest(now_.goal));
   }
-  if (now_.trying && !now_.tried) go_on_trying();
+  if (now_.trying && !now_.tried) keep_trying();
   if (!now_.trying || now_.instant < now_.begins) return;
   if (!now_.tried) return try_ramp(now_.next.end(), now_.next.seconds());
   now_.ramp = now_.next;

@@ -108,10 +108,10 @@ class Playback {
     CellRing::Memory cells;
   };
   Memory memory() const { return {now_, wanted_.load(), ring_.memory()}; }
-  void remember(const Memory& memory) {
+  void resume_from(const Memory& memory) {
     now_ = memory.place;
     wanted_ = memory.wanted;
-    ring_.remember(memory.cells);
+    ring_.resume_from(memory.cells);
   }
 
  private:
@@ -120,7 +120,7 @@ class Playback {
   bool advance(Cursor& at, const OverrideRamp& ramp, double on_ramp, double seconds, Crossed&& crossed) const;
   bool advance(Cursor& at, const OverrideRamp& ramp, double on_ramp) const;
   void show(const Cursor& at, double* x);
-  bool is_allowed(const Cursor& at, const OverrideShare& pace) const;
+  bool is_allowed(const Cursor& at, const OverrideFactor& pace) const;
   double asked();
   double wait_for_spindle(std::uint64_t cell);
   bool go_on();
@@ -129,7 +129,7 @@ class Playback {
   void try_ramp(double target, double seconds);
   std::optional<double> share_on_the_way() const;
   void exceed_a_little();
-  void go_on_trying();
+  void keep_trying();
   double shortest(double target) const;
 
   MotionLimits limits_;

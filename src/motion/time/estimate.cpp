@@ -75,7 +75,8 @@ std::pair<double, double> limits_of(const MachineProfile& profile, const Setup& 
   return of_setup(setup, axis, &AxisLimits::limits).value_or(std::pair{own.least, own.most});
 }
 
-TimeEstimate::TimeEstimate(const AxisRoles& roles, const Rates& rates) : roles_(roles), rates_(rates), least_most_(rates.least_most()) {}
+TimeEstimate::TimeEstimate(const AxisRoles& roles, const Rates& rates)
+    : roles_(roles), rates_(rates), lowest_rapid_rate_(rates.least_most()) {}
 
 SpindleTurning& TimeEstimate::spindle_of(std::size_t number) {
   if (number >= spindles_.size()) spindles_.resize(number + 1);
@@ -133,14 +134,14 @@ double TimeEstimate::feed_minutes(const Motion& motion, const Curve& curve, Moti
     time.feed = way / minutes;
     return minutes;
   }
-  if (curve.surface() == PathSurface::polar) return minutes(curve, {time.feed, motion.detail->rotary_most, motion.along});
+  if (curve.surface() == PathSurface::polar) return minutes(curve, {time.feed, motion.detail->max_rotary_speed, motion.along});
   return way / time.feed;
 }
 
 /// Returns the time at the programmed feed, but with no axis above its rapid rate.
 double TimeEstimate::cutting_minutes(const Motion& motion, const Curve& curve, MotionTime& time) const {
   const double minutes = feed_minutes(motion, curve, time);
-  if (!(time.feed > least_most_)) return minutes;
+  if (!(time.feed > lowest_rapid_rate_)) return minutes;
   return std::max(minutes, slowest_axis(roles_, curve, motion, rates_.most).minutes);
 }
 
@@ -175,7 +176,7 @@ MotionTime TimeEstimate::motion(const Motion& motion, const Curve& curve, const 
   time.exact = true;
   const bool polar = curve.surface() == PathSurface::polar;
   if (polar && !rapid && motion.unit != FeedUnit::per_min)
-    time.feed_most = highest_feed(curve, {time.feed, motion.detail->rotary_most, motion.along});
+    time.feed_most = highest_feed(curve, {time.feed, motion.detail->max_rotary_speed, motion.along});
   else if (minutes > 0 && !(polar && rapid)) time.feed_most = curve.length(motion.along) / minutes;
   return time;
 }
@@ -197,7 +198,7 @@ void TimeEstimate::other(const Action& action) {
         if (!change.there) split_.tool_change += rates_.tool_change_s;
       },
       ignores<Motion, CoolantSwitch, ToolSelect, MachineFunction, AuxiliaryFunction, Stop, Message, FrameChange, Sync, ZoneChange,
-              ContourBreak, ContourCorner, ContourCheck>);
+              CompensationBreak, CompensationCorner, CompensationCheck>);
 }
 
 /// Computes the time of a step. A step's pause is the increase of the sums, so that all pauses add up exactly to the sums.

@@ -3,8 +3,8 @@
 // computes it with acceleration.
 
 #include "action/step.h"
-#include "config/machine_profile.h"
-#include "config/setup.h"
+#include "config/machine/machine_profile.h"
+#include "config/setup/setup.h"
 #include "motion/time/spindle_turning.h"
 
 namespace kadr {
@@ -85,7 +85,7 @@ class TimeEstimate {
 
   AxisRoles roles_;
   Rates rates_;
-  double least_most_;
+  double lowest_rapid_rate_;
   TimeSplit split_;
   double feed_ratio_ = 1;  // for feed per revolution with an electronic gearbox: revolutions of the slave axis per spindle revolution
   std::vector<SpindleTurning> spindles_ = std::vector<SpindleTurning>(2);  // index: spindle number; entry 0 is unused

@@ -12,7 +12,7 @@ namespace kadr {
 Pace::Pace(const AxisRoles& roles, const Curve& curve, const Motion& motion, double feed, const Axes& rapid, const SpindleTurning& spindle)
     : roles_(roles),
       curve_(curve),
-      limits_{feed, curve.surface() == PathSurface::polar ? motion.detail->rotary_most : 0, motion.along},
+      limits_{feed, curve.surface() == PathSurface::polar ? motion.detail->max_rotary_speed : 0, motion.along},
       rotary_(motion.second),
       rapid_(rapid),
       spindle_(spindle),
@@ -37,8 +37,8 @@ double Pace::minutes_per_part(double part) const {
 
 double Pace::minutes(double from, double to) const {
   const double simpson = (minutes_per_part(from) + 4 * minutes_per_part((from + to) / 2) + minutes_per_part(to)) / 6 * (to - from);
-  if (!(limits_.feed > 0 && limits_.rotary_most > 0)) return simpson;
-  return std::max(simpson, std::fabs(curve_.at(to)[rotary_] - curve_.at(from)[rotary_]) / limits_.rotary_most);
+  if (!(limits_.feed > 0 && limits_.max_rotary_speed > 0)) return simpson;
+  return std::max(simpson, std::fabs(curve_.at(to)[rotary_] - curve_.at(from)[rotary_]) / limits_.max_rotary_speed);
 }
 
 }  // namespace kadr

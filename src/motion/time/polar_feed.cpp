@@ -30,7 +30,7 @@ double rotary_rate(const Curve& curve, double part) { return std::abs(curve.pola
 
 double minutes_per_part(const Curve& curve, const PolarFeed& limits, double part) {
   const double free = curve.rate(limits.along, part) / limits.feed;
-  return limits.rotary_most > 0 ? std::max(free, rotary_rate(curve, part) / limits.rotary_most) : free;
+  return limits.max_rotary_speed > 0 ? std::max(free, rotary_rate(curve, part) / limits.max_rotary_speed) : free;
 }
 
 double feed_at(const Curve& curve, const PolarFeed& limits, double part) {
@@ -45,7 +45,7 @@ double highest_feed(const Curve& curve, const PolarFeed& limits) {
 }
 
 double minutes(const Curve& curve, const PolarFeed& limits) {
-  if (limits.rotary_most <= 0) return curve.length(limits.along) / limits.feed;
+  if (limits.max_rotary_speed <= 0) return curve.length(limits.along) / limits.feed;
   return over_motion(curve, [&](double part) { return minutes_per_part(curve, limits, part); });
 }
 

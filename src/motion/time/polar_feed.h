@@ -9,8 +9,8 @@ namespace kadr {
 
 /// Feed limits of one motion in polar interpolation.
 struct PolarFeed {
-  double feed = 0;         // commanded feed, mm/min, along the length that `along` selects
-  double rotary_most = 0;  // speed limit of the rotary axis, degrees/min; 0: no limit
+  double feed = 0;              // commanded feed, mm/min, along the length that `along` selects
+  double max_rotary_speed = 0;  // speed limit of the rotary axis, degrees/min; 0: no limit
   FeedAlong along = FeedAlong::path;
 };
 

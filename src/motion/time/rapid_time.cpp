@@ -23,7 +23,7 @@ double left_of_ramp(double top, double part, const Acceleration& acceleration) {
 
 RapidTime rapid_together(const SpeedRules& rules, const PathShape& shape, double speed) {
   const Acceleration a = acceleration_of(rules, shape);
-  return {way_seconds(0, 0, shape.length, speed, a), top_speed(0, 0, shape.length, speed, a), 0};
+  return {travel_seconds(0, 0, shape.length, speed, a), top_speed(0, 0, shape.length, speed, a), 0};
 }
 
 RapidTime rapid_apart(const SpeedRules& rules, const Axes& ways, const Axes& rates) {
@@ -32,7 +32,7 @@ RapidTime rapid_apart(const SpeedRules& rules, const Axes& ways, const Axes& rat
     const double way = std::abs(ways[i]);
     if (way == 0) continue;
     const Acceleration a{rules.acceleration[i], rules.build_up[i], rules.jerk_free};
-    const double seconds = way_seconds(0, 0, way, rates[i], a);
+    const double seconds = travel_seconds(0, 0, way, rates[i], a);
     if (seconds <= longest.seconds) continue;
     const double top = top_speed(0, 0, way, rates[i], a);
     longest = {seconds, top, left_of_ramp(top, rules.overlap_from, a)};

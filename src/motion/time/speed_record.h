@@ -19,9 +19,9 @@ class SpeedRecord {
     double most = 0;
     // the greatest commanded feed, mm/s; 0: the axes are at rest, or the programmed time is unknown
     double feed = 0;
-    LimitShares::Share acceleration{}, jerk{};  // the greatest shares of the limits used by an axis
-    Spent::On on = Spent::On::cutting;          // activity that the interval is spent on
-    std::uint32_t line = 0;                     // program line that the interval is spent on
+    LimitUsage::Share acceleration{}, jerk{};  // the greatest shares of the limits used by an axis
+    Spent::On on = Spent::On::cutting;         // activity that the interval is spent on
+    std::uint32_t line = 0;                    // program line that the interval is spent on
     bool seen = false;
 
     void take(const Column& later);

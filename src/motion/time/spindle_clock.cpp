@@ -45,7 +45,7 @@ void SpindleClock::take(const Action& action) {
         if (spindle.dir == SpindleDir::position) turned.angle += spindle.turn.value_or(0);
       },
       ignores<Motion, Dwell, CoolantSwitch, ToolSelect, ToolChange, MachineFunction, AuxiliaryFunction, Stop, Message, FrameChange, Sync,
-              ZoneChange, Couple, Uncouple, ContourBreak, ContourCorner, ContourCheck>);
+              ZoneChange, Couple, Uncouple, CompensationBreak, CompensationCorner, CompensationCheck>);
 }
 
 void SpindleClock::couple(double degrees_per_mm) {

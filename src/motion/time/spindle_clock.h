@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "action/action.h"
-#include "config/setup.h"
+#include "config/setup/setup.h"
 #include "motion/least_time/timed_cells.h"
 #include "motion/time/spindle_turning.h"
 

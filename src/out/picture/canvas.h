@@ -91,7 +91,7 @@ class Canvas {
   /// Names the type of motion that the next strokes show: "rapid". An empty name ends it.
   virtual void kind(const char* /*name*/) {}
   /// Returns true if the canvas stores the program line of each stroke, so that strokes of different lines must not be joined.
-  virtual bool tells_lines() const { return false; }
+  virtual bool tags_lines() const { return false; }
   /// Sets the program line of the strokes that follow.
   ///   file_name  name of the called file that contains the line
   ///   names_it   the stroke is the one by which a viewer finds the line

@@ -19,7 +19,7 @@ constexpr double head_height = 70, key_height = 56, key_row = 24, right_width = 
 constexpr double line_height = 21, line_size = 13, caption_room = 24;
 constexpr double most_large = 4, most_flat = 1.5;  // limits for showing rapid motion (isometric, flat), as in any plot
 constexpr std::size_t few_lines = 5;               // up to this number of lines, each has a table row of its own
-constexpr std::size_t most_line_length = 300;
+constexpr std::size_t max_line_length = 300;
 constexpr Colour faint = colour(0x5B6775), fine = colour(0x1A7F37), warns = colour(0xB04A00);
 
 struct PageWords {
@@ -56,11 +56,11 @@ std::size_t rows_of(const DifferencePage& page) { return page.lines.size() <= fe
 
 double height_of(const DifferencePage& page) { return views_height + (page.lines.empty() ? 0 : double(rows_of(page)) * line_height + 16); }
 
-constexpr double bold = 1.16, most_name = 420;  // width of bold text relative to normal; greatest width of a name, in units of the page
+constexpr double bold = 1.16, max_name = 420;  // width of bold text relative to normal; greatest width of a name, in units of the page
 
 /// Shortens the text to the beginning that fits into the width.
 std::string fitting(std::string text, double width, double size) {
-  text = shortened_line(text, most_line_length);
+  text = shortened_line(text, max_line_length);
   if (text_width(text, size) <= width) return text;
   while (!text.empty() && text_width(text + "…", size) > width) {
     while (!text.empty() && (static_cast<unsigned char>(text.back()) & 0xC0U) == 0x80U) text.pop_back();
@@ -85,8 +85,8 @@ void draw_key(Canvas& canvas, const DifferencePage& page, double y) {
   canvas.begin("legend");
   LegendRow strokes(canvas, edge_room + 4, y - key_row);
   if (const PlotDifferences& d = *scene.differences; !d.a.points().empty() || !d.b.points().empty()) {
-    strokes.sample(way_of_a, fitting(page.a, most_name, line_size));
-    strokes.sample({way_of_b.ink, 2}, fitting(page.b, most_name, line_size));
+    strokes.sample(way_of_a, fitting(page.a, max_name, line_size));
+    strokes.sample({way_of_b.ink, 2}, fitting(page.b, max_name, line_size));
   }
   strokes.sample({same_way.ink, 1.4}, w.both);
   if (!scene.differences->changed.points().empty()) strokes.sample(changed_way, w.changed);

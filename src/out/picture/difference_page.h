@@ -6,7 +6,7 @@
 #include <tl/expected.hpp>
 #include <vector>
 
-#include "out/picture/plot_differences.h"
+#include "out/picture/plot/plot_differences.h"
 #include "out/trace/result_file.h"
 
 namespace kadr {

@@ -1,15 +1,15 @@
-// LegendRow: draws the entries of a legend from left to right. Used by out/picture/plot_legend and out/picture/difference_page.
+// LegendRow: draws the entries of a legend from left to right. Used by out/picture/plot/plot_legend and out/picture/difference_page.
 
 #include "out/picture/legend_row.h"
 
-#include "out/picture/plot_marks.h"
+#include "out/picture/plot/plot_marks.h"
 #include "out/picture/text_width.h"
 
 namespace kadr {
 
-void LegendRow::sample(const WayStyle& style, std::string_view name) {
+void LegendRow::sample(const PathStyle& style, std::string_view name) {
   canvas_.line({x_, y_ - 4}, {x_ + swatch, y_ - 4}, style.ink, style.width);
-  x_ += swatch + behind_swatch;
+  x_ += swatch + after_swatch;
   words(name);
 }
 

@@ -3,7 +3,7 @@
 
 #include <string_view>
 
-#include "out/picture/plot_differences.h"
+#include "out/picture/plot/plot_differences.h"
 
 namespace kadr {
 
@@ -11,12 +11,12 @@ const TextStyle legend_style{13, colour(0x20262E), Align::left, false};
 
 class LegendRow {
  public:
-  static constexpr double swatch = 32, behind_swatch = 8, between = 26;
+  static constexpr double swatch = 32, after_swatch = 8, between = 26;
 
   LegendRow(Canvas& canvas, double x, double y) : canvas_(canvas), x_(x), y_(y) {}
 
   /// Draws a short sample line in this style, followed by its name.
-  void sample(const WayStyle& style, std::string_view name);
+  void sample(const PathStyle& style, std::string_view name);
   void sample(Colour of, std::string_view name) { sample({of, 3}, name); }
   void words(std::string_view text, double behind = between);
   void zero(std::string_view name);

@@ -1,4 +1,5 @@
-// Draws a milled area in plan view, as SVG or PNG: its contours and the path of the tool centre. Used by cli/mill and view/page_making.
+// Draws a milled area in plan view, as SVG or PNG: its contours and the path of the tool centre. Used by cli/mill and
+// view/page/page_making.
 
 #include "out/picture/mill_picture.h"
 
@@ -9,7 +10,7 @@
 #include "out/picture/canvas.h"
 #include "out/picture/text_width.h"
 #include "out/text/page_file.h"
-#include "path/area/polygon.h"
+#include "path/pocketing/polygon.h"
 
 namespace kadr {
 namespace {

@@ -6,7 +6,7 @@
 
 #include "config/alarm_texts.h"
 #include "out/trace/result_file.h"
-#include "path/area/mill.h"
+#include "path/pocketing/mill.h"
 
 namespace kadr {
 

@@ -11,7 +11,7 @@
 #include "base/matrix.h"
 #include "out/picture/deviation_colour.h"
 #include "out/picture/part_view.h"
-#include "out/picture/plot_page.h"
+#include "out/picture/plot/plot_page.h"
 #include "out/text/page_file.h"
 
 namespace kadr {
@@ -105,7 +105,7 @@ void draw_marks(Canvas& canvas, const PartScene& scene, const ViewDirection& vie
                 inner.y + inner.height / 2 - dot(from, view.up) * scale / sharpness};
   };
   std::vector<LoadMark> marks;
-  for (const CollisionPlace& c : scene.collisions) marks.push_back({place(c.at), std::to_string(c.line), collision_colour});
+  for (const CollisionMark& c : scene.collisions) marks.push_back({place(c.at), std::to_string(c.line), collision_colour});
   std::size_t number = 0;
   if (scene.colour == PartColour::load)
     for (const Vec3& at : scene.load.heaviest) marks.push_back({place(at), std::to_string(++number)});

@@ -34,7 +34,7 @@ struct PartLoad {
 };
 
 /// The position of a collision with the material.
-struct CollisionPlace {
+struct CollisionMark {
   Vec3 at;
   std::uint32_t line = 0;
 };
@@ -47,7 +47,7 @@ struct PartScene {
   PartTitle title;
   PartDeviation deviation;  // for PartColour::deviation
   PartLoad load{};          // for PartColour::load
-  std::vector<CollisionPlace> collisions{};
+  std::vector<CollisionMark> collisions{};
 };
 
 /// Draws the page; the ending of the file's name (.svg, .png) selects the format. The caller calls ResultFile::keep().

@@ -10,8 +10,8 @@
 #include <cmath>
 
 #include "out/picture/palette.h"
-#include "out/picture/plot_page.h"
-#include "out/picture/plot_view.h"
+#include "out/picture/plot/plot_page.h"
+#include "out/picture/plot/plot_view.h"
 #include "out/picture/text_width.h"
 #include "out/text/page_file.h"
 #include "out/text/summary.h"
@@ -101,12 +101,12 @@ class SpeedPage {
 
   /// Finds the upper end of the speed scale from the cutting motions; faster rapid motion is cut off.
   void find_top_speed() {
-    constexpr double room = 1.1, most_feed = 4;  // times the speed reached: top of the scale; limit for showing the feed
+    constexpr double room = 1.1, max_feed = 4;  // times the speed reached: top of the scale; limit for showing the feed
     double cutting = 0;
     for (const Column& c : columns_) {
       if (c.on == On::cutting) cutting = std::max(cutting, c.most), feed_ = std::max(feed_, c.feed);
     }
-    top_speed_ = room * per_minute_ * (cutting > 0 ? std::max(cutting, std::min(feed_, most_feed * cutting)) : record_.rapid());
+    top_speed_ = room * per_minute_ * (cutting > 0 ? std::max(cutting, std::min(feed_, max_feed * cutting)) : record_.rapid());
     if (!(top_speed_ > 0)) top_speed_ = 1;
   }
 
@@ -200,7 +200,7 @@ class SpeedPage {
     canvas.text({area.right(), area.y - 9}, beyond, {13, colour(0xB04A00), Align::right, false});
   }
 
-  void draw_shares(Canvas& canvas, const Area& area, const char* heading, LimitShares::Share Column::*share) const {
+  void draw_shares(Canvas& canvas, const Area& area, const char* heading, LimitUsage::Share Column::*share) const {
     constexpr double most = 1.1;
     draw_field(canvas, area, heading, 100 * most, 50);
     canvas.clip(area);

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "motion/time/speed_record.h"
-#include "out/picture/plot.h"
+#include "out/picture/plot/plot.h"
 
 namespace kadr {
 

@@ -42,7 +42,7 @@ class SvgCanvas final : public Canvas {
   void begin(const char* name) override;
   void end() override;
   void kind(const char* name) override { pen_.kind = name; }
-  bool tells_lines() const override { return true; }
+  bool tags_lines() const override { return true; }
   void program_line(const ProgramLine& line, std::string_view file_name, bool names_it) override;
 
  private:

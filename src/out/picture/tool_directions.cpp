@@ -1,4 +1,5 @@
-// ToolDirections: collects directions of the tool along the path. Used by out/picture/plot; tested by tests/out/tool_directions_test.cpp.
+// ToolDirections: collects directions of the tool along the path. Used by out/picture/plot/plot; tested by
+// tests/out/tool_directions_test.cpp.
 
 #include "out/picture/tool_directions.h"
 
@@ -21,7 +22,7 @@ void ToolDirections::keep(ToolDirection direction) {
 
 void ToolDirections::take(const Step& step, Vec3 shift) {
   const Motion& motion = *step.motion();
-  const WorkSpace* const space = step.from.space.get();
+  const WorkTransform* const space = step.from.space.get();
   if (space == nullptr || !space->has_rotary()) return;
   const Curve& curve = step.curve();
   const double length = curve.length(), begins = way_;

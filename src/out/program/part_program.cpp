@@ -12,7 +12,7 @@
 #include "base/tolerance.h"
 #include "out/program/codes.h"
 #include "out/program/words.h"
-#include "path/area/edge.h"
+#include "path/pocketing/edge.h"
 
 namespace kadr {
 namespace {

@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "base/result.h"
-#include "config/control_def.h"
-#include "path/area/mill.h"
+#include "config/control/control_def.h"
+#include "path/pocketing/mill.h"
 
 namespace kadr {
 

@@ -103,8 +103,8 @@ class RestartWriter {
     return row != nullptr && (row->function == Function::inch || row->function == Function::millimetre);
   }
   /// True if a word with this letter was already written together with its code.
-  bool has_said(char letter) const { return (said_ & letter_bit(letter)) != 0; }
-  Status way(const BlockWay& to) {
+  bool has_written(char letter) const { return (said_ & letter_bit(letter)) != 0; }
+  Status way(const BlockMove& to) {
     if (to.along_tool && !with_way_.empty()) add(std::exchange(with_way_, {}));
     if (const CodeRow* const row = row_of(def_, to.rapid ? Function::rapid : Function::linear)) add(row->code);
     for (const auto& [letter, value] : to.to) KADR_TRY(word(letter, value));
@@ -133,7 +133,7 @@ bool is_set(const std::vector<InForce>& wanted, const ControlDef& def, Function 
 }
 
 /// True if a code of a modal group already states the spindle rotation or the coolant: that code is written instead of the plain one.
-bool is_said_by_group(const InForce& one, const std::vector<InForce>& in_force, const ControlDef& def) {
+bool is_written_by_group(const InForce& one, const std::vector<InForce>& in_force, const ControlDef& def) {
   return std::any_of(in_force.begin(), in_force.end(), [&](const InForce& other) {
     const CodeRow* const row = other.kind == Kind::code ? row_of(def, other) : nullptr;
     if (row == nullptr || row->letter != 'M') return false;
@@ -164,7 +164,7 @@ Status write_technology(RestartWriter& writer, const InForce& one, const std::ve
     case Kind::offset:
     case Kind::length_offset: {
       const char letter = letter_of(one.kind);
-      if (writer.has_said(letter)) return {};
+      if (writer.has_written(letter)) return {};
       if (!writer.knows(letter)) {
         writer.by_hand(one);
         return {};
@@ -186,7 +186,7 @@ Status write_technology(RestartWriter& writer, const InForce& one, const std::ve
 }  // namespace
 
 Result<RestartBlocks> restart_blocks(const ControlDef& def, const std::vector<InForce>& wanted, const std::vector<InForce>& in_force,
-                                     const std::vector<BlockWay>& way) {
+                                     const std::vector<BlockMove>& way) {
   RestartWriter writer(def, is_set(in_force, def, Function::inch), !way.empty());
   for (const InForce& one : wanted)
     if (writer.is_unit(one)) writer.line(one.code);
@@ -201,12 +201,12 @@ Result<RestartBlocks> restart_blocks(const ControlDef& def, const std::vector<In
   for (const Kind kind : {Kind::tool, Kind::speed, Kind::code, Kind::offset, Kind::length_offset, Kind::spindle, Kind::coolant})
     for (const InForce& one : sorted) {
       if (one.kind != kind || writer.is_unit(one)) continue;
-      if ((kind == Kind::spindle || kind == Kind::coolant) && is_said_by_group(one, in_force, def)) continue;
+      if ((kind == Kind::spindle || kind == Kind::coolant) && is_written_by_group(one, in_force, def)) continue;
       KADR_TRY(write_technology(writer, one, in_force));
     }
   if (!way.empty())
     if (const CodeRow* const absolute = row_of(def, Function::absolute)) writer.line(absolute->code);
-  for (const BlockWay& to : way) KADR_TRY(writer.way(to));
+  for (const BlockMove& to : way) KADR_TRY(writer.way(to));
   for (const InForce& one : in_force) {  // the motions may have changed these codes and the feed
     const CodeRow* const row = one.kind == Kind::code ? row_of(def, one) : nullptr;
     if (row != nullptr && (is_line(*row) || is_distance(*row))) writer.line(one.code);
@@ -216,7 +216,7 @@ Result<RestartBlocks> restart_blocks(const ControlDef& def, const std::vector<In
     }
   }
   for (const InForce& one : wanted) {
-    const bool of_tables = one.kind == Kind::origin || (one.kind == Kind::length && !writer.has_said('H'));  // else H applies it
+    const bool of_tables = one.kind == Kind::origin || (one.kind == Kind::length && !writer.has_written('H'));  // else H applies it
     const bool next_tool = one.kind == Kind::selected && !is_in_spindle(one, in_force);
     if (of_tables || next_tool || one.kind == Kind::rotation || one.kind == Kind::scale) writer.by_hand(one);
   }

@@ -6,12 +6,12 @@
 
 #include "action/in_force.h"
 #include "base/result.h"
-#include "config/control_def.h"
+#include "config/control/control_def.h"
 
 namespace kadr {
 
 /// A straight motion to a position in work coordinates.
-struct BlockWay {
+struct BlockMove {
   bool rapid = true;
   std::vector<std::pair<char, double>> to;  // axis letter, mm or degrees
   double feed = 0;                          // mm/min; only if not rapid
@@ -29,6 +29,6 @@ struct RestartBlocks {
 ///   in_force  Restart::in_force
 ///   alarms    word_has_no_room
 Result<RestartBlocks> restart_blocks(const ControlDef& def, const std::vector<InForce>& wanted, const std::vector<InForce>& in_force,
-                                     const std::vector<BlockWay>& way);
+                                     const std::vector<BlockMove>& way);
 
 }  // namespace kadr

@@ -10,7 +10,7 @@
 #include <string_view>
 
 #include "base/result.h"
-#include "config/control_def.h"
+#include "config/control/control_def.h"
 
 namespace kadr {
 
@@ -26,7 +26,7 @@ class Words {
         counts_(letter == 'F' && !def.grammar.least_increments.empty()),
         decimals_(decimals_of()),
         increment_(row_.scale / ten_to(decimals_)),
-        most_(format_.whole_digits > 0 ? ten_to(format_.whole_digits + decimals_) - 1 : most_counts) {}
+        most_(format_.whole_digits > 0 ? ten_to(format_.whole_digits + decimals_) - 1 : max_counts) {}
 
   char letter() const { return letter_; }
   bool known() const { return format_.known; }
@@ -61,7 +61,7 @@ class Words {
   }
 
  private:
-  static constexpr double most_counts = 1e15;
+  static constexpr double max_counts = 1e15;
   static double ten_to(int power) {
     constexpr double powers[] = {1, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8, 1e9, 1e10, 1e11, 1e12, 1e13, 1e14, 1e15};
     return static_cast<std::size_t>(power) < std::size(powers) ? powers[power] : std::pow(10.0, power);

@@ -1,5 +1,5 @@
-// Encodes and decodes base64. Used by out/picture/svg_canvas, view/report, view/page_folder and view/page_tape; tested by
-// tests/out/base64_test.cpp.
+// Encodes and decodes base64. Used by out/picture/svg_canvas, view/report/page_report, view/page/page_folder and view/page/page_tape;
+// tested by tests/out/base64_test.cpp.
 
 #include "out/text/base64.h"
 

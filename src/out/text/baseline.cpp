@@ -4,7 +4,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "config/told.h"
+#include "config/language.h"
 
 namespace kadr {
 namespace {

@@ -31,11 +31,11 @@ double cut_to(double value, int decimals) {
   return std::round(value * scale) / scale + 0.0;
 }
 
-ordered_json told_number(const std::optional<double>& value, int decimals = decimals_of_mm) {
+ordered_json number_or_null(const std::optional<double>& value, int decimals = decimals_of_mm) {
   return value ? ordered_json(cut_to(*value, decimals)) : ordered_json();
 }
 
-std::string told_cell(const std::optional<double>& value, int decimals = decimals_of_mm) {
+std::string number_cell(const std::optional<double>& value, int decimals = decimals_of_mm) {
   return value ? fmt::format("{:.{}f}", *value + 0.0, decimals) : std::string();
 }
 
@@ -51,11 +51,11 @@ ordered_json load_json(const BlockLoad& load) {
   ordered_json json;
   add_place(json, load.origin, load.program);
   json["tool"] = load.tool;
-  json["rate"] = told_number(load.rate);
-  json["feed_per_tooth"] = told_number(load.feed_per_tooth, decimals_of_tooth);
-  json["depth"] = told_number(load.depth);
-  json["width"] = told_number(load.width);
-  json["angle"] = told_number(load.angle);
+  json["rate"] = number_or_null(load.rate);
+  json["feed_per_tooth"] = number_or_null(load.feed_per_tooth, decimals_of_tooth);
+  json["depth"] = number_or_null(load.depth);
+  json["width"] = number_or_null(load.width);
+  json["angle"] = number_or_null(load.angle);
   json["volume"] = cut_to(load.volume, decimals_of_mm);
   json["seconds"] = cut_to(load.seconds, decimals_of_mm);
   json["at"] = {
@@ -122,8 +122,8 @@ std::string blocks_heading() { return "line,block,tool,begins,seconds,length,vol
 
 std::string blocks_row(const BlockLoad& b) {
   return fmt::format("{},{},{},{:.4f},{:.4f},{:.4f},{:.4f},{},{},{},{},{},{}\n", b.origin.line, block_text(b.origin), b.tool, b.begins,
-                     b.seconds, b.length, b.volume + 0.0, told_cell(b.rate), told_cell(b.feed_per_tooth, decimals_of_tooth),
-                     told_cell(b.depth), told_cell(b.width), told_cell(b.angle, 1), csv_field(b.program));
+                     b.seconds, b.length, b.volume + 0.0, number_cell(b.rate), number_cell(b.feed_per_tooth, decimals_of_tooth),
+                     number_cell(b.depth), number_cell(b.width), number_cell(b.angle, 1), csv_field(b.program));
 }
 
 }  // namespace kadr

@@ -178,7 +178,7 @@ std::string cut_summary(const CutResult& r, Lang lang) {
   name = w.in_air;
   for (const AirCut& air : r.emptiest)
     if (air.seconds >= told_from) text += summary_row(name, air_words(air, lang)), name = "";
-  const std::size_t count = r.collisions.size() + r.not_told;
+  const std::size_t count = r.collisions.size() + r.not_listed;
   if (r.part) text += difference_row(w, w.left_on, r.part->left_on, lang) + difference_row(w, w.gouged, r.part->gouged, lang);
   if (r.simplified)
     text += summary_row(w.simplified,
@@ -186,7 +186,7 @@ std::string cut_summary(const CutResult& r, Lang lang) {
   return text + summary_row(w.collisions, count == 0 ? std::string(w.none) : std::to_string(count));
 }
 
-std::string told_too_coarse(const CutResult& r, Lang lang) {
+std::string too_coarse_message(const CutResult& r, Lang lang) {
   if (r.finer_than_cell.empty()) return {};
   std::string tools;
   for (const std::uint32_t number : r.finer_than_cell) tools += fmt::format("{}T{}", tools.empty() ? "" : ", ", number);
@@ -208,7 +208,7 @@ ordered_json cut_json(const CutResult& r, std::size_t alarms, std::size_t warnin
                     {"error_bound", rounded(r.error_bound)},
                     {"resolution", r.cell},
                     {"seconds", rounded(r.seconds)},
-                    {"alarms", alarms + r.collisions.size() + r.not_told},
+                    {"alarms", alarms + r.collisions.size() + r.not_listed},
                     {"warnings", warnings + r.warnings.size()}};
   if (r.window)
     json["window"] = {{"stock", rounded(r.window->stock)},

@@ -13,7 +13,7 @@ namespace kadr {
 std::string cut_caption(const CutResult& result, Lang lang);
 
 /// Returns the names of the tools that are too thin for the cell size; empty if no tool is.
-std::string told_too_coarse(const CutResult& result, Lang lang);
+std::string too_coarse_message(const CutResult& result, Lang lang);
 
 std::string cut_summary(const CutResult& result, Lang lang);
 

@@ -1,5 +1,5 @@
 // Extents of a run: the range of each axis while cutting, and over all motions, in each work system that the run uses. Used by
-// out/picture/plot_path and out/text/summary.
+// out/picture/plot/plot_path and out/text/summary.
 
 #include "out/text/extents.h"
 
@@ -67,7 +67,7 @@ void RunExtents::enter(std::uint16_t system) {
 namespace {
 
 /// Returns the bounding box of a motion along the axes of the work system.
-Extents in_system(const WorkSpace& space, const Curve& curve) {
+Extents in_system(const WorkTransform& space, const Curve& curve) {
   Extents box{space.in_system(curve.at(0)), space.in_system(curve.at(1))};
   for (std::size_t a = 0; a < max_axes; ++a) {
     const Range range = range_of([&](double part) { return space.in_system(curve.at(part))[a]; }, curve.samples());
@@ -81,7 +81,7 @@ Extents in_system(const WorkSpace& space, const Curve& curve) {
 
 void RunExtents::take(const Motion& motion, const ToolPosition& at, const Curve& curve) {
   const Axes& from = at.work;
-  const WorkSpace* const frame = at.space && at.space->has_frame() ? at.space.get() : nullptr;
+  const WorkTransform* const frame = at.space && at.space->has_frame() ? at.space.get() : nullptr;
   if (systems_.empty() || systems_[now_].system != motion.system) enter(motion.system);
   const bool cutting = cuts(motion);
   units_.take(motion);

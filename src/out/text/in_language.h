@@ -6,7 +6,7 @@
 #include <string_view>
 
 #include "config/alarm_texts.h"
-#include "config/control_def.h"
+#include "config/control/control_def.h"
 
 namespace kadr {
 

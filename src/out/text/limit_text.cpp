@@ -1,4 +1,4 @@
-// Names the speed limits of motion/look_ahead/limited_by. Used by out/picture/plot_legend and out/text/lost_time_text.
+// Names the speed limits of motion/look_ahead/limited_by. Used by out/picture/plot/plot_legend and out/text/lost_time_text.
 
 #include "out/text/limit_text.h"
 

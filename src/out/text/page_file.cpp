@@ -1,5 +1,5 @@
-// Draws a page into a file or into memory. Used by out/picture/plot_page, out/picture/speed_page and out/picture/mill_picture; tested by
-// tests/out/plot_test.cpp.
+// Draws a page into a file or into memory. Used by out/picture/plot/plot_page, out/picture/speed_page and out/picture/mill_picture; tested
+// by tests/out/plot_test.cpp.
 
 #include "out/text/page_file.h"
 
@@ -7,8 +7,8 @@
 #include <cstdlib>
 #include <memory>
 
+#include "config/language.h"
 #include "config/read_file.h"
-#include "config/told.h"
 #include "out/picture/cairo_canvas.h"
 
 namespace kadr {
@@ -28,7 +28,7 @@ tl::expected<void, std::string> write_svg(const ResultFile& file, double width, 
                                           const std::function<void(Canvas&)>& draw) {
   SvgCanvas canvas(file.get(), width, height, says);
   draw(canvas);
-  if (const int error = canvas.finish(); error != 0) return tl::unexpected(file.name() + ": " + told_errno(error));
+  if (const int error = canvas.finish(); error != 0) return tl::unexpected(file.name() + ": " + errno_message(error));
   return {};
 }
 

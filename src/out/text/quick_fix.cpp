@@ -1,4 +1,4 @@
-// Converts the hint of an alarm into a change of the program text. Used by view/page_json; tested by tests/out/quick_fix_test.cpp.
+// Converts the hint of an alarm into a change of the program text. Used by view/page/page_json; tested by tests/out/quick_fix_test.cpp.
 
 #include "out/text/quick_fix.h"
 
@@ -11,7 +11,7 @@
 namespace kadr {
 namespace {
 
-std::size_t without_blanks_behind(std::string_view line) {
+std::size_t without_trailing_blanks(std::string_view line) {
   const std::size_t last = line.find_last_not_of(" \t\r\n");
   return last == std::string_view::npos ? 0 : last + 1;
 }
@@ -26,7 +26,7 @@ Span whole_word(std::string_view line, std::uint32_t begin) {
 /// Extends the span of a word that is to be removed by one of the blanks next to it.
 Span with_a_blank(std::string_view line, Span word) {
   const bool behind = word.end < line.size() && line[word.end] == ' ', before = word.begin > 0 && line[word.begin - 1] == ' ';
-  if (before && (behind || word.end >= without_blanks_behind(line))) --word.begin;
+  if (before && (behind || word.end >= without_trailing_blanks(line))) --word.begin;
   else if (behind && word.begin == 0) ++word.end;
   return word;
 }
@@ -42,7 +42,7 @@ std::optional<QuickFix> quick_fix(const AlarmReport& report, Lang lang) {
     return QuickFix{std::move(text), characters_before(line, place.begin) + 1, characters_before(line, place.end) + 1, std::move(insert)};
   };
   const auto at_end = [&](const char* insert) {
-    const auto end = std::uint32_t(without_blanks_behind(line));
+    const auto end = std::uint32_t(without_trailing_blanks(line));
     return change({end, end}, insert,
                   fmt::format(fmt::runtime(ru ? "Поставить «{}» в конце строки" : "Write '{}' at the end of the line"), insert));
   };

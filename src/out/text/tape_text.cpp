@@ -1,4 +1,5 @@
-// Describes punched tape in words. Used by cli/tape_command and view/page_tape; tested by tests/run_tapes.py and tests/serve_making.py.
+// Describes punched tape in words. Used by cli/tape_command and view/page/page_tape; tested by tests/run_tapes.py and
+// tests/serve_making.py.
 
 #include "out/text/tape_text.h"
 
@@ -8,11 +9,11 @@
 
 namespace kadr {
 
-std::string lie_in_words(TapeLie lie, Lang lang) {
+std::string orientation_in_words(TapeOrientation lie, Lang lang) {
   const bool ru = lang == Lang::ru;
   switch (lie) {
-    case TapeLie::wrong_end: return ru ? "считана с конца: образ перевёрнут" : "read from its wrong end: turned";
-    case TapeLie::wrong_side: return ru ? "считана не той стороной: дорожки переставлены" : "read from its wrong side: turned over";
+    case TapeOrientation::wrong_end: return ru ? "считана с конца: образ перевёрнут" : "read from its wrong end: turned";
+    case TapeOrientation::wrong_side: return ru ? "считана не той стороной: дорожки переставлены" : "read from its wrong side: turned over";
     default: return ru ? "считана с конца и не той стороной: образ перевёрнут" : "read from its wrong end and side: turned";
   }
 }

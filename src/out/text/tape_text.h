@@ -5,12 +5,12 @@
 #include <string_view>
 
 #include "config/alarm_texts.h"
-#include "lang/text/tape_side.h"
+#include "lang/text/tape_orientation.h"
 
 namespace kadr {
 
 /// Returns how the tape is oriented: "read from its wrong end: turned".
-std::string lie_in_words(TapeLie lie, Lang lang);
+std::string orientation_in_words(TapeOrientation lie, Lang lang);
 
 /// Returns "row 241: parity error (byte 100)"; the byte is octal.
 std::string fault_in_words(const TapeFault& fault, TapeCode code, Lang lang);

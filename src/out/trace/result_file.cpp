@@ -1,4 +1,4 @@
-// Writes a file that appears complete or not at all. Used by every command that writes a file (cli/outputs) and for pictures
+// Writes a file that appears complete or not at all. Used by every command that writes a file (cli/job/outputs) and for pictures
 // (out/text/page_file); tested by tests/out/result_file_test.cpp.
 
 #include "out/trace/result_file.h"
@@ -25,15 +25,15 @@
 namespace kadr {
 namespace {
 
-std::string sentence(const std::string& name, int error) { return fmt::format("{}: {}", name, told_errno(error)); }
+std::string sentence(const std::string& name, int error) { return fmt::format("{}: {}", name, errno_message(error)); }
 
 /// The temporary files that are not kept yet, so that discard_all() finds them.
-struct UnderWay {
+struct UnfinishedFiles {
   std::mutex lock;
   std::set<std::string> names;
 };
-UnderWay& under_way() {
-  static auto* const files = new UnderWay;  // never freed: discard_all() may be called while the process ends
+UnfinishedFiles& under_way() {
+  static auto* const files = new UnfinishedFiles;  // never freed: discard_all() may be called while the process ends
   return *files;
 }
 
@@ -48,9 +48,9 @@ std::FILE* standard_stream(const std::string& name) {
 
 /// Creates a new file in the folder and stores its name in `name`. Returns the file descriptor; -1 on an error.
 int make_in(const std::filesystem::path& folder, std::string& name) {
-  constexpr int most_tries = 1000;
+  constexpr int max_tries = 1000;
   constexpr mode_t rights = 0666;  // permissions, from which the system removes the umask
-  for (int i = 0; i < most_tries; ++i) {
+  for (int i = 0; i < max_tries; ++i) {
     name = (folder / fmt::format(".kadr-{}-{}", ::getpid(), i)).string();
     const int file = ::open(name.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, rights);
     if (file >= 0 || errno != EEXIST) return file;
@@ -103,7 +103,7 @@ tl::expected<ResultFile, std::string> ResultFile::open(const std::string& name) 
     return result;
   }
   if (!exists || S_ISREG(there.st_mode)) {
-    if (auto opened = result.open_beside(); !opened) return tl::unexpected(opened.error());
+    if (auto opened = result.open_temporary(); !opened) return tl::unexpected(opened.error());
     return result;
   }
   result.owned_ = true;
@@ -112,13 +112,13 @@ tl::expected<ResultFile, std::string> ResultFile::open(const std::string& name) 
   return result;
 }
 
-tl::expected<void, std::string> ResultFile::open_beside() {
+tl::expected<void, std::string> ResultFile::open_temporary() {
   namespace fs = std::filesystem;
   place_ = true_path(name_);
   struct stat there {};
   const bool exists = ::stat(place_.c_str(), &there) == 0;
   if (exists && ::access(place_.c_str(), W_OK) != 0) return tl::unexpected(sentence(name_, errno));
-  UnderWay& files = under_way();
+  UnfinishedFiles& files = under_way();
   const std::lock_guard guard(files.lock);
   int file = make_in(fs::path(place_).parent_path(), beside_);
   if (file < 0 && exists) file = make_in(fs::temp_directory_path(), beside_);
@@ -148,19 +148,19 @@ void ResultFile::discard() {
   if (file_ != nullptr && owned_) std::fclose(file_);
   file_ = nullptr;
   if (beside_.empty()) return;
-  UnderWay& files = under_way();
+  UnfinishedFiles& files = under_way();
   const std::lock_guard guard(files.lock);
   if (files.names.erase(beside_) != 0) (void)::unlink(beside_.c_str());
   beside_.clear();
 }
 
 void ResultFile::discard_all() {
-  UnderWay& files = under_way();
+  UnfinishedFiles& files = under_way();
   // The lock is never released, since the process ends. The wait is limited: a signal handler may call this function while the thread
   // that it has interrupted holds the lock.
-  constexpr int most_looks = 100;
+  constexpr int max_polls = 100;
   for (int look = 0; !files.lock.try_lock(); ++look) {
-    if (look == most_looks) return;
+    if (look == max_polls) return;
     std::this_thread::sleep_for(std::chrono::milliseconds(1));
   }
   for (const std::string& name : files.names) (void)::unlink(name.c_str());

@@ -39,7 +39,7 @@ class ResultFile {
 
  private:
   explicit ResultFile(std::string name) : name_(std::move(name)) {}
-  tl::expected<void, std::string> open_beside();
+  tl::expected<void, std::string> open_temporary();
   bool take_place() const;
 
   std::string name_;

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "base/stop.h"
+#include "base/stop_token.h"
 #include "motion/play/override_change.h"
 
 namespace kadr {

@@ -110,8 +110,8 @@ void SampleWriter::take(const TimedCells& cells) {
   }
 }
 
-void SampleWriter::remember(const Memory& memory) {
-  playback_.remember(memory.playback);
+void SampleWriter::resume_from(const Memory& memory) {
+  playback_.resume_from(memory.playback);
   changed_ = memory.changed;
   instant_ = memory.instant;
   text_ = memory.text;

@@ -60,7 +60,7 @@ class SampleWriter {
     SampleEnd ended = SampleEnd::none;
   };
   Memory memory() const { return {playback_.memory(), changed_, instant_, text_, tip_text_, places_, ended_}; }
-  void remember(const Memory& memory);
+  void resume_from(const Memory& memory);
 
  private:
   void write_tip(const double* at);

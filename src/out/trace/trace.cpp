@@ -16,16 +16,16 @@ namespace kadr {
 namespace {
 
 constexpr std::size_t head_room = 192;
-constexpr std::size_t most_digits = 20;  // greatest number of digits of a block number
+constexpr std::size_t max_digits = 20;  // greatest number of digits of a block number
 
 constexpr std::array<std::string_view, 8> motion_names = {"rapid", "feed", "arc_cw", "arc_ccw", "probe", "home", "thread", "spline"};
 constexpr std::array<std::string_view, 3> unit_names = {"mm/min", "mm/rev", "1/min"};
 
 char* put_block(char* at, const Origin& origin) {
   *at++ = origin.main_block ? ':' : 'N';
-  std::array<char, most_digits> digits;
+  std::array<char, max_digits> digits;
   std::size_t count = 0;
-  for (std::uint32_t rest = origin.block; count < most_digits && (rest != 0 || count < std::max<std::size_t>(origin.block_digits, 1));
+  for (std::uint32_t rest = origin.block; count < max_digits && (rest != 0 || count < std::max<std::size_t>(origin.block_digits, 1));
        rest /= 10)
     digits[count++] = static_cast<char>('0' + rest % 10);
   while (count > 0) *at++ = digits[--count];
@@ -36,7 +36,7 @@ char* put_field(char* at, std::string_view key, double value) { return put_numbe
 
 /// Returns the work coordinates of the tool at fraction `part` of the motion, where its curve is at `work`.
 Axes tool_at(const Motion& motion, double part, const Axes& work) {
-  const TipWay* const way = motion.detail ? motion.detail->tip_way.get() : nullptr;
+  const TipPath* const way = motion.detail ? motion.detail->tip_path.get() : nullptr;
   return way != nullptr ? way->at(part, work) : work;
 }
 
@@ -94,7 +94,7 @@ char* TraceWriter::put_arc(char* at, const Motion& motion) const {
 void TraceWriter::write_motion(const Step& step, const Motion& motion) {
   const MotionTime& time = step.time;
   char* at = put_head(out_.room(line_room_), motion_names[row_of(motion.kind)], step.action.origin);
-  const WorkSpace* const space = step.from.space.get();
+  const WorkTransform* const space = step.from.space.get();
   const Axes& to = motion.to;
   at = put_axes(at, R"(,"to":)", space == nullptr ? to : space->in_system(tool_at(motion, 1, to)));
   at = put_axes(at, R"(,"machine":)", motion.machine);
@@ -108,8 +108,8 @@ void TraceWriter::write_motion(const Step& step, const Motion& motion) {
   out_.done(at);
   if (motion.as_programmed) out_.done(put_axes(out_.room(line_room_), R"(,"programmed":)", to));
   if (space != nullptr) write_space({step, motion, 1, to, motion.machine});
-  if (behind_probe_) write_way(step, motion);
-  behind_probe_ = motion.kind == MotionKind::probe;
+  if (after_probe_) write_path(step, motion);
+  after_probe_ = motion.kind == MotionKind::probe;
   if (motion.detail) [[unlikely]]
     write_detail(step, motion);
   if (time.exact || is_arc(motion.kind) || motion.detail) write_time(motion, time);
@@ -118,7 +118,7 @@ void TraceWriter::write_motion(const Step& step, const Motion& motion) {
 }
 
 /// Writes the travel of each axis that the block names; the program does not state where this motion begins (nct 21.1).
-void TraceWriter::write_way(const Step& step, const Motion& motion) {
+void TraceWriter::write_path(const Step& step, const Motion& motion) {
   if (motion.detail && motion.detail->rolled != 0) return;  // write_detail writes the travel
   char* at = put_text(out_.room(line_room_), R"(,"travel":)");
   char separator = '{';
@@ -150,13 +150,13 @@ char* TraceWriter::put_vector(char* at, std::string_view key, Vec3 v) const {
 /// Writes the tool position and direction in the part (nct 25), and the frame of the program's words.
 void TraceWriter::write_space(const Place& at_place) {
   const auto& [step, motion, part, work, machine] = at_place;
-  const WorkSpace& space = *step.from.space;
+  const WorkTransform& space = *step.from.space;
   char* at = out_.room(3 * line_room_);
   if (motion.as_programmed && part < 1) at = put_axes(at, R"(,"programmed":)", work);
   const Pose pose = space.pose(machine);
   at = put_vector(at, R"(,"tip":)", pose.tip);
   at = put_vector(at, R"(,"tool_dir":)", pose.direction);
-  const TipWay* const way = motion.detail ? motion.detail->tip_way.get() : nullptr;
+  const TipPath* const way = motion.detail ? motion.detail->tip_path.get() : nullptr;
   if (const Vec3 normal = way != nullptr ? way->normal(part) : Vec3{}; !(normal == Vec3{})) {
     const auto of = [this, &at_work = work](std::size_t i) {
       return roles_.xyz[i] < 0 ? 0.0 : at_work[static_cast<std::size_t>(roles_.xyz[i])];
@@ -216,7 +216,7 @@ void TraceWriter::write_points(const Step& step, const Motion& motion) {
     const Axes to = curve.at(points_[n]);
     const Axes machine = machine_along(roles_, step.from, motion, to, points_[n]);
     char* at = put_field(out_.room(2 * line_room_), n == 0 ? R"({"part":)" : R"(,{"part":)", points_[n]);
-    const WorkSpace* const space = step.from.space.get();
+    const WorkTransform* const space = step.from.space.get();
     at = put_axes(at, R"(,"to":)", space == nullptr ? to : space->in_system(tool_at(motion, points_[n], to)));
     at = put_axes(at, R"(,"machine":)", machine);
     if (space != nullptr) {
@@ -226,7 +226,7 @@ void TraceWriter::write_points(const Step& step, const Motion& motion) {
     }
     if (surface) at = put_axes(at, R"(,"programmed":)", curve.programmed(points_[n]));
     if (surface && time.exact && time.feed > 0)
-      at = put_field(at, R"(,"feed":)", feed_at(curve, {time.feed, motion.detail->rotary_most, motion.along}, points_[n]));
+      at = put_field(at, R"(,"feed":)", feed_at(curve, {time.feed, motion.detail->max_rotary_speed, motion.along}, points_[n]));
     *at++ = '}';
     out_.done(at);
   }
@@ -244,11 +244,11 @@ void TraceWriter::write_other(const Action& action) {
 
 void TraceWriter::write(const Step& step) {
   if (const Motion* const motion = step.motion()) return write_motion(step, *motion);
-  if (is_by_control(step.action) && !tells_ends_) return;
+  if (is_by_control(step.action) && !writes_program_ends_) return;
   if (!std::holds_alternative<FrameChange>(step.action.what)) write_other(step.action);
 }
 
-void TraceWriter::write_state(const Ending& ending, const LastLine& more) {
+void TraceWriter::write_state(const FinalState& ending, const LastLine& more) {
   out_.done(
       put_axes(put_axes(out_.room(line_room_), R"(,"position":)", ending.position), R"(,"machine_position":)", ending.machine_position));
   out_.append(R"(,"variables":{)");
@@ -276,13 +276,13 @@ void TraceWriter::write_state(const Ending& ending, const LastLine& more) {
   out_.flush();
 }
 
-void TraceWriter::finish(const Ending& ending, const LastLine& more) {
+void TraceWriter::finish(const FinalState& ending, const LastLine& more) {
   out_.append(R"({"do":"end")");
   if (channel_ > 0) out_.append(R"(,"channel":)" + std::to_string(channel_));
   write_state(ending, more);
 }
 
-void TraceWriter::finish(const Ending& ending, const AlarmReport& report, const AlarmTexts& texts, Lang lang, const LastLine& more) {
+void TraceWriter::finish(const FinalState& ending, const AlarmReport& report, const AlarmTexts& texts, Lang lang, const LastLine& more) {
   const Alarm& alarm = report.alarm;
   out_.done(put_head(out_.room(head_room), "alarm", report.origin));
   if (more.alarm_channel > 0) out_.append(R"(,"alarm_channel":)" + std::to_string(more.alarm_channel));

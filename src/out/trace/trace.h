@@ -23,19 +23,19 @@ class TraceWriter {
 
   /// For programs of several channels: each trace line contains the channel number. The channels share the file: call flush() before
   /// another channel writes.
-  ///   tells_ends  also writes the codes that the control executes itself (MachineFunction::by_control)
-  void set_channel(int channel, bool tells_ends = true) { channel_ = channel, tells_ends_ = tells_ends; }
+  ///   writes_program_ends  also writes the codes that the control executes itself (MachineFunction::by_control)
+  void set_channel(int channel, bool writes_program_ends = true) { channel_ = channel, writes_program_ends_ = writes_program_ends; }
   /// True if the step before was a probe motion: the trace line of the next motion then also contains its path length.
-  bool behind_probe() const { return behind_probe_; }
-  void go_on_behind_probe(bool is) { behind_probe_ = is; }
+  bool after_probe() const { return after_probe_; }
+  void go_on_behind_probe(bool is) { after_probe_ = is; }
   void flush() { out_.flush(); }
 
   /// Writes one line; a FrameChange or ZoneChange writes none. The line of an untimed motion has no length, seconds or highest feed.
   void write(const Step& step);
 
   /// Writes the last line: the state after the run, and the alarm if one stopped it.
-  void finish(const Ending& ending, const LastLine& more = {});
-  void finish(const Ending& ending, const AlarmReport& report, const AlarmTexts& texts, Lang lang, const LastLine& more = {});
+  void finish(const FinalState& ending, const LastLine& more = {});
+  void finish(const FinalState& ending, const AlarmReport& report, const AlarmTexts& texts, Lang lang, const LastLine& more = {});
 
   /// Returns false if the file could not be written.
   bool ok() const { return out_.ok(); }
@@ -56,22 +56,22 @@ class TraceWriter {
   };
   char* put_vector(char* at, std::string_view key, Vec3 v) const;
   void write_space(const Place& place);
-  void write_way(const Step& step, const Motion& motion);
+  void write_path(const Step& step, const Motion& motion);
   void write_detail(const Step& step, const Motion& motion);
   void write_time(const Motion& motion, const MotionTime& time);
   void write_points(const Step& step, const Motion& motion);
   void write_other(const Action& action);
-  void write_state(const Ending& ending, const LastLine& more);
+  void write_state(const FinalState& ending, const LastLine& more);
 
   TextBuffer out_;
   AxisRoles roles_;
   int channel_ = 0;  // 0: the program has only one
-  bool tells_ends_ = true;
+  bool writes_program_ends_ = true;
   std::vector<std::string> keys_;  // "X":
   std::vector<std::string> names_;
   std::size_t line_room_ = 0;  // greatest number of characters that a line head and two positions need
   std::vector<double> points_;
-  bool behind_probe_ = false;  // the previous motion was a probe motion
+  bool after_probe_ = false;  // the previous motion was a probe motion
 };
 
 }  // namespace kadr

@@ -33,9 +33,9 @@ struct Fields {
   std::string operator()(const FrameChange&) const { return {}; }
   std::string operator()(const SurfaceSpeed&) const { return {}; }
   std::string operator()(const ZoneChange&) const { return {}; }
-  std::string operator()(const ContourBreak&) const { return {}; }
-  std::string operator()(const ContourCorner&) const { return {}; }
-  std::string operator()(const ContourCheck&) const { return {}; }
+  std::string operator()(const CompensationBreak&) const { return {}; }
+  std::string operator()(const CompensationCorner&) const { return {}; }
+  std::string operator()(const CompensationCheck&) const { return {}; }
   std::string operator()(const Dwell& d) const { return "dwell\"" + field("seconds", d.seconds); }
   std::string operator()(const Spindle& s) const {
     return "spindle\"" + field("spindle", s.number) + field("dir", dir_names[row_of(s.dir)]) + field("rpm", s.rpm) + field("turn", s.turn) +

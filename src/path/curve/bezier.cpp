@@ -8,7 +8,7 @@
 namespace kadr {
 namespace {
 
-constexpr int most_bezier_pieces = 1000;
+constexpr int max_bezier_pieces = 1000;
 
 double size(const Axes& way) {
   double squares = 0;
@@ -30,9 +30,9 @@ Axes times(const Axes& way, double factor) {
 
 }  // namespace
 
-Axes way_between(const Axes& before, double before_length, const Axes& behind, double behind_length) {
+Axes way_between(const Axes& before, double before_length, const Axes& behind, double after_length) {
   Axes way{};
-  for (std::size_t a = 0; a < max_axes; ++a) way[a] = behind_length * before[a] + before_length * behind[a];
+  for (std::size_t a = 0; a < max_axes; ++a) way[a] = after_length * before[a] + before_length * behind[a];
   return times(way, 1 / size(way));
 }
 
@@ -80,7 +80,7 @@ int Bezier::pieces(double chord) const {
     end[a] = 6 * (2 * end_pull_[a] + start_pull_[a] - way);
   }
   const double count = std::ceil(std::sqrt(std::max(size(start), size(end)) / (8 * chord)));
-  return static_cast<int>(std::clamp(count, 1.0, double{most_bezier_pieces}));
+  return static_cast<int>(std::clamp(count, 1.0, double{max_bezier_pieces}));
 }
 
 }  // namespace kadr

@@ -29,6 +29,6 @@ class Bezier {
 /// Returns the direction, a unit vector, that a curve through the point between two straight pieces has there. It is the mean of the
 /// pieces' directions, in which the shorter piece has more weight (chord-length weighted, INFERRED, NCT 4.7).
 ///   pre  the path does not reverse there
-Axes way_between(const Axes& before, double before_length, const Axes& behind, double behind_length);
+Axes way_between(const Axes& before, double before_length, const Axes& behind, double after_length);
 
 }  // namespace kadr

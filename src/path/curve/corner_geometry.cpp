@@ -1,5 +1,5 @@
 // Computes the corner between two contour elements: its position, and the chamfer or rounding at it. Used by
-// path/contour/contour_corners and path/contour/contour_motion; tested by tests/path/corner_geometry_test.cpp.
+// path/compensation/corner_resolver and path/compensation/contour_motion; tested by tests/path/corner_geometry_test.cpp.
 
 #include "path/curve/corner_geometry.h"
 

@@ -4,7 +4,7 @@
 
 #include <optional>
 
-#include "path/contour/contour_offset.h"
+#include "path/compensation/contour_offset.h"
 
 namespace kadr {
 

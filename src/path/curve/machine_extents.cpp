@@ -26,7 +26,7 @@ Extents sampled(const AxisRoles& roles, const ToolPosition& from, const Motion& 
 }  // namespace
 
 Extents machine_extents(const AxisRoles& roles, const ToolPosition& from, const Motion& motion, const Curve& curve) {
-  if (leads_tip(from, motion)) return MachinePath(roles, from, motion, curve).extents(0, 1);
+  if (controls_tip(from, motion)) return MachinePath(roles, from, motion, curve).extents(0, 1);
   const bool parked = motion.detail && motion.detail->parked != 0;
   if (parked || (from.turn && !from.turn->drives.is_own)) return sampled(roles, from, motion, curve);
   Extents box = curve.extents();

@@ -12,12 +12,12 @@
 namespace kadr {
 namespace {
 
-constexpr int most_chords_of_motion = 20'000;  // of one motion
+constexpr int max_chords_of_motion = 20'000;  // of one motion
 
 /// Returns true if a rotary axis moves under tool centre point control: then the axes do not move along a straight line.
-bool turns_while_led(const ToolPosition& from, const Motion& motion) {
-  if (!leads_tip(from, motion)) return false;
-  if (motion.detail && motion.detail->tip_way) return true;
+bool turns_with_tip_control(const ToolPosition& from, const Motion& motion) {
+  if (!controls_tip(from, motion)) return false;
+  if (motion.detail && motion.detail->tip_path) return true;
   for (AxisMask left = from.space->rotary_axes(); left != 0; left &= left - 1) {
     const auto axis = static_cast<std::size_t>(__builtin_ctz(left));
     if (motion.to[axis] != from.work[axis] || (motion.detail && (motion.detail->rolled >> axis & 1U) != 0)) return true;
@@ -33,7 +33,7 @@ MachinePath::MachinePath(const AxisRoles& roles, const ToolPosition& from, const
       motion_(motion),
       curve_(curve),
       end_(motion.machine),
-      bends_(turns_while_led(from, motion)),
+      bends_(turns_with_tip_control(from, motion)),
       straight_(curve.straight() && !bends_) {
   for (std::size_t i = 0; i < roles.count; ++i)
     if (rolls_over(i)) end_[i] = from.machine[i] + motion.detail->travel[i];
@@ -48,10 +48,10 @@ Axes MachinePath::at(double part) const {
   return point;
 }
 
-Extents MachinePath::led_extents(double from, double to) const {
+Extents MachinePath::tip_control_extents(double from, double to) const {
   Extents box{at(from), at(to)};
   for (std::size_t i = 0; i < roles_.count; ++i) {
-    const Range range = range_of([&](double part) { return at(from + part * (to - from))[i]; }, samples_led());
+    const Range range = range_of([&](double part) { return at(from + part * (to - from))[i]; }, samples_with_tip_control());
     box.least[i] = range.least;
     box.most[i] = range.most;
   }
@@ -72,7 +72,7 @@ double MachinePath::most_off_chord() const {
 }
 
 Extents MachinePath::rough_extents() const {
-  if (!plainly_led()) return extents(0, 1);
+  if (!tip_moves_straight()) return extents(0, 1);
   Extents box;
   const AxisMask rotary = from_.space->rotary_axes();
   const double off = most_off_chord();
@@ -85,7 +85,7 @@ Extents MachinePath::rough_extents() const {
 
 /// Returns the number of samples along the motion under tool centre point control. A quarter revolution of a rotary axis contains about
 /// one extreme of a linear axis, so the samples must be close enough that at most about one extreme lies between two of them.
-int MachinePath::samples_led() const {
+int MachinePath::samples_with_tip_control() const {
   constexpr double between = 15;  // rotation between two samples, degrees
   double way = 0;
   for (AxisMask left = from_.space->rotary_axes(); left != 0; left &= left - 1) {
@@ -93,7 +93,7 @@ int MachinePath::samples_led() const {
     way = std::max(way, std::fabs(end_[axis] - from_.machine[axis]));
   }
   constexpr int most = 1000;
-  const int least = motion_.detail && motion_.detail->tip_way ? 8 : 2;
+  const int least = motion_.detail && motion_.detail->tip_path ? 8 : 2;
   return std::clamp(static_cast<int>(way / between) + least, curve_.samples(), std::max(curve_.samples(), most));
 }
 
@@ -103,7 +103,7 @@ int MachinePath::pieces(double chord) const {
   const int of_curve = curve_.pieces(chord);
   // a motion that deviates by less than this multiple of `chord` stays one piece, because it meets its neighbours at corners anyway
   constexpr double few = 6;
-  if (!bends_ || (plainly_led() && most_off_chord() <= few * chord)) return of_curve;
+  if (!bends_ || (tip_moves_straight() && most_off_chord() <= few * chord)) return of_curve;
   constexpr int looked_at = 8;
   double worst = 0;
   for (int i = 0; i < looked_at; ++i) {
@@ -118,7 +118,7 @@ int MachinePath::pieces(double chord) const {
   if (worst * looked_at * looked_at <= few * chord) return of_curve;
   const double aimed = chord / 2;
   const double needed = looked_at * std::sqrt(worst / aimed);
-  return std::clamp(static_cast<int>(std::ceil(needed)), of_curve, std::max(of_curve, most_chords_of_motion));
+  return std::clamp(static_cast<int>(std::ceil(needed)), of_curve, std::max(of_curve, max_chords_of_motion));
 }
 
 Extents MachinePath::extents(double from, double to) const {
@@ -128,7 +128,7 @@ Extents MachinePath::extents(double from, double to) const {
       if (box.least[i] > box.most[i]) std::swap(box.least[i], box.most[i]);
     return box;
   }
-  if (bends_ || (!straight_ && leads_tip())) return led_extents(from, to);
+  if (bends_ || (!straight_ && controls_tip())) return tip_control_extents(from, to);
   if (from <= 0 && to >= 1) return machine_extents(roles_, from_, motion_, curve_);
   const ToolPosition piece_from{curve_.at(from), at(from), from_.turn, from_.space};
   Motion piece = motion_;

@@ -30,9 +30,9 @@ class MachinePath {
   bool rolls_over(std::size_t axis) const { return motion_.detail && (motion_.detail->rolled >> axis & 1U) != 0; }
 
   Axes at(double part) const;
-  bool leads_tip() const { return kadr::leads_tip(from_, motion_); }
+  bool controls_tip() const { return kadr::controls_tip(from_, motion_); }
   /// Returns the position of the tool tip at `part`, 0 … 1, of a motion under tool centre point control.
-  Vec3 tip(double part) const { return led_tip(roles_, from_, motion_, curve_.at(part), part); }
+  Vec3 tip(double part) const { return controlled_tip(roles_, from_, motion_, curve_.at(part), part); }
 
   /// Returns the number of equal pieces whose chords stay within `chord` mm of the path, and, under tool centre point control, of the
   /// tool tip's path.
@@ -47,7 +47,7 @@ class MachinePath {
   ///   law    within `closeness` of the returned position, in every axis, the path is not clear
   template <class Clear>
   std::optional<double> first_not(const Clear& clear) const {
-    return first_not(clear, 0, 1, most_halvings);
+    return first_not(clear, 0, 1, max_halvings);
   }
 
   /// Returns a box that certainly contains the whole path, but may be larger than necessary; computed without sampling.
@@ -56,13 +56,13 @@ class MachinePath {
   static constexpr double closeness = 1e-7;  // accuracy of first_not(), mm or degrees: a tenth of tol::same_point
 
  private:
-  Extents led_extents(double from, double to) const;
-  int samples_led() const;
+  Extents tip_control_extents(double from, double to) const;
+  int samples_with_tip_control() const;
   /// True if the tip moves straight and the rotary axes move evenly.
-  bool plainly_led() const { return bends_ && curve_.straight() && !(motion_.detail && motion_.detail->tip_way); }
+  bool tip_moves_straight() const { return bends_ && curve_.straight() && !(motion_.detail && motion_.detail->tip_path); }
   double most_off_chord() const;
 
-  static constexpr int most_halvings = 60;
+  static constexpr int max_halvings = 60;
 
   template <class Clear>
   std::optional<double> first_not(const Clear& clear, double from, double to, int halvings) const {

@@ -2,7 +2,7 @@
 // Computes the distance between two pieces of a path, lines or arcs, in a plane.
 
 #include "action/flat_path.h"
-#include "path/contour/contour_offset.h"
+#include "path/compensation/contour_offset.h"
 
 namespace kadr {
 

@@ -16,7 +16,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "base/lanes.h"
+#include "base/double_lanes.h"
 #include "base/vec.h"
 
 namespace kadr {

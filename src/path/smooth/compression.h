@@ -32,7 +32,7 @@ class Compression {
     std::optional<Action> held, stop;
   };
   Memory memory() const { return {held_, stop_}; }
-  void remember(const Memory& memory) { held_ = memory.held, stop_ = memory.stop; }
+  void resume_from(const Memory& memory) { held_ = memory.held, stop_ = memory.stop; }
 
  private:
   void join(Action& action);

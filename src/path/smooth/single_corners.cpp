@@ -34,7 +34,7 @@ void SmoothPath::add_single_ways(double s, std::size_t around, double* x) const 
 /// Returns the greatest displacement of the path by the roundings on one side of a vertex, mm. Within the vertex' own rounding, or up to
 /// a neighbour that needs samples as dense, the samples are as dense as this rounding requires; from there to the middle of the next
 /// piece there are a few samples.
-double SmoothPath::moved_beside(std::size_t vertex, int side) const {
+double SmoothPath::moved_near_vertex(std::size_t vertex, int side) const {
   constexpr int places = 6;   // samples between the vertex and the greatest deviation to the outside
   constexpr int farther = 4;  // samples farther away from the vertex
   const double step = SoftCorner::of(turn_[vertex]).flank() * width_[vertex] / places, felt = (places + 1) * step;
@@ -96,7 +96,7 @@ bool SmoothPath::shrink(std::size_t first, std::size_t end) {
   for (const std::size_t i : marks_) {
     if (i < first || i >= end || is_chained_[i] != 0 || width_[i] == 0 || !overlaps(i))
       continue;  // a rounding without overlap is already as wide as the tolerance allows
-    const double most = std::max({moved(at_[i], i), moved_beside(i, -1), moved_beside(i, 1)}),
+    const double most = std::max({moved(at_[i], i), moved_near_vertex(i, -1), moved_near_vertex(i, 1)}),
                  allowed = between * tolerance_[i] * share_alone(i);
     if (most <= allowed * (1 + rounding)) continue;
     any = true;
@@ -123,7 +123,7 @@ double SmoothPath::width_alone(std::size_t vertex) const {
 }
 
 void SmoothPath::round_single_ones(std::size_t first, const StopToken& stop) {
-  constexpr int most_rounds = 200;  // bound of the iterations; overlapping roundings need ten to thirty
+  constexpr int max_rounds = 200;  // bound of the iterations; overlapping roundings need ten to thirty
   for (const std::size_t i : marks_)
     if (i >= first && is_chained_[i] == 0) {
       width_[i] = turns_back(i) ? 0 : std::min({widest, room_[i], width_alone(i)});
@@ -134,7 +134,7 @@ void SmoothPath::round_single_ones(std::size_t first, const StopToken& stop) {
     if (is_chained_[i] == 0) reach_ = std::max(reach_, width_[i]);
   if (reach_ == 0) return;
   look_at_roundings(0);
-  for (int round = 0; round < most_rounds && !stop.asked() && shrink(first, at_.size() - 1); ++round) {
+  for (int round = 0; round < max_rounds && !stop.asked() && shrink(first, at_.size() - 1); ++round) {
   }
 }
 

@@ -12,7 +12,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "base/stop.h"
+#include "base/stop_token.h"
 #include "path/smooth/chain_sums.h"
 #include "path/smooth/slow_width.h"
 #include "path/smooth/soft_corner.h"
@@ -101,11 +101,11 @@ class SmoothPath {
   ChainSums::Corners chained() const { return {at_, bend_, is_chained_}; }
   void find_ends(std::size_t first, bool last);
   bool makes_chain(std::size_t i) const;
-  void tell_kinds(std::size_t first);
+  void classify_corners(std::size_t first);
   void round_single_ones(std::size_t first, const StopToken& stop);
   double width_alone(std::size_t vertex) const;
   double moved(double s, std::size_t around) const;
-  double moved_beside(std::size_t vertex, int side) const;
+  double moved_near_vertex(std::size_t vertex, int side) const;
   bool overlaps(std::size_t vertex) const;
   double share_alone(std::size_t vertex) const;
   void look_at_roundings(std::size_t first);
@@ -113,7 +113,7 @@ class SmoothPath {
   void round_chain(bool last, const StopToken& stop);
   void add_single_ways(double s, std::size_t around, double* x) const;
   double square_moved(double s, std::size_t around, double width);
-  double square_beside(std::size_t vertex, double width, double most);
+  double square_near_vertex(std::size_t vertex, double width, double most);
   double widest_in_chain(std::size_t vertex, double width);
   void open_widths();
   struct Looks {        // the sampling of a piece
@@ -121,7 +121,7 @@ class SmoothPath {
   };
   Looks looks(std::size_t piece, double tolerance) const;
   template <class Look>
-  void beside_edges(std::size_t piece, const Look& look) const;
+  void look_at_edges(std::size_t piece, const Look& look) const;
   double farthest(std::size_t piece);
   bool narrow(double known, bool first_round);
   void narrow_at(std::size_t piece, double over);

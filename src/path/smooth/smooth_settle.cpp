@@ -52,7 +52,7 @@ bool SmoothPath::makes_chain(std::size_t i) const {
   return any;
 }
 
-void SmoothPath::tell_kinds(std::size_t first) {
+void SmoothPath::classify_corners(std::size_t first) {
   marks_.erase(std::lower_bound(marks_.begin(), marks_.end(), first), marks_.end());
   for (std::size_t i = first; i + 1 < at_.size(); ++i) {
     const bool bends = turn_[i] > straight_on;
@@ -68,7 +68,7 @@ void SmoothPath::settle(bool last, StopToken stop) {
   const auto [least, most] = std::minmax_element(tolerance_.begin() + (tolerance_.size() > 1 ? 1 : 0), tolerance_.end() - 1);
   has_one_tolerance_ = tolerance_.size() <= 2 || *least == *most;
   find_ends(first, last);
-  tell_kinds(first);
+  classify_corners(first);
   sums_.forget();
   round_single_ones(first, stop);
   round_chain(last, stop);
@@ -90,7 +90,7 @@ double SmoothPath::square_moved(double s, std::size_t around, double width) {
 
 /// Returns the greatest squared displacement at a vertex and at positions near it, which are chosen for this width; ends as soon as one
 /// exceeds `most`.
-double SmoothPath::square_beside(std::size_t vertex, double width, double most) {
+double SmoothPath::square_near_vertex(std::size_t vertex, double width, double most) {
   constexpr double flank = 0.65;  // distance of a single corner's greatest outward deviation, as a share of the width
   const double s = at_[vertex], behind = length_[vertex], before = length_[vertex - 1];
   double square = square_moved(s, vertex, width);
@@ -108,22 +108,22 @@ double SmoothPath::square_beside(std::size_t vertex, double width, double most) 
 double SmoothPath::widest_in_chain(std::size_t vertex, double width) {
   constexpr double narrowest = 1e-4;  // least width of a rounding, mm
   constexpr double enough = 0.98;     // the search ends at this share of the squared tolerance
-  constexpr double most_growth = 1.19, least_growth = 1.002;
+  constexpr double max_growth = 1.19, least_growth = 1.002;
   const double allowed = used_by_chain * tolerance_[vertex], most = allowed * allowed;
   const auto towards = [&](double square) {
     return 0.997 * std::sqrt(std::sqrt(most / square));
   };  // the displacement grows with the square of the width
-  double square = square_beside(vertex, width, most);
+  double square = square_near_vertex(vertex, width, most);
   if (square > most) {
     while (square > most && width > narrowest) {
       width *= std::clamp(towards(square), 0.5, 0.998);
-      square = square_beside(vertex, width, most);
+      square = square_near_vertex(vertex, width, most);
     }
     return width;
   }
   while (width < widest && square < enough * most) {
-    const double wider = std::min(widest, width * std::clamp(towards(square + 1e-30), least_growth, most_growth));
-    square = square_beside(vertex, wider, most);
+    const double wider = std::min(widest, width * std::clamp(towards(square + 1e-30), least_growth, max_growth));
+    square = square_near_vertex(vertex, wider, most);
     if (square > most) break;
     width = wider;
     if (length_[vertex - 1] < 0.25 * width) break;  // the neighbouring vertex is so near that its own search starts from this result
@@ -144,7 +144,7 @@ void SmoothPath::open_widths() {
 /// Rounds the corners of chains: first each corner as wide as its tolerance allows; then the width is smoothed along the path; finally it
 /// is narrowed where the path still exceeds the tolerance.
 void SmoothPath::round_chain(bool last, const StopToken& stop) {
-  constexpr int most_rounds = 30;
+  constexpr int max_rounds = 30;
   const double known = last ? at_.back() : at_.back() - felt_ahead;
   for (std::size_t i = std::max<std::size_t>(done_, 1); i + 1 < at_.size() && at_[i] <= known && !stop.asked(); ++i) {
     if (is_chained_[i] == 0 || in_chain_[i] > 0) continue;
@@ -152,7 +152,7 @@ void SmoothPath::round_chain(bool last, const StopToken& stop) {
   }
   open_widths();
   narrowed_.clear();
-  for (int round = 0; round < most_rounds && !stop.asked() && narrow(known, round == 0); ++round) open_widths();
+  for (int round = 0; round < max_rounds && !stop.asked() && narrow(known, round == 0); ++round) open_widths();
   for (std::size_t i = done_; i + 1 < at_.size(); ++i)
     if (is_chained_[i] != 0) width_[i] = slow_.at(squeezed_[i]).w;
 }
@@ -162,15 +162,14 @@ void SmoothPath::round_chain(bool last, const StopToken& stop) {
 SmoothPath::Looks SmoothPath::looks(std::size_t piece, double tolerance) const {
   constexpr double in_chain = 4, alone = 24;  // samples per rounding width
   constexpr double unseen = 0.02;             // greatest change of displacement between two samples, as a share of the tolerance
-  constexpr double most_places = 96, beyond_it = 1.25;
+  constexpr double max_places = 96, beyond_it = 1.25;
   const double from = at_[piece], to = at_[piece + 1];
-  const double width_before = width_at(from, piece).w, width_behind = width_at(to, piece).w,
-               narrower = std::min(width_before, width_behind);
-  Looks looks{beyond_it * std::max(width_before, width_behind), narrower / in_chain};
-  double most_turn = 0;
+  const double width_before = width_at(from, piece).w, width_after = width_at(to, piece).w, narrower = std::min(width_before, width_after);
+  Looks looks{beyond_it * std::max(width_before, width_after), narrower / in_chain};
+  double max_turn = 0;
   for (std::size_t i = std::max<std::size_t>(piece, 1) - 1; i < std::min(piece + 3, at_.size()); ++i)
-    if (is_chained_[i] != 0) most_turn = std::max(most_turn, turn_[i]);
-  if (most_turn > 0) looks.step = std::min(looks.step, std::sqrt(unseen * tolerance * narrower / most_turn));
+    if (is_chained_[i] != 0) max_turn = std::max(max_turn, turn_[i]);
+  if (max_turn > 0) looks.step = std::min(looks.step, std::sqrt(unseen * tolerance * narrower / max_turn));
   const auto near = std::lower_bound(marks_.begin(), marks_.end(), from - reach_, [&](std::size_t k, double s) { return at_[k] < s; });
   for (auto mark = near; mark != marks_.end() && at_[*mark] < to + reach_; ++mark) {
     const double w = is_chained_[*mark] == 0 ? width_[*mark] : 0;
@@ -178,13 +177,13 @@ SmoothPath::Looks SmoothPath::looks(std::size_t piece, double tolerance) const {
     looks.felt = std::max(looks.felt, beyond_it * w);
     looks.step = std::min(looks.step, w / alone);
   }
-  looks.step = std::max(looks.step, std::min(length_[piece], 2 * looks.felt) / most_places);
+  looks.step = std::max(looks.step, std::min(length_[piece], 2 * looks.felt) / max_places);
   return looks;
 }
 
 /// Calls `look` at the positions of a piece just outside the rounding of a corner: there the tolerance of that corner no longer applies.
 template <class Look>
-void SmoothPath::beside_edges(std::size_t piece, const Look& look) const {
+void SmoothPath::look_at_edges(std::size_t piece, const Look& look) const {
   constexpr double just = 1e-6;  // distance of the positions from the end of the rounding, mm
   constexpr int rounds = 4;      // iterations suffice, because the chain's width changes by at most 0.15 mm/mm
   const double from = at_[piece], length = length_[piece];
@@ -217,7 +216,7 @@ double SmoothPath::farthest(std::size_t piece) {
   } else {  // a long piece is sampled near its ends only
     for (double along = 0; along <= looks.felt; along += looks.step) look(along), look(length - along);
   }
-  if (!has_one_tolerance_) beside_edges(piece, look);
+  if (!has_one_tolerance_) look_at_edges(piece, look);
   return std::sqrt(most);
 }
 

@@ -9,8 +9,8 @@
 #include <tuple>
 
 #include "base/ascii.h"
-#include "config/machine_axes.h"
-#include "config/setup_names.h"
+#include "config/machine/machine_axes.h"
+#include "config/setup/setup_names.h"
 
 namespace kadr {
 namespace {

@@ -11,7 +11,7 @@
 namespace kadr {
 namespace {
 
-constexpr std::size_t most_tools = 1000;
+constexpr std::size_t max_tools = 1000;
 
 /// Pitches of ISO 261, mm, and threads per inch of ASME B1.1, B1.20.1 and ISO 228.
 constexpr std::array pitches{0.2,  0.225, 0.25, 0.3, 0.35, 0.4, 0.45, 0.5, 0.6, 0.7, 0.75, 0.8, 1.0,
@@ -37,8 +37,8 @@ void FeedWatch::take_tap(const Motion& motion, const Origin& origin, Advices& to
   const double written = motion.inch ? motion.feed / inch : motion.feed;
   const double near = 0.004 + std::min(0.05 / std::max(written, 1.0), 0.01);  // tolerance for an F that is rounded to one decimal place
   // A program that does not state its unit may use the other unit, so both are tried.
-  if (pitch <= 0 || pitch == tap_told_ || is_pitch(pitch, near) || is_pitch(pitch * inch, near)) return;
-  tap_told_ = pitch;
+  if (pitch <= 0 || pitch == tap_reported_ || is_pitch(pitch, near) || is_pitch(pitch * inch, near)) return;
+  tap_reported_ = pitch;
   to.add(AlarmId::tap_feed, origin, 'F', pitch, rpm_);
 }
 
@@ -51,16 +51,16 @@ void FeedWatch::take_motion(const Step& step, const Motion& motion, Advices& to)
   constexpr double least = 1, most = 100'000, most_a_turn = 5;  // limits of a feed: mm/min, mm/min, mm/rev
   const char* const unit = motion.unit == FeedUnit::mm_per_rev ? "mm/rev" : "mm/min";
   const bool per_minute = motion.unit == FeedUnit::mm_per_min, per_turn = motion.unit == FeedUnit::mm_per_rev;
-  if (per_minute && motion.feed < least && !small_told_) {
-    small_told_ = true;
+  if (per_minute && motion.feed < least && !small_reported_) {
+    small_reported_ = true;
     to.add(AlarmId::feed_too_small, origin, 'F', motion.feed, unit);
   }
-  if (((per_minute && motion.feed > most) || (per_turn && motion.feed > most_a_turn)) && !large_told_) {
-    large_told_ = true;
+  if (((per_minute && motion.feed > most) || (per_turn && motion.feed > most_a_turn)) && !large_reported_) {
+    large_reported_ = true;
     to.add(AlarmId::feed_too_large, origin, 'F', motion.feed, unit);
   }
   const double advance = per_turn ? motion.feed : per_minute && rpm_ > 0 ? motion.feed / rpm_ : 0;
-  if (advance <= 0 || tool_ == 0 || (advances_.size() >= most_tools && !advances_.contains(tool_))) return;
+  if (advance <= 0 || tool_ == 0 || (advances_.size() >= max_tools && !advances_.contains(tool_))) return;
   Advance& of = advances_[tool_];
   if (advance < of.least) of.least = advance, of.at_least = origin;
   if (advance > of.most) of.most = advance, of.at_most = origin;
@@ -75,7 +75,7 @@ void FeedWatch::take(const Step& step, Advices& to) {
       },
       [&](const Speed& speed) { rpm_ = speed.surface ? speed.rpm : speed.value; }, [&](const ToolChange& change) { tool_ = change.tool; },
       ignores<Dwell, CoolantSwitch, ToolSelect, MachineFunction, AuxiliaryFunction, Stop, Message, FrameChange, SurfaceSpeed, Sync,
-              ZoneChange, Couple, Uncouple, ContourBreak, ContourCorner, ContourCheck>);
+              ZoneChange, Couple, Uncouple, CompensationBreak, CompensationCorner, CompensationCheck>);
 }
 
 void FeedWatch::finish(const std::map<std::uint32_t, int>& teeth, Advices& to) {

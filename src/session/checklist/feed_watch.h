@@ -20,8 +20,8 @@ class FeedWatch {
 
   double rpm_ = 0;
   std::uint32_t tool_ = 0;
-  bool small_told_ = false, large_told_ = false;
-  double tap_told_ = 0;  // the thread pitch of the tapping finding reported last
+  bool small_reported_ = false, large_reported_ = false;
+  double tap_reported_ = 0;  // the thread pitch of the tapping finding reported last
   /// The largest and the smallest advance per revolution of a tool, and the blocks where they occur.
   struct Advance {
     double least = 1e300, most = 0;

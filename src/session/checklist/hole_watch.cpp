@@ -10,9 +10,9 @@ void HoleWatch::take(const Step& step, Advices& to) {
   // The same position is another hole with another tool, or after a machine function (B90 of a table that the control does not drive).
   if (std::holds_alternative<ToolChange>(step.action.what) || std::holds_alternative<AuxiliaryFunction>(step.action.what))
     return holes_.clear();
-  constexpr std::size_t most_holes = 20'000;
+  constexpr std::size_t max_holes = 20'000;
   const Motion* const motion = step.motion();
-  if (motion == nullptr || !motion->of_cycle || motion->kind != MotionKind::feed || holes_.size() >= most_holes) return;
+  if (motion == nullptr || !motion->of_cycle || motion->kind != MotionKind::feed || holes_.size() >= max_holes) return;
   const Ends ends(step.roles, step.from, *motion);
   if (!ends.down()) return;
   // Machine coordinates are compared, since after a shift of the work offset or a rotation of the part the same work position is another

@@ -11,7 +11,7 @@ namespace kadr {
 namespace {
 
 constexpr double level = 0.01;  // mm: heights that differ by less count as equal
-constexpr std::size_t most_drilled = 1000;
+constexpr std::size_t max_drilled = 1000;
 constexpr double micrometre = 1000;  // number of micrometres per mm
 
 bool turns(const Step& step, const Motion& motion) {
@@ -47,7 +47,7 @@ void LevelWatch::take_motion(const Step& step, const Motion& motion, Advices& to
   const Ends ends(step.roles, step.from, motion);
   turned_ = turned_ || turns(step, motion);
   if (motion.system != system_) system_ = motion.system, lowest_ = 1e300, approach_ = -1e300;
-  if (motion.end_given != EndGiven::by_work || motion.kind == MotionKind::home) {
+  if (motion.end_reference != EndReference::by_work || motion.kind == MotionKind::home) {
     in_cut_.reset();
     z_by_machine_ = z_by_machine_ || (motion.named >> std::size_t(std::max(step.roles.xyz[2], 0)) & 1U) != 0;
     return;
@@ -69,7 +69,7 @@ void LevelWatch::take_motion(const Step& step, const Motion& motion, Advices& to
     if (motion.of_cycle) take_point(ends, origin);
     else to_hole_.emplace(ends, origin);  // a canned cycle may start after this rapid, in the same block
   }
-  if (motion.of_cycle && is_cut(motion) && ends.down() && drilled_.size() < most_drilled) drilled_.push_back(ends.to);
+  if (motion.of_cycle && is_cut(motion) && ends.down() && drilled_.size() < max_drilled) drilled_.push_back(ends.to);
   if (is_cut(motion)) {
     if (ends.sideways() || motion.of_cycle) {
       cuts_ = true, ++cuts_made_;
@@ -80,7 +80,7 @@ void LevelWatch::take_motion(const Step& step, const Motion& motion, Advices& to
     if (!motion.of_cycle && ends.down() && !ends.sideways() && ends.to.z < -level) ++feeds_down_;
   } else if (motion.kind == MotionKind::rapid && !motion.of_cycle && !turned_) {
     if (ends.down() && !ends.sideways()) {
-      if (ends.to.z >= 0 && heights_.size() < most_drilled) heights_.insert(std::llround(ends.to.z * micrometre));
+      if (ends.to.z >= 0 && heights_.size() < max_drilled) heights_.insert(std::llround(ends.to.z * micrometre));
       if (ends.to.z < -level && below_++ == 0) only_below_ = Low{origin, AlarmId::rapid_below_zero, ends.to.x, ends.to.y, ends.to.z};
     }
     const bool below = ends.to.z < -level && (from_machine || ends.from.z < -level || ends.down());

@@ -8,7 +8,7 @@
 namespace kadr {
 namespace {
 
-constexpr std::size_t most_kinks = 1000;
+constexpr std::size_t max_kinks = 1000;
 constexpr double pi = 3.14159265358979323846;
 
 double degrees_between(Vec2 a, Vec2 b) { return std::fabs(std::atan2(a.x * b.y - a.y * b.x, a.x * b.x + a.y * b.y)) * 180 / pi; }
@@ -67,7 +67,7 @@ void PathWatch::look_at_arc(const Piece& before, const Piece& arc, const Piece& 
   if (!arc.arc || arc.full || before.first != arc.first || after.first != arc.first) return;
   constexpr double smooth = 5, corner = 20;  // degrees
   const auto retraces = [&](const Piece& other) { return other.arc && length(other.center - arc.center) < 0.01; };
-  if (kinks_.size() >= most_kinks || retraces(before) || retraces(after)) return;
+  if (kinks_.size() >= max_kinks || retraces(before) || retraces(after)) return;
   const auto kinks = [&](Vec2 begins, Vec2 ends) {
     return std::pair(degrees_between(before.ends, begins), degrees_between(ends, after.begins));
   };

@@ -1,4 +1,4 @@
-// ProgramCheck. Used by cli/check, view/page_check; tested by tests/run_check.py, tests/same_check.py.
+// ProgramCheck. Used by cli/check, view/page/page_check; tested by tests/run_check.py, tests/same_check.py.
 
 #include "session/checklist/program_check.h"
 
@@ -12,7 +12,7 @@
 namespace kadr {
 namespace {
 
-constexpr std::size_t most_faults = 1000;    // faults of one program; if there are more, it is probably not a program for this control
+constexpr std::size_t max_faults = 1000;     // faults of one program; if there are more, it is probably not a program for this control
 constexpr std::size_t most_again = 100'000;  // repetitions of known faults; if there are more, the program is in a loop that only fails
 
 bool holds_only_subs(const Session& session) {
@@ -31,12 +31,12 @@ struct ProgramCheck::OfChannel {
 
 bool ProgramCheck::take(std::size_t channel, OfChannel& of, const AlarmReport& report) {
   const AlarmId id = report.alarm.id;
-  if (wish_.one_pass && (id == AlarmId::program_begins_again || id == AlarmId::passes_done)) return true;
+  if (request_.one_pass && (id == AlarmId::program_begins_again || id == AlarmId::passes_done)) return true;
   if (only_subprograms_ && id == AlarmId::rs274_program) return true;
   if (!seen_[channel].insert({report.file, report.origin.line, report.origin.column, id}).second) return ++of.again < most_again;
   of.alarms += report.alarm.severity == Severity::alarm;
   of.warnings += report.alarm.severity == Severity::warning;
-  return take_(channel, report) && id != AlarmId::interrupted && of.alarms + of.warnings < most_faults;
+  return take_(channel, report) && id != AlarmId::interrupted && of.alarms + of.warnings < max_faults;
 }
 
 void ProgramCheck::check(Session& session) {
@@ -46,25 +46,25 @@ void ProgramCheck::check(Session& session) {
   session.together().stop_together = false;
   std::deque<OfChannel> all;
   for (std::size_t i = 0; i < channels.size(); ++i) {
-    OfChannel& of = all.emplace_back(session, i, wish_.basis);
+    OfChannel& of = all.emplace_back(session, i, request_.basis);
     const auto take_one = [this, i, &of](const AlarmReport& report) { return take(i, of, report); };
     session.outlets(i) = {.warning = [take_one](const AlarmReport& report) { (void)take_one(report); },
                           .alarm = take_one,
-                          .onlooker = wish_.onlooker,
-                          .stop = wish_.stop};
+                          .progress_display = request_.progress_display,
+                          .stop = request_.stop};
     of.checklist.attach();
   }
   // a single channel does not wait: the programs of the other channels are missing
   if (channels.size() == 1) session.control().set_waiting(Control::Waiting::pass);
   (void)session.run();
-  for (std::size_t i = 0; i < channels.size() && !wish_.stop.asked(); ++i) {
+  for (std::size_t i = 0; i < channels.size() && !request_.stop.asked(); ++i) {
     OfChannel& of = all[i];
     channels[i].control->check_uncalled([&](const AlarmReport& report) { (void)take(i, of, report); });
     // After a refused block the rest of the run may not be as intended, so the checklist is omitted until the errors are corrected.
-    if (of.alarms == 0 && !only_subprograms_ && !wish_.stop.asked())
-      for (const AlarmReport& advice : of.checklist.reports(wish_.stop)) (void)take(i, of, advice);
+    if (of.alarms == 0 && !only_subprograms_ && !request_.stop.asked())
+      for (const AlarmReport& advice : of.checklist.reports(request_.stop)) (void)take(i, of, advice);
     if (i != session.own()) continue;
-    if (const auto note = unstated(*channels[i].control, session.def(), session.setup(), wish_.stated)) (void)take(i, of, *note);
+    if (const auto note = unstated(*channels[i].control, session.def(), session.setup(), request_.stated)) (void)take(i, of, *note);
   }
 }
 

@@ -20,15 +20,15 @@ class ProgramCheck {
   /// Receives the findings in this order. Returns false to get no more findings of that channel.
   using Take = std::function<bool(std::size_t channel, const AlarmReport& report)>;
 
-  struct Wish {
+  struct CheckRequest {
     std::set<std::string> stated{};  // keys that the set-up states: PlacedSetup::stated
     ChecklistBasis basis{};          // the tools file, and whether it belongs to this program only
     bool one_pass = true;  // run a program that repeats itself (M99, M47) once; false: as often as the set-up or the user requests
-    Onlooker* onlooker = nullptr;
+    ProgressDisplay* progress_display = nullptr;
     StopToken stop{};
   };
 
-  explicit ProgramCheck(Wish wish, Take take) : wish_(std::move(wish)), take_(std::move(take)) {}
+  explicit ProgramCheck(CheckRequest request, Take take) : request_(std::move(request)), take_(std::move(take)) {}
 
   /// Runs a session that has not started, and reports what it finds. Several programs of one file are checked one after the other; a
   /// finding that they share is reported once.
@@ -38,7 +38,7 @@ class ProgramCheck {
   struct OfChannel;
   bool take(std::size_t channel, OfChannel& of, const AlarmReport& report);
 
-  const Wish wish_;
+  const CheckRequest request_;
   const Take take_;
   bool only_subprograms_ = false;  // the file contains only subprograms, so it is not run and needs no end of program
   // the findings already reported, by channel: file, line, column, id

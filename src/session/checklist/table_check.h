@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <set>
 
-#include "config/setup.h"
+#include "config/setup/setup.h"
 #include "control/state/usage.h"
 #include "session/checklist/advice.h"
 #include "session/checklist/tool_table.h"

@@ -14,8 +14,8 @@
 namespace kadr {
 namespace {
 
-constexpr std::size_t most_found = 200;
-constexpr std::size_t most_numbers = 10'000;  // stored numbers of called blocks and programs, at most
+constexpr std::size_t max_found = 200;
+constexpr std::size_t max_numbers = 10'000;  // stored numbers of called blocks and programs, at most
 
 /// A function that should be cancelled at the end of a program, and the function that cancels it. There is no finding if the program
 /// states one of the two before its first motion.
@@ -76,7 +76,7 @@ bool TextWatch::moves(const Block& block) const {
 
 template <class... Args>
 void TextWatch::add(AlarmId id, const Origin& origin, Span where, Args... args) {
-  if (found_.size() < most_found) found_.push_back({advice(id, where, AlarmArg(args)...), origin});
+  if (found_.size() < max_found) found_.push_back({advice(id, where, AlarmArg(args)...), origin});
 }
 
 /// Records numbers without a decimal point, which count increments, in a program whose other numbers have one. In a dwell, a call or a
@@ -90,7 +90,7 @@ void TextWatch::take_points(const Block& block) {
       with_point_ += def_.grammar.word(w.address).counted != 0;
     } else if (w.counted != 0) {
       ++without_point_;
-      if (pointless_.size() >= most_found) continue;
+      if (pointless_.size() >= max_found) continue;
       // the increment of inch programs is 0.0001 in (spec/fanuc 1.3)
       const bool finer = inch_ && def_.address(w.address).unit != WordUnit::angle;
       const std::string read = fmt::format("{:g} {}", finer ? w.value / 10 : w.value,
@@ -108,7 +108,7 @@ void TextWatch::take_numbers(const Word& word) {
   if (word.expression) (tool ? named_.tools_by_value : named_.rows_by_value) = true;
   std::set<std::uint32_t>& to = tool ? named_.tools : named_.rows;
   const double number = word.value * std::pow(10.0, word.counted);
-  if (number >= 0 && number < 1e9 && to.size() < most_numbers) to.insert(static_cast<std::uint32_t>(std::llround(number)));
+  if (number >= 0 && number < 1e9 && to.size() < max_numbers) to.insert(static_cast<std::uint32_t>(std::llround(number)));
 }
 
 void TextWatch::take_codes(const Block& block) {
@@ -165,7 +165,7 @@ void TextWatch::take_cycle(const Block& block) {
       return take_levels(block, w);
     }
     if (w.code == 80_g) {
-      if (cancelled_ && lost_ && found_.size() < most_found) found_.push_back(*cancelled_);
+      if (cancelled_ && lost_ && found_.size() < max_found) found_.push_back(*cancelled_);
       in_cycle_ = lost_ = false;
       cancelled_.reset();
       return;
@@ -194,7 +194,7 @@ void TextWatch::note_call(const Block& block, const Word& code) {
     return;
   }
   const double number = p->value * std::pow(10.0, p->counted);
-  if (!(number >= 0 && number < 1e9) || calls_.size() >= most_numbers) return;
+  if (!(number >= 0 && number < 1e9) || calls_.size() >= max_numbers) return;
   const auto n = static_cast<std::uint32_t>(std::llround(number));
   calls_.insert(n);
   // M98 P30100 calls O0100 three times: the last four digits are the program number
@@ -205,7 +205,7 @@ void TextWatch::take_flow(const Block& block) {
   if (block.statement.kind == StatementKind::o_word) has_o_words_ = true;
   const bool begins = block.marker == Marker::label;
   if (begins || sections_.empty()) {
-    if (sections_.size() < most_numbers)
+    if (sections_.size() < max_numbers)
       sections_.push_back({begins ? block.label : 0, origin_of(block), false, false, {}, {}, {}, 0, false});
     if (begins) ended_ = false;
     if (sections_.size() > 1) absolute_ = false, in_xy_ = true;
@@ -215,12 +215,12 @@ void TextWatch::take_flow(const Block& block) {
   const Statement& s = block.statement;
   if (s.kind == StatementKind::go_to) {
     now.has_targets = true;
-    if (const auto target = constant(block, s.value); target && now.jumps.size() < most_numbers)
+    if (const auto target = constant(block, s.value); target && now.jumps.size() < max_numbers)
       now.jumps.try_emplace(*target, block.position.line);
   }
   if (ended_ && moves(block) && block.marker == Marker::none) {
     if (!now.behind_end) now.behind_end = origin_of(block);
-    ++now.lines_behind;
+    ++now.lines_after_end;
   }
   for (std::uint32_t i = 0; i < block.word_count; ++i) {
     const Word& w = block.words[i];
@@ -241,7 +241,7 @@ void TextWatch::take_flow(const Block& block) {
 void TextWatch::take_comments(const Block& block) {
   if (const Word* const t = block.find('T'); t != nullptr && !t->expression) {
     tool_ = static_cast<std::uint32_t>(std::clamp(t->value, 0.0, 1e6));
-    if (loose_teeth_ > 0 && teeth_.size() < most_numbers) teeth_.try_emplace(tool_, loose_teeth_);
+    if (loose_teeth_ > 0 && teeth_.size() < max_numbers) teeth_.try_emplace(tool_, loose_teeth_);
     loose_teeth_ = 0;
   }
   for (const Span& where : block.comments) {
@@ -250,7 +250,7 @@ void TextWatch::take_comments(const Block& block) {
     if (teeth == 0) continue;
     const auto named = read_tool_comment(text, false).tool;
     const bool beside_call = !named && block.has('T') && tool_ != 0;
-    if ((named || beside_call) && teeth_.size() < most_numbers) teeth_.try_emplace(named ? *named : tool_, teeth);
+    if ((named || beside_call) && teeth_.size() < max_numbers) teeth_.try_emplace(named ? *named : tool_, teeth);
     else loose_teeth_ = teeth;  // teeth of the tool that is called next
   }
 }
@@ -275,7 +275,7 @@ void TextWatch::read(BlockReader reader, const StopToken& stop) {
       if (*got == BlockReader::Got::end) break;
       take_block(block);
     }
-    reader.remember(fresh);
+    reader.resume_from(fresh);
     reader.seek({});
   };
   each([this](const Block& block) { take(block); });
@@ -311,7 +311,7 @@ void TextWatch::finish(Advices& to) {
       else if (found->second > 1) to.add(AlarmId::jump_to_two, origin, 0, double(target));
     }
     if (s.behind_end && !s.has_targets && !has_o_words_ && !def_.has_lines_alone())
-      to.add(AlarmId::lines_unreachable, *s.behind_end, 0, double(s.lines_behind));
+      to.add(AlarmId::lines_unreachable, *s.behind_end, 0, double(s.lines_after_end));
     constexpr std::uint32_t of_codes = 9000;  // programs from this number on may be called by codes that parameters define
     if (i > 0 && s.returns && !s.ends_program && s.label < of_codes && !calls_by_value_ && !calls_.contains(s.label))
       to.add(AlarmId::subprogram_uncalled, s.begins, 0, double(s.label));

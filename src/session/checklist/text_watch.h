@@ -8,8 +8,8 @@
 #include <string>
 #include <vector>
 
-#include "base/stop.h"
-#include "config/control_def.h"
+#include "base/stop_token.h"
+#include "config/control/control_def.h"
 #include "lang/block/block_reader.h"
 #include "session/checklist/advice.h"
 #include "session/checklist/table_check.h"
@@ -40,7 +40,7 @@ class TextWatch {
     // jump target → number of blocks with this N; counted when the text is read the second time
     std::map<std::uint32_t, std::uint32_t> twice;
     std::optional<Origin> behind_end;  // first motion after the end of the program
-    std::uint32_t lines_behind = 0;
+    std::uint32_t lines_after_end = 0;
     bool has_targets = false;  // something refers to block numbers, so that lines after the end of the program may be reachable
   };
   void take(const Block& block);

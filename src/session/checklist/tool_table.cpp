@@ -13,7 +13,7 @@ constexpr std::size_t longest = std::size_t{1} << 20;  // bytes of a file that t
 
 }  // namespace
 
-std::shared_ptr<const ToolTable> tool_table_beside(const std::string& program, const FileDoor* door) {
+std::shared_ptr<const ToolTable> tool_table_next_to(const std::string& program, const FileAccess* door) {
   namespace fs = std::filesystem;
   const fs::path path(program);
   if (program == "-" || path.extension() == ".toml") return nullptr;

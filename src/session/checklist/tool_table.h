@@ -5,8 +5,8 @@
 #include <memory>
 #include <string>
 
-#include "base/file_door.h"
-#include "config/tool_library.h"
+#include "base/file_access.h"
+#include "config/tools/tool_library.h"
 
 namespace kadr {
 
@@ -21,7 +21,7 @@ struct ToolTable {
 
 /// Looks for NAME.toml or NAME.tbl next to NAME.nc, then for tools.toml. Skips a file that is not a tools file.
 ///   returns  nullptr if no tools file is found
-std::shared_ptr<const ToolTable> tool_table_beside(const std::string& program, const FileDoor* door = nullptr);
+std::shared_ptr<const ToolTable> tool_table_next_to(const std::string& program, const FileAccess* door = nullptr);
 
 /// What the checklist uses in addition to the run of the program.
 struct ChecklistBasis {

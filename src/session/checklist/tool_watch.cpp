@@ -10,11 +10,11 @@
 namespace kadr {
 namespace {
 
-constexpr std::size_t most_stints = 2000;
-constexpr std::size_t most_rows = 64;  // table rows recorded per tool, at most
+constexpr std::size_t max_tool_periods = 2000;
+constexpr std::size_t max_rows = 64;  // table rows recorded per tool, at most
 
 void note_row(std::map<std::uint32_t, Origin>& rows, std::uint32_t row, const Origin& origin) {
-  if (row != 0 && rows.size() < most_rows) rows.try_emplace(row, origin);
+  if (row != 0 && rows.size() < max_rows) rows.try_emplace(row, origin);
 }
 
 }  // namespace
@@ -34,11 +34,11 @@ void ToolWatch::take_spindle(const Spindle& spindle, const Origin& origin) {
 }
 
 void ToolWatch::take_motion(const Step& step, const Motion& motion) {
-  Stint& stint = now();
+  ToolPeriod& stint = now();
   if (motion.of_cycle) cycle_block_ = step.action.origin.number;
   const Ends ends(step.roles, step.from, motion);
   const bool works = is_cut(motion) && (motion.of_cycle ? ends.down() : ends.sideways()) && ends.to.z < stint.highest;
-  if (motion.end_given == EndGiven::by_work && motion.kind != MotionKind::home) stint.highest = std::max(stint.highest, ends.to.z);
+  if (motion.end_reference == EndReference::by_work && motion.kind != MotionKind::home) stint.highest = std::max(stint.highest, ends.to.z);
   if (!works) return;
   started_since_cut_ = false;
   const Origin& origin = step.action.origin;
@@ -74,56 +74,56 @@ void ToolWatch::take(const Step& step, Advices&) {
       [&](const CoolantSwitch& coolant) { coolant_ = coolant.what != Coolant::off; },
       [&](const ToolSelect& select) {
         if (first_tool_ == 0) first_tool_ = select.tool;
-        if (select.tool != 0 && selected_.size() < most_rows) selected_.try_emplace(select.tool, action.origin);
+        if (select.tool != 0 && selected_.size() < max_rows) selected_.try_emplace(select.tool, action.origin);
       },
       [&](const ToolChange& change) {
         changes_ = true;
         selected_.erase(change.tool);
         if (change.tool == now().tool && !now().cuts) return;
-        if (stints_.size() < most_stints) stints_.emplace_back();
+        if (stints_.size() < max_tool_periods) stints_.emplace_back();
         now().tool = change.tool;
         now().started = started_since_cut_;  // S and M3 may be programmed before the tool change
       },
-      ignores<Dwell, AuxiliaryFunction, Stop, Message, FrameChange, SurfaceSpeed, Sync, ZoneChange, Couple, Uncouple, ContourBreak,
-              ContourCorner, ContourCheck>);
+      ignores<Dwell, AuxiliaryFunction, Stop, Message, FrameChange, SurfaceSpeed, Sync, ZoneChange, Couple, Uncouple, CompensationBreak,
+              CompensationCorner, CompensationCheck>);
 }
 
 /// Reports tools that cut with the spindle stopped, if the other tools start it. A program that often switches M3 and M5 controls the
 /// beam of a laser or a pen, and is not checked.
 void ToolWatch::judge_spindles(Advices& to) const {
-  const auto started = std::count_if(stints_.begin(), stints_.end(), [](const Stint& s) { return s.cuts && s.started; });
+  const auto started = std::count_if(stints_.begin(), stints_.end(), [](const ToolPeriod& s) { return s.cuts && s.started; });
   const bool switches_a_beam = starts_ > 2 * stints_.size() + 4;
-  const bool turned = std::any_of(stints_.begin(), stints_.end(), [](const Stint& s) { return s.turned; });
+  const bool turned = std::any_of(stints_.begin(), stints_.end(), [](const ToolPeriod& s) { return s.turned; });
   if (!switches_a_beam)
-    for (const Stint& s : stints_) {
+    for (const ToolPeriod& s : stints_) {
       if (s.cuts_still && (turned || asks_speed_)) to.add(AlarmId::cut_without_spindle, *s.cuts_still, 0);
       else if (s.cuts && s.mills && !s.started && started >= 2 && s.tool != 0) to.add(AlarmId::cut_without_spindle, *s.cuts, 0);
     }
-  const auto clockwise = std::count_if(stints_.begin(), stints_.end(), [](const Stint& s) { return s.clockwise && s.cuts; });
-  for (const Stint& s : stints_)
+  const auto clockwise = std::count_if(stints_.begin(), stints_.end(), [](const ToolPeriod& s) { return s.clockwise && s.cuts; });
+  for (const ToolPeriod& s : stints_)
     if (s.counter_clockwise && !s.clockwise && s.cuts && clockwise >= 1)
       to.add(AlarmId::direction_of_others, *s.counter_clockwise, 'M', "M4");
 }
 
 void ToolWatch::judge_coolant(Advices& to) const {
   std::set<std::uint32_t> wet, dry;
-  for (const Stint& s : stints_)
+  for (const ToolPeriod& s : stints_)
     if (s.cuts && s.tool != 0) (s.wet ? wet : dry).insert(s.tool);
   if (wet.size() < 2 || dry.size() > 1) return;  // two or more tools without coolant are probably intended
-  for (const Stint& s : stints_)
+  for (const ToolPeriod& s : stints_)
     if (s.cuts && s.tool != 0 && !s.wet) return to.add(AlarmId::coolant_forgotten, *s.cuts, 0, double(s.tool));
 }
 
 void ToolWatch::judge_lengths(Advices& to) const {
-  const bool others = std::any_of(stints_.begin(), stints_.end(), [](const Stint& s) { return s.cuts && !s.without_length; });
+  const bool others = std::any_of(stints_.begin(), stints_.end(), [](const ToolPeriod& s) { return s.cuts && !s.without_length; });
   if (!others) return;
-  for (const Stint& s : stints_)
+  for (const ToolPeriod& s : stints_)
     if (s.without_length && s.tool != 0) to.add(AlarmId::length_not_called, *s.without_length, 0, double(s.tool));
 }
 
 /// Compares row numbers with tool numbers. The most frequent difference (H = T, D = T + 30) is the habit
 /// of the workshop, and a tool with another difference probably uses another tool's row.
-void ToolWatch::judge_rows(Rows Stint::*rows, AlarmId id, char address, Advices& to) const {
+void ToolWatch::judge_rows(Rows ToolPeriod::*rows, AlarmId id, char address, Advices& to) const {
   struct Pair {
     std::uint32_t tool, row;
     Origin origin;
@@ -131,7 +131,7 @@ void ToolWatch::judge_rows(Rows Stint::*rows, AlarmId id, char address, Advices&
   };
   std::vector<Pair> pairs;
   std::set<std::uint32_t> tools;
-  for (const Stint& s : stints_) {
+  for (const ToolPeriod& s : stints_) {
     if (s.tool == 0 || !s.cuts) continue;
     tools.insert(s.tool);
     for (const auto& [number, origin] : s.*rows)
@@ -162,14 +162,14 @@ void ToolWatch::judge_systems(const std::vector<std::string>& names, Advices& to
   std::map<std::uint32_t, std::set<std::uint32_t>> users;
   std::size_t several = 0;  // number of tools that work in several work systems
   std::set<std::uint32_t> tools;
-  for (const Stint& s : stints_) {
+  for (const ToolPeriod& s : stints_) {
     if (s.tool == 0 || !s.cuts) continue;
     tools.insert(s.tool);
     several += s.systems.size() > 1;
     for (const auto& [system, origin] : s.systems) users[system].insert(s.tool);
   }
   if (users.size() != 2 || several != 0 || tools.size() < enough + 1) return;
-  for (const Stint& s : stints_)
+  for (const ToolPeriod& s : stints_)
     for (const auto& [system, origin] : s.systems)
       if (users[system].size() == 1 && users[system].contains(s.tool) && system < names.size())
         return to.add(AlarmId::work_offset_once, origin, 0, std::string_view(names[system]), double(s.tool));
@@ -186,8 +186,8 @@ void ToolWatch::finish(const std::vector<std::string>& systems, Advices& to) {
   judge_spindles(to);
   judge_coolant(to);
   judge_lengths(to);
-  judge_rows(&Stint::lengths, AlarmId::length_of_other, 'H', to);
-  judge_rows(&Stint::radii, AlarmId::radius_of_other, 'D', to);
+  judge_rows(&ToolPeriod::lengths, AlarmId::length_of_other, 'H', to);
+  judge_rows(&ToolPeriod::radii, AlarmId::radius_of_other, 'D', to);
   judge_systems(systems, to);
   judge_selections(to);
 }

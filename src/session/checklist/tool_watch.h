@@ -21,7 +21,7 @@ class ToolWatch {
  private:
   using Rows = std::map<std::uint32_t, Origin>;  // row of an offset table → the first motion that uses it
   /// The use of one tool from one tool change to the next.
-  struct Stint {
+  struct ToolPeriod {
     std::uint32_t tool = 0;
     double highest = -1e300;                 // highest Z that the tool has reached, mm
     std::optional<Origin> cuts, cuts_still;  // the tool's first cut; its first cut with the spindle stopped
@@ -33,15 +33,15 @@ class ToolWatch {
   };
   void take_motion(const Step& step, const Motion& motion);
   void take_spindle(const Spindle& spindle, const Origin& origin);
-  Stint& now() { return stints_.back(); }
+  ToolPeriod& now() { return stints_.back(); }
   void judge_spindles(Advices& to) const;
   void judge_coolant(Advices& to) const;
   void judge_lengths(Advices& to) const;
-  void judge_rows(Rows Stint::*rows, AlarmId id, char address, Advices& to) const;
+  void judge_rows(Rows ToolPeriod::*rows, AlarmId id, char address, Advices& to) const;
   void judge_systems(const std::vector<std::string>& names, Advices& to) const;
   void judge_selections(Advices& to) const;
 
-  std::vector<Stint> stints_ = std::vector<Stint>(1);
+  std::vector<ToolPeriod> stints_ = std::vector<ToolPeriod>(1);
   SpindleDir turns_ = SpindleDir::stop;
   double rpm_ = 0;
   bool coolant_ = false;

@@ -50,7 +50,7 @@ std::vector<AirCut> AirLines::emptiest() const {
   std::vector<AirCut> all;
   for (const auto& [key, line] : lines_) all.push_back(line);
   std::sort(all.begin(), all.end(), emptier);
-  if (all.size() > most_told) all.resize(most_told);
+  if (all.size() > max_reported) all.resize(max_reported);
   return all;
 }
 

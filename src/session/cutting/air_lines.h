@@ -19,7 +19,7 @@ class AirLines {
  public:
   static constexpr std::size_t most = 1 << 16;  // number of lines stored; when there are more, the half with fewer seconds is dropped
 
-  explicit AirLines(double cell, std::size_t most_kept = most) : reach_(2 * cell), most_(most_kept) {}
+  explicit AirLines(double cell, std::size_t max_kept = most) : reach_(2 * cell), most_(max_kept) {}
 
   struct Piece {
     Origin origin;

@@ -96,7 +96,7 @@ void BlockLoads::weigh(const BlockLoad& load) {
     if (*load.rate > *same->rate) *same = load;
     return;
   }
-  if (heaviest_.size() < most_told) return heaviest_.push_back(load);
+  if (heaviest_.size() < max_reported) return heaviest_.push_back(load);
   const auto least = std::max_element(heaviest_.begin(), heaviest_.end(), heavier);
   if (heavier(load, *least)) *least = load;
 }

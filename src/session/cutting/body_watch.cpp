@@ -2,7 +2,7 @@
 
 #include "session/cutting/body_watch.h"
 
-#include "config/told.h"
+#include "config/language.h"
 #include "session/cutting/named_body.h"
 #include "stock/mesh/mesh_file.h"
 
@@ -17,7 +17,7 @@ WorkBody work_body(const NamedWork& work) { return {work.name, shape_of_words(wo
 /// Reads the mesh files of the machine's bodies. A memory limit applies to what is built from the meshes.
 class BodyFiles {
  public:
-  BodyFiles(double most, std::vector<std::string>& notes, const FileDoor* door) : left_(most), notes_(notes), door_(door) {}
+  BodyFiles(double most, std::vector<std::string>& notes, const FileAccess* door) : left_(most), notes_(notes), door_(door) {}
   /// Reserves memory for the mesh. Returns an error sentence if the limit is exceeded, else an empty string.
   std::string take(const std::string& name, const Mesh& mesh) {
     left_ -= bytes_per_triangle * double(mesh.triangle_count());
@@ -39,7 +39,7 @@ class BodyFiles {
  private:
   double left_;  // memory that is still available, bytes
   std::vector<std::string>& notes_;
-  const FileDoor* door_;
+  const FileAccess* door_;
 };
 
 }  // namespace
@@ -53,10 +53,10 @@ std::vector<NamedWork> work_of(const CutJob& cut, const std::string& stock, cons
 }
 
 tl::expected<std::unique_ptr<MachineWatch>, std::string> watch_bodies(const Session& session, const CutJob& cut,
-                                                                      const std::vector<NamedWork>& work, double most_bytes,
-                                                                      std::vector<std::string>& notes, const FileDoor* door) {
+                                                                      const std::vector<NamedWork>& work, double max_bytes,
+                                                                      std::vector<std::string>& notes, const FileAccess* door) {
   if (session.machine().bodies.empty()) return nullptr;
-  BodyFiles files(most_bytes, notes, door);
+  BodyFiles files(max_bytes, notes, door);
   std::vector<WorkBody> bodies;
   for (const NamedWork& one : work) bodies.push_back(work_body(one));
   for (const WorkBody& body : bodies)

@@ -25,12 +25,12 @@ std::vector<NamedWork> work_of(const CutJob& cut, const std::string& stock, cons
                                const std::vector<std::string>& shown);
 
 /// Creates the collision check for the bodies of the session's machine. Returns nullptr if the machine has no bodies.
-///   most_bytes  memory limit for the meshes of the bodies
+///   max_bytes  memory limit for the meshes of the bodies
 ///   notes       receives a sentence for each repair of a mesh file
 ///   door        opens the mesh files
 ///   returns     an error sentence if the bodies cannot be checked
 tl::expected<std::unique_ptr<MachineWatch>, std::string> watch_bodies(const Session& session, const CutJob& cut,
-                                                                      const std::vector<NamedWork>& work, double most_bytes,
-                                                                      std::vector<std::string>& notes, const FileDoor* door = nullptr);
+                                                                      const std::vector<NamedWork>& work, double max_bytes,
+                                                                      std::vector<std::string>& notes, const FileAccess* door = nullptr);
 
 }  // namespace kadr

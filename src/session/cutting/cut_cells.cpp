@@ -57,8 +57,8 @@ double bytes_of_meshes(const CutJob& job) {
   return bytes;
 }
 
-bool find_cells(double resolution, const std::optional<Box3>& window, double most_bytes, CutJob& job) {
-  const double most = std::max(most_bytes * share_for_material - bytes_of_meshes(job), 0.0);
+bool find_cells(double resolution, const std::optional<Box3>& window, double max_bytes, CutJob& job) {
+  const double most = std::max(max_bytes * share_for_material - bytes_of_meshes(job), 0.0);
   if (!window) {
     job.cell = resolution > 0 ? resolution : cell_for(job.blank->box(), most, finest_of(job.tools));
     return true;
@@ -77,8 +77,8 @@ double bytes_of_material(const CutJob& job, const Mesh* held) {
   if (job.window) bytes += bytes_of_bricks(job.window->box(), job.window_cell);
   if (job.seen_cell > 0) bytes += bytes_of_bricks(job.blank->box(), job.seen_cell) + double(job.past_bytes);
   if (held == nullptr) return bytes;
-  return bytes + (job.window ? bytes_of_comparison(job.window->box(), job.window_cell, *held, HeldPart::window)
-                             : bytes_of_comparison(job.blank->box(), job.cell, *held, HeldPart::whole));
+  return bytes + (job.window ? bytes_of_comparison(job.window->box(), job.window_cell, *held, ComparedPart::window)
+                             : bytes_of_comparison(job.blank->box(), job.cell, *held, ComparedPart::whole));
 }
 
 bool part_meets_window(const CutJob& job, const Mesh& part) {
@@ -89,7 +89,7 @@ bool part_meets_window(const CutJob& job, const Mesh& part) {
   return true;
 }
 
-PartComparison hold_against(const CutJob& job, const Stock& stock, const Surface& surface, const Mesh& part) {
+PartComparison compare_with_part(const CutJob& job, const Stock& stock, const Surface& surface, const Mesh& part) {
   if (!job.window) return compare(stock, surface, part);
   const WindowFaces faces(job.window->box(), job.blank->box());
   return compare(stock, surface, part, &faces);

@@ -14,9 +14,9 @@ double bytes_of_meshes(const CutJob& job);
 /// Chooses the cell sizes of blank and window. `resolution` applies to the window if there is one, else to the whole blank.
 ///   job         has its tools: if they are few, as for a single job, the cell size depends on them as well as on the blank
 ///   resolution  mm; 0: as fine as is useful and fits into memory
-///   most_bytes  memory limit of the stock
+///   max_bytes  memory limit of the stock
 ///   returns     false if the window is outside the blank
-bool find_cells(double resolution, const std::optional<Box3>& window, double most_bytes, CutJob& job);
+bool find_cells(double resolution, const std::optional<Box3>& window, double max_bytes, CutJob& job);
 
 /// Upper bound of the memory of the stock, its lattice bricks and the meshes. `held`: the wanted part; nullptr: none.
 double bytes_of_material(const CutJob& job, const Mesh* held);
@@ -25,7 +25,7 @@ double bytes_of_material(const CutJob& job, const Mesh* held);
 bool part_meets_window(const CutJob& job, const Mesh& part);
 
 /// Compares the remaining stock with the wanted part; only inside the window if there is one.
-PartComparison hold_against(const CutJob& job, const Stock& stock, const Surface& surface, const Mesh& part);
+PartComparison compare_with_part(const CutJob& job, const Stock& stock, const Surface& surface, const Mesh& part);
 
 /// Computes the result with volumes enclosed by the surface. `window`: surface of the remaining stock in the window; nullptr: no window.
 CutResult cut_figures(const Cutting& cutting, const CutJob& job, const Surface& whole, const Surface* window);

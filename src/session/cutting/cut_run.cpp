@@ -44,7 +44,7 @@ void CutRun::watch(const Take& take) {
     if (on_note) on_note(note);
 }
 
-void CutRun::attach(const StopToken& stop, Onlooker* onlooker) {
+void CutRun::attach(const StopToken& stop, ProgressDisplay* progress_display) {
   const bool planned = session_.look_ahead().has_value();
   Outlets& outlets = session_.outlets();
   outlets.warning = [this](const AlarmReport& report) { take(report); };
@@ -52,7 +52,7 @@ void CutRun::attach(const StopToken& stop, Onlooker* onlooker) {
     take(report);
     return false;
   };
-  outlets.onlooker = onlooker;
+  outlets.progress_display = progress_display;
   outlets.clock = &clock_;
   outlets.stop = stop;
   outlets.works_long = true;

@@ -33,7 +33,7 @@ class CutRun {
   std::function<void(const std::string&)> on_note;
 
   /// Subscribes to the outlets of the session.
-  void attach(const StopToken& stop, Onlooker* onlooker = nullptr);
+  void attach(const StopToken& stop, ProgressDisplay* progress_display = nullptr);
   /// Declares that no step follows: cuts everything that is still pending.
   void finish();
 

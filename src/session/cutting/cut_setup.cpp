@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "config/rapid_way.h"
+#include "config/machine/rapid_path.h"
 
 namespace kadr {
 

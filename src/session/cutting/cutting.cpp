@@ -7,15 +7,15 @@
 #include <map>
 
 #include "action/by_kind.h"
-#include "session/cutting/turned_way.h"
+#include "session/cutting/turned_path.h"
 #include "session/cutting/window_touches.h"
 
 namespace kadr {
 namespace {
 
 constexpr std::size_t batch_sweeps = 1 << 15;
-constexpr std::size_t most_kept = 100'000;    // motions kept before the work system of the blank is known
-constexpr std::size_t most_findings = 1000;   // number of findings that are reported individually
+constexpr std::size_t max_kept = 100'000;     // motions kept before the work system of the blank is known
+constexpr std::size_t max_findings = 1000;    // number of findings that are reported individually
 constexpr double sideways = 0.01;             // mm that a drill may move in the plane while it cuts
 constexpr double chord_of_cell = 1.0 / 2000;  // tolerance of chords that replace an arc, in cells: far below the error of a cell …
 constexpr double greatest_chord = 2e-4;       // … and at most this many mm: below the least increment of the controls
@@ -26,11 +26,11 @@ constexpr Vec3 upright{0, 0, 1};
 double chord_for(double cell) { return std::min(cell * chord_of_cell, greatest_chord); }
 
 /// Travel of the piece along the tool's axis. The next function returns the travel across it.
-double climb_of(const WayPiece& p) {
+double climb_of(const PathSegment& p) {
   const Vec3 way = p.to - p.from, k = p.from_direction;
   return way.x * k.x + way.y * k.y + way.z * k.z;
 }
-double flat_length(const WayPiece& p) {
+double flat_length(const PathSegment& p) {
   if (is_upright(p.from_direction)) return length(Vec2{p.to.x - p.from.x, p.to.y - p.from.y});
   return length(p.to - p.from - climb_of(p) * p.from_direction);
 }
@@ -109,7 +109,7 @@ void Cutting::note(const Action& action) {
       [&](const ToolChange& change) { tool_ = change.tool; },  //
       [&](const CoolantSwitch& coolant) { coolant_ = coolant.what; },
       ignores<Motion, Dwell, ToolSelect, MachineFunction, AuxiliaryFunction, Stop, Message, FrameChange, SurfaceSpeed, Sync, ZoneChange,
-              Couple, Uncouple, ContourBreak, ContourCorner, ContourCheck>);
+              Couple, Uncouple, CompensationBreak, CompensationCorner, CompensationCheck>);
 }
 
 std::size_t Cutting::use_of(std::uint32_t tool) {
@@ -140,7 +140,7 @@ std::optional<std::uint16_t> Cutting::shape_of_tool() {
 }
 
 /// Returns the fault to report if the cutting part of the tool removes material during this motion.
-AlarmId Cutting::fault_of(const Motion& motion, const std::vector<WayPiece>& pieces, const ToolGeometry& tool) const {
+AlarmId Cutting::fault_of(const Motion& motion, const std::vector<PathSegment>& pieces, const ToolGeometry& tool) const {
   if (motion.kind == MotionKind::rapid || motion.kind == MotionKind::home) return AlarmId::rapid_in_stock;
   if (motion.kind == MotionKind::thread) return no_alarm;  // the control drives the spindle on a thread
   if (motion.in_hole == HoleWork::taps && motion.detail && motion.detail->turn) return no_alarm;  // rigid tapping: likewise
@@ -148,7 +148,7 @@ AlarmId Cutting::fault_of(const Motion& motion, const std::vector<WayPiece>& pie
   if ((spindle_ != SpindleDir::cw && spindle_ != SpindleDir::ccw) || (speedless_ & 1U) != 0) return AlarmId::spindle_stopped;
   if (spindle_ == SpindleDir::ccw && motion.in_hole != HoleWork::taps) return AlarmId::spindle_wrong_way;
   double flat = 0, climb = 0;
-  for (const WayPiece& p : pieces) flat += flat_length(p), climb += climb_of(p);
+  for (const PathSegment& p : pieces) flat += flat_length(p), climb += climb_of(p);
   if (tool.kind == ToolKind::drill && flat > sideways) return AlarmId::drill_sideways;
   const bool down = flat < sideways && climb < 0;
   return down && !tool.plunges ? AlarmId::plunge : no_alarm;
@@ -182,7 +182,7 @@ void Cutting::shift_by_length() {
   const auto real = job_.lengths.find(tool_);
   if (real == job_.lengths.end()) return;
   const double shift = way_.length_in_force() - real->second;
-  for (WayPiece& p : pieces_) p.from = p.from + shift * p.from_direction, p.to = p.to + shift * p.to_direction;
+  for (PathSegment& p : pieces_) p.from = p.from + shift * p.from_direction, p.to = p.to + shift * p.to_direction;
 }
 
 Status Cutting::consume(const Step& step, const MachineTime& time) {
@@ -192,11 +192,11 @@ Status Cutting::consume(const Step& step, const MachineTime& time) {
   way_.take(step, pieces_);
   if (motion != nullptr && pieces_.empty()) (void)place_known(*motion);  // even without travel, the words state the position
   if (motion == nullptr || pieces_.empty() || motion->kind == MotionKind::probe || time.begins >= job_.until) return {};
-  if (motion->in_hole == HoleWork::stands_off) return {};  // the single cutting edge of the boring bar points away from the wall
+  if (motion->in_hole == HoleWork::clear_of_wall) return {};  // the single cutting edge of the boring bar points away from the wall
   shift_by_length();
   if (!place_known(*motion) && !is_cutting(motion->kind)) {  // of the motion to the first known position, only the end is known
     if (unknown_now() != 0) return {};
-    const WayPiece last = pieces_.back();
+    const PathSegment last = pieces_.back();
     pieces_.assign(1, {last.to, last.to, 0, 1, last.to_direction, last.to_direction});
   }
   const auto shape = shape_of_tool();
@@ -205,9 +205,9 @@ Status Cutting::consume(const Step& step, const MachineTime& time) {
   const double most = time.seconds > 0 ? (job_.until - time.begins) / time.seconds : 1;
   while (!pieces_.empty() && pieces_.back().begins >= most) pieces_.pop_back();
   if (pieces_.empty()) return {};
-  if (WayPiece& last = pieces_.back(); last.ends > most) {
+  if (PathSegment& last = pieces_.back(); last.ends > most) {
     const double part = (most - last.begins) / (last.ends - last.begins);
-    const LeanWay shorter = LeanWay{last.from, last.to, last.from_direction, last.to_direction}.between(0, part);
+    const TiltedPath shorter = TiltedPath{last.from, last.to, last.from_direction, last.to_direction}.between(0, part);
     last.to = shorter.to, last.to_direction = shorter.to_direction;
     last.ends = most;
   }
@@ -231,20 +231,20 @@ Status Cutting::consume(const Step& step, const MachineTime& time) {
     add(moved, pieces_, *shape);
   } else {
     kept_.push_back({moved, pieces_, *shape});
-    if (kept_.size() >= most_kept) release_kept();
+    if (kept_.size() >= max_kept) release_kept();
   }
   return {};
 }
 
 /// Cuts the kept pieces. If the blank's work system is still unknown, the present work system is used.
 void Cutting::release_kept() {
-  zero_ = way_.zero().value_or(way_.present_zero());
+  zero_ = way_.zero().value_or(way_.present_origin());
   zero_known_ = true;
   for (const Kept& k : kept_) add(k.moved, k.pieces, k.shape);
   kept_ = std::vector<Kept>();
 }
 
-void Cutting::add(const Moved& moved, const std::vector<WayPiece>& pieces, std::uint16_t shape) {
+void Cutting::add(const Moved& moved, const std::vector<PathSegment>& pieces, std::uint16_t shape) {
   batch_.push_back(moved);
   Moved& in_batch = batch_.back();
   in_batch.first_sweep = stock_.sweeps();
@@ -259,25 +259,25 @@ void Cutting::add(const Moved& moved, const std::vector<WayPiece>& pieces, std::
     for (const auto& fixture : fixtures_) fixture->add({from, to, shape, true, from_direction, to_direction});
     in_batch.length += length(to - from);
   };
-  const auto timed = [&](const WayPiece& p) {
+  const auto timed = [&](const PathSegment& p) {
     if (seen_) times_.fill(stock_.sweeps(), moved.begins + p.begins * moved.whole, moved.begins + p.ends * moved.whole);
   };
   if (stock_.tool(shape).turns()) {
     const Vec2 axis = radius_axis(pieces, zero_);
     const Vec3 end = pieces.back().to - zero_;
     in_batch.radius = std::copysign(1.0, dot(axis, Vec2{end.x, end.y})) * axis;
-    for (const WayPiece& p : pieces) each_turned(p, zero_, axis, chord_for(job_.cell), carry), timed(p);
+    for (const PathSegment& p : pieces) each_turned(p, zero_, axis, chord_for(job_.cell), carry), timed(p);
     const auto signed_radius = [&](Vec3 at) { return Vec3{dot(axis, Vec2{at.x - zero_.x, at.y - zero_.y}), 0, at.z - zero_.z}; };
     if (moved.threads)
       threads_.add({moved.origin, moved.lead, signed_radius(pieces.front().from), signed_radius(pieces.back().to)}, stock_.tool(shape));
   } else {
-    for (const WayPiece& p : pieces) {
+    for (const PathSegment& p : pieces) {
       carry(p.from - zero_, p.to - zero_, p.from_direction, p.to_direction);
       if (is_upright(p.from_direction)) in_batch.flat += flat_length(p);
       timed(p);
     }
   }
-  const WayPiece& middle = pieces[pieces.size() / 2];
+  const PathSegment& middle = pieces[pieces.size() / 2];
   in_batch.at = 0.5 * (middle.from + middle.to) - zero_;
   if (stock_.sweeps() - batch_.front().first_sweep >= batch_sweeps) cut();
 }
@@ -291,10 +291,10 @@ void Cutting::cut() {
   for (const auto& fixture : fixtures_) tell(fixture->cut(job_.stop), true);
   count_removed();
   batch_.clear();
-  tell_others();
+  notify_others();
 }
 
-void Cutting::tell_others() {
+void Cutting::notify_others() {
   for (const CutFinding& finding : others_) keep(finding);
   others_.clear();
 }
@@ -363,8 +363,8 @@ void Cutting::keep(const CutFinding& finding) {
   if (is_warning && std::find(job_.disabled.begin(), job_.disabled.end(), finding.id) != job_.disabled.end()) return;
   if (is_warning && !without_coolant_.insert(finding.origin.line).second) return;  // one warning per line is enough
   auto& list = is_warning ? result_.warnings : result_.collisions;
-  if (list.size() >= most_findings) {
-    ++result_.not_told;
+  if (list.size() >= max_findings) {
+    ++result_.not_listed;
     return;
   }
   list.push_back(finding);
@@ -375,7 +375,7 @@ void Cutting::finish() {
   if (!zero_known_) release_kept();
   cut();
   loads_.finish();
-  tell_others();
+  notify_others();
   batch_ = std::vector<Moved>();  // frees memory before the next step
 }
 

@@ -2,7 +2,7 @@
 // Cutting: simulates the removal of material by the steps of a run: the path of each tool, the volume it removes, and collisions with
 // what it must not touch.
 //
-//   Step ─ ToolWay ─▶ straight pieces ─▶ Stock (in batches) ─▶ Touch ─▶ CutFinding
+//   Step ─ ToolPath ─▶ straight pieces ─▶ Stock (in batches) ─▶ Touch ─▶ CutFinding
 //
 // The pieces are cut in batches, so a finding comes when its batch is complete. Until the work system of the blank is known, at the first
 // motion at feed, the pieces are kept. A sweep of the stock is the movement of a tool along one straight piece.
@@ -16,13 +16,13 @@
 #include <vector>
 
 #include "base/result.h"
-#include "config/tool_library.h"
+#include "config/tools/tool_library.h"
 #include "session/cutting/air_lines.h"
 #include "session/cutting/block_load.h"
 #include "session/cutting/sweep_lines.h"
 #include "session/cutting/sweep_times.h"
 #include "session/cutting/thread_cuts.h"
-#include "session/cutting/tool_way.h"
+#include "session/cutting/tool_path.h"
 #include "stock/cut_result.h"
 #include "stock/stock.h"
 
@@ -49,8 +49,8 @@ struct CutJob {
   double seen_cell = 0;        // cell size, mm, of the coarser stock that can be displayed at any instant; 0: no such stock
   std::size_t past_bytes = 0;  // memory of the coarser stock for its past: Stock::keep_past()
   int threads = 1;
-  std::optional<std::uint16_t> system;  // the work system, see ToolWay
-  std::optional<Axes> apart;            // rapid rates of the axes, see ToolWay
+  std::optional<std::uint16_t> system;  // the work system, see ToolPath
+  std::optional<Axes> apart;            // rapid rates of the axes, see ToolPath
   bool wants_coolant = false;           // warn of cutting without coolant
   std::vector<AlarmId> disabled;        // warnings that are not to be reported
   std::uint32_t tool = 0;               // number of the tool in the spindle at the start
@@ -90,7 +90,7 @@ class Cutting {
   /// The coarser stock (CutJob::seen_cell), which can display its past, with the same numbers of sweeps; nullptr if there is none.
   const Stock* seen() const { return seen_.get(); }
   /// Returns which sweeps have been executed at an instant of the machine's time.
-  SweepPlace sweeps_at(double instant) const { return times_.at(instant); }
+  SweepProgress sweeps_at(double instant) const { return times_.at(instant); }
   /// The zero point of the blank's work system in machine coordinates. Call after finish().
   Vec3 zero() const { return zero_; }
   /// Memory of all stocks and of the data about sweeps, bytes.
@@ -115,7 +115,7 @@ class Cutting {
   };
   struct Kept {
     Moved moved;
-    std::vector<WayPiece> pieces;
+    std::vector<PathSegment> pieces;
     std::uint16_t shape;
   };
   void note(const Action& action);
@@ -123,11 +123,11 @@ class Cutting {
   bool place_known(const Motion& motion);
   bool is_in_groove(const Motion& motion);
   std::optional<std::uint16_t> shape_of_tool();
-  AlarmId fault_of(const Motion& motion, const std::vector<WayPiece>& pieces, const ToolGeometry& tool) const;
+  AlarmId fault_of(const Motion& motion, const std::vector<PathSegment>& pieces, const ToolGeometry& tool) const;
   /// Calls `visit` with each stock except the main one: window, coarser stock, fixtures.
   template <class Visit>
   void each_other(const Visit& visit) const;
-  void add(const Moved& moved, const std::vector<WayPiece>& pieces, std::uint16_t shape);
+  void add(const Moved& moved, const std::vector<PathSegment>& pieces, std::uint16_t shape);
   void shift_by_length();
   void release_kept();
   void cut();
@@ -136,11 +136,11 @@ class Cutting {
   double least_depth(const Box3& around) const;
   static AlarmId fault_of_touch(const Moved& moved, ToolPart part, bool of_fixture);
   void keep(const CutFinding& finding);
-  void tell_others();
+  void notify_others();
   std::size_t use_of(std::uint32_t tool);
 
   CutJob job_;
-  ToolWay way_;
+  ToolPath way_;
   Stock stock_;
   std::unique_ptr<Stock> window_, seen_;
   std::vector<std::unique_ptr<Stock>> fixtures_;
@@ -155,7 +155,7 @@ class Cutting {
   double rpm_;
   std::uint32_t speedless_ = 0;  // bit mask of the spindles whose programmed speed is 0
   Coolant coolant_ = Coolant::off;
-  std::vector<WayPiece> pieces_;
+  std::vector<PathSegment> pieces_;
   std::vector<Kept> kept_;
   std::vector<Moved> batch_;
   std::vector<CutFinding> others_;

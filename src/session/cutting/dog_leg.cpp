@@ -1,4 +1,4 @@
-// Computes rapid motions of axes that move independently. Used by session/cutting/tool_way and axes_way; tested by tests/run_cut.py.
+// Computes rapid motions of axes that move independently. Used by session/cutting/tool_path and axes_path; tested by tests/run_cut.py.
 
 #include "session/cutting/dog_leg.h"
 
@@ -16,7 +16,7 @@ bool is_rapid(const Motion& motion) { return motion.kind == MotionKind::rapid ||
 
 std::optional<DogLeg> DogLeg::of(const Step& step, const std::optional<Axes>& rates) {
   const Motion* const motion = step.motion();
-  if (!rates || motion == nullptr || !is_rapid(*motion) || leads_tip(step.from, *motion)) return std::nullopt;
+  if (!rates || motion == nullptr || !is_rapid(*motion) || controls_tip(step.from, *motion)) return std::nullopt;
   DogLeg leg;
   double longest = 0;
   for (std::size_t i = 0; i < step.roles.count; ++i) {

@@ -1,6 +1,6 @@
 #pragma once
-// DogLeg: the path of a rapid motion during which each axis moves at its own rate until it arrives (config/rapid_way.h). The path is a
-// polyline with a corner where an axis arrives.
+// DogLeg: the path of a rapid motion during which each axis moves at its own rate until it arrives (config/machine/rapid_path.h). The path
+// is a polyline with a corner where an axis arrives.
 //
 //   X 100, Y 40, both at the same rate:   ╱‾‾‾‾   instead of a straight line
 //

@@ -5,16 +5,16 @@
 #include <algorithm>
 #include <cmath>
 
-#include "config/told.h"
-#include "kinematics/part_space.h"
-#include "session/cutting/axes_way.h"
+#include "config/language.h"
+#include "kinematics/five_axis_transform.h"
+#include "session/cutting/axes_path.h"
 
 namespace kadr {
 namespace {
 
-constexpr double chord_of_axes = 0.002;          // mm, degrees: a fifth of the depth that counts as a collision
-constexpr std::size_t most_kept_steps = 10'000;  // number of steps kept before the work system of the blank is known
-constexpr double same_length = 1e-9;             // mm: lengths that differ less count as equal
+constexpr double chord_of_axes = 0.002;         // mm, degrees: a fifth of the depth that counts as a collision
+constexpr std::size_t max_kept_steps = 10'000;  // number of steps kept before the work system of the blank is known
+constexpr double same_length = 1e-9;            // mm: lengths that differ less count as equal
 
 /// Returns the kinematics. If the machine's file has no [kinematics], X, Y and Z carry the tool, in this order.
 MachineTree tree_of(MachineProfile machine, const std::vector<std::string>& axes) {
@@ -35,7 +35,7 @@ Mat3 turn_of_tool(Vec3 direction) {
   return direction.z < 0 ? Mat3::about({1, 0, 0}, 180) : Mat3{};
 }
 
-std::string told_tool(ToolPart part, std::uint32_t tool) {
+std::string tool_in_words(ToolPart part, std::uint32_t tool) {
   const std::string number = std::to_string(tool);
   if (part == ToolPart::holder) return told("holder of tool ", "патрон инструмента ") + number;
   if (part == ToolPart::shank) return told("shank of tool ", "хвостовик инструмента ") + number;
@@ -64,7 +64,7 @@ tl::expected<std::unique_ptr<MachineWatch>, std::string> MachineWatch::of(const 
                                                                           const std::vector<std::string>& axes, const AxisRoles& roles,
                                                                           const CutJob& job, const std::vector<WorkBody>& work,
                                                                           const ReadMesh& read) {
-  const KadrBodiesDoor* const door = bodies_library();
+  const KadrBodiesInterface* const door = bodies_library();
   if (door == nullptr)
     return tl::unexpected(
         told("this machine has [[bodies]], and kadr-bodies.so, which finds what they hit, is not there: it is installed with "
@@ -93,7 +93,7 @@ std::optional<std::string> MachineWatch::add_bodies(const MachineProfile& machin
     bodies_.add(*solid, links.moved_by(body.on), BodyKind::machine, names_.size());
     names_.push_back(body.name);
   }
-  for (const auto& [first, second] : bodies_.take_as_built())
+  for (const auto& [first, second] : bodies_.accept_initial_contacts())
     as_built_.push_back(told("built so, not looked at: ", "собрано так, не проверяется: ") + names_[first] + ", " + names_[second] +
                         told(" (they touch where all axes stand at 0)", " (касаются там, где все оси стоят в 0)"));
   for (const WorkBody& body : work) {
@@ -121,7 +121,7 @@ const MachineWatch::ToolBodies* MachineWatch::bodies_of_tool(std::uint32_t tool)
     if (!solid) continue;  // the collision library FCL cannot represent bodies of zero width
     made.sticks_out = std::max(made.sticks_out, body.top());
     made.bodies.push_back(bodies_.add(*solid, bodies_.links().tool(), BodyKind::tool, group));
-    names_.push_back(told_tool(body.part, geometry->number));
+    names_.push_back(tool_in_words(body.part, geometry->number));
   }
   return &tools_.emplace_back(std::move(made));
 }
@@ -144,10 +144,10 @@ void MachineWatch::take_tool(const InForce& in_force, std::vector<std::string>& 
     for (const std::size_t body : other.bodies) bodies_.show(body, other.tool == in_force.tool);
   if (tool != nullptr)
     for (const std::size_t body : tool->bodies) bodies_.put(body, {turn_of_tool(tool_direction_), -length * tool_direction_});
-  (void)bodies_.take_as_built();
-  place_work(is_known ? 0 : length);
-  if (is_known || tool == nullptr || told_length_) return;
-  told_length_ = true;
+  (void)bodies_.accept_initial_contacts();
+  position_work(is_known ? 0 : length);
+  if (is_known || tool == nullptr || length_reported_) return;
+  length_reported_ = true;
   notes.push_back(told("the length of tool ", "длина инструмента ") + std::to_string(in_force.tool) +
                   told(" is not stated: the work zero counts as set with its tip, the machine's bodies as above it by its stick-out",
                        " не указана: считается, что нуль детали задан по его вершине, а станок выше неё на вылет инструмента"));
@@ -155,7 +155,7 @@ void MachineWatch::take_tool(const InForce& in_force, std::vector<std::string>& 
 
 /// Places blank and fixtures on the link that carries them. `reference`: mm from the gauge point down to the point with which the work
 /// zero was set.
-void MachineWatch::place_work(double reference) {
+void MachineWatch::position_work(double reference) {
   if (!zero_) return;
   std::vector<LinkPose>& poses = poses_;
   bodies_.links().poses(*zero_, poses);
@@ -168,12 +168,12 @@ void MachineWatch::place_work(double reference) {
 /// zero was measured.
 void MachineWatch::find_zero() {
   Axes axes{};
-  const Vec3 zero = zero_of(chain_, placement_);
+  const Vec3 zero = work_origin_of(chain_, placement_);
   const double main[] = {zero.x, zero.y, zero.z};
   for (const MachineJoint& joint : tree_.part())
     if (joint.axis >= 0) axes[std::size_t(joint.axis)] = placement_.origin[std::size_t(joint.axis)];
-  if (const auto* const space = dynamic_cast<const PartSpace*>(placement_.space.get()); space != nullptr && space->has_rotary()) {
-    const PartSpaceData& data = space->data();
+  if (const auto* const space = dynamic_cast<const FiveAxisTransform*>(placement_.space.get()); space != nullptr && space->has_rotary()) {
+    const FiveAxisTransformData& data = space->data();
     if (data.machine.first.axis >= 0 && data.machine.first_on_table()) axes[std::size_t(data.machine.first.axis)] = data.measured.first;
     if (data.machine.second.axis >= 0 && data.machine.second_on_table()) axes[std::size_t(data.machine.second.axis)] = data.measured.second;
   }
@@ -194,14 +194,14 @@ void MachineWatch::take(const Step& step, const MachineTime& time, std::vector<C
   unknown_ &= ~motion->named;
   if (unknown_ != 0) return;
   if (!zero_ && (job_.system ? motion->system == *job_.system : is_cutting(motion->kind))) release_kept(found, notes);
-  if (zero_) return carry_out(step, in_force, found, notes);
+  if (zero_) return execute(step, in_force, found, notes);
   kept_.push_back({KeptStep(step), in_force});
-  if (kept_.size() >= most_kept_steps) release_kept(found, notes);
+  if (kept_.size() >= max_kept_steps) release_kept(found, notes);
 }
 
 void MachineWatch::release_kept(std::vector<CutFinding>& found, std::vector<std::string>& notes) {
   find_zero();
-  for (const KeptMotion& kept : kept_) carry_out(kept.step.step(), kept.in_force, found, notes);
+  for (const KeptMotion& kept : kept_) execute(kept.step.step(), kept.in_force, found, notes);
   kept_ = {};
 }
 
@@ -209,7 +209,7 @@ void MachineWatch::finish(std::vector<CutFinding>& found, std::vector<std::strin
   if (!zero_) release_kept(found, notes);
 }
 
-void MachineWatch::carry_out(const Step& step, const InForce& in_force, std::vector<CutFinding>& found, std::vector<std::string>& notes) {
+void MachineWatch::execute(const Step& step, const InForce& in_force, std::vector<CutFinding>& found, std::vector<std::string>& notes) {
   take_tool(in_force, notes);
   const Motion& motion = *step.motion();
   const Axes from = in_force.known ? step.from.machine : motion.machine;
@@ -236,7 +236,7 @@ void MachineWatch::carry_out(const Step& step, const InForce& in_force, std::vec
     at = to;
     begins = ends;
   };
-  if (in_force.known) along_axes_way(step, chord_of_axes, job_.apart, go);
+  if (in_force.known) along_axes_path(step, chord_of_axes, job_.apart, go);
   else go(motion.machine, 1);
   // if a motion has many pieces, later pieces may deepen a collision found in an earlier piece
   for (std::size_t i = 0; i < new_ones.size(); ++i) {

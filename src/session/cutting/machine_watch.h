@@ -66,10 +66,10 @@ class MachineWatch {
   MachineWatch(const MachineTree& tree, BodyWorld world, const MachineProfile& machine, const AxisRoles& roles, const CutJob& job);
   std::optional<std::string> add_bodies(const MachineProfile& machine, const std::vector<WorkBody>& work, const ReadMesh& read);
   void release_kept(std::vector<CutFinding>& found, std::vector<std::string>& notes);
-  void carry_out(const Step& step, const InForce& in_force, std::vector<CutFinding>& found, std::vector<std::string>& notes);
+  void execute(const Step& step, const InForce& in_force, std::vector<CutFinding>& found, std::vector<std::string>& notes);
   void take_tool(const InForce& in_force, std::vector<std::string>& notes);
   const ToolBodies* bodies_of_tool(std::uint32_t tool);
-  void place_work(double reference);
+  void position_work(double reference);
   void find_zero();
   CutFinding finding_of(const BodyMeeting& meeting, const Axes& axes);
 
@@ -94,7 +94,7 @@ class MachineWatch {
   std::vector<LinkPose> poses_;
   std::vector<BodyMeeting> met_;
   std::vector<std::string> as_built_;  // notes that are reported once
-  bool told_length_ = false;
+  bool length_reported_ = false;
 };
 
 }  // namespace kadr

@@ -8,8 +8,8 @@
 #include <optional>
 #include <vector>
 
+#include "config/language.h"
 #include "config/nearest.h"
-#include "config/told.h"
 #include "stock/blank/mesh_blank.h"
 #include "stock/mesh/mesh_file.h"
 
@@ -35,9 +35,9 @@ std::optional<std::vector<double>> numbers_of(std::string_view text) {
   }
 }
 
-tl::expected<NamedBody, std::string> body_of_file(const std::string& path, double most_bytes, const FileDoor* door) {
+tl::expected<NamedBody, std::string> body_of_file(const std::string& path, double max_bytes, const FileAccess* door) {
   MeshRules rules;
-  rules.memory = std::size_t(most_bytes);
+  rules.memory = std::size_t(max_bytes);
   auto solid = read_mesh_file(path, rules, door);
   if (!solid) return Failed(solid.error());
   NamedBody body{nullptr, std::move(solid->notes)};
@@ -69,8 +69,8 @@ bool names_mesh_file(const std::string& text) {
   return small.ends_with(".stl") || small.ends_with(".3mf");
 }
 
-tl::expected<NamedBody, std::string> body_of(const std::string& text, double most_bytes, const FileDoor* door) {
-  if (names_mesh_file(text)) return body_of_file(text, most_bytes, door);
+tl::expected<NamedBody, std::string> body_of(const std::string& text, double max_bytes, const FileAccess* door) {
+  if (names_mesh_file(text)) return body_of_file(text, max_bytes, door);
   if (const auto shape = shape_of_words(text)) {
     if (shape->form == BodyShape::Form::box) return NamedBody{box_blank({shape->least, shape->most}), {}};
     return NamedBody{cylinder_blank(shape->centre, shape->bottom, shape->top, shape->diameter), {}};

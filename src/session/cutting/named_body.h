@@ -7,8 +7,8 @@
 #include <tl/expected.hpp>
 #include <vector>
 
-#include "base/file_door.h"
-#include "config/machine_bodies.h"
+#include "base/file_access.h"
+#include "config/machine/machine_bodies.h"
 #include "stock/blank/blank.h"
 
 namespace kadr {
@@ -19,9 +19,9 @@ struct NamedBody {
 };
 
 /// Reads a box (box:X0,Y0,Z0,X1,Y1,Z1), a cylinder (cylinder:X,Y,Z0,Z1,D) or a mesh file (name ends in .stl or .3mf), in mm.
-///   most_bytes  memory limit for reading a file
+///   max_bytes  memory limit for reading a file
 ///   returns     an error sentence
-tl::expected<NamedBody, std::string> body_of(const std::string& text, double most_bytes, const FileDoor* door = nullptr);
+tl::expected<NamedBody, std::string> body_of(const std::string& text, double max_bytes, const FileAccess* door = nullptr);
 
 /// True if the text is the name of a mesh file, judged by its ending.
 bool names_mesh_file(const std::string& text);

@@ -13,7 +13,7 @@
 namespace kadr {
 
 /// Progress at an instant: `count` sweeps are complete, and the share `share` of the path of the next one.
-struct SweepPlace {
+struct SweepProgress {
   std::size_t count = 0;
   double share = 0;
 };
@@ -30,7 +30,7 @@ class SweepTimes {
     size_ = end;
   }
   std::size_t size() const { return size_; }
-  SweepPlace at(double instant) const {
+  SweepProgress at(double instant) const {
     const auto later = std::partition_point(runs_.begin(), runs_.end(), [&](const Run& r) { return r.begins <= instant; });
     if (later == runs_.begin()) return {};
     const Run& run = *(later - 1);

@@ -1,4 +1,4 @@
-// Describes a milled area for the user. Used by cli/mill, view/page_making; tested by tests/mill.py, tests/serve_making.py.
+// Describes a milled area for the user. Used by cli/mill, view/page/page_making; tested by tests/mill.py, tests/serve_making.py.
 
 #include "session/milling/mill_summary.h"
 
@@ -124,7 +124,7 @@ std::string warning_of_holes(const Milled& milled, Lang lang) {
          holes;
 }
 
-AlarmReport report_of(const ContourFault& fault, std::string_view drawing, const std::string& file) {
+AlarmReport report_of(const DrawingFault& fault, std::string_view drawing, const std::string& file) {
   AlarmReport report;
   report.alarm = fault.alarm;
   report.file = file;

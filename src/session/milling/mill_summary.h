@@ -24,7 +24,7 @@ std::vector<MillLine> mill_summary(const Milled& milled, Lang lang);
 std::string warning_of_holes(const Milled& milled, Lang lang);
 
 /// Describes a fault, with its line of the drawing. `file`: name of the drawing.
-AlarmReport report_of(const ContourFault& fault, std::string_view drawing, const std::string& file);
+AlarmReport report_of(const DrawingFault& fault, std::string_view drawing, const std::string& file);
 
 /// Creates the picture. It refers to `milled`, which must outlive it.
 MillPicture mill_picture(const Milled& milled, const ControlDef& def, const std::string& title, Lang lang);

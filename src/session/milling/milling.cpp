@@ -1,4 +1,4 @@
-// Converts a drawing to a program. Used by cli/mill, view/page_making; tested by tests/mill.py, tests/session/milling_test.cpp.
+// Converts a drawing to a program. Used by cli/mill, view/page/page_making; tested by tests/mill.py, tests/session/milling_test.cpp.
 
 #include "session/milling/milling.h"
 
@@ -11,19 +11,19 @@
 namespace kadr {
 namespace {
 
-tl::expected<MillShape, ContourFault> shape_to_mill(const MillWish& wish, std::string_view drawing) {
-  const auto edges = read_contour(drawing);
+tl::expected<MillShape, DrawingFault> shape_to_mill(const MillRequest& request, std::string_view drawing) {
+  const auto edges = read_drawing(drawing);
   if (!edges) return tl::unexpected(edges.error());
   auto chains = area::chained(*edges);
   if (!chains) return tl::unexpected(chains.error());
-  if (wish.task == "slot" && !chains->open.empty()) {
-    const double width = wish.width < 0 ? wish.tool_diameter : wish.width;
-    const bool wider = width > wish.tool_diameter;
+  if (request.task == "slot" && !chains->open.empty()) {
+    const double width = request.width < 0 ? request.tool_diameter : request.width;
+    const bool wider = width > request.tool_diameter;
     return MillShape{area::slot_zones(chains->open, width / 2), wider ? std::vector<Edges>() : chains->open};
   }
   auto zones = area::zones_of(*chains);
   if (!zones) return tl::unexpected(zones.error());
-  if (wish.task == "face")
+  if (request.task == "face")
     for (area::Zone& zone : *zones)
       for (Edge& e : zone.loops[0]) e.open = true;
   return MillShape{std::move(*zones), {}};
@@ -38,21 +38,21 @@ Result<area::Verified> path_over(const MillShape& shape, const area::Job& job) {
   return area::Verified{std::move(*path), outcome};
 }
 
-Technology technology_of(const MillWish& wish) {
+Technology technology_of(const MillRequest& request) {
   Technology technology;
-  technology.feed = wish.feed;
-  technology.plunge_feed = wish.plunge_feed < 0 ? std::max(1.0, std::round(wish.feed / 3)) : wish.plunge_feed;
-  technology.speed = wish.speed;
-  technology.tool = wish.tool;
-  technology.coolant = wish.coolant;
-  technology.mark = wish.mark;
+  technology.feed = request.feed;
+  technology.plunge_feed = request.plunge_feed < 0 ? std::max(1.0, std::round(request.feed / 3)) : request.plunge_feed;
+  technology.speed = request.speed;
+  technology.tool = request.tool;
+  technology.coolant = request.coolant;
+  technology.mark = request.mark;
   return technology;
 }
 
 /// Writes the program. Then the control's interpreter reads the program back, and the resulting path is verified like the original one.
-Result<PartProgram> written_program(const MillWish& wish, const ControlDef& def, const area::Verified& path, const MillShape& shape,
+Result<PartProgram> written_program(const MillRequest& request, const ControlDef& def, const area::Verified& path, const MillShape& shape,
                                     const area::Job& job) {
-  auto program = part_program(def, path.path.moves, technology_of(wish));
+  auto program = part_program(def, path.path.moves, technology_of(request));
   if (!program) return program;
   const auto read = program_moves(def, program->text);
   if (!read) return fail(read.error());
@@ -63,18 +63,19 @@ Result<PartProgram> written_program(const MillWish& wish, const ControlDef& def,
 
 }  // namespace
 
-tl::expected<Milled, ContourFault> milled(const MillWish& wish, std::string_view drawing, const ControlDef& def, const area::Watch& watch) {
-  auto job = mill_job(wish);
-  if (!job) return contour_fault(0, job.error());
+tl::expected<Milled, DrawingFault> milled(const MillRequest& request, std::string_view drawing, const ControlDef& def,
+                                          const area::Watch& watch) {
+  auto job = mill_job(request);
+  if (!job) return drawing_fault(0, job.error());
   job->watch = watch;
   job->level_step = Words(def, 'Z').increment();
-  auto shape = shape_to_mill(wish, drawing);
+  auto shape = shape_to_mill(request, drawing);
   if (!shape) return tl::unexpected(shape.error());
   auto path = path_over(*shape, *job);
-  if (!path) return contour_fault(0, path.error());
-  auto program = written_program(wish, def, *path, *shape, *job);
-  if (!program) return contour_fault(0, program.error());
-  if (watch.stop.asked()) return contour_fault(0, alarm(AlarmId::interrupted, {}));
+  if (!path) return drawing_fault(0, path.error());
+  auto program = written_program(request, def, *path, *shape, *job);
+  if (!program) return drawing_fault(0, program.error());
+  if (watch.stop.asked()) return drawing_fault(0, alarm(AlarmId::interrupted, {}));
   return Milled{std::move(*job), std::move(*shape), std::move(*path), std::move(*program)};
 }
 

@@ -6,11 +6,11 @@
 #include <tl/expected.hpp>
 #include <vector>
 
-#include "config/contour.h"
-#include "config/control_def.h"
+#include "config/control/control_def.h"
+#include "config/drawing/drawing.h"
 #include "out/program/part_program.h"
-#include "path/area/verify.h"
-#include "session/milling/mill_wish.h"
+#include "path/pocketing/verify.h"
+#include "session/milling/mill_request.h"
 
 namespace kadr {
 
@@ -30,9 +30,9 @@ struct Milled {
 /// Performs all steps. `watch`: shows the progress to the caller, which may interrupt the work.
 ///   drawing  text of the drawing: DXF, SVG or plain text, detected by content
 ///   returns  a fault with its line of the drawing; line 0: the fault concerns the job as a whole
-///   alarms   those of mill_job(), read_contour(), area::chained(), area::zones_of(), area::verified_path(), part_program(), same_moves(),
+///   alarms   those of mill_job(), read_drawing(), area::chained(), area::zones_of(), area::verified_path(), part_program(), same_moves(),
 ///            interrupted
-tl::expected<Milled, ContourFault> milled(const MillWish& wish, std::string_view drawing, const ControlDef& def,
+tl::expected<Milled, DrawingFault> milled(const MillRequest& request, std::string_view drawing, const ControlDef& def,
                                           const area::Watch& watch = {});
 
 }  // namespace kadr

@@ -30,14 +30,14 @@ std::string folder_of_this() {
   return path.substr(0, path.rfind('/') + 1);
 }
 
-const KadrBodiesDoor* opened_bodies() {
+const KadrBodiesInterface* opened_bodies() {
   const std::string folder = folder_of_this();
   if (folder.empty()) return nullptr;
   for (const char* const under : bodies_folders) {
     void* const library = dlopen((folder + under + bodies_file).c_str(), RTLD_NOW | RTLD_LOCAL);
     if (library == nullptr) continue;
     const auto entry = reinterpret_cast<KadrBodiesEntry>(dlsym(library, kadr_bodies_entry));
-    const KadrBodiesDoor* const door = entry == nullptr ? nullptr : entry();
+    const KadrBodiesInterface* const door = entry == nullptr ? nullptr : entry();
     if (door != nullptr && door->version == kadr_bodies_version) return door;
     dlclose(library);
   }
@@ -46,8 +46,8 @@ const KadrBodiesDoor* opened_bodies() {
 
 }  // namespace
 
-const KadrBodiesDoor* bodies_library() {
-  static const KadrBodiesDoor* const door = opened_bodies();
+const KadrBodiesInterface* bodies_library() {
+  static const KadrBodiesInterface* const door = opened_bodies();
   return door;
 }
 

@@ -26,7 +26,7 @@ std::optional<SolidBody> body_at(int number, Vec3 middle, const Box3& box, bool 
 
 }  // namespace
 
-BodyWorld::BodyWorld(const KadrBodiesDoor& door) : door_(&door), bodies_(door.make(), door.drop) {}
+BodyWorld::BodyWorld(const KadrBodiesInterface& door) : door_(&door), bodies_(door.make(), door.drop) {}
 
 std::optional<SolidBody> BodyWorld::add(const BodyShape& shape) {
   if (!bodies_ || shape.form == BodyShape::Form::file) return std::nullopt;

@@ -5,7 +5,7 @@
 #include <optional>
 #include <vector>
 
-#include "config/machine_bodies.h"
+#include "config/machine/machine_bodies.h"
 #include "kinematics/machine_links.h"
 #include "stock/bodies/bodies_library.h"
 #include "stock/mesh/mesh.h"
@@ -30,7 +30,7 @@ class BodyWorld {
  public:
   /// Uses the given module, kadr-bodies.so.
   ///   pre  the module is loaded
-  explicit BodyWorld(const KadrBodiesDoor& door);
+  explicit BodyWorld(const KadrBodiesInterface& door);
 
   /// Returns nullopt if memory runs out. A shape that is given by a file is a mesh: this overload returns nullopt for it; use the next.
   std::optional<SolidBody> add(const BodyShape& shape);
@@ -45,7 +45,7 @@ class BodyWorld {
   double depth(const SolidBody& a, const LinkPose& pose_a, const SolidBody& b, const LinkPose& pose_b) const;
 
  private:
-  const KadrBodiesDoor* door_;
+  const KadrBodiesInterface* door_;
   std::unique_ptr<KadrBodies, void (*)(KadrBodies*)> bodies_;
 };
 

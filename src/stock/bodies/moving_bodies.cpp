@@ -42,7 +42,7 @@ bool MovingBodies::belongs_together(const Pair& pair) const {
   return a.link != b.link && (a.kind == BodyKind::machine || b.kind == BodyKind::machine);
 }
 
-/// Chooses the pairs in which both bodies are shown and which are not excluded by take_as_built().
+/// Chooses the pairs in which both bodies are shown and which are not excluded by accept_initial_contacts().
 void MovingBodies::choose() {
   chosen_.clear();
   for (std::size_t i = 0; i < pairs_.size(); ++i)
@@ -66,7 +66,7 @@ void MovingBodies::jump() {
   for (Pair& pair : pairs_) pair.at_least = 0, pair.touches = false;
 }
 
-std::vector<std::pair<std::size_t, std::size_t>> MovingBodies::take_as_built() {
+std::vector<std::pair<std::size_t, std::size_t>> MovingBodies::accept_initial_contacts() {
   std::vector<std::pair<std::size_t, std::size_t>> built;
   links_.poses({}, start_);
   for (const std::size_t i : chosen_) {

@@ -52,7 +52,7 @@ class MovingBodies {
   /// Excludes the pairs that are in contact when all axes are at 0, because the machine is built so: pairs of bodies of the machine, and
   /// pairs of a body of the machine and the tool.
   ///   returns  the newly excluded pairs of which both bodies belong to the machine
-  std::vector<std::pair<std::size_t, std::size_t>> take_as_built();
+  std::vector<std::pair<std::size_t, std::size_t>> accept_initial_contacts();
 
   /// Moves each axis evenly from one position to the other, and finds collisions.
   ///   found  the collisions are appended

@@ -35,7 +35,7 @@ void raise_by_upright_lines(Brick& brick) {
 
 }  // namespace
 
-void take_tops(Brick& brick, float cell) {
+void refresh_tops(Brick& brick, float cell) {
   brick.top_of_square.fill(-1.f);
   raise_by_upright_lines(brick);
   const float lowest = *std::min_element(brick.top_of_square.begin(), brick.top_of_square.end());

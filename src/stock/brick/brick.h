@@ -42,6 +42,6 @@ struct Brick {
 };
 
 /// Recomputes the height bounds `top_of_square` and `top`.
-void take_tops(Brick& brick, float cell);
+void refresh_tops(Brick& brick, float cell);
 
 }  // namespace kadr

@@ -30,7 +30,7 @@ struct BrickPast {
 
 /// The history of all bricks of a stock.
 struct Past {
-  Past(std::size_t bricks, std::size_t most_bytes) : of_brick(bricks), most_copied(most_bytes) {}
+  Past(std::size_t bricks, std::size_t max_bytes) : of_brick(bricks), most_copied(max_bytes) {}
 
   /// Call it regularly: when the copies approach the memory limit, it doubles the number of cuts between two copies of a brick, and
   /// deletes the copies in between.

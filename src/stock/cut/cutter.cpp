@@ -32,7 +32,7 @@ Cutter::Cutter(Brick& brick, const BrickScale& scale, const LocalSweep& sweep, c
 /// Returns the lowest height of the body's bottom while it passes the brick.
 float Cutter::lowest_over_brick() const {
   const LocalSweep& s = sweep_;
-  const float half = scale_.edge / 2, along_plane = (half - s.from[0]) * s.flat_way[0] + (half - s.from[1]) * s.flat_way[1];
+  const float half = scale_.edge / 2, along_plane = (half - s.from[0]) * s.flat_direction[0] + (half - s.from[1]) * s.flat_direction[1];
   const float along_way = along_plane * s.per_flat * s.per_flat, around = (body_.radius + scale_.edge * 0.7072f) * s.per_flat;
   const float first = std::clamp(along_way - around, 0.f, s.length), last = std::clamp(along_way + around, 0.f, s.length);
   return below_ + (s.upright ? s.lowest() : s.from[2] + std::min(s.way[2] * first, s.way[2] * last));
@@ -41,9 +41,9 @@ float Cutter::lowest_over_brick() const {
 bool Cutter::takes_all() const {
   if (body_.turned || sweep_.upright) return false;
   const float half = scale_.edge / 2, x = half - sweep_.from[0], y = half - sweep_.from[1];
-  const float nearest = (x * sweep_.flat_way[0] + y * sweep_.flat_way[1]) * sweep_.per_flat * sweep_.per_flat;
+  const float nearest = (x * sweep_.flat_direction[0] + y * sweep_.flat_direction[1]) * sweep_.per_flat * sweep_.per_flat;
   const float at = std::clamp(nearest, 0.f, sweep_.length);
-  const float far_x = std::fabs(x - at * sweep_.flat_way[0]) + half, far_y = std::fabs(y - at * sweep_.flat_way[1]) + half;
+  const float far_x = std::fabs(x - at * sweep_.flat_direction[0]) + half, far_y = std::fabs(y - at * sweep_.flat_direction[1]) + half;
   const float radius = std::sqrt(far_x * far_x + far_y * far_y), tip = sweep_.from[2] + sweep_.way[2] * at;
   if (radius >= body_.radius || scale_.edge - tip > body_.top) return false;
   return tip + body_.bottom + height_at(body_, radius) <= 0;
@@ -76,7 +76,7 @@ void Cutter::clear() {
 }
 
 void Cutter::end() {
-  if (outcome_.changed && ++brick_.cuts_since >= cuts_between_tops) take_tops(brick_, scale_.cell);
+  if (outcome_.changed && ++brick_.cuts_since >= cuts_between_tops) refresh_tops(brick_, scale_.cell);
 }
 
 /// Returns the height of the tip when the body is lowest over a lattice line along Z. This is exact for a flat end; for other ends, the
@@ -84,8 +84,8 @@ void Cutter::end() {
 float Cutter::tip_over(int line) const {
   const LocalSweep& s = sweep_;
   const float x = scale_.place[line % brick_edge] - s.from[0], y = scale_.place[line / brick_edge] - s.from[1];
-  const float nearest = (x * s.flat_way[0] + y * s.flat_way[1]) * (s.per_flat * s.per_flat);
-  const float beside = x * s.flat_way[1] - y * s.flat_way[0], apart = beside * s.per_flat;
+  const float nearest = (x * s.flat_direction[0] + y * s.flat_direction[1]) * (s.per_flat * s.per_flat);
+  const float beside = x * s.flat_direction[1] - y * s.flat_direction[0], apart = beside * s.per_flat;
   const float half = std::sqrt(std::max(body_.flat * body_.flat - apart * apart, 0.f)) * s.per_flat;
   const float lowest = s.way[2] > 0.f ? nearest - half : nearest + half;
   return s.rise == 0.f ? s.from[2] : std::min(std::max(lowest, 0.f), s.length) * s.way[2] + s.from[2];

@@ -6,7 +6,7 @@
 // cutter_lanes.h; the rest is in cutter.cpp.
 
 #include "stock/cut/brick_cut.h"
-#include "stock/cut/lanes.h"
+#include "stock/cut/float_lanes.h"
 
 namespace kadr {
 

@@ -1,6 +1,6 @@
 #pragma once
-// The part of Cutter that handles eight lattice lines at once (stock/cut/lanes.h). Only for stock/cut/brick_cut, which compiles it for
-// each type of processor.
+// The part of Cutter that handles eight lattice lines at once (stock/cut/float_lanes.h). Only for stock/cut/brick_cut, which compiles it
+// for each type of processor.
 
 #include "stock/cut/cutter.h"
 #include "stock/cut/level_rows.h"
@@ -32,7 +32,7 @@ KADR_IN_LANES void Cutter::narrow_by_squares(float least_place[3], float most_pl
   static constexpr float middle_x[16] = {2, 6, 10, 14, 2, 6, 10, 14, 2, 6, 10, 14, 2, 6, 10, 14};
   static constexpr float middle_y[16] = {2, 2, 2, 2, 6, 6, 6, 6, 10, 10, 10, 10, 14, 14, 14, 14};
   const LocalSweep& s = sweep_;
-  const float wx = s.flat_way[0], wy = s.flat_way[1], per_square = s.per_flat * s.per_flat;
+  const float wx = s.flat_direction[0], wy = s.flat_direction[1], per_square = s.per_flat * s.per_flat;
   const float lowest = lowest_over_brick() - margin();
   const float diagonal = 2 * scale_.cell * 1.41422f + margin();
   float most_top = -1;
@@ -109,7 +109,7 @@ KADR_IN_LANES void Cutter::cut_family(const PointRange& range) {
   constexpr int u = (family + 1) % 3, v = (family + 2) % 3;
   BrickLines& lines = brick_.family[std::size_t(family)];
   const LocalSweep sweep = body_.turned ? upside_down(sweep_) : sweep_;
-  const LevelWay way(sweep, family == 2 ? 0 : family);
+  const LevelPath way(sweep, family == 2 ? 0 : family);
   // Tested before this cut: intervals that this cut itself splits off lie outside the swept volume.
   const bool several = !lines.further.empty();
   alignas(32) float all_from[brick_lines], all_to[brick_lines], all_tips[brick_lines];
@@ -121,15 +121,15 @@ KADR_IN_LANES void Cutter::cut_family(const PointRange& range) {
       const int at = row * brick_edge + lane;
       if (!several && !any(lanes_at<V>(lines.from + at) < lanes_at<V>(lines.to + at))) continue;
       const V lane_places = lanes_at<V>(scale_.place + lane);
-      const float row_place = scale_.place[row];
+      const float row_position = scale_.place[row];
       Swept<V> swept;
       if constexpr (family == 2) {
-        swept = upright_lines<V, end>(sweep, body_, lane_places, row_place, taken.tip);
+        swept = upright_lines<V, end>(sweep, body_, lane_places, row_position, taken.tip);
         if (end == BodyEnd::cone && body_.turned) swept = {-swept.to, -swept.from}, taken.tip = -taken.tip;
         if (several) store(all_tips + at, taken.tip);
       } else {
-        const V z = family == 0 ? spread<V>(row_place) : lane_places;
-        swept = level_lines<V, end>(sweep, way, body_, family == 0 ? lane_places : spread<V>(row_place), body_.turned ? -z : z);
+        const V z = family == 0 ? spread<V>(row_position) : lane_places;
+        swept = level_lines<V, end>(sweep, way, body_, family == 0 ? lane_places : spread<V>(row_position), body_.turned ? -z : z);
       }
       if (several) store(all_from + at, swept.from), store(all_to + at, swept.to);
       take<V, family>(lines, at, swept, taken);

@@ -9,12 +9,12 @@
 namespace kadr::lanes {
 
 /// The path of the tool, with components along and across the lattice lines of one axis.
-struct LevelWay {
-  LevelWay(const LocalSweep& s, int axis)
+struct LevelPath {
+  LevelPath(const LocalSweep& s, int axis)
       : start(s.from[axis]), across_start(s.from[1 - axis]), forth(s.way[axis]), across(s.way[1 - axis]), up(s.way[2]) {
     const float guarded = std::fabs(across) < 1e-9f ? 1e-9f : across;
     per_across = 1 / guarded;
-    side = s.flat_way[axis] * s.per_flat * (guarded > 0.f ? 1.f : -1.f);
+    side = s.flat_direction[axis] * s.per_flat * (guarded > 0.f ? 1.f : -1.f);
   }
   float start, across_start;  // position of the tip at the start, along the lines and across them
   float forth, across, up;    // unit vector of the path
@@ -47,14 +47,14 @@ struct LeftAt {
   V place, square;
 };
 template <class V>
-KADR_IN_LANES Swept<V> between(const LevelWay& w, const LeftAt<V>& from, const LeftAt<V>& to, const MarksOf<V>& on) {
+KADR_IN_LANES Swept<V> between(const LevelPath& w, const LeftAt<V>& from, const LeftAt<V>& to, const MarksOf<V>& on) {
   const MarksOf<V> meets = on & (least(from.square, to.square) >= 0.f);
   return where(meets, from.place * w.forth + w.start - root(from.square), to.place * w.forth + w.start + root(to.square));
 }
 
 /// Returns the intervals that a cylinder sweeps on this section of the path.
 template <class V>
-KADR_IN_LANES Swept<V> level_cylinder(const LevelWay& w, const LevelLines<V>& lines, const Stretch<V>& on, float radius) {
+KADR_IN_LANES Swept<V> level_cylinder(const LevelPath& w, const LevelLines<V>& lines, const Stretch<V>& on, float radius) {
   const float edge = radius * w.side;
   const V square = spread<V>(radius * radius), to = within((lines.across + edge) * w.per_across, on.first, on.last),
           from = within((lines.across - edge) * w.per_across, on.first, on.last);
@@ -64,7 +64,7 @@ KADR_IN_LANES Swept<V> level_cylinder(const LevelWay& w, const LevelLines<V>& li
 
 /// Returns the intervals that the lower half of a ball sweeps.
 template <class V>
-KADR_IN_LANES Swept<V> level_ball(const LevelWay& w, const SweptBody& b, const LevelLines<V>& lines, const Stretch<V>& on) {
+KADR_IN_LANES Swept<V> level_ball(const LevelPath& w, const SweptBody& b, const LevelLines<V>& lines, const Stretch<V>& on) {
   float across = w.across, up = w.up,
         square = across * across + up * up;  // 1 - forth² would lose all digits if the path is along the lines
   const bool along = square < upright_below * upright_below;
@@ -87,7 +87,7 @@ struct EndAt {
   V turn;    // see `forth`
 };
 template <class V, BodyEnd end>
-KADR_IN_LANES EndAt<V> end_at(const LevelWay& w, const SweptBody& b, const LevelLines<V>& lines, const V& place) {
+KADR_IN_LANES EndAt<V> end_at(const LevelPath& w, const SweptBody& b, const LevelLines<V>& lines, const V& place) {
   const V none = spread<V>(0.f), height = within(lines.up - place * w.up - b.bottom, none, spread<V>(b.tall()));
   const V side = place * w.across - lines.across;
   V radius, grows, scale;  // grows / scale is the change of the radius per mm of height
@@ -106,7 +106,7 @@ KADR_IN_LANES EndAt<V> end_at(const LevelWay& w, const SweptBody& b, const Level
 
 /// Finds the position on the path at which the end reaches farthest along the line, in the direction `sign` (1 or -1).
 template <class V, BodyEnd end>
-KADR_IN_LANES LeftAt<V> farthest(const LevelWay& w, const SweptBody& b, const LevelLines<V>& lines, const Stretch<V>& on, float sign,
+KADR_IN_LANES LeftAt<V> farthest(const LevelPath& w, const SweptBody& b, const LevelLines<V>& lines, const Stretch<V>& on, float sign,
                                  const EndAt<V>& first, const EndAt<V>& last) {
   const auto slope_of = [&](const EndAt<V>& e) { return Slope<V>{e.forth * sign + e.turn, e.square > 0.f}; };
   const Slope<V> at_first = slope_of(first), at_last = slope_of(last);
@@ -114,13 +114,13 @@ KADR_IN_LANES LeftAt<V> farthest(const LevelWay& w, const SweptBody& b, const Le
   LeftAt<V> answer{choose(begins, on.first, on.last), choose(begins, first.square, last.square)};
   if (!any(sought)) return answer;
   const auto slope_at = [&](const V& place) { return slope_of(end_at<V, end>(w, b, lines, place)); };
-  const V place = farthest_place(on.first, on.last, at_first, at_last, sought, b.place_error, slope_at);
+  const V place = farthest_position(on.first, on.last, at_first, at_last, sought, b.error_at_position, slope_at);
   const EndAt<V> there = end_at<V, end>(w, b, lines, place);
   return {choose(sought, place, answer.place), choose(sought, there.square, answer.square)};
 }
 
 template <class V, BodyEnd end>
-KADR_IN_LANES Swept<V> level_end(const LevelWay& w, const SweptBody& b, const LevelLines<V>& lines, const Stretch<V>& on) {
+KADR_IN_LANES Swept<V> level_end(const LevelPath& w, const SweptBody& b, const LevelLines<V>& lines, const Stretch<V>& on) {
   if constexpr (end == BodyEnd::ball) {
     return level_ball(w, b, lines, on);
   } else {
@@ -132,7 +132,7 @@ KADR_IN_LANES Swept<V> level_end(const LevelWay& w, const SweptBody& b, const Le
 /// Returns the intervals of lines at the positions `across`, `z`. The body is convex, so its end and its cylinder together sweep one
 /// interval of a line.
 template <class V, BodyEnd end>
-KADR_IN_LANES Swept<V> level_lines(const LocalSweep& s, const LevelWay& w, const SweptBody& b, const V& across, const V& z) {
+KADR_IN_LANES Swept<V> level_lines(const LocalSweep& s, const LevelPath& w, const SweptBody& b, const V& across, const V& z) {
   const LevelLines<V> lines{across - w.across_start, z - s.from[2]};
   Swept<V> swept{spread<V>(missed), spread<V>(-missed)};
   if constexpr (end != BodyEnd::flat) {

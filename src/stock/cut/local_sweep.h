@@ -19,10 +19,10 @@ struct LocalSweep {
   float from[3];  // start of the path
   float way[3];   // unit vector of the path; {1, 0, 0} if the tool does not move
   float length;
-  float rise;            // Z component of the whole path
-  float per_upward;      // 1 / way[2], large for a level path
-  float flat_way[2];     // way[0], way[1]; both 0 for a vertical path
-  float flat, per_flat;  // length of flat_way, and its inverse, which is finite even for a length of 0
+  float rise;               // Z component of the whole path
+  float per_upward;         // 1 / way[2], large for a level path
+  float flat_direction[2];  // way[0], way[1]; both 0 for a vertical path
+  float flat, per_flat;     // length of flat_direction, and its inverse, which is finite even for a length of 0
   bool upright;
 
   float lowest() const { return from[2] + std::min(rise, 0.f); }
@@ -37,13 +37,13 @@ inline constexpr float upright_below = 3e-6f;
 inline constexpr float nearly_none = 1e-12f;
 
 /// A section of a path, as shares from 0 to 1.
-struct WayPart {
+struct PathPart {
   double first = 0, last = 1;
 };
 
 /// Returns the section of the path on which the tool can reach a box from {0, 0, 0} to `most`, with some margin; {0, 0} if it never can.
-inline WayPart part_that_reaches(Vec3 from, Vec3 way, const AroundTip& tool, Vec3 most) {
-  WayPart part;
+inline PathPart part_that_reaches(Vec3 from, Vec3 way, const AroundTip& tool, Vec3 most) {
+  PathPart part;
   for (int d = 0; d < 3; ++d) {
     const double room = along(most, d) / 4, low = -(d == 2 ? tool.above : tool.beside) - room,
                  high = along(most, d) + room + (d == 2 ? tool.below : tool.beside);
@@ -62,7 +62,7 @@ inline LocalSweep local_sweep(Vec3 from, Vec3 to, const AroundTip& tool, double 
   double all = of_way;
   LocalSweep s{};
   if (all > clipped_above * (edge + 2 * tool.beside)) {
-    const WayPart part = part_that_reaches(from, way, tool, {edge, edge, edge});
+    const PathPart part = part_that_reaches(from, way, tool, {edge, edge, edge});
     from = from + part.first * way, all = all * (part.last - part.first);
   }
   const double per = all > 0 ? 1 / of_way : 0;
@@ -71,7 +71,7 @@ inline LocalSweep local_sweep(Vec3 from, Vec3 to, const AroundTip& tool, double 
   s.length = float(all), s.rise = float(all * way.z);
   const float flat = std::sqrt(s.way[0] * s.way[0] + s.way[1] * s.way[1]);
   s.upright = flat < upright_below;
-  s.flat_way[0] = s.upright ? 0.f : s.way[0], s.flat_way[1] = s.upright ? 0.f : s.way[1];
+  s.flat_direction[0] = s.upright ? 0.f : s.way[0], s.flat_direction[1] = s.upright ? 0.f : s.way[1];
   s.flat = s.upright ? 0.f : flat, s.per_flat = 1 / std::max(flat, upright_below);
   s.per_upward = 1 / (std::fabs(s.way[2]) < nearly_none ? nearly_none : s.way[2]);
   return s;

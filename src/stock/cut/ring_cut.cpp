@@ -10,14 +10,14 @@ namespace kadr {
 namespace {
 
 constexpr int rings_between_tops = 8;
-constexpr float no_place = 1e30f;
+constexpr float no_position = 1e30f;
 
 /// The interval of each line of a family that the ring removes; `from` is greater than `to` if the line misses the ring.
 struct LineTakings {
   std::array<float, brick_lines> from, to;
   bool any = false;
 
-  LineTakings() { from.fill(no_place), to.fill(-no_place); }
+  LineTakings() { from.fill(no_position), to.fill(-no_position); }
   void put(int line, double low, double high, double edge) {
     if (!(low < high && low < edge && high > 0)) return;
     from[std::size_t(line)] = float(low), to[std::size_t(line)] = float(high);
@@ -37,7 +37,7 @@ class RingCutter {
     if (!outcome_.watched && holds_all(own)) return clear();
     cut_upright_lines(reached);
     cut_level_lines();
-    if (outcome_.changed && ++brick_.cuts_since >= rings_between_tops) take_tops(brick_, scale_.cell);
+    if (outcome_.changed && ++brick_.cuts_since >= rings_between_tops) refresh_tops(brick_, scale_.cell);
   }
 
  private:

@@ -8,7 +8,7 @@
 // is the next position; the middle of the bracket is used instead if the line misses the body at one end, or if the last chord has not
 // halved the bracket.
 
-#include "stock/cut/lanes.h"
+#include "stock/cut/float_lanes.h"
 
 namespace kadr::lanes {
 
@@ -19,7 +19,7 @@ struct Slope {
   MarksOf<V> smooth;  // the line meets the body at this position, so the slope is continuous there
 };
 
-inline constexpr int steady_steps = 2, most_steps = 48;
+inline constexpr int steady_steps = 2, max_steps = 48;
 
 /// The section of the path that contains the maximum.
 template <class V>
@@ -37,7 +37,7 @@ KADR_IN_LANES Bracket<V> bracketed(const V& way_first, const V& way_last, const 
   Slope<V> at_first = slope_first, at_last = slope_last;
   const V half = spread<V>(0.5f), none = spread<V>(0.f), beyond = spread<V>(0.5f * error);
   MarksOf<V> slow = sought & ~sought;
-  for (int step = 0; step < most_steps; ++step) {
+  for (int step = 0; step < max_steps; ++step) {
     const V width = last - first, middle = half * (first + last);
     if (!any(sought & (width > error))) break;
     const V chord = within(first + width * (at_first.value / (at_first.value - at_last.value)), first, last);
@@ -55,8 +55,8 @@ KADR_IN_LANES Bracket<V> bracketed(const V& way_first, const V& way_last, const 
 }
 
 template <class V>
-KADR_IN_LANES V farthest_place(const V& way_first, const V& way_last, const Slope<V>& slope_first, const Slope<V>& slope_last,
-                               const MarksOf<V>& sought, float error, const auto& slope_at) {
+KADR_IN_LANES V farthest_position(const V& way_first, const V& way_last, const Slope<V>& slope_first, const Slope<V>& slope_last,
+                                  const MarksOf<V>& sought, float error, const auto& slope_at) {
   const Bracket<V> b = bracketed(way_first, way_last, slope_first, slope_last, sought, error, slope_at);
   return 0.5f * (b.first + b.last);
 }
@@ -64,8 +64,8 @@ KADR_IN_LANES V farthest_place(const V& way_first, const V& way_last, const Slop
 /// Like bracketed(), for a slope that is smooth everywhere. It interpolates in the final bracket, which gives a much smaller error than
 /// `error`.
 template <class V>
-KADR_IN_LANES V smooth_farthest_place(const V& way_first, const V& way_last, const Slope<V>& slope_first, const Slope<V>& slope_last,
-                                      const MarksOf<V>& sought, float error, const auto& slope_at) {
+KADR_IN_LANES V smooth_farthest_position(const V& way_first, const V& way_last, const Slope<V>& slope_first, const Slope<V>& slope_last,
+                                         const MarksOf<V>& sought, float error, const auto& slope_at) {
   const Bracket<V> b = bracketed(way_first, way_last, slope_first, slope_last, sought, error, slope_at);
   const V place = b.first + (b.last - b.first) * (b.at_first.value / (b.at_first.value - b.at_last.value));
   return choose(sought, within(place, b.first, b.last), b.first);

@@ -10,7 +10,7 @@ namespace kadr {
 namespace {
 
 /// mm: a wrong position on the path may shift the point where the tool leaves a line by this much.
-constexpr double error_by_place = 4e-4;
+constexpr double error_by_position = 4e-4;
 
 BodyEnd end_of(RoundSolid::Form form) {
   switch (form) {
@@ -44,7 +44,7 @@ SweptBody swept_body(const ConvexBody& convex) {
     body.stands = float((end.top - end.bottom) / (end.top_radius - end.bottom_radius));
   }
   // A position that is wrong by e shifts the result by e² / (2 corner); at the apex of a cone by up to e.
-  body.place_error = float(body.end == BodyEnd::cone ? 3e-4 : std::sqrt(2 * error_by_place * double(body.corner)));
+  body.error_at_position = float(body.end == BodyEnd::cone ? 3e-4 : std::sqrt(2 * error_by_position * double(body.corner)));
   return body;
 }
 

@@ -16,7 +16,7 @@ struct SweptBody {
   float flat = 0, radius = 0;              // radius of the flat at the bottom; radius of the cylinder
   float corner = 0;                        // radius of the rounding of a ball or torus
   float widens = 0, stands = 0;            // for a cone: radius per mm of height; height per mm of radius
-  float place_error = 0;                   // mm, accepted error of a position on the path (sweep_search.h)
+  float error_at_position = 0;             // mm, accepted error of a position on the path (sweep_search.h)
 
   float tall() const { return end_top - bottom; }  // height of the end
 };

@@ -32,7 +32,7 @@ struct Over {
 
 template <class V>
 KADR_IN_LANES Over<V> over_line(const LocalSweep& s, const V& x, float y, float radius) {
-  const float wx = s.flat_way[0], wy = s.flat_way[1], per_square = s.per_flat * s.per_flat, dy = y - s.from[1];
+  const float wx = s.flat_direction[0], wy = s.flat_direction[1], per_square = s.per_flat * s.per_flat, dy = y - s.from[1];
   const V dx = x - s.from[0], none = spread<V>(0.f), nearest = (dx * wx + spread<V>(dy * wy)) * per_square;
   const V beside = dx * wy - spread<V>(dy * wx);
   const V apart = s.upright ? dx * dx + spread<V>(dy * dy) : beside * beside * per_square;
@@ -67,7 +67,8 @@ KADR_IN_LANES V lowest_of_torus(const LocalSweep& s, const SweptBody& b, const O
   const Slope<V> at_first = slope_at(over.first), at_last = slope_at(over.last);
   const MarksOf<V> begins = at_first.value <= 0.f, ends = ~begins & (at_last.value >= 0.f), sought = over.meets & ~begins & ~ends;
   V place = choose(begins, over.first, over.last);
-  if (any(sought)) place = choose(sought, farthest_place(over.first, over.last, at_first, at_last, sought, b.place_error, slope_at), place);
+  if (any(sought))
+    place = choose(sought, farthest_position(over.first, over.last, at_first, at_last, sought, b.error_at_position, slope_at), place);
   return place;
 }
 

@@ -6,7 +6,7 @@
 
 namespace kadr {
 
-std::vector<EdgeWay> edge_ways(const Mesh& mesh) {
+std::vector<EdgeUse> edge_uses(const Mesh& mesh) {
   const auto each = [&](const auto& visit) {
     for (std::size_t t = 0; t < mesh.triangle_count(); ++t)
       for (std::size_t k = 0; k < 3; ++k) visit(t, mesh.triangles[3 * t + k], mesh.triangles[3 * t + (k + 1) % 3]);
@@ -15,18 +15,18 @@ std::vector<EdgeWay> edge_ways(const Mesh& mesh) {
   std::vector<std::size_t> next(mesh.point_count() + 1, 0);
   each([&](std::size_t, std::uint32_t a, std::uint32_t b) { ++next[std::size_t(std::min(a, b)) + 1]; });
   for (std::size_t i = 1; i < next.size(); ++i) next[i] += next[i - 1];
-  std::vector<EdgeWay> ways(mesh.triangles.size());
+  std::vector<EdgeUse> ways(mesh.triangles.size());
   each([&](std::size_t t, std::uint32_t a, std::uint32_t b) {
     ways[next[std::min(a, b)]++] = {std::uint64_t(std::min(a, b)) << 32 | std::max(a, b), std::uint32_t(t), a < b};
   });
   for (std::size_t point = 0; point + 1 < next.size(); ++point)
     std::sort(ways.begin() + std::ptrdiff_t(point == 0 ? 0 : next[point - 1]), ways.begin() + std::ptrdiff_t(next[point]),
-              [](const EdgeWay& a, const EdgeWay& b) { return a.ends != b.ends ? a.ends < b.ends : a.triangle < b.triangle; });
+              [](const EdgeUse& a, const EdgeUse& b) { return a.ends != b.ends ? a.ends < b.ends : a.triangle < b.triangle; });
   return ways;
 }
 
 MeshEdges edges_of(const Mesh& mesh) {
-  const std::vector<EdgeWay> ways = edge_ways(mesh);
+  const std::vector<EdgeUse> ways = edge_uses(mesh);
   MeshEdges edges;
   edges.open_triangle = mesh.triangle_count();
   for (std::size_t i = 0; i < ways.size();) {

@@ -6,14 +6,14 @@
 namespace kadr {
 
 /// The use of an edge by one triangle.
-struct EdgeWay {
+struct EdgeUse {
   std::uint64_t ends;  // numbers of the two points, the lower number in the upper 32 bits
   std::uint32_t triangle;
   bool upwards;  // the triangle uses the edge from the lower to the higher point number
 };
 
 /// Returns the edge uses of all triangles, sorted by edge, then by triangle.
-std::vector<EdgeWay> edge_ways(const Mesh& mesh);
+std::vector<EdgeUse> edge_uses(const Mesh& mesh);
 
 /// Counts of faulty edges. A closed mesh uses each edge as often in one direction as in the other; a manifold uses it once in each.
 struct MeshEdges {

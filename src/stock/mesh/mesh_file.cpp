@@ -12,7 +12,7 @@ tl::expected<SolidMesh, std::string> read_mesh(std::string_view bytes, const Mes
   return bytes.starts_with("PK") ? read_3mf(bytes, rules) : read_stl(bytes, rules);
 }
 
-tl::expected<SolidMesh, std::string> read_mesh_file(const std::string& path, const MeshRules& rules, const FileDoor* door) {
+tl::expected<SolidMesh, std::string> read_mesh_file(const std::string& path, const MeshRules& rules, const FileAccess* door) {
   const auto bytes = read_file(path, rules.memory / 2, door);
   if (!bytes) return tl::unexpected(bytes.error());
   auto solid = read_mesh(*bytes, rules);

@@ -5,7 +5,7 @@
 #include <string_view>
 #include <tl/expected.hpp>
 
-#include "base/file_door.h"
+#include "base/file_access.h"
 #include "stock/mesh/mesh_repair.h"
 
 namespace kadr {
@@ -15,6 +15,6 @@ tl::expected<SolidMesh, std::string> read_mesh(std::string_view bytes, const Mes
 
 /// Reads a regular file of at most rules.memory / 2 bytes.
 ///   returns  a closed mesh, or an error sentence; notes and errors contain the file name
-tl::expected<SolidMesh, std::string> read_mesh_file(const std::string& path, const MeshRules& rules, const FileDoor* door = nullptr);
+tl::expected<SolidMesh, std::string> read_mesh_file(const std::string& path, const MeshRules& rules, const FileAccess* door = nullptr);
 
 }  // namespace kadr

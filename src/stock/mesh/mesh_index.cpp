@@ -8,7 +8,7 @@
 namespace kadr {
 namespace {
 
-constexpr double most_entries = 6;  // mean number of squares per triangle: if long triangles cross many squares, a coarser grid is used
+constexpr double max_entries = 6;  // mean number of squares per triangle: if long triangles cross many squares, a coarser grid is used
 
 }  // namespace
 
@@ -66,7 +66,7 @@ MeshIndex::MeshIndex(const Mesh& mesh, int family) : mesh_(&mesh), family_(famil
   const double triangles = double(std::max<std::size_t>(mesh.triangle_count(), 1));
   for (double squares = triangles;; squares = std::max(squares / 4, 1.0)) {
     set_grid(box, squares);
-    if (columns_ * rows_ == 1 || double(entries()) <= most_entries * triangles) break;
+    if (columns_ * rows_ == 1 || double(entries()) <= max_entries * triangles) break;
   }
   fill();
 }

@@ -8,7 +8,7 @@
 #include <numeric>
 #include <utility>
 
-#include "config/told.h"
+#include "config/language.h"
 #include "stock/mesh/mesh_edges.h"
 #include "stock/mesh/mesh_index.h"
 #include "stock/mesh/point_weld.h"
@@ -31,18 +31,18 @@ struct Repair {
   std::vector<std::string> notes{};
   MeshEdges edges{};  // result of close()
 
-  std::string told_points() const;
+  std::string bad_point_message() const;
   void close();
   void join_near();
   bool turn_to_fit();
-  std::string told_open() const;
+  std::string open_mesh_message() const;
   std::vector<std::uint32_t> shells() const;
   void turn_shells();
   void turn(std::size_t triangle) { std::swap(mesh.triangles[3 * triangle + 1], mesh.triangles[3 * triangle + 2]); }
 };
 
 /// Returns a message about a corner with an invalid coordinate or point number, or far beyond any machine; empty if there is none.
-std::string Repair::told_points() const {
+std::string Repair::bad_point_message() const {
   for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
     const std::string triangle = std::to_string(i / 3 + 1);
     if (mesh.triangles[i] >= mesh.point_count())
@@ -63,12 +63,12 @@ std::string Repair::told_points() const {
 /// Two neighbouring triangles must use their common edge in opposite directions. Turns each triangle of a shell to fit the first one.
 /// Returns false if this is not possible.
 bool Repair::turn_to_fit() {
-  const std::vector<EdgeWay> ways = edge_ways(mesh);
+  const std::vector<EdgeUse> ways = edge_uses(mesh);
   const std::size_t count = mesh.triangle_count();
   std::vector<std::uint32_t> beside(3 * count), found(count, 0);  // three neighbours each; odd: both use the edge in the same direction
   for (std::size_t i = 0; i < ways.size(); i += 2) {
     if (i + 1 >= ways.size() || ways[i].ends != ways[i + 1].ends || (i + 2 < ways.size() && ways[i + 2].ends == ways[i].ends)) return false;
-    const EdgeWay &a = ways[i], &b = ways[i + 1];
+    const EdgeUse &a = ways[i], &b = ways[i + 1];
     const std::uint32_t same = a.upwards == b.upwards;
     beside[3 * std::size_t(a.triangle) + found[a.triangle]++] = 2 * b.triangle + same;
     beside[3 * std::size_t(b.triangle) + found[b.triangle]++] = 2 * a.triangle + same;
@@ -94,7 +94,7 @@ bool Repair::turn_to_fit() {
   for (std::size_t t = 0; t < count; ++t)
     if (turned[t] == 1) turn(t), ++turns;
   notes.push_back(told(std::to_string(turns) + " triangles went round against their neighbours: turned",
-                       told_count(turns, "треугольник", "треугольника", "треугольников") + " с обходом против соседних: повёрнуты"));
+                       count_in_russian(turns, "треугольник", "треугольника", "треугольников") + " с обходом против соседних: повёрнуты"));
   return true;
 }
 
@@ -109,21 +109,21 @@ void Repair::close() {
 /// Merges points of edges that belong to an odd number of triangles.
 void Repair::join_near() {
   std::vector<bool> marked(mesh.point_count(), false);
-  const std::vector<EdgeWay> ways = edge_ways(mesh);
+  const std::vector<EdgeUse> ways = edge_uses(mesh);
   for (std::size_t i = 0, end = 0; i < ways.size(); i = end) {
     for (end = i; end < ways.size() && ways[end].ends == ways[i].ends;) ++end;
     if ((end - i) % 2 == 0) continue;
     marked[std::size_t(ways[i].ends >> 32)] = marked[std::size_t(ways[i].ends & 0xffffffffu)] = true;
   }
   if (const std::size_t joined = weld_near(mesh, marked, rules.weld); joined > 0) {
-    notes.push_back(
-        told(std::to_string(joined) + " points at open edges lay within " + mm(rules.weld) + " mm of another: joined",
-             told_count(joined, "точка", "точки", "точек") + " у открытых рёбер не далее " + mm(rules.weld) + " мм от другой: соединены"));
+    notes.push_back(told(
+        std::to_string(joined) + " points at open edges lay within " + mm(rules.weld) + " mm of another: joined",
+        count_in_russian(joined, "точка", "точки", "точек") + " у открытых рёбер не далее " + mm(rules.weld) + " мм от другой: соединены"));
     drop_flat(mesh, numbers);
   }
 }
 
-std::string Repair::told_open() const {
+std::string Repair::open_mesh_message() const {
   if (mesh.triangles.empty()) return told("there is no triangle in it", "в нём нет ни одного треугольника");
   if (edges.open == 0) return {};
   const std::string number = std::to_string(numbers[edges.open_triangle] + 1), place = at_point(mesh.corner(edges.open_triangle, 0));
@@ -181,12 +181,12 @@ void Repair::turn_shells() {
   for (std::size_t t = 0; t < mesh.triangle_count(); ++t)
     if (turns[shell[t]]) turn(t);
   notes.push_back(told(std::to_string(turned) + " of its bodies were inside out: turned",
-                       told_count(turned, "тело было вывернуто", "тела были вывернуты", "тел были вывернуты") + ": повёрнуто"));
+                       count_in_russian(turned, "тело было вывернуто", "тела были вывернуты", "тел были вывернуты") + ": повёрнуто"));
 }
 
 }  // namespace
 
-std::string told_too_many(std::size_t triangles, const MeshRules& rules) {
+std::string too_many_message(std::size_t triangles, const MeshRules& rules) {
   if (triangles <= rules.memory / solid_bytes(1)) return {};
   const std::string most = std::to_string(rules.memory / solid_bytes(1)), there = std::to_string(triangles);
   return told(there + " triangles do not fit into the memory allowed: at most " + most,
@@ -194,9 +194,9 @@ std::string told_too_many(std::size_t triangles, const MeshRules& rules) {
 }
 
 tl::expected<SolidMesh, std::string> solid_of(Mesh mesh, const MeshRules& rules) {
-  if (std::string wrong = told_too_many(mesh.triangle_count(), rules); !wrong.empty()) return tl::unexpected(std::move(wrong));
+  if (std::string wrong = too_many_message(mesh.triangle_count(), rules); !wrong.empty()) return tl::unexpected(std::move(wrong));
   Repair repair{std::move(mesh), rules};
-  if (std::string wrong = repair.told_points(); !wrong.empty()) return tl::unexpected(std::move(wrong));
+  if (std::string wrong = repair.bad_point_message(); !wrong.empty()) return tl::unexpected(std::move(wrong));
   drop_unused(repair.mesh);
   repair.numbers.resize(repair.mesh.triangle_count());
   std::iota(repair.numbers.begin(), repair.numbers.end(), 0u);
@@ -204,7 +204,7 @@ tl::expected<SolidMesh, std::string> solid_of(Mesh mesh, const MeshRules& rules)
   drop_flat(repair.mesh, repair.numbers);
   repair.close();
   drop_unused(repair.mesh);
-  if (std::string wrong = repair.told_open(); !wrong.empty()) return tl::unexpected(std::move(wrong));
+  if (std::string wrong = repair.open_mesh_message(); !wrong.empty()) return tl::unexpected(std::move(wrong));
   repair.turn_shells();
   if (!(volume_of(repair.mesh) > 0)) return tl::unexpected(told("it encloses nothing", "оно ничего не охватывает"));
   return SolidMesh{std::move(repair.mesh), std::move(repair.notes)};

@@ -29,6 +29,6 @@ tl::expected<SolidMesh, std::string> solid_of(Mesh mesh, const MeshRules& rules)
 constexpr std::size_t solid_bytes(std::size_t triangles) { return triangles * 160; }
 
 /// Returns a message if there are more triangles than the memory limit permits, else an empty string.
-std::string told_too_many(std::size_t triangles, const MeshRules& rules);
+std::string too_many_message(std::size_t triangles, const MeshRules& rules);
 
 }  // namespace kadr

@@ -4,10 +4,10 @@
 #include <cmath>
 #include <utility>
 
+#include "config/language.h"
 #include "config/read_file.h"
-#include "config/told.h"
+#include "stock/mesh/mesh_word_reader.h"
 #include "stock/mesh/stl.h"
-#include "stock/mesh/word_reader.h"
 
 namespace kadr {
 namespace {
@@ -35,7 +35,7 @@ ReadMesh read_binary(std::string_view bytes, const MeshRules& rules, std::vector
     return Failed(
         told("it ends within triangle " + std::to_string(count + 1) + ": " + length + " bytes, its header says " + number + " triangles",
              "обрывается в треугольнике " + std::to_string(count + 1) + ": байтов " + length + ", в заголовке треугольников " + number));
-  if (std::string wrong = told_too_many(count, rules); !wrong.empty()) return Failed(std::move(wrong));
+  if (std::string wrong = too_many_message(count, rules); !wrong.empty()) return Failed(std::move(wrong));
   if (said != count)
     notes.push_back(told("its header says " + number + " triangles, it has " + std::to_string(count),
                          "в заголовке треугольников " + number + ", в файле их " + std::to_string(count)));
@@ -60,7 +60,7 @@ class TextStl {
   bool expect(std::string_view word);
   bool number(float& value);
   bool facet();
-  Failed failed() const { return Failed(told_place("", words_.line(), words_.column()) + fault_); }
+  Failed failed() const { return Failed(location_prefix("", words_.line(), words_.column()) + fault_); }
 
   MeshWordReader words_;
   const MeshRules& rules_;
@@ -103,7 +103,7 @@ bool TextStl::facet() {
     }
   }
   add_triangle(mesh_);
-  fault_ = told_too_many(mesh_.triangle_count(), rules_);
+  fault_ = too_many_message(mesh_.triangle_count(), rules_);
   return fault_.empty() && expect("endloop") && expect("endfacet");
 }
 

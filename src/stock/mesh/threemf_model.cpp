@@ -5,8 +5,8 @@
 #include <charconv>
 #include <cmath>
 
-#include "config/told.h"
-#include "stock/mesh/word_reader.h"
+#include "config/language.h"
+#include "stock/mesh/mesh_word_reader.h"
 #include "stock/mesh/xml_scan.h"
 
 namespace kadr {
@@ -14,7 +14,7 @@ namespace {
 
 using Failed = tl::unexpected<std::string>;
 
-constexpr std::size_t most_objects = 100'000;  // limit for objects; also for components and build items together
+constexpr std::size_t max_objects = 100'000;  // limit for objects; also for components and build items together
 
 struct Unit {
   std::string_view name;
@@ -24,7 +24,7 @@ constexpr Unit units[] = {{"micron", 0.001}, {"millimeter", 1}, {"centimeter", 1
 
 class ModelReader {
  public:
-  ModelReader(std::string_view text, std::size_t most_triangles) : scan_(text), most_triangles_(most_triangles) {}
+  ModelReader(std::string_view text, std::size_t max_triangles) : scan_(text), most_triangles_(max_triangles) {}
   tl::expected<Model, std::string> read();
 
  private:
@@ -50,7 +50,7 @@ class ModelReader {
 };
 
 bool ModelReader::wrong(const std::string& en, const std::string& ru) {
-  fault_ = scan_.told_here() + told(en, ru);
+  fault_ = scan_.location_here() + told(en, ru);
   return false;
 }
 
@@ -105,7 +105,7 @@ bool ModelReader::take_root() {
 bool ModelReader::take_object() {
   std::uint32_t id = 0;
   if (!count("id", id)) return false;
-  if (model_.objects.size() >= most_objects) return wrong("too many objects", "слишком много объектов");
+  if (model_.objects.size() >= max_objects) return wrong("too many objects", "слишком много объектов");
   const auto [place, is_new] = model_.objects.try_emplace(id);
   if (!is_new) return wrong("a second object with the id " + std::to_string(id), "второй объект с id " + std::to_string(id));
   object_ = &place->second;
@@ -141,7 +141,7 @@ bool ModelReader::take_triangle() {
 }
 
 bool ModelReader::take_item(std::vector<ModelItem>& items) {
-  if (++items_ > most_objects) return wrong("too many parts", "слишком много частей");
+  if (++items_ > max_objects) return wrong("too many parts", "слишком много частей");
   ModelItem item;
   if (!count("objectid", item.object) || !transform(item.transform)) return false;
   items.push_back(item);
@@ -178,8 +178,8 @@ tl::expected<Model, std::string> ModelReader::read() {
 
 }  // namespace
 
-tl::expected<Model, std::string> read_model(std::string_view text, std::size_t most_triangles) {
-  return ModelReader(text, most_triangles).read();
+tl::expected<Model, std::string> read_model(std::string_view text, std::size_t max_triangles) {
+  return ModelReader(text, max_triangles).read();
 }
 
 }  // namespace kadr

@@ -35,8 +35,8 @@ struct Model {
 };
 
 /// Parses the XML text of a model.
-///   most_triangles  limit for all objects together
+///   max_triangles  limit for all objects together
 ///   returns         the model, or an error sentence with line and column
-tl::expected<Model, std::string> read_model(std::string_view text, std::size_t most_triangles);
+tl::expected<Model, std::string> read_model(std::string_view text, std::size_t max_triangles);
 
 }  // namespace kadr

@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <utility>
 
-#include "config/told.h"
+#include "config/language.h"
+#include "stock/mesh/mesh_word_reader.h"
 #include "stock/mesh/threemf.h"
 #include "stock/mesh/threemf_model.h"
-#include "stock/mesh/word_reader.h"
 #include "stock/mesh/xml_scan.h"
 #include "stock/mesh/zip.h"
 
@@ -19,7 +19,7 @@ constexpr std::string_view relationships = "_rels/.rels", usual_model = "3D/3dmo
 constexpr std::string_view model_type = "http://schemas.microsoft.com/3dmanufacturing/2013/01/3dmodel";
 constexpr std::size_t relationship_bytes = 1 << 20;
 constexpr int deepest_object = 16;  // nesting limit, which also stops circular references
-constexpr std::size_t most_placed = 100'000;
+constexpr std::size_t max_placed = 100'000;
 
 /// OPC 6.2.2.3 compares the names in an archive without regard to case.
 const ZipEntry* entry_of(const std::vector<ZipEntry>& entries, std::string_view name) {
@@ -59,7 +59,7 @@ bool mirrors(const ModelTransform& m) {
 
 class Builder {
  public:
-  Builder(const Model& model, std::size_t most_triangles) : model_(model), most_triangles_(most_triangles) {}
+  Builder(const Model& model, std::size_t max_triangles) : model_(model), most_triangles_(max_triangles) {}
   std::string put(const ModelItem& item, const ModelTransform& outer, int depth);
   Mesh mesh;
 
@@ -93,7 +93,7 @@ std::string Builder::put(const ModelItem& item, const ModelTransform& outer, int
   if (depth > deepest_object) return told("objects too deep in each other: " + id, "слишком глубокая вложенность объектов: " + id);
   const ModelObject& object = found->second;
   if (!object.is_body) return {};
-  const bool too_many = ++placed_ > most_placed || object.mesh.triangle_count() > most_triangles_ - mesh.triangle_count() ||
+  const bool too_many = ++placed_ > max_placed || object.mesh.triangle_count() > most_triangles_ - mesh.triangle_count() ||
                         object.mesh.point_count() > 3 * most_triangles_ - mesh.point_count();
   if (too_many)
     return told("its objects together do not fit into the memory allowed", "его объекты вместе не помещаются в отведённую память");
@@ -111,15 +111,15 @@ tl::expected<Mesh, std::string> built(std::string_view bytes, const MeshRules& r
   const std::string name = model_name(bytes, *entries);
   const ZipEntry* const entry = entry_of(*entries, name);
   if (entry == nullptr) return Failed(told("there is no model in it: " + shown(name), "в нём нет модели: " + shown(name)));
-  const std::size_t most_triangles = rules.memory / solid_bytes(1);
+  const std::size_t max_triangles = rules.memory / solid_bytes(1);
   tl::expected<Model, std::string> model;
   {
     const auto text = zip_file(bytes, *entry, rules.memory / 2);
     if (!text) return Failed(text.error());
-    model = read_model(*text, most_triangles);
+    model = read_model(*text, max_triangles);
     if (!model) return Failed(shown(name) + ": " + model.error());
   }
-  Builder builder(*model, most_triangles);
+  Builder builder(*model, max_triangles);
   for (const ModelItem& item : model->build)
     if (std::string wrong = builder.put(item, as_it_is, 0); !wrong.empty()) return Failed(std::move(wrong));
   return std::move(builder.mesh);

@@ -7,10 +7,10 @@
 #include <utility>
 #include <vector>
 
+#include "config/language.h"
 #include "config/read_file.h"
-#include "config/told.h"
 #include "stock/mesh/expat_library.h"
-#include "stock/mesh/word_reader.h"
+#include "stock/mesh/mesh_word_reader.h"
 
 namespace kadr {
 namespace {
@@ -19,7 +19,7 @@ constexpr std::size_t deepest = 64;
 constexpr std::size_t piece = 1 << 16;    // bytes passed to expat at once; expat keeps a copy of them
 constexpr std::size_t longest = 1 << 20;  // limit for a tag or comment, bytes: expat scans an unfinished one again with each piece
 
-std::string told_error(XML_Error error) {
+std::string xml_error_message(XML_Error error) {
   switch (error) {
     case XML_ERROR_TAG_MISMATCH: return told("a tag closes what is not open", "тег закрывает то, что не открыто");
     case XML_ERROR_NO_ELEMENTS: return told("an element is not closed, or there is none", "элемент не закрыт, или нет ни одного");
@@ -103,7 +103,7 @@ struct XmlScan::Parser {
       if (parser == nullptr) return failed(0, told("reading it needs the library libexpat", "для чтения нужна библиотека libexpat"));
       if (is_done()) return Event::ends;
       if (go_on() == XML_STATUS_ERROR) {
-        if (fault.empty()) return failed(place(), told_error(expat->XML_GetErrorCode(parser)));
+        if (fault.empty()) return failed(place(), xml_error_message(expat->XML_GetErrorCode(parser)));
         return failed(refused_at, fault);
       }
     }
@@ -139,8 +139,8 @@ const std::string* XmlScan::attribute(std::string_view name) const {
   return nullptr;
 }
 
-std::string XmlScan::told_here() const { return told_place("", parser_->text, std::min(parser_->now.at, parser_->text.size())); }
+std::string XmlScan::location_here() const { return location_prefix("", parser_->text, std::min(parser_->now.at, parser_->text.size())); }
 
-std::string XmlScan::fault() const { return told_here() + parser_->fault; }
+std::string XmlScan::fault() const { return location_here() + parser_->fault; }
 
 }  // namespace kadr

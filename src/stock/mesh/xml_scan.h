@@ -27,7 +27,7 @@ class XmlScan {
   const std::string* attribute(std::string_view name) const;
   /// Returns an error message with line and column.
   std::string fault() const;
-  std::string told_here() const;  // "line 3, column 5: ", the position of the element
+  std::string location_here() const;  // "line 3, column 5: ", the position of the element
 
  private:
   struct Parser;

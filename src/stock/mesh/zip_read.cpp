@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "config/told.h"
-#include "stock/mesh/word_reader.h"
+#include "config/language.h"
+#include "stock/mesh/mesh_word_reader.h"
 #include "stock/mesh/zip.h"
 #include "stock/mesh/zlib_library.h"
 
@@ -17,7 +17,7 @@ constexpr std::uint32_t end_mark = 0x06054b50, entry_mark = 0x02014b50, local_ma
 constexpr std::uint32_t end64_mark = 0x06064b50, locator64_mark = 0x07064b50;
 constexpr std::size_t end64_bytes = 56, locator64_bytes = 20;
 constexpr std::uint64_t in_zip64 = 0xffffffff;  // this value means that the number is stored with eight bytes in the ZIP64 record
-constexpr std::size_t most_files = 10'000;
+constexpr std::size_t max_files = 10'000;
 constexpr std::uint16_t stored = 0, deflated = 8, has_password = 1;
 
 /// Reads a little-endian number; bytes beyond the end count as 0.
@@ -98,7 +98,7 @@ tl::expected<std::vector<ZipEntry>, std::string> zip_entries(std::string_view ar
   const std::size_t end = end_of_directory(archive);
   if (end == std::string_view::npos) return cut_off();
   const Directory directory = directory_at(archive, end);
-  if (directory.count > most_files) return Failed(told("too many files in the archive", "слишком много файлов в архиве"));
+  if (directory.count > max_files) return Failed(told("too many files in the archive", "слишком много файлов в архиве"));
   if (directory.first > end) return cut_off();
   std::vector<ZipEntry> entries;
   std::size_t at = std::size_t(directory.first);

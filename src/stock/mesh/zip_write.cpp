@@ -1,13 +1,13 @@
 // Writes archives file by file. Used by stock/mesh/threemf_write.
 
-#include "config/told.h"
+#include "config/language.h"
 #include "stock/mesh/zip.h"
 #include "stock/mesh/zlib_library.h"
 
 namespace kadr {
 namespace {
 
-constexpr std::size_t most_bytes = 0xfffffffe;           // greatest size of an archive without ZIP64
+constexpr std::size_t max_bytes = 0xfffffffe;            // greatest size of an archive without ZIP64
 constexpr std::uint32_t first_day = (1 << 5 | 1) << 16;  // 1 January 1980, so that the bytes do not depend on the date
 constexpr std::uint32_t version = 20, deflate = 8;
 constexpr int packing_level = 3;  // from 1 to 9: a mesh packed in twice the time would be only a tenth shorter
@@ -40,7 +40,7 @@ class Deflater {
       good_ = good_ && zlib_.deflate(&stream_, flush) != Z_STREAM_ERROR;
       packed_.append(piece, sizeof piece - stream_.avail_out);
     } while (good_ && stream_.avail_out == 0);
-    return good_ && length_ <= most_bytes;
+    return good_ && length_ <= max_bytes;
   }
   const std::string& packed() const { return packed_; }
   std::size_t length() const { return length_; }
@@ -68,7 +68,7 @@ std::string ZipWriter::add(const std::string& name, const std::function<bool(con
   if (zlib == nullptr) return told("zlib is missing (package zlib1g)", "нет библиотеки zlib (пакет zlib1g)");
   Deflater deflater(*zlib);
   const bool whole = content([&](std::string_view bytes) { return deflater.take(bytes, Z_NO_FLUSH); }) && deflater.take({}, Z_FINISH);
-  if (written_ + deflater.packed().size() + name.size() > most_bytes || deflater.length() > most_bytes) return too_long();
+  if (written_ + deflater.packed().size() + name.size() > max_bytes || deflater.length() > max_bytes) return too_long();
   if (!whole) return not_written;
   std::string sizes;  // fields that both headers of the file contain
   put_le(sizes, 0, 2), put_le(sizes, deflate, 2), put_le(sizes, first_day, 4), put_le(sizes, deflater.crc(), 4);
@@ -86,7 +86,7 @@ std::string ZipWriter::add(const std::string& name, const std::function<bool(con
 }
 
 std::string ZipWriter::finish() {
-  if (written_ + directory_.size() > most_bytes) return too_long();
+  if (written_ + directory_.size() > max_bytes) return too_long();
   std::string end = directory_;
   put_le(end, 0x06054b50, 4), put_le(end, 0, 4), put_le(end, count_, 2), put_le(end, count_, 2);
   put_le(end, std::uint32_t(directory_.size()), 4), put_le(end, std::uint32_t(written_), 4), put_le(end, 0, 2);

@@ -35,7 +35,7 @@ inline TwoPlaces cross(const TwoPlaces& a, const TwoPlaces& b) {
   return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
 }
 
-inline Two square_to_stretch(const TwoPlaces& from, const TwoPlaces& way) {
+inline Two square_to_segment(const TwoPlaces& from, const TwoPlaces& way) {
   const Two none{}, one = none + 1.0, length_squared = dot(way, way);
   Two share = -dot(from, way) / length_squared;
   share = share < none ? none : share;
@@ -54,9 +54,9 @@ inline Two square_to_triangle(const TwoPlaces (&corner)[3]) {
   const Two size = dot(normal, normal), off = dot(corner[0], normal);
   auto over = size > none;
   for (int k = 0; k < 3; ++k) over &= dot(cross(corner[k], corner[(k + 1) % 3]), normal) >= none;
-  Two least = square_to_stretch(corner[0], side[0]);
+  Two least = square_to_segment(corner[0], side[0]);
   for (int k = 1; k < 3; ++k) {
-    const Two square = square_to_stretch(corner[k], side[k]);
+    const Two square = square_to_segment(corner[k], side[k]);
     least = square < least ? square : least;
   }
   const Two to_plane = off * off / size;

@@ -42,7 +42,7 @@ void arrange(Middle* first, Middle* last, std::size_t group, GroupSizes sizes, i
     arrange(first, middle, group, sizes, 1), arrange(middle, last, group, sizes, 1);
     return;
   }
-  side_by_side(2, [&](int half) {
+  run_parallel(2, [&](int half) {
     half == 0 ? arrange(first, middle, group, sizes, (threads + 1) / 2) : arrange(middle, last, group, sizes, threads / 2);
   });
 }

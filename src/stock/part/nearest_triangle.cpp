@@ -9,7 +9,7 @@
 #include <cmath>
 
 #include "base/thread.h"
-#include "stock/cut/lanes.h"
+#include "stock/cut/float_lanes.h"
 #include "stock/part/four_triangles.h"
 #include "stock/part/near_groups.h"
 #include "stock/stock.h"
@@ -72,7 +72,7 @@ NearestTriangle::NearestTriangle(const Mesh& mesh, int threads) {
   for (std::size_t above = level; above > 1;) all += above = groups(above);
   nodes_.resize(all);
   std::atomic<std::size_t> next{0};
-  side_by_side(threads, [&](int) {
+  run_parallel(threads, [&](int) {
     for (std::size_t first; (first = nodes_at_once * next++) < level;)
       for (std::size_t i = first; i < std::min(first + nodes_at_once, level); ++i) put_blocks(mesh, order, i);
   });

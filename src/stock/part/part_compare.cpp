@@ -57,21 +57,21 @@ struct WiderLattice {
 
 WiderLattice wider_lattice(const Lattice& own, const Box3& blank, const Box3& part) {
   const Vec3 size = blank.most - blank.least;
-  const double most_beyond = std::max({size.x, size.y, size.z});
+  const double max_excess = std::max({size.x, size.y, size.z});
   Box3 box = blank;
   int before[3];
   for (int d = 0; d < 3; ++d) {
-    const double below = std::clamp(along(blank.least, d) - along(part.least, d), 0.0, most_beyond);
+    const double below = std::clamp(along(blank.least, d) - along(part.least, d), 0.0, max_excess);
     before[d] = int(std::ceil(below / own.edge()));
     along(box.least, d) -= before[d] * own.edge();
-    along(box.most, d) = std::clamp(along(part.most, d), along(blank.most, d), along(blank.most, d) + most_beyond);
+    along(box.most, d) = std::clamp(along(part.most, d), along(blank.most, d), along(blank.most, d) + max_excess);
   }
   return {Lattice(box, own.cell()), {before[0], before[1], before[2]}};
 }
 
-class PartHeld {
+class PartInComparison {
  public:
-  PartHeld(const Stock& stock, const Surface& surface, const Mesh& part, const WindowFaces* faces)
+  PartInComparison(const Stock& stock, const Surface& surface, const Mesh& part, const WindowFaces* faces)
       : stock_(stock),
         surface_(surface),
         faces_(faces),
@@ -113,7 +113,7 @@ class PartHeld {
 };
 
 /// In a window, the wanted part ends at the window's faces.
-bool PartHeld::is_inside(std::size_t point, const Vec3& at) const {
+bool PartInComparison::is_inside(std::size_t point, const Vec3& at) const {
   if (inside_[point] == 0 || faces_ == nullptr) return inside_[point] != 0;
   const Box3 box = body_->box();
   for (int d = 0; d < 3; ++d)
@@ -124,7 +124,7 @@ bool PartHeld::is_inside(std::size_t point, const Vec3& at) const {
 /// Limits the depth of a point of the surface. Such points are estimated from the exact positions on the lattice lines around them, and
 /// where edges meet some are wrong by a fraction of the cell. A depth that no line shows cannot be trusted.
 ///   returns  the greatest depth on lines of the bricks that the point's cell touches, mm
-double PartHeld::depth_around(const Vec3& at, bool inside) const {
+double PartInComparison::depth_around(const Vec3& at, bool inside) const {
   const Lattice& lattice = wider_.lattice;
   int low[3], high[3];
   for (int d = 0; d < 3; ++d) {
@@ -142,7 +142,7 @@ double PartHeld::depth_around(const Vec3& at, bool inside) const {
   return double(deepest);
 }
 
-void PartHeld::hold_points(std::size_t chunk, std::vector<float>& deviation, Work& work) const {
+void PartInComparison::hold_points(std::size_t chunk, std::vector<float>& deviation, Work& work) const {
   const std::size_t last = std::min((chunk + 1) * points_at_once, surface_.point_count());
   for (std::size_t i = chunk * points_at_once; i < last; ++i) {
     const Vec3 at = surface_.point(i);
@@ -155,13 +155,13 @@ void PartHeld::hold_points(std::size_t chunk, std::vector<float>& deviation, Wor
 }
 
 /// Returns the index of the same brick in the stock's lattice; nullopt if the brick is outside the stock, where there never was material.
-std::optional<std::size_t> PartHeld::of_stock(std::size_t brick) const {
+std::optional<std::size_t> PartInComparison::of_stock(std::size_t brick) const {
   BrickPlace place = wider_.lattice.place(brick);
   place.x -= wider_.stock_at.x, place.y -= wider_.stock_at.y, place.z -= wider_.stock_at.z;
   return stock_.lattice().holds(place) ? std::optional(stock_.lattice().at(place)) : std::nullopt;
 }
 
-void PartHeld::hold_brick(std::size_t brick, Work& work) {
+void PartInComparison::hold_brick(std::size_t brick, Work& work) {
   const auto own = of_stock(brick);
   const Stock::State state = own ? stock_.state(*own) : Stock::State::empty;
   if (state != Stock::State::mixed && !part_at_[brick]) return hold_evenly(brick, state == Stock::State::full, work);
@@ -176,7 +176,7 @@ void PartHeld::hold_brick(std::size_t brick, Work& work) {
 
 /// Handles a brick that is wholly material or wholly empty, and wholly inside or wholly outside the part: one of its lines shows whether
 /// inside or outside.
-void PartHeld::hold_evenly(std::size_t brick, bool material, Work& work) {
+void PartInComparison::hold_evenly(std::size_t brick, bool material, Work& work) {
   const double edge = wider_.lattice.edge(), middle = wider_.lattice.corner(brick).z + 0.5 * edge;
   const auto stretches = lines_.of(wider_.lattice.place(brick), 2, brick_lines / 2 + brick_edge / 2);
   const bool part = std::any_of(stretches.begin(), stretches.end(), [&](const LineRange& r) { return r.from < middle && middle < r.to; });
@@ -192,7 +192,7 @@ void PartHeld::hold_evenly(std::size_t brick, bool material, Work& work) {
 /// Computes the volume along the direction whose lines contain most of the difference: lines across a thin layer measure it well, lines
 /// along the layer hardly meet it. Finds the depth along all three directions, ignoring segments that come from rounding along a wall.
 ///   returns  the volume, mm³
-float PartHeld::hold_stretches(std::size_t brick, bool gouged, Deepest& deepest, Work& work) {
+float PartInComparison::hold_stretches(std::size_t brick, bool gouged, Deepest& deepest, Work& work) {
   const auto of = [&](int family) -> const std::vector<Stretch>& {
     const LineDifference& d = work.difference.family[std::size_t(family)];
     return gouged ? d.gouged : d.left_on;
@@ -211,7 +211,7 @@ float PartHeld::hold_stretches(std::size_t brick, bool gouged, Deepest& deepest,
 
 /// Measures the depth at the middle of a segment, and in steps along it if it can exceed the greatest depth found so far.
 ///   returns  false if the segment comes from rounding along a wall
-bool PartHeld::walk(const Stretch& stretch, int family, std::size_t brick, Deepest& deepest, Work& work) const {
+bool PartInComparison::walk(const Stretch& stretch, int family, std::size_t brick, Deepest& deepest, Work& work) const {
   const double cell = wider_.lattice.cell(), half = (stretch.to - stretch.from) / 2;
   Vec3 at = wider_.lattice.corner(brick);
   along(at, (family + 1) % 3) += (stretch.line % brick_edge + 0.5) * cell;
@@ -231,14 +231,14 @@ bool PartHeld::walk(const Stretch& stretch, int family, std::size_t brick, Deepe
   return most > same_surface;
 }
 
-PartComparison PartHeld::held() {
+PartComparison PartInComparison::held() {
   PartComparison result;
   result.deviation.resize(surface_.point_count());
   const std::size_t chunks = (surface_.point_count() + points_at_once - 1) / points_at_once;
   std::vector<Work> works(std::size_t(stock_.threads()));
   const auto share = [&](std::size_t count, const auto& hold) {
     std::atomic<std::size_t> next{0};
-    side_by_side(stock_.threads(), [&](int thread) {
+    run_parallel(stock_.threads(), [&](int thread) {
       for (std::size_t i; (i = next++) < count;) hold(i, works[std::size_t(thread)]);
     });
   };
@@ -255,12 +255,12 @@ PartComparison PartHeld::held() {
 }  // namespace
 
 PartComparison compare(const Stock& stock, const Surface& surface, const Mesh& part, const WindowFaces* faces) {
-  return PartHeld(stock, surface, part, faces).held();
+  return PartInComparison(stock, surface, part, faces).held();
 }
 
-double bytes_of_comparison(const Box3& stock, double cell, const Mesh& part, HeldPart held) {
+double bytes_of_comparison(const Box3& stock, double cell, const Mesh& part, ComparedPart held) {
   const Lattice own(stock, cell);
-  const Lattice lattice = held == HeldPart::window ? own : wider_lattice(own, stock, box_of(part)).lattice;
+  const Lattice lattice = held == ComparedPart::window ? own : wider_lattice(own, stock, box_of(part)).lattice;
   return double(part.triangle_count()) * bytes_of_triangle + PartLines::bytes(part, lattice) +
          double(lattice.size()) * double(sizeof(BrickFound) + 1);
 }

@@ -38,7 +38,7 @@ PartComparison compare(const Stock& stock, const Surface& surface, const Mesh& p
 
 /// Returns the memory in bytes that comparison with a stock of this box needs. It includes the triangles of the wanted part, but neither
 /// the stock nor its surface.
-enum class HeldPart : std::uint8_t { whole, window };
-double bytes_of_comparison(const Box3& stock, double cell, const Mesh& part, HeldPart held);
+enum class ComparedPart : std::uint8_t { whole, window };
+double bytes_of_comparison(const Box3& stock, double cell, const Mesh& part, ComparedPart held);
 
 }  // namespace kadr

@@ -40,7 +40,7 @@ PartLines::PartLines(const Mesh& solid, const Lattice& lattice, const std::optio
   std::array<std::vector<Hit>, 3 * shares> found;
   const auto share = [&](std::size_t count, const auto& work) {
     std::atomic<std::size_t> next{0};
-    side_by_side(threads, [&](int) {
+    run_parallel(threads, [&](int) {
       for (std::size_t i; (i = next++) < count;) work(i);
     });
   };

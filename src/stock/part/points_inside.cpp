@@ -100,7 +100,7 @@ std::vector<std::uint8_t> points_inside(const Mesh& solid, const std::vector<flo
   if (places.empty()) return inside;
   PointSquares squares(places);
   std::atomic<std::size_t> next{0};
-  side_by_side(threads, [&](int) {
+  run_parallel(threads, [&](int) {
     for (std::size_t i; (i = triangles_at_once_inside * next++) < solid.triangle_count();)
       for (std::size_t t = i; t < std::min(i + triangles_at_once_inside, solid.triangle_count()); ++t) squares.hold(solid, t);
   });

@@ -10,7 +10,7 @@ namespace kadr {
 inline double square_of(const Vec3& v) { return v.x * v.x + v.y * v.y + v.z * v.z; }
 
 /// Returns the squared distance of the origin from the segment between `from` and `from + way`.
-inline double square_to_stretch(const Vec3& from, const Vec3& way) {
+inline double square_to_segment(const Vec3& from, const Vec3& way) {
   const double length_squared = square_of(way);
   const double share = length_squared > 0 ? std::clamp(-dot(from, way) / length_squared, 0.0, 1.0) : 0;
   return square_of(from + share * way);
@@ -29,8 +29,8 @@ inline double square_to_triangle(const Vec3 (&corner)[3]) {
     const double off = dot(corner[0], normal);
     if (over) return off * off / size;
   }
-  double least = square_to_stretch(corner[0], side[0]);
-  for (int k = 1; k < 3; ++k) least = std::min(least, square_to_stretch(corner[k], side[k]));
+  double least = square_to_segment(corner[0], side[0]);
+  for (int k = 1; k < 3; ++k) least = std::min(least, square_to_segment(corner[k], side[k]));
   return least;
 }
 

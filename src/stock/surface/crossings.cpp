@@ -69,8 +69,8 @@ struct Crossings::Finder {
   bool near_known = false;
 
   /// Returns the directions of the sweep if its tool is tilted, else nullptr.
-  const LeanEnds* ends_of(std::int32_t by) const {
-    return stock.sweep(std::size_t(by)).leans ? &stock.lean_ends(std::size_t(by)) : nullptr;
+  const TiltedEnds* ends_of(std::int32_t by) const {
+    return stock.sweep(std::size_t(by)).leans ? &stock.tilted_ends(std::size_t(by)) : nullptr;
   }
   LineEnd end_on(const LatticeEdge& e, bool leaves);
   Vec3 place_of(const LatticeEdge& e, const LineEnd& end) const;

@@ -17,7 +17,7 @@ using Form = RoundSolid::Form;
 /// stock/cut/upright_rows.h and level_rows.h.
 constexpr double same_spot = 3e-4;
 constexpr double along_the_line = 0.01;  // least component of a normal along the lattice line; with less, the line lies in the face
-constexpr int most_steps = 60;
+constexpr int max_steps = 60;
 constexpr double same_part = 1e-6;  // mm of path
 constexpr double level = 1e-9;      // slope of the distance that counts as 0, relative to the length of the path
 constexpr double on_axis = 1e-12;   // mm: a point nearer to the tool's axis than this is on the axis
@@ -153,7 +153,7 @@ Touching touching(const BodyFaces& body, const Way& way, const PlaceSeen& place)
   if (before.grows >= 0) return at_part(body, way, place, 0);
   if (after.grows <= 0) return at_part(body, way, place, 1);
   const double size = std::sqrt(dot(way.along, way.along));
-  for (int i = 0; i < most_steps && (after.part - before.part) * size > same_part; ++i) {
+  for (int i = 0; i < max_steps && (after.part - before.part) * size > same_part; ++i) {
     const Probe here = probe(part_between(before, after, i, 0.4 * same_part / size));
     if (std::fabs(here.grows) < level * size) return at_part(body, way, place, here.part);
     (here.grows < 0 ? before : after) = here;
@@ -210,11 +210,11 @@ struct AsSeen {
   std::optional<ToolAxes> axes;
 };
 
-AsSeen as_seen(const KeptSweep& sweep, const CutPlace& place, const LeanEnds* ends) {
+AsSeen as_seen(const KeptSweep& sweep, const CutPlace& place, const TiltedEnds* ends) {
   Vec3 along_line;
   along(along_line, place.family) = place.leaves ? 1 : -1;
   if (ends == nullptr) return {way_of(sweep), {place.at, along_line}, std::nullopt};
-  const ToolEnds seen(lean_way_of(sweep, *ends));
+  const ToolEnds seen(tilted_path_of(sweep, *ends));
   const Vec3 first = seen.first(place.at), last = seen.last(place.at);
   const auto middle = [](Vec3 a, Vec3 b) { return as_unit(a + b, a); };
   const ToolAxes axes{middle(seen.axes_first[0], seen.axes_last[0]), middle(seen.axes_first[1], seen.axes_last[1]),
@@ -224,7 +224,7 @@ AsSeen as_seen(const KeptSweep& sweep, const CutPlace& place, const LeanEnds* en
 
 }  // namespace
 
-bool cut_at(const KeptSweep& sweep, const ToolFaces& tool, const CutPlace& place, const LeanEnds* ends) {
+bool cut_at(const KeptSweep& sweep, const ToolFaces& tool, const CutPlace& place, const TiltedEnds* ends) {
   const AsSeen seen = as_seen(sweep, place, ends);
   return std::any_of(tool.begin(), tool.end(), [&](const BodyFaces& body) {
     const Touching t = touching(body, seen.way, seen.place);
@@ -232,7 +232,7 @@ bool cut_at(const KeptSweep& sweep, const ToolFaces& tool, const CutPlace& place
   });
 }
 
-Vec3 cut_normal(const KeptSweep& sweep, const ToolFaces& tool, const CutPlace& place, const LeanEnds* ends) {
+Vec3 cut_normal(const KeptSweep& sweep, const ToolFaces& tool, const CutPlace& place, const TiltedEnds* ends) {
   const AsSeen seen = as_seen(sweep, place, ends);
   const Vec3 normal = normal_seen(seen.way, tool, seen.place);
   if (!seen.axes) return normal;

@@ -44,9 +44,9 @@ struct CutPlace {
 
 /// Returns true if the sweep has cut a surface at this point, and the line crosses that surface.
 ///   ends  directions of the tool, if it is tilted
-bool cut_at(const KeptSweep& sweep, const ToolFaces& tool, const CutPlace& place, const LeanEnds* ends = nullptr);
+bool cut_at(const KeptSweep& sweep, const ToolFaces& tool, const CutPlace& place, const TiltedEnds* ends = nullptr);
 
 /// Returns the outward normal of the remaining material at this point.
-Vec3 cut_normal(const KeptSweep& sweep, const ToolFaces& tool, const CutPlace& place, const LeanEnds* ends = nullptr);
+Vec3 cut_normal(const KeptSweep& sweep, const ToolFaces& tool, const CutPlace& place, const TiltedEnds* ends = nullptr);
 
 }  // namespace kadr

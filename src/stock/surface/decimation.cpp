@@ -13,9 +13,9 @@ namespace {
 
 constexpr std::uint32_t no_index = ~std::uint32_t{0};
 constexpr std::uint32_t most_around = 40;  // greatest number of triangles around a point
-constexpr std::size_t most_tried = 3;      // number of neighbours that are tried for each point, the best first
+constexpr std::size_t max_tried = 3;       // number of neighbours that are tried for each point, the best first
 constexpr double worth_trying = 3;  // times the permitted distance: a neighbour farther from the planes around the point is not tried
-constexpr int most_passes = 60;
+constexpr int max_passes = 60;
 constexpr double least_height = 1e-3;  // triangle height over longest side: thinner triangles have no reliable normal
 constexpr double turned_little = 0.2;  // least cosine of the angle between a triangle's normals before and after a merge
 
@@ -133,7 +133,7 @@ void Decimation::drop_from(std::uint32_t p, std::uint32_t triangle) {
   --count_[p];
 }
 
-void Decimation::carry_out(std::uint32_t u, std::uint32_t v) {
+void Decimation::execute(std::uint32_t u, std::uint32_t v) {
   const auto first = std::uint32_t(around_.size());
   for (std::uint32_t i = first_[v], end = first_[v] + count_[v]; i < end; ++i)
     if (const std::uint32_t t = around_[i]; !has(t, u)) around_.push_back(t);
@@ -167,13 +167,13 @@ bool Decimation::try_point(std::uint32_t u, double most_off) {
     for (const Around& a : star_) off = std::max(off, std::fabs(dot(a.normal, way)));
     if (off <= worth_trying * most_off) candidates_.push_back({off, v});
   }
-  const std::size_t tried = std::min(candidates_.size(), most_tried);
+  const std::size_t tried = std::min(candidates_.size(), max_tried);
   std::partial_sort(candidates_.begin(), candidates_.begin() + std::ptrdiff_t(tried), candidates_.end(),
                     [](const Candidate& a, const Candidate& b) { return a.off != b.off ? a.off < b.off : a.point < b.point; });
   for (std::size_t i = 0; i < tried; ++i) {
     const std::uint32_t v = candidates_[i].point;
     if (!may_go(u, v) || !take_fresh(u, v) || !hold_all(u, most_off)) continue;
-    carry_out(u, v);
+    execute(u, v);
     return true;
   }
   return false;
@@ -182,7 +182,7 @@ bool Decimation::try_point(std::uint32_t u, double most_off) {
 /// Points next to a removed point must wait for the next pass. So triangles grow evenly and do not form fans.
 void Decimation::go(double most_off, const StopToken& stop) {
   std::fill(waits_.begin(), waits_.end(), std::uint8_t{1});
-  for (int pass = 0, any = 1; pass < most_passes && any != 0 && !stop.asked(); ++pass) {
+  for (int pass = 0, any = 1; pass < max_passes && any != 0 && !stop.asked(); ++pass) {
     any = 0;
     std::fill(touched_.begin(), touched_.end(), std::uint8_t{0});
     for (std::uint32_t u = 0; u < count_.size(); ++u) {

@@ -12,7 +12,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "base/stop.h"
+#include "base/stop_token.h"
 #include "stock/mesh/mesh.h"
 
 namespace kadr {
@@ -49,7 +49,7 @@ class Decimation {
   bool may_go(std::uint32_t u, std::uint32_t v);
   bool take_fresh(std::uint32_t u, std::uint32_t v);
   bool hold_all(std::uint32_t u, double most_off);
-  void carry_out(std::uint32_t u, std::uint32_t v);
+  void execute(std::uint32_t u, std::uint32_t v);
   void drop_from(std::uint32_t point, std::uint32_t triangle);
   bool has(std::uint32_t triangle, std::uint32_t point) const;
   Vec3 point(std::uint32_t i) const { return exact_.point(i); }

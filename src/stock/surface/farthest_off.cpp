@@ -43,7 +43,7 @@ double farthest_off(const Mesh& from, const Mesh& to, double step, const Simplif
   const NearestTriangle nearest(to, rules.threads);
   std::vector<double> most(std::size_t(rules.threads), 0);
   std::atomic<std::size_t> next{0};
-  side_by_side(rules.threads, [&](int thread) {
+  run_parallel(rules.threads, [&](int thread) {
     std::uint32_t hint = 0;
     double& own = most[std::size_t(thread)];
     for (std::size_t chunk; !rules.stop.asked() && (chunk = next++) * triangles_a_share < from.triangle_count();) {

@@ -12,7 +12,7 @@ namespace kadr {
 namespace {
 
 constexpr double shares_of_tolerance[] = {0.1, 0.35, 1};  // one pass with each, so that flat regions are simplified first
-constexpr int most_rounds = 4;
+constexpr int max_rounds = 4;
 constexpr double of_found = 0.8;   // safety factor for the next tolerance, for which the distance is assumed to be proportional to it
 constexpr double at_points = 1e9;  // mm: a step larger than any triangle means that only vertices are measured
 
@@ -30,7 +30,7 @@ Mesh decimated(const Mesh& exact, double most_off, const StopToken& stop) {
 SimplifiedSurface simplified_surface(const Mesh& exact, const SimplifyRules& rules) {
   const double half_a_cell = std::sqrt(area_of(exact) / double(std::max<std::size_t>(exact.triangle_count(), 1)) / 2);
   double allowed = rules.most_off;
-  for (int round = 0; round < most_rounds && !exact.triangles.empty() && !rules.stop.asked(); ++round) {
+  for (int round = 0; round < max_rounds && !exact.triangles.empty() && !rules.stop.asked(); ++round) {
     SimplifiedSurface simple{decimated(exact, allowed, rules.stop), 0};
     simple.off = std::max(farthest_off(exact, simple.mesh, at_points, rules), farthest_off(simple.mesh, exact, half_a_cell, rules));
     if (simple.off <= rules.most_off) return simple;

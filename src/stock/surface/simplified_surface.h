@@ -3,7 +3,7 @@
 //
 //   exact ─ Decimation ─▶ simplified ─ distance measured in both directions ─▶ result, or another attempt with a smaller tolerance
 
-#include "base/stop.h"
+#include "base/stop_token.h"
 #include "stock/mesh/mesh.h"
 
 namespace kadr {

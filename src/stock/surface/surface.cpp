@@ -19,9 +19,9 @@ constexpr std::size_t points_expected = brick_lines / 2 * 3;  // estimated numbe
 
 /// Calls `work` once for each index, in any of the threads.
 template <class Work>
-void each_side_by_side(int threads, std::size_t count, const Work& work) {
+void each_in_parallel(int threads, std::size_t count, const Work& work) {
   std::atomic<std::size_t> next{0};
-  side_by_side(threads, [&](int thread) {
+  run_parallel(threads, [&](int thread) {
     for (std::size_t i; (i = next++) < count;) work(i, thread);
   });
 }
@@ -87,7 +87,7 @@ Parts parts_of(const Stock& stock, Surface& surface) {
   std::vector<PartWork> works(std::size_t(stock.threads()));
   for (std::size_t first = 0; first < parts.size(); first += bricks_at_once) {
     const std::size_t count = std::min(bricks_at_once, parts.size() - first);
-    each_side_by_side(stock.threads(), count, [&](std::size_t i, int thread) {
+    each_in_parallel(stock.threads(), count, [&](std::size_t i, int thread) {
       parts[first + i] = surface_part(stock, tools, first + i, works[std::size_t(thread)]);
     });
     for (std::size_t i = first; i < first + count; ++i)
@@ -107,7 +107,7 @@ Surface surface_of(const Stock& stock) {
     if (parts[i]) first_face[i] = faces, faces += parts[i]->edges.size();
   surface.triangles.resize(6 * faces);
   const Joiner joiner{stock.lattice(), parts, surface};
-  each_side_by_side(stock.threads(), parts.size(), [&](std::size_t i, int) {
+  each_in_parallel(stock.threads(), parts.size(), [&](std::size_t i, int) {
     if (!parts[i]) return;
     std::uint32_t* to = surface.triangles.data() + 6 * first_face[i];
     for (const CrossedEdge& e : parts[i]->edges) joiner.put_face(i, e, to), to += 6;

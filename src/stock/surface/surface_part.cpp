@@ -23,7 +23,7 @@ struct PartMaker {
   void take_column(int x, int y);
   void take_cell(const std::array<int, 3>& at);
   void put(const CellVertex& vertex, const std::array<int, 3>& at, bool first_sheet);
-  unsigned corners_beside(const std::array<int, 3>& at) const;
+  unsigned corners_in_other_bricks(const std::array<int, 3>& at) const;
   Sheets parted(const std::array<int, 3>& at, unsigned corners, unsigned doubled) const;
   void finish();
 };
@@ -38,7 +38,7 @@ void PartMaker::put(const CellVertex& vertex, const std::array<int, 3>& at, bool
 }
 
 /// Returns the corners of a cell that may be in another brick.
-unsigned PartMaker::corners_beside(const std::array<int, 3>& at) const {
+unsigned PartMaker::corners_in_other_bricks(const std::array<int, 3>& at) const {
   if (std::all_of(at.begin(), at.end(), [](int i) { return i >= 0 && i < brick_edge; })) return work.signs.corners(at[0], at[1], at[2]);
   const BrickPlace place = stock.lattice().place(brick);
   unsigned corners = 0;
@@ -54,7 +54,7 @@ Sheets PartMaker::parted(const std::array<int, 3>& at, unsigned corners, unsigne
   const int face = std::countr_zero(doubled);
   std::array<int, 3> beside = at;
   beside[std::size_t(face / 2)] += face % 2 ? 1 : -1;
-  const bool by_both = (plain_sheets(corners_beside(beside)).doubled >> (face ^ 1) & 1) != 0;
+  const bool by_both = (plain_sheets(corners_in_other_bricks(beside)).doubled >> (face ^ 1) & 1) != 0;
   return by_both ? sheets_of(corners, doubled) : plain_sheets(corners);
 }
 

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "base/vec.h"
-#include "config/convex_parts.h"
+#include "config/tools/convex_parts.h"
 #include "stock/tool/round_solid.h"
 
 namespace kadr {

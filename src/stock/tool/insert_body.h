@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "config/tool_geometry.h"
+#include "config/tools/tool_geometry.h"
 
 namespace kadr {
 
@@ -26,7 +26,7 @@ struct InsertBody {
 };
 
 /// Returns the outlines of the cutting part, of the insert beyond its cutting edges, and of the holder.
-///   pre  told_fault(geometry) is empty, and the tool is a turning tool
+///   pre  tool_fault_message(geometry) is empty, and the tool is a turning tool
 std::vector<InsertBody> insert_bodies(const ToolGeometry& geometry);
 
 }  // namespace kadr

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "config/tool_geometry.h"
+#include "config/tools/tool_geometry.h"
 #include "stock/tool/insert_body.h"
 
 namespace kadr {
@@ -49,7 +49,7 @@ struct ToolShape {
 };
 
 /// Builds the solids for each type of tool (docs/commands/cut.md, "Tools").
-///   pre  told_fault(geometry) is empty
+///   pre  tool_fault_message(geometry) is empty
 ToolShape shape_of(const ToolGeometry& geometry);
 /// Returns a turning tool without its insert. It replaces the tool while the insert is in a helical groove (a thread).
 ToolShape holder_of(const ToolShape& tool);

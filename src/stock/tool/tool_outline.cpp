@@ -6,7 +6,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "config/tool_library.h"
+#include "config/tools/tool_library.h"
 #include "stock/tool/round_solid.h"
 
 namespace kadr {
@@ -30,7 +30,7 @@ void add_round(const RoundSolid& s, std::vector<ProfilePoint>& outline) {
 std::vector<ProfilePoint> outline_of(const ToolGeometry& given) {
   ToolGeometry tool = given;
   complete(tool);
-  if (tool.kind == ToolKind::turning || !told_fault(tool).empty()) return {};
+  if (tool.kind == ToolKind::turning || !tool_fault_message(tool).empty()) return {};
   std::vector<RoundSolid> solids;
   for (const ConvexBody& body : shape_of(tool).bodies) solids.insert(solids.end(), body.solids.begin(), body.solids.end());
   std::stable_sort(solids.begin(), solids.end(), [](const RoundSolid& a, const RoundSolid& b) { return a.bottom < b.bottom; });

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "config/tool_geometry.h"
+#include "config/tools/tool_geometry.h"
 
 namespace kadr {
 

@@ -5,7 +5,7 @@
 
 #include "control/random_path.h"
 #include "control/run_program.h"
-#include "control/state/state.h"
+#include "control/state/control_state.h"
 
 namespace kadr::transformations_test {
 namespace {

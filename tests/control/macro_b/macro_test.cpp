@@ -220,7 +220,7 @@ std::vector<double> ends_of(const Run& r) {
   return ends;
 }
 
-double variable_of(const Ending& e, int n) {
+double variable_of(const FinalState& e, int n) {
   for (const auto& [name, value] : e.variables)
     if (name == "#" + std::to_string(n)) return value;
   return no_value();

@@ -7,7 +7,7 @@
 
 #include <limits>
 
-#include "config/parameter_table.h"
+#include "config/setup/parameter_table.h"
 
 namespace kadr::macro_b::parameters_test {
 namespace {

@@ -97,7 +97,7 @@ TEST(data_input, fills_the_place_table) {  // golden 12-17
   setup.place_table = {{{1, 8}, 0}, {{1, 4}, 0}, {{10, 1}, 5}};
   ToolManagement tools(setup);
   ASSERT_TRUE(feed(tools, DataKind::places, {"N1 P4 R9", "N1 P8 R2", "N10 R0", "N11 P77 R3"}));
-  EXPECT_EQ(tools.places(), (PlaceTable{{{1, 4}, 9}, {{1, 8}, 2}, {{10, 1}, 0}, {{11, 1}, 3}}));
+  EXPECT_EQ(tools.places(), (PocketTable{{{1, 4}, 9}, {{1, 8}, 2}, {{10, 1}, 0}, {{11, 1}, 3}}));
 }
 
 TEST(data_input, fills_the_form_table) {  // golden 12-18

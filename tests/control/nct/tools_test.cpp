@@ -142,7 +142,7 @@ TEST(change, takes_the_tool_out_of_its_pocket) {  // golden 12-6
   ToolManagement tools(drills());
   EXPECT_EQ(*tools.call(drill, CallBy::type), (ToolCall{drill, 2, 1, 8}));
   EXPECT_EQ(tools.change(10, CountUse::yes), (ToolCall{drill, 2, 1, 8}));
-  EXPECT_EQ(tools.places(), (PlaceTable{{{1, 4}, 9}, {{1, 8}, 0}, {{10, 1}, 2}}));
+  EXPECT_EQ(tools.places(), (PocketTable{{{1, 4}, 9}, {{1, 8}, 0}, {{10, 1}, 2}}));
   EXPECT_EQ(tools.row(2)->counter, 132);
   EXPECT_EQ(tools.spindle_row(), 2);
 }
@@ -157,7 +157,7 @@ TEST(change, expiry_makes_the_next_search_take_the_other) {  // golden 12-7
   EXPECT_EQ(tools.change(10, CountUse::yes), (ToolCall{drill, 9, 1, 4}));
   EXPECT_EQ(tools.row(9)->status, 2U);  // not used → used
   EXPECT_EQ(tools.row(9)->counter, 1);
-  EXPECT_EQ(tools.places(), (PlaceTable{{{1, 4}, 2}, {{1, 8}, 0}, {{10, 1}, 9}}));  // random handling: they swap pockets
+  EXPECT_EQ(tools.places(), (PocketTable{{{1, 4}, 2}, {{1, 8}, 0}, {{10, 1}, 9}}));  // random handling: they swap pockets
 }
 
 TEST(change, not_counted_when_the_other_code_counts) {
@@ -193,7 +193,7 @@ TEST(change, an_empty_pocket_takes_the_tool) {
   ToolManagement tools(setup);
   ASSERT_TRUE(tools.call(10008, CallBy::place));
   EXPECT_EQ(tools.change(10, CountUse::yes), (ToolCall{10008, 0, 1, 8}));
-  EXPECT_EQ(tools.places(), (PlaceTable{{{1, 1}, 0}, {{1, 8}, 2}, {{10, 1}, 0}}));
+  EXPECT_EQ(tools.places(), (PocketTable{{{1, 1}, 0}, {{1, 8}, 2}, {{10, 1}, 0}}));
 }
 
 RC_GTEST_PROP(change, loses_and_doubles_no_tool_while_a_pocket_is_free, ()) {
@@ -208,7 +208,7 @@ RC_GTEST_PROP(change, loses_and_doubles_no_tool_while_a_pocket_is_free, ()) {
   tools.keep_in(journal);
   for (int step = 0; step < 12; ++step) {
     journal.begin();
-    const PlaceTable before = tools.places();
+    const PocketTable before = tools.places();
     const auto called = choose.one_in(3) ? tools.call(static_cast<std::uint32_t>(10000 + choose.between(1, 5)), CallBy::place)
                                          : tools.call(static_cast<std::uint32_t>(100 + choose.between(-1, 2)), CallBy::type);
     const ToolCall now = tools.change(10, choose.one_in(2) ? CountUse::yes : CountUse::no);
@@ -281,18 +281,18 @@ TEST(offset_numbers, of_the_tool_in_the_spindle) {  // 12.5.1
   EXPECT_EQ(tools.offset_numbers().d, 23);
 }
 
-TEST(fits_beside, form_5_of_the_manual) {  // needs 2 pockets to the left and half a pocket to the right
+TEST(fits_next_to, form_5_of_the_manual) {  // needs 2 pockets to the left and half a pocket to the right
   const ToolForm wide{4, 1, 0, 0, 0};
   const ToolForm normal{}, half{1, 1, 0, 0, 0};
-  EXPECT_TRUE(fits_beside(5, normal, 6, normal));
-  EXPECT_FALSE(fits_beside(5, wide, 6, normal));
-  EXPECT_TRUE(fits_beside(5, wide, 7, half));  // two half pockets share pocket 6
-  EXPECT_FALSE(fits_beside(3, normal, 5, wide));
-  EXPECT_TRUE(fits_beside(2, normal, 5, wide));
-  EXPECT_FALSE(fits_beside(5, normal, 5, normal));
+  EXPECT_TRUE(fits_next_to(5, normal, 6, normal));
+  EXPECT_FALSE(fits_next_to(5, wide, 6, normal));
+  EXPECT_TRUE(fits_next_to(5, wide, 7, half));  // two half pockets share pocket 6
+  EXPECT_FALSE(fits_next_to(3, normal, 5, wide));
+  EXPECT_TRUE(fits_next_to(2, normal, 5, wide));
+  EXPECT_FALSE(fits_next_to(5, normal, 5, normal));
 }
 
-RC_GTEST_PROP(fits_beside, agrees_with_counting_half_pockets, ()) {
+RC_GTEST_PROP(fits_next_to, agrees_with_counting_half_pockets, ()) {
   Choices choose = choices(20);
   const auto form = [&] { return ToolForm{static_cast<double>(choose.between(0, 6)), static_cast<double>(choose.between(0, 6)), 0, 0, 0}; };
   const int a = choose.between(1, 12), b = choose.between(1, 12);
@@ -305,8 +305,8 @@ RC_GTEST_PROP(fits_beside, agrees_with_counting_half_pockets, ()) {
   };
   lay(a, fa);
   lay(b, fb);
-  RC_ASSERT(fits_beside(a, fa, b, fb) == apart);
-  RC_ASSERT(fits_beside(b, fb, a, fa) == apart);
+  RC_ASSERT(fits_next_to(a, fa, b, fb) == apart);
+  RC_ASSERT(fits_next_to(b, fb, a, fa) == apart);
 }
 
 TEST(form_of, needs_the_bit_L) {

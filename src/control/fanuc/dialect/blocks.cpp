@@ -9,7 +9,7 @@
 #include "base/code_literals.h"
 #include "control/fanuc/drilling/drilling.h"
 #include "control/fanuc/fanuc.h"
-#include "control/fanuc/five_axis/five_axis.h"
+#include "control/fanuc/five_axis/five_axis_functions.h"
 #include "control/fanuc/geometry/sides.h"
 #include "control/fanuc/words/data_lines.h"
 #include "control/functions/functions.h"
@@ -130,7 +130,7 @@ Status take_spindle_words(BlockContext& m) {
   }
   if (first == nullptr || p == nullptr || codes) return {};
   if (m.block->word_count > 2) return fail(alarm(AlarmId::own_block, p->where, m.block->text_of(first->where)));  // 11.1.1
-  const auto number = m.whole('P', 1, most_spindles);
+  const auto number = m.whole('P', 1, max_spindles);
   if (!number) return fail(number.error());
   fanuc_of(m).spindle_by_p = static_cast<int>(*number);
   p->address = 0;

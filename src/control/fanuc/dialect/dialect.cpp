@@ -6,7 +6,7 @@
 #include "control/fanuc/dialect/blocks.h"
 #include "control/fanuc/drilling/drilling.h"
 #include "control/fanuc/fanuc.h"
-#include "control/fanuc/five_axis/five_axis.h"
+#include "control/fanuc/five_axis/five_axis_functions.h"
 #include "control/fanuc/geometry/arcs.h"
 #include "control/fanuc/geometry/automatic_geometry.h"
 #include "control/fanuc/geometry/sides.h"
@@ -38,7 +38,7 @@ BlockChanges Fanuc::changes_of(const BlockContext& m, const Plan& plan) const {
 }
 
 void Fanuc::before_function(Emitter& m, Function function) {
-  if (state.compensates && traits_of(function).is(function_fact::breaks_contour)) m.emit(ContourBreak{});
+  if (state.compensates && traits_of(function).is(function_fact::breaks_contour)) m.emit(CompensationBreak{});
 }
 
 void Fanuc::after_code(Interpreter& m, const CodeRow& row, std::int32_t code) { note_code(m, row, code); }
@@ -50,7 +50,7 @@ Status Fanuc::target(const BlockContext& m, Axes& to, AxisMask& named) const { r
 bool Fanuc::shapes_lines(const BlockContext& m) const { return has_geometry_words(m) || leads_lines(m); }
 
 Status Fanuc::straight(Emitter& m, const Call& call, MotionKind kind) {
-  return has_geometry_words(m) ? shaped_line(m, call, kind) : led_line(m, call, kind);
+  return has_geometry_words(m) ? shaped_line(m, call, kind) : tip_control_line(m, call, kind);
 }
 
 bool Fanuc::only_shifts(const BlockContext& m) const { return only_shifts_length(m); }
@@ -109,16 +109,16 @@ Axes Fanuc::shift_of_origin(const BlockContext& m) const { return fanuc::shift_o
 
 void Fanuc::roll(const BlockContext& m, Axes& positions) const { roll_positions(m, positions); }
 
-Status Fanuc::take_answer(Emitter& m, const ProbeAnswer& at) { return fanuc::take_answer(m, at); }
+Status Fanuc::accept_answer(Emitter& m, const ProbeAnswer& at) { return fanuc::accept_answer(m, at); }
 
 // ---- what the machine reports
 
 void Fanuc::synchronise(int slave, int master) {
-  for (int n = 1; n <= static_cast<int>(most_spindles); ++n) {
+  for (int n = 1; n <= static_cast<int>(max_spindles); ++n) {
     if (slave != n && slave != 0) continue;
     SpindleState& s = spindle(n);
     s.master = master;
-    if (master < 1 || master > static_cast<int>(most_spindles)) continue;
+    if (master < 1 || master > static_cast<int>(max_spindles)) continue;
     SpindleState& leads = spindle(master);  // 11.7.4: both position loops are closed; the slave gets the master's speed
     s.rpm = leads.rpm;
     s.dir = leads.dir;
@@ -127,7 +127,7 @@ void Fanuc::synchronise(int slave, int master) {
 }
 
 void Fanuc::convert_spindle(int number, bool to_axis) {
-  if (number < 1 || number > static_cast<int>(most_spindles)) return;
+  if (number < 1 || number > static_cast<int>(max_spindles)) return;
   SpindleState& s = spindle(number);
   s.dir = SpindleDir::stop;
   s.master = 0;

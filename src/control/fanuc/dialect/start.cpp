@@ -7,7 +7,7 @@
 
 #include "base/code_literals.h"
 #include "control/fanuc/fanuc.h"
-#include "control/fanuc/five_axis/five_axis.h"
+#include "control/fanuc/five_axis/five_axis_functions.h"
 #include "control/fanuc/frames/transformations.h"
 #include "control/fanuc/words/coordinates.h"
 #include "control/functions/functions.h"
@@ -128,7 +128,7 @@ bool Fanuc::start(Interpreter& m, const Setup& setup) {
       if (const auto found = setup.machine.find(name); found != setup.machine.end()) servo_lag[a] = found->second.position_error;
   }
   for (const auto& [number, spindle_setup] : setup.spindles) {
-    if (number < 1 || number > static_cast<int>(most_spindles)) continue;
+    if (number < 1 || number > static_cast<int>(max_spindles)) continue;
     SpindleState& s = spindle(number);
     s.known = true;
     s.channel = spindle_setup.channel;
@@ -162,7 +162,7 @@ namespace {
 void take_length_in_force(BlockContext& m) {
   const std::uint32_t number = m.modal.length_number;
   if (m.modal.length_sign == 0 || number == 0 || m.modal.turning_lengths || any_nonzero(m.modal.lengths)) return;
-  if (fanuc_of(m).state.five_axis.lead != ToolLead::none || number >= m.tables.offsets.size()) return;
+  if (fanuc_of(m).state.five_axis.lead != TipControl::none || number >= m.tables.offsets.size()) return;
   const Vec3 tool = fanuc_of(m).settings.five_axis.tool;
   const int axis = main_axis(m, tool.x != 0 ? 1 : tool.y != 0 ? 2 : 3);
   if (axis >= 0) m.modal.lengths[static_cast<std::size_t>(axis)] = m.modal.length_sign * m.tables.offsets[number].whole_length();
@@ -258,9 +258,9 @@ void Fanuc::keep_all() {
   MacroB::keep_all();
 }
 
-void Fanuc::take_back(BlockContext& m) {
+void Fanuc::undo_block(BlockContext& m) {
   if (!keeps_nothing()) state = before_;
-  MacroB::take_back(m);
+  MacroB::undo_block(m);
 }
 
 // ---- snapshot

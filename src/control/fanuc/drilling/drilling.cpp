@@ -7,7 +7,7 @@
 
 #include "base/code_literals.h"
 #include "base/tolerance.h"
-#include "config/drill_steps.h"
+#include "config/control/drill_steps.h"
 #include "control/fanuc/drilling/drilling_run.h"
 #include "control/fanuc/drilling/pattern.h"
 #include "control/fanuc/fanuc.h"
@@ -19,8 +19,8 @@
 namespace kadr::fanuc {
 namespace {
 
-constexpr double most_pecks = 1e6;
-constexpr double most_holes = 99'999'999;
+constexpr double max_pecks = 1e6;
+constexpr double max_holes = 99'999'999;
 
 /// Returns the table row of the cycle in force, or -1.
 std::int16_t cycle_row(const BlockContext& m) {
@@ -94,13 +94,13 @@ class Drilling {
     KADR_TRY(begin(static_cast<std::size_t>(axis), *bottom));
     const bool by_level = m_.def.behaviour.shifts_by_q();               // spec/fanuc 10.1: R alone is enough too
     if (!m_.has_axis_words() && !(by_level && m_.has('R'))) return {};  // 18.2: the cycle is not executed
-    KADR_TRY(remember(*bottom));
+    KADR_TRY(resume_from(*bottom));
     double passes = 1;
     const char repeats = m_.def.behaviour.repeats_by_k && m_.has('K') ? 'K' : 'L';
     if (m_.has(repeats)) {
       passes = m_.value(repeats) * std::pow(10.0, m_.word(repeats)->counted);  // K3 is not a length: undo its scaling
       if (passes != std::floor(passes)) return fail(alarm(AlarmId::word_not_integer, m_.where(repeats), repeats, passes));
-      if (!(passes >= 0 && passes <= most_holes)) return fail(alarm(AlarmId::value_out_of_range, m_.where(repeats), repeats, passes));
+      if (!(passes >= 0 && passes <= max_holes)) return fail(alarm(AlarmId::value_out_of_range, m_.where(repeats), repeats, passes));
     }
     if (passes == 0 || m_.has_code({Function::hole_pattern})) return {};
     KADR_TRY(over_hole(m_, kept_.axis));
@@ -177,7 +177,7 @@ class Drilling {
     return m_.transform.to_programmed(frames.work_of(m_.position.machine));
   }
 
-  Status remember(const Word* bottom) {
+  Status resume_from(const Word* bottom) {
     if (bottom != nullptr) {
       kept_.bottom = coordinate(m_, *bottom, kept_.axis);
       kept_.bottom_added = is_increment(m_, *bottom);
@@ -257,7 +257,7 @@ class Drilling {
       job.peck = kept_.shift.x;
       job.less = std::max(kept_.shift.y, 0.0);
       job.least = std::max(kept_.shift.z, job.less > 0 ? tol::level : 0.0);
-      if (job.least > 0 && std::fabs(job.level - job.bottom) / job.least > most_pecks)
+      if (job.least > 0 && std::fabs(job.level - job.bottom) / job.least > max_pecks)
         return fail(alarm(AlarmId::value_out_of_range, call_.where, 'K', kept_.shift.z));
     }
     if (m_.def.behaviour.cycle_words == CycleWords::pecks_by_ijk && code_ == 73_g && !(kept_.shift.x > 0))
@@ -266,7 +266,7 @@ class Drilling {
     if ((code_ == 73_g || code_ == 83_g) && !(job.peck > 0))
       return fail(alarm(AlarmId::cycle_peck, m_.has('Q') ? m_.where('Q') : call_.where, job.peck));
     const double depth = std::fabs(job.level - job.bottom) * std::fabs(m_.transform.scale[job.axis]);
-    if (job.peck > 0 && depth / job.peck > most_pecks)
+    if (job.peck > 0 && depth / job.peck > max_pecks)
       return fail(alarm(AlarmId::value_out_of_range, m_.has('Q') ? m_.where('Q') : call_.where, 'Q', job.peck));
     return {};
   }

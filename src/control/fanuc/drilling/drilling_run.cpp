@@ -8,7 +8,7 @@
 
 #include "base/code_literals.h"
 #include "base/tolerance.h"
-#include "config/drill_steps.h"
+#include "config/control/drill_steps.h"
 #include "control/cycles/hole_work.h"
 #include "control/fanuc/fanuc.h"
 #include "control/fanuc/words/coordinates.h"
@@ -97,7 +97,7 @@ Result<bool> DrillingRun::next(Emitter& m) {
     return true;
   }
   if (now == cw || now == ccw) stands_off_ = false;
-  const HoleWork work = stands_off_ ? HoleWork::stands_off : taps() ? HoleWork::taps : HoleWork::none;
+  const HoleWork work = stands_off_ ? HoleWork::clear_of_wall : taps() ? HoleWork::taps : HoleWork::none;
   KADR_TRY(emit_in_hole(*m.batch, work, [&] { return step(m, now); }));
   if (now == orient) stands_off_ = true;
   if (part_ == 0) ++at_;

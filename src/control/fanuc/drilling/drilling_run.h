@@ -7,7 +7,7 @@
 
 #include "base/code_literals.h"
 #include "base/result.h"
-#include "config/drill_steps.h"
+#include "config/control/drill_steps.h"
 #include "control/emitter.h"
 
 namespace kadr::fanuc {
@@ -22,7 +22,7 @@ double tapping_rpm(const BlockContext& m);
 
 /// Runs operations 2 … 10 of the first pass, and all operations of the other passes that L requests. A run cannot fail after
 /// check_drilling() has succeeded.
-class DrillingRun final : public RunningValue<DrillingRun> {
+class DrillingRun final : public SteppedCycleValue<DrillingRun> {
  public:
   /// Data of one block from the program and the parameters. Levels are programmed coordinates, mm.
   struct Job {

@@ -9,11 +9,11 @@
 namespace kadr::fanuc {
 
 Result<std::vector<Vec2>> pattern_points(const BlockContext& m, const Call& call) {
-  constexpr std::uint32_t most_points = 10'000;
+  constexpr std::uint32_t max_points = 10'000;
   const std::int32_t code = call.row->tenth;
   for (const char letter : {'I', 'L', code == 71_g ? 'K' : 'I'})
     if (!m.has(letter)) return fail(alarm(AlarmId::word_missing, call.where, letter, call.row->code));
-  const auto count = m.whole('L', 1, most_points);
+  const auto count = m.whole('L', 1, max_points);
   if (!count) return fail(count.error());
   const double reach = m.length_value('I'), first = m.has('J') ? m.value('J') : 0;
   const double turn = reach < 0 ? -1 : 1;  // a negative I: clockwise

@@ -5,11 +5,11 @@
 #include <utility>
 
 #include "control/fanuc/fanuc.h"
-#include "control/fanuc/five_axis/five_axis.h"
+#include "control/fanuc/five_axis/five_axis_functions.h"
 #include "control/fanuc/words/coordinates.h"
 #include "control/functions/functions.h"
-#include "kinematics/part_space.h"
-#include "kinematics/tip_ways.h"
+#include "kinematics/five_axis_tip_path.h"
+#include "kinematics/five_axis_transform.h"
 
 namespace kadr::fanuc {
 namespace {
@@ -19,10 +19,10 @@ constexpr int orient_alone = 531;  // code in tenths: G53.1
 /// Returns the positions of the two rotary axes, machine coordinates, that orient the tool along the Z' axis of the tilted plane (25.11;
 /// 25g 3).
 Result<RotaryPair> pair_for_plane(const BlockContext& m, const Call& call) {
-  const PartSpace& space = *space_of(m);
-  const PartSpaceData& d = space.data();
+  const FiveAxisTransform& space = *space_of(m);
+  const FiveAxisTransformData& d = space.data();
   Vec3 wanted = d.frame.column(2);
-  if (fanuc_of(m).settings.leans_tool) wanted = d.basic * wanted;
+  if (fanuc_of(m).settings.tilts_tool) wanted = d.basic * wanted;
   const auto pair = d.machine.chosen(wanted, space.rotary(m.position.machine), d.measured);
   if (!pair) return fail(alarm(AlarmId::direction_unreachable, call.where, wanted.x, wanted.y, wanted.z));
   return *pair;
@@ -31,7 +31,7 @@ Result<RotaryPair> pair_for_plane(const BlockContext& m, const Call& call) {
 /// Returns the real position of the tool tip on the part, for the length in force, in coordinates of the programming frame (25g 1.5,
 /// INFERRED).
 Vec3 tip_in_frame(const BlockContext& m) {
-  const PartSpace& space = *space_of(m);
+  const FiveAxisTransform& space = *space_of(m);
   return space.in_frame(space.pose(m.position.machine).tip);
 }
 
@@ -142,11 +142,11 @@ Status take_orientation_length(Emitter& m, const Call& call) {
     macro_b_of(m).state.words.h = *number;
   }
   if (m.modal.length_number == 0) return fail(alarm(AlarmId::length_missing, call.where, call.row->code));
-  if (five.lead == ToolLead::axis && !m.has('H')) return {};
+  if (five.lead == TipControl::axis && !m.has('H')) return {};
   const std::uint32_t number = m.modal.length_number;
   const double length = number < m.tables.offsets.size() ? m.tables.offsets[number].whole_length() : 0;
   m.use.note(UseKind::length, number, m.origin, length == 0);
-  if (five.lead == ToolLead::axis) {
+  if (five.lead == TipControl::axis) {
     register_lead_length(m, length);
   } else {
     m.modal.lengths = {};
@@ -161,7 +161,7 @@ Status take_orientation_length(Emitter& m, const Call& call) {
 }
 
 /// G53.6: rotates the axes with tool centre point control; afterwards the plane's frame is valid for the rotary positions reached.
-Status orient_led(Emitter& m, const Call& call) {
+Status orient_with_tip_control(Emitter& m, const Call& call) {
   macro_b_of(m).stops_reading = true;
   const auto kind = kind_in_force(m, call);
   if (!kind) return fail(kind.error());
@@ -172,27 +172,27 @@ Status orient_led(Emitter& m, const Call& call) {
   const auto words = leading_words(m, call, tip);
   if (!words) return fail(words.error());
   FiveAxisState& five = fanuc_of(m).state.five_axis;
-  const double along = five.lead == ToolLead::axis ? five.lead_length : dot(space_of(m)->data().length, space_of(m)->data().machine.tool);
-  const ToolLead lead = std::exchange(five.lead, ToolLead::tip);
+  const double along = five.lead == TipControl::axis ? five.lead_length : dot(space_of(m)->data().length, space_of(m)->data().machine.tool);
+  const TipControl lead = std::exchange(five.lead, TipControl::tip);
   const double length = std::exchange(five.lead_length, along);
   five.oriented.reset();
   m.change_frames();  // tool centre point control is on from here …
   Axes work = m.position.work;
   set_rotary(m, work, *pair);
-  TipWays::Data way;
-  way.space = std::static_pointer_cast<const PartSpace>(m.frames.space);
+  FiveAxisTipPath::Data way;
+  way.space = std::static_pointer_cast<const FiveAxisTransform>(m.frames.space);
   way.start = m.position.work;
   if (words->end) set_main(m, work, *words->end);
   if (words->pivot != 0) {
     way.pivot = words->pivot;
     way.end = work;
-    const PartSpace& space = *way.space;
+    const FiveAxisTransform& space = *way.space;
     const Vec3 from = space.in_system(tip);
     const Vec3 lean = space.direction_of(*pair) - space.direction_of(space.rotary(m.position.machine));
     set_main(m, work, space.in_frame(from + words->pivot * lean));
   }
   Motion& motion = add_five(m, *kind, work);
-  if (way.pivot) detail_of(m, motion).tip_way = std::make_shared<const TipWays>(way);
+  if (way.pivot) detail_of(m, motion).tip_path = std::make_shared<const FiveAxisTipPath>(way);
   five.lead = lead;  // … to here: the mode before the block is restored
   five.lead_length = length;
   five.oriented = *pair;
@@ -213,7 +213,7 @@ Status tool_orientation(Emitter& m, const Call& call) {
   if (five.frame != SpaceFrame::plane) return fail(alarm(AlarmId::frame_missing, call.where, call.row->code));
   if (fanuc_of(m).settings.five_axis.group == MachineGroup::none) return fail(alarm(AlarmId::no_five_axes, call.where, call.row->code));
   if (m.modal.radius_side != 0) return fail(alarm(AlarmId::compensation_active, call.where, call.row->code));
-  return call.row->arg == orient_alone ? turn_to_plane(m, call) : orient_led(m, call);
+  return call.row->arg == orient_alone ? turn_to_plane(m, call) : orient_with_tip_control(m, call);
 }
 
 /// G54.2 P (25.4): selects a dynamic offset. With FOS=0 the axes move with the origin and keep their coordinates; they move at rapid
@@ -221,14 +221,14 @@ Status tool_orientation(Emitter& m, const Call& call) {
 Status dynamic_zero(Emitter& m, const Call& call) {
   if (!fanuc_of(m).settings.five_axis.has_table()) return fail(alarm(AlarmId::no_five_axes, call.where, call.row->code));
   if (m.modal.surface != PathSurface::plane) return fail(alarm(AlarmId::surface_state, call.where, call.row->code));
-  if (leads_tip(fanuc_of(m).state.five_axis.lead)) return fail(alarm(AlarmId::lead_state, call.where, call.row->code, "G43.4"));
+  if (controls_tip(fanuc_of(m).state.five_axis.lead)) return fail(alarm(AlarmId::lead_state, call.where, call.row->code, "G43.4"));
   if (!m.has('P')) return fail(alarm(AlarmId::word_missing, call.where, 'P', call.row->code));
   const auto number = m.whole('P', 1, dynamic_systems);
   if (!number) return fail(number.error());
   const auto row = static_cast<std::uint16_t>(all_systems - 1 + *number);
   fanuc_of(m).state.five_axis.positioned = 0;
   m.modal.work_zero = row;
-  note_work_zero(m, row);
+  note_work_offset(m, row);
   const Axes before = m.position.programmed;
   m.change_frames();
   if (fanuc_of(m).settings.keeps_linear) return {};

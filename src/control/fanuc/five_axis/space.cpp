@@ -3,9 +3,9 @@
 
 #include "control/emitter.h"
 #include "control/fanuc/fanuc.h"
-#include "control/fanuc/five_axis/five_axis.h"
+#include "control/fanuc/five_axis/five_axis_functions.h"
 #include "control/fanuc/words/coordinates.h"
-#include "kinematics/part_space.h"
+#include "kinematics/five_axis_transform.h"
 
 namespace kadr::fanuc {
 namespace {
@@ -31,13 +31,13 @@ Axes shifts(const BlockContext& m) {
 }
 
 /// Sets the origin of the work system, and the rotary table positions at which the origin was measured (25a 7, 25d).
-void set_zero(const Emitter& m, PartSpaceData& d) {
+void set_zero(const Emitter& m, FiveAxisTransformData& d) {
   const FiveAxis& machine = d.machine;
   const Axes& zero = m.tables.zeros[m.modal.work_zero];
   const auto of = [&](const RotaryJoint& joint, bool on_table, const Axes& from) {
     return on_table && joint.axis >= 0 ? from[static_cast<std::size_t>(joint.axis)] : 0.0;
   };
-  if (d.moves_zero) {  // the origin is relative to the pivot of the second table; INFERRED: without the common offset
+  if (d.moves_origin) {  // the origin is relative to the pivot of the second table; INFERRED: without the common offset
     d.measured = {of(machine.first, machine.first_on_table(), zero), of(machine.second, machine.second_on_table(), zero)};
     const Mat3 first = machine.first_on_table() ? machine.first_turn(d.measured.first) : Mat3();
     d.zero = main_of(m, zero) + machine.table + first * machine.second_table;
@@ -49,11 +49,11 @@ void set_zero(const Emitter& m, PartSpaceData& d) {
   }
 }
 
-PartSpaceData data_of(const Emitter& m) {
+FiveAxisTransformData data_of(const Emitter& m) {
   const Fanuc& fanuc = fanuc_of(m);
   const FiveAxisState& five = fanuc.state.five_axis;
   const bool dynamic = m.modal.work_zero >= all_systems;
-  PartSpaceData d;
+  FiveAxisTransformData d;
   d.machine = fanuc.settings.five_axis;
   if (d.machine.group == MachineGroup::none) d.machine = {};
   const auto limits = [&](RotaryJoint& joint) {
@@ -65,13 +65,13 @@ PartSpaceData data_of(const Emitter& m) {
   for (int role = 1; role <= 3; ++role) d.main[static_cast<std::size_t>(role - 1)] = static_cast<std::int8_t>(main_axis(m, role));
   d.basic = basic_rotation(m);
   d.has_frame = five.frame != SpaceFrame::none;
-  d.leads_tip = leads_tip(five.lead);
-  d.follows_table = (d.leads_tip || five.oriented) && d.machine.has_table();
-  d.follows_head = (five.lead != ToolLead::none || five.oriented) && d.machine.has_head();
-  d.moves_zero = dynamic && !d.follows_table;
+  d.controls_tip = controls_tip(five.lead);
+  d.follows_table = (d.controls_tip || five.oriented) && d.machine.has_table();
+  d.follows_head = (five.lead != TipControl::none || five.oriented) && d.machine.has_head();
+  d.moves_origin = dynamic && !d.follows_table;
   set_zero(m, d);
   d.fixed = five.oriented;
-  d.keeps_linear = fanuc.settings.keeps_linear && !d.leads_tip;
+  d.keeps_linear = fanuc.settings.keeps_linear && !d.controls_tip;
   const Axes all = shifts(m);
   if (d.has_frame) {
     d.frame = five.turn;
@@ -83,31 +83,31 @@ PartSpaceData data_of(const Emitter& m) {
   } else {
     d.zero = d.zero + d.basic * main_of(m, all);
   }
-  d.length = five.lead != ToolLead::none ? five.lead_length * d.machine.tool : main_of(m, m.modal.lengths);
-  const AxisMask rotary = PartSpace(d).rotary_axes();
-  const bool in_five_axes = d.follows_table || d.follows_head || d.moves_zero || d.leads_tip;
-  d.corrects = fanuc.settings.leans_tool && in_five_axes && !(d.basic == Mat3()) && (five.positioned & rotary) == rotary && !five.oriented;
+  d.length = five.lead != TipControl::none ? five.lead_length * d.machine.tool : main_of(m, m.modal.lengths);
+  const AxisMask rotary = FiveAxisTransform(d).rotary_axes();
+  const bool in_five_axes = d.follows_table || d.follows_head || d.moves_origin || d.controls_tip;
+  d.corrects = fanuc.settings.tilts_tool && in_five_axes && !(d.basic == Mat3()) && (five.positioned & rotary) == rotary && !five.oriented;
   return d;
 }
 
 }  // namespace
 
-const PartSpace* space_of(const BlockContext& m) { return static_cast<const PartSpace*>(m.frames.space.get()); }
+const FiveAxisTransform* space_of(const BlockContext& m) { return static_cast<const FiveAxisTransform*>(m.frames.space.get()); }
 
-std::shared_ptr<const WorkSpace> part_space(const Emitter& m, const std::shared_ptr<const WorkSpace>& before) {
+std::shared_ptr<const WorkTransform> five_axis_transform(const Emitter& m, const std::shared_ptr<const WorkTransform>& before) {
   const Fanuc& fanuc = fanuc_of(m);
   if (fanuc.settings.five_axis.group == MachineGroup::none && fanuc.state.five_axis.frame == SpaceFrame::none) return nullptr;
-  const PartSpaceData data = data_of(m);
-  if (before && static_cast<const PartSpace&>(*before).data() == data) return before;
-  return std::make_shared<const PartSpace>(data);
+  const FiveAxisTransformData data = data_of(m);
+  if (before && static_cast<const FiveAxisTransform&>(*before).data() == data) return before;
+  return std::make_shared<const FiveAxisTransform>(data);
 }
 
 /// In five-axis functions the work offset of a rotary axis in the table is used, the offset of a rotary axis in the head is not (25a 7).
 void refresh_space(Emitter& m) {
   Placement& f = m.frames;
-  f.space = part_space(m, f.space);
+  f.space = five_axis_transform(m, f.space);
   if (!f.space || f.space->is_plain()) return;
-  const PartSpaceData& d = space_of(m)->data();
+  const FiveAxisTransformData& d = space_of(m)->data();
   const auto head = [&](const RotaryJoint& joint, bool on_table) {
     if (joint.axis >= 0 && !on_table && d.follows_head) f.origin[static_cast<std::size_t>(joint.axis)] = 0;
   };
@@ -127,7 +127,7 @@ void refresh_space(Emitter& m) {
 }
 
 void take_up(BlockContext& m, const Axes& programmed_before) {
-  const PartSpace* const space = space_of(m);
+  const FiveAxisTransform* const space = space_of(m);
   if (space == nullptr) return;
   fanuc_of(m).taken_up = 0;
   for (const std::int8_t axis : space->data().main)
@@ -140,8 +140,8 @@ void take_up(BlockContext& m, const Axes& programmed_before) {
 
 void note_positioned(Emitter& m, AxisMask named) {
   FiveAxisState& five = fanuc_of(m).state.five_axis;
-  const PartSpace* const space = space_of(m);
-  if (space == nullptr || !fanuc_of(m).settings.leans_tool) return;
+  const FiveAxisTransform* const space = space_of(m);
+  if (space == nullptr || !fanuc_of(m).settings.tilts_tool) return;
   const AxisMask now = five.positioned | (named & space->rotary_axes());
   if (now == five.positioned) return;
   five.positioned = now;

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "control/fanuc/fanuc.h"
-#include "control/fanuc/five_axis/five_axis.h"
+#include "control/fanuc/five_axis/five_axis_functions.h"
 #include "control/fanuc/words/coordinates.h"
 #include "control/functions/functions.h"
 

@@ -7,11 +7,11 @@
 #include "base/code_literals.h"
 #include "control/fanuc/drilling/drilling.h"
 #include "control/fanuc/fanuc.h"
-#include "control/fanuc/five_axis/five_axis.h"
+#include "control/fanuc/five_axis/five_axis_functions.h"
 #include "control/fanuc/words/coordinates.h"
 #include "control/functions/functions.h"
-#include "kinematics/part_space.h"
-#include "kinematics/tip_ways.h"
+#include "kinematics/five_axis_tip_path.h"
+#include "kinematics/five_axis_transform.h"
 
 namespace kadr::fanuc {
 namespace {
@@ -20,25 +20,25 @@ constexpr char vector_letters[] = {'I', 'J', 'K'};
 
 /// Returns the tool centre point mode that is in force when the block moves (a code in the block takes effect first), and that code's
 /// row.
-std::pair<ToolLead, const CodeRow*> lead_of_block(const BlockContext& m) {
+std::pair<TipControl, const CodeRow*> lead_of_block(const BlockContext& m) {
   for (std::uint32_t i = 0; i < m.block->word_count; ++i) {
     const Word& w = m.block->words[i];
     const std::int32_t index = w.address == 'G' && w.code >= 0 ? m.def.row_of('G', w.code) : -1;
     if (index < 0) continue;
     const CodeRow& row = m.def.codes[static_cast<std::size_t>(index)];
-    if (row.function == Function::length_comp) return {ToolLead::none, nullptr};
+    if (row.function == Function::length_comp) return {TipControl::none, nullptr};
     if (row.function == Function::tool_lead)
-      return {row.arg == 43.1_g   ? ToolLead::axis
-              : row.arg == 43.4_g ? ToolLead::tip
-              : row.arg == 43.5_g ? ToolLead::tip_vector
-              : row.arg == 43.8_g ? ToolLead::contact
-                                  : ToolLead::contact_vector,
+      return {row.arg == 43.1_g   ? TipControl::axis
+              : row.arg == 43.4_g ? TipControl::tip
+              : row.arg == 43.5_g ? TipControl::tip_vector
+              : row.arg == 43.8_g ? TipControl::contact
+                                  : TipControl::contact_vector,
               &row};
   }
   return {fanuc_of(m).state.five_axis.lead, nullptr};
 }
 
-std::string_view name_of(ToolLead lead) { return lead == ToolLead::tip_vector ? "G43.5" : "G43.9"; }
+std::string_view name_of(TipControl lead) { return lead == TipControl::tip_vector ? "G43.5" : "G43.9"; }
 
 void hide(BlockContext& m, Word& w) {
   w.address = 0;
@@ -75,7 +75,7 @@ Components take_components(BlockContext& m, std::uint32_t from, std::uint32_t to
 }
 
 /// Reads the surface normal ,L2 I J K (25.17).
-Status take_normal(BlockContext& m, ToolLead lead) {
+Status take_normal(BlockContext& m, TipControl lead) {
   FiveAxisState& five = fanuc_of(m).state.five_axis;
   fanuc_of(m).normal_before = five.normal;
   const std::uint32_t count = m.block->word_count;
@@ -95,11 +95,11 @@ Status take_normal(BlockContext& m, ToolLead lead) {
 
 /// Near a singular direction, one rotary axis is free. If the position that the control chooses turns that axis far although the axis
 /// could stay, this function keeps the axis where it is. Not from the manual.
-std::optional<RotaryPair> without_whirl(Emitter& m, const Word& where, Vec3 wanted, RotaryPair present,
-                                        const std::optional<RotaryPair>& chosen) {
+std::optional<RotaryPair> without_rotary_swing(Emitter& m, const Word& where, Vec3 wanted, RotaryPair present,
+                                               const std::optional<RotaryPair>& chosen) {
   constexpr double far = 20;  // degrees
   const Fanuc& fanuc = fanuc_of(m);
-  const PartSpaceData& d = space_of(m)->data();
+  const FiveAxisTransformData& d = space_of(m)->data();
   if (!(fanuc.singular > 0)) return chosen;
   const bool head = d.machine.group == MachineGroup::head_head;
   if (chosen && std::fabs(head ? chosen->first - present.first : chosen->second - present.second) < far) return chosen;
@@ -112,26 +112,26 @@ std::optional<RotaryPair> without_whirl(Emitter& m, const Word& where, Vec3 want
 }
 
 /// Replaces the first two of the words I J K by words of the rotary axes, so that the block positions these.
-Status direct(Emitter& m, ToolLead lead, const Components& vector, std::uint32_t until) {
+Status direct(Emitter& m, TipControl lead, const Components& vector, std::uint32_t until) {
   Fanuc& fanuc = fanuc_of(m);
   const FiveAxis& machine = fanuc.settings.five_axis;
   if (machine.group == MachineGroup::none) return {};  // the code of the mode itself raises the alarm
   if (length(vector.value) == 0) return fail(alarm(AlarmId::direction_zero, vector.first->where, "I J K"));
-  const PartSpace& space = *space_of(m);
-  PartSpaceData d = space.data();
+  const FiveAxisTransform& space = *space_of(m);
+  FiveAxisTransformData d = space.data();
   const RotaryPair present = space.rotary(m.position.machine);
   const Vec3 wanted = unit(vector.value);
   const bool goes_on = fanuc.state.five_axis.posture && fanuc.state.five_axis.lead == lead;
-  const bool leans = fanuc.settings.leans_tool && !(d.basic == Mat3());
+  const bool leans = fanuc.settings.tilts_tool && !(d.basic == Mat3());
   const Vec3 on_machine = leans ? d.basic * wanted : wanted;
   std::optional<RotaryPair> at;
   if (goes_on) {
     // Between opposite directions no plane is defined in which the tool could turn (25i).
     const Vec3 from = space.direction_of(space.rotary(m.position.machine));
     if (dot(from, on_machine) < -1 + 1e-9) return fail(alarm(AlarmId::lead_angle, vector.first->where, 180.0));
-    at = DirectionWay(space, present, from, on_machine, std::nullopt).rotary(1, present);
+    at = DirectionPath(space, present, from, on_machine, std::nullopt).rotary(1, present);
   } else {
-    at = without_whirl(m, *vector.first, on_machine, present, d.machine.chosen(on_machine, present, d.measured));
+    at = without_rotary_swing(m, *vector.first, on_machine, present, d.machine.chosen(on_machine, present, d.measured));
   }
   if (!at) return fail(alarm(AlarmId::direction_unreachable, vector.first->where, wanted.x, wanted.y, wanted.z));
   RotaryPair programmed = *at;
@@ -157,7 +157,7 @@ Status direct(Emitter& m, ToolLead lead, const Components& vector, std::uint32_t
 }
 
 /// Executes I J K of G43.5, G43.9: they are the tool's direction. Words of the rotary axes are an alarm (25.14).
-Status take_direction(Emitter& m, ToolLead lead) {
+Status take_direction(Emitter& m, TipControl lead) {
   const FiveAxis& machine = fanuc_of(m).settings.five_axis;
   for (const int axis : {machine.first.axis, machine.second.axis}) {
     if (axis < 0) continue;
@@ -175,8 +175,8 @@ Status take_direction(Emitter& m, ToolLead lead) {
 }
 
 /// Refuses codes that the manual does not describe together with tool centre point control (INFERRED).
-Status nothing_refused(const BlockContext& m, ToolLead lead) {
-  if (!leads_tip(lead)) return {};
+Status nothing_refused(const BlockContext& m, TipControl lead) {
+  if (!controls_tip(lead)) return {};
   for (std::uint32_t i = 0; i < m.block->word_count; ++i) {
     const Word& w = m.block->words[i];
     const std::int32_t index = w.address == 'G' && w.code >= 0 ? m.def.row_of('G', w.code) : -1;
@@ -203,10 +203,10 @@ Status nothing_refused(const BlockContext& m, ToolLead lead) {
       case Function::measure_length: break;
       default: continue;
     }
-    const std::int32_t code = lead == ToolLead::tip          ? 43.4_g
-                              : lead == ToolLead::tip_vector ? 43.5_g
-                              : lead == ToolLead::contact    ? 43.8_g
-                                                             : 43.9_g;
+    const std::int32_t code = lead == TipControl::tip          ? 43.4_g
+                              : lead == TipControl::tip_vector ? 43.5_g
+                              : lead == TipControl::contact    ? 43.8_g
+                                                               : 43.9_g;
     const CodeRow& lead_row = m.def.codes[static_cast<std::size_t>(m.def.row_of('G', code))];
     return fail(alarm(AlarmId::lead_state, w.where, row.code, lead_row.code));
   }
@@ -220,14 +220,14 @@ bool watches_words(const BlockContext& m) {
   return five.plane.kind != 0 || by_vector(five.lead) || leads_contact(five.lead) || five.posture;
 }
 
-bool watches_codes(const BlockContext& m) { return leads_tip(fanuc_of(m).state.five_axis.lead) && m.has('G'); }
+bool watches_codes(const BlockContext& m) { return controls_tip(fanuc_of(m).state.five_axis.lead) && m.has('G'); }
 
 Status five_axis_block(Emitter& m) {
   const FiveAxisState& five = fanuc_of(m).state.five_axis;
   if (five.plane.kind != 0) KADR_TRY(finish_plane(m));
   const bool has_comma = (m.block->letters & letter_bit(comma_vector)) != 0;
   const bool coded = m.has('G') && m.has_code({Function::tool_lead});
-  if (!coded && !has_comma && !leads_tip(five.lead)) return {};
+  if (!coded && !has_comma && !controls_tip(five.lead)) return {};
   const auto [lead, row] = lead_of_block(m);
   (void)row;
   if (!coded) KADR_TRY(nothing_refused(m, five.lead));

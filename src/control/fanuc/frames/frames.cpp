@@ -6,7 +6,7 @@
 #include "base/units.h"
 #include "control/emitter.h"
 #include "control/fanuc/fanuc.h"
-#include "control/fanuc/five_axis/five_axis.h"
+#include "control/fanuc/five_axis/five_axis_functions.h"
 #include "control/fanuc/geometry/sides.h"
 #include "control/fanuc/words/coordinates.h"
 
@@ -107,7 +107,7 @@ double inch_feed(const BlockContext& m, const Motion& motion, const Axes& from) 
     const double way = rolls ? motion.detail->travel[a] : motion.to[a] - from[a];
     ((m.def.rotary >> a & 1u) != 0 ? rotary : linear) += way * way;
   }
-  if (rotary == 0 || m.modal.surface != PathSurface::plane || leads_tip(fanuc_of(m).state.five_axis.lead)) return m.modal.feed;
+  if (rotary == 0 || m.modal.surface != PathSurface::plane || controls_tip(fanuc_of(m).state.five_axis.lead)) return m.modal.feed;
   const double feed = m.modal.feed / mm_per_inch;  // inches per minute, or degrees per minute
   return feed * std::sqrt((linear + rotary) / (linear / (mm_per_inch * mm_per_inch) + rotary));
 }
@@ -125,7 +125,7 @@ std::uint8_t smoothing_of(const BlockContext& m, const Motion& motion) {
 
 /// Adds the programmed end point to a motion in a frame in space: reports show it together with the end point after transformations and
 /// compensation.
-void tell_programmed(BlockContext& m, Motion& motion) {
+void add_programmed_end(BlockContext& m, Motion& motion) {
   MotionDetail& detail = detail_of(m, motion);
   detail.programmed = m.position.programmed;
   detail.has_programmed = true;
@@ -138,9 +138,9 @@ void note_motion(Emitter& m, Motion& motion) {
   fanuc.moved = true;
   const bool plain = m.transform.identity && m.modal.radius_side == 0 && m.modal.surface == PathSurface::plane;
   motion.as_programmed = plain && motion.kind != MotionKind::probe;
-  if (!plain && fanuc.state.five_axis.frame != SpaceFrame::none) tell_programmed(m, motion);
+  if (!plain && fanuc.state.five_axis.frame != SpaceFrame::none) add_programmed_end(m, motion);
   if (motion.kind != MotionKind::thread) fanuc.state.in_thread = false;
-  const bool tip = leads_tip(fanuc.state.five_axis.lead);      // 25.14: the feed is the feed of the tool tip
+  const bool tip = controls_tip(fanuc.state.five_axis.lead);   // 25.14: the feed is the feed of the tool tip
   motion.along = tip ? FeedAlong::path : FeedAlong::all_axes;  // 4.2: the feed counts millimetres and degrees alike
   // bits of #3004: M_FHD: no feed hold; M_OV: override and feed hold as in G63; M_EST: no exact stop (23.1.10, 6.3.4)
   constexpr std::uint32_t m_fhd = 1, m_ov = 2, m_est = 4;

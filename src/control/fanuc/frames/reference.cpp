@@ -33,7 +33,7 @@ Status point_of(BlockContext& m, Axes& to, AxisMask& named) {
 }
 
 Status to_reference(Emitter& m, std::uint32_t point, AxisMask named) {
-  const auto end = static_cast<EndGiven>(static_cast<std::uint32_t>(EndGiven::reference_1) + point - 1);
+  const auto end = static_cast<EndReference>(static_cast<std::uint32_t>(EndReference::reference_1) + point - 1);
   KADR_TRY(m.to_machine(MotionKind::rapid, m.tables.reference[point], named, 0, end));
   macro_b_of(m).moved = false;
   macro_b_of(m).stops_reading = true;

@@ -42,7 +42,7 @@ void set_surface(const BlockContext& m, MotionDetail& detail, const Axes& from, 
     detail.flat_from = {from[plane.first], from[plane.second]};
     detail.flat_to = {to[plane.first], to[plane.second]};
     detail.offset = fanuc_of(m).settings.axes[plane.second].polar_offset;
-    detail.rotary_most = fanuc_of(m).settings.axes[plane.second].feed_most;
+    detail.max_rotary_speed = fanuc_of(m).settings.axes[plane.second].feed_most;
     detail.programmed = to;
     detail.has_programmed = true;
   } else {
@@ -76,14 +76,14 @@ Axes polar_work(const BlockContext& m, const Axes& point, double near) {
 }
 
 double swept_about_pole(const FlatArc& arc) {
-  constexpr double pieces_of_turn = 64, most_sampled = 1000;
+  constexpr double pieces_of_turn = 64, max_sampled = 1000;
   const Vec2 arm = arc.from - arc.center;
   const double growth = length(arm) > 0 ? length(arc.to - arc.center) / length(arm) : 1;
   const double turns = std::fabs(arc.turns);
   double whole = 0;  // full revolutions of a circle whose radius stays constant: they need no sampling
   if (std::fabs(growth - 1) < tol::same_point) whole = std::floor(turns);
   const double around = length(arc.center) < length(arm) ? 360 : 0;
-  const double left = std::min(turns - whole, most_sampled);
+  const double left = std::min(turns - whole, max_sampled);
   const double sign = arc.turns < 0 ? -1 : 1;
   double swept = sign * whole * around;
   double angle = angle_deg(arc.from);

@@ -1,5 +1,5 @@
 #pragma once
-// Rotation, scaling, mirroring: G68, G51, G51.1 (spec/nct/16). The mapping itself is Transform in control/state/state.h.
+// Rotation, scaling, mirroring: G68, G51, G51.1 (spec/nct/16). The mapping itself is Transform in control/state/control_state.h.
 
 namespace kadr {
 class BlockContext;

@@ -89,7 +89,7 @@ Status work_system(Emitter& m, const Call& call) {
   const bool extended = call.row->arg == 1 && m.has('P') && (call.row->takes & letter_bit('P')) != 0;
   if (extended) return work_system_extended(m, call);
   m.modal.work_zero = static_cast<std::uint16_t>(call.row->arg);
-  note_work_zero(m, m.modal.work_zero);
+  note_work_offset(m, m.modal.work_zero);
   m.change_frames();
   return {};
 }
@@ -101,7 +101,7 @@ Status work_system_extended(Emitter& m, const Call& call) {
   const auto number = m.whole('P', 1, m.def.behaviour.further_systems);
   if (!number) return fail(number.error());
   m.modal.work_zero = static_cast<std::uint16_t>(macro_b::basic_systems + *number);
-  note_work_zero(m, m.modal.work_zero);
+  note_work_offset(m, m.modal.work_zero);
   m.change_frames();
   return {};
 }
@@ -122,8 +122,8 @@ Status local_system(Emitter& m, const Call& call) {
 /// 11.5.2.
 Status new_system(Emitter& m, const Call& call) {
   if (m.has('S')) {
-    fanuc_of(m).state.css_most = m.value('S');
-    if (m.modal.surface_speed) fanuc_of(m).tell_surface_speed(m);
+    fanuc_of(m).state.max_css_speed = m.value('S');
+    if (m.modal.surface_speed) fanuc_of(m).emit_surface_speed(m);
   }
   if (!m.has_axis_words()) {
     if (m.has('S')) return {};

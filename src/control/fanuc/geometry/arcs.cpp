@@ -7,7 +7,7 @@
 #include "base/tolerance.h"
 #include "control/emitter.h"
 #include "control/fanuc/fanuc.h"
-#include "control/fanuc/five_axis/five_axis.h"
+#include "control/fanuc/five_axis/five_axis_functions.h"
 #include "control/fanuc/geometry/automatic_geometry.h"
 #include "control/fanuc/words/coordinates.h"
 
@@ -15,7 +15,7 @@ namespace kadr::fanuc {
 namespace {
 
 constexpr double any_difference = 1e300;
-constexpr std::uint32_t most_turns = 99'999'999;
+constexpr std::uint32_t max_turns = 99'999'999;
 
 /// Letters of an arc's centre in a plane (4.3, 4.5): for the first axis, for the second axis, and the letter that the plane does not use.
 struct CenterLetters {
@@ -52,7 +52,7 @@ class Arc {
     const AxisMask both = 1u << plane_.first | 1u << plane_.second;
     const bool in_plane = (named_ & both) != 0;
     if (named_ == 0 && !has_data) return {};  // the code alone only sets the mode
-    if (radius_first && m_.has('R') && (has_center() || m_.has(letters_.other))) tell_center_passed_over();
+    if (radius_first && m_.has('R') && (has_center() || m_.has(letters_.other))) warn_center_passed_over();
     if (m_.has(letters_.other) && !(radius_first && m_.has('R')))
       return fail(alarm(AlarmId::arc_not_in_plane, m_.where(letters_.other), letters_.other));
     if (!has_data && !in_plane && fanuc_of(m_).by_direction != 0) return straight_rest();  // 25.17: the tool rotates about its tip
@@ -72,7 +72,7 @@ class Arc {
     auto arc = m_.has('R') ? by_radius() : by_center();
     if (!arc) return fail(arc.error());
     KADR_TRY(turns(*arc));
-    KADR_TRY(hand_on(*arc));
+    KADR_TRY(emit_arc_motion(*arc));
     attach(m_, contour_);
     return {};
   }
@@ -99,13 +99,13 @@ class Arc {
     const Vec2 center{m_.length_value(letters_.first), m_.length_value(letters_.second)};
     KADR_TRY(circle_words(m_, center, {end_[plane_.first], end_[plane_.second]}, contour_));
     KADR_TRY(m_.feed_known(call_.where));
-    KADR_TRY(hand_on({placed_point(center), 0}));
+    KADR_TRY(emit_arc_motion({placed_point(center), 0}));
     attach(m_, contour_);
     return {};
   }
 
   /// Warns that the centre is ignored because R is in the block (spec/fanuc 3.2).
-  void tell_center_passed_over() {
+  void warn_center_passed_over() {
     for (const char letter : {letters_.first, letters_.second, letters_.other})
       if (m_.has(letter)) m_.warn(warning(AlarmId::center_passed_over, m_.where(letter), m_.block->text_of(m_.where(letter))));
   }
@@ -182,13 +182,13 @@ class Arc {
   /// Reads L, the number of revolutions; a started revolution counts (4.3.1).
   Status turns(PlaneArc& arc) {
     if (!m_.has('L')) return {};
-    const auto count = m_.whole('L', 1, most_turns);
+    const auto count = m_.whole('L', 1, max_turns);
     if (!count) return fail(count.error());
     arc.turns += *count - 1;
     return {};
   }
 
-  Status hand_on(const PlaneArc& arc) {
+  Status emit_arc_motion(const PlaneArc& arc) {
     if (m_.transform.identity && m_.modal.surface == PathSurface::plane) {  // most blocks: nothing to transform
       const Axes from = m_.position.work;
       return lead_motion(m_, move(arc, end_), from);
@@ -216,7 +216,7 @@ class Arc {
     m_.set_feed(motion);
     motion.center = arc.center;
     motion.turns = arc.turns;
-    if (!leads_tip(fanuc_of(m_).state.five_axis.lead))
+    if (!controls_tip(fanuc_of(m_).state.five_axis.lead))
       motion.along = fanuc_of(m_).settings.feed_along_helix ? FeedAlong::all_axes : FeedAlong::arc;
     if (turns_evenly(arc)) motion.along = FeedAlong::turn;
     return motion;
@@ -228,7 +228,7 @@ class Arc {
   bool turns_evenly(const PlaneArc& arc) const {
     const AxisMask in_plane = AxisMask{1} << plane_.first | AxisMask{1} << plane_.second;
     const bool flat = (named_ & ~in_plane) == 0 && m_.modal.surface == PathSurface::plane;
-    return m_.def.behaviour.arc_angle_even && flat && !m_.has('L') && !leads_tip(fanuc_of(m_).state.five_axis.lead) &&
+    return m_.def.behaviour.arc_angle_even && flat && !m_.has('L') && !controls_tip(fanuc_of(m_).state.five_axis.lead) &&
            radius_changes(from_, to_, arc.center);
   }
 
@@ -262,7 +262,7 @@ class Arc {
   AxisMask named_ = 0;
   Vec2 from_, to_;
   std::optional<double> polar_turns_;
-  ContourData contour_;
+  CornerData contour_;
 };
 
 }  // namespace

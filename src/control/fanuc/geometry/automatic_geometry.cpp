@@ -16,7 +16,7 @@ constexpr std::uint64_t geometry_bits = shape_bits | letter_bit(comma_angle) | l
 
 /// Converts programmed directions and lengths of chapter 17 to work coordinates; no other function does. If the axes have different scale
 /// factors, a length is scaled by their mean (16.2 for ,R).
-ContourData in_work(const BlockContext& m, ContourData c) {
+CornerData in_work(const BlockContext& m, CornerData c) {
   const Transform& t = m.transform;
   if (t.identity) return c;
   const PlaneAxes& plane = m.modal.axes;
@@ -30,7 +30,7 @@ ContourData in_work(const BlockContext& m, ContourData c) {
 }
 
 /// Reads ,A in a block with no coordinate of the plane, or with both: a line that starts or ends at a computed point (17.3).
-Status supporting_line(const BlockContext& m, MotionKind kind, PlaneWords words, ContourData& contour) {
+Status supporting_line(const BlockContext& m, MotionKind kind, PlaneWords words, CornerData& contour) {
   const Span where = m.where(comma_angle);
   if (kind != MotionKind::feed || (!words.both() && m.modal.radius_side == 0)) return fail(alarm(AlarmId::angle_alone, where));
   if (m.modal.radius_side == 0) return fail(alarm(AlarmId::intersection_needs_side, where, ",A"));
@@ -81,7 +81,7 @@ Status one_coordinate(const BlockContext& m) {
   return plane_words(m).one() ? Status() : Status(fail(alarm(AlarmId::angle_alone, m.where(comma_angle))));
 }
 
-Status shape_words(const BlockContext& m, ContourData& contour) {
+Status shape_words(const BlockContext& m, CornerData& contour) {
   const auto take = [&](char address, double& to) -> Status {
     if (!m.has(address)) return {};
     to = m.length_value(address);
@@ -94,7 +94,7 @@ Status shape_words(const BlockContext& m, ContourData& contour) {
 }
 
 Status shaped_line(Emitter& m, const Call& call, MotionKind kind) {
-  ContourData contour;
+  CornerData contour;
   KADR_TRY(shape_words(m, contour));
   const PlaneWords words = plane_words(m);
   const bool shaped = has_shape_words(m), supports = m.has(comma_angle) && !words.one();
@@ -124,7 +124,7 @@ Result<bool> is_over_determined_arc(const BlockContext& m, bool has_both_centers
   return fail(alarm(AlarmId::illegal_address, m.where('Q'), 'Q'));
 }
 
-Status circle_words(const BlockContext& m, Vec2 center, Vec2 end, ContourData& contour) {
+Status circle_words(const BlockContext& m, Vec2 center, Vec2 end, CornerData& contour) {
   contour.on = SupportingCurve::circle;
   contour.radius = std::fabs(m.length_value('R'));
   contour.farther = m.value('Q') > 0;
@@ -134,7 +134,7 @@ Status circle_words(const BlockContext& m, Vec2 center, Vec2 end, ContourData& c
   return fail(alarm(AlarmId::radius_mismatch, m.block->where, contour.radius, there));
 }
 
-void attach(Emitter& m, const ContourData& contour) {
+void attach(Emitter& m, const CornerData& contour) {
   if (contour.chamfer == 0 && contour.rounding == 0 && contour.on == SupportingCurve::none) return;
   detail_of(m, std::get<Motion>(m.batch->back().what)).contour = in_work(m, contour);
 }

@@ -1,6 +1,6 @@
 #pragma once
 // Automatic geometry (spec/nct/17): chamfers ,C, roundings ,R, angles ,A and over-determined blocks. End points given by an angle are
-// computed here; path/contour/contour_corners computes everything else.
+// computed here; path/compensation/corner_resolver computes everything else.
 
 #include "action/action.h"
 #include "base/result.h"
@@ -39,7 +39,7 @@ Status shaped_line(Emitter& m, const Call& call, MotionKind kind);
 
 /// Reads ,C and ,R of the block.
 ///   alarms  chamfer_and_rounding (2082), value_out_of_range
-Status shape_words(const BlockContext& m, ContourData& contour);
+Status shape_words(const BlockContext& m, CornerData& contour);
 
 /// Returns true if the block is an over-determined arc, X Y I J R in G41, G42: the second of two blocks that meet at a computed point
 /// (17.3.2, 17.3.4).
@@ -47,9 +47,9 @@ Status shape_words(const BlockContext& m, ContourData& contour);
 Result<bool> is_over_determined_arc(const BlockContext& m, bool has_both_centers);
 /// Reads the circle of an over-determined arc: its centre is absolute, R is its radius.
 ///   alarms  radius_mismatch (2012), value_out_of_range
-Status circle_words(const BlockContext& m, Vec2 center, Vec2 end, ContourData& contour);
+Status circle_words(const BlockContext& m, Vec2 center, Vec2 end, CornerData& contour);
 
 /// Attaches contour data to the last motion; the room `path` computes chamfers, roundings and intersections from them.
-void attach(Emitter& m, const ContourData& contour);
+void attach(Emitter& m, const CornerData& contour);
 
 }  // namespace kadr::fanuc

@@ -1,5 +1,5 @@
-// Adds to motions and blocks the data that cutter radius compensation needs (path/contour/radius_compensation; spec/nct/15 15.5). Used by
-// the rest of control.
+// Adds to motions and blocks the data that cutter radius compensation needs (path/compensation/radius_compensation; spec/nct/15 15.5). Used
+// by the rest of control.
 
 #include "control/fanuc/geometry/sides.h"
 
@@ -12,7 +12,7 @@
 namespace kadr::fanuc {
 
 void note_side(BlockContext& m, Motion& motion) {
-  Volatile& state = fanuc_of(m).state;
+  UndoableState& state = fanuc_of(m).state;
   if (m.modal.radius_side == 0 && state.side_step != SideStep::ends) return;
   const bool arc = motion.kind == MotionKind::arc_cw || motion.kind == MotionKind::arc_ccw;
   const bool contour = arc || motion.kind == MotionKind::rapid || motion.kind == MotionKind::feed;
@@ -32,14 +32,14 @@ void note_side(BlockContext& m, Motion& motion) {
 }
 
 void note_skip_mark(Emitter& m) {
-  if (fanuc_of(m).state.compensates && fanuc_of(m).settings.skip_breaks_contour) m.emit(ContourBreak{});
+  if (fanuc_of(m).state.compensates && fanuc_of(m).settings.skip_breaks_compensation) m.emit(CompensationBreak{});
 }
 
 void end_side_block(Emitter& m) {
-  Volatile& state = fanuc_of(m).state;
+  UndoableState& state = fanuc_of(m).state;
   if (state.side_step == SideStep::begins) state.side_step = SideStep::begun;
   if (state.side_step != SideStep::ends) return;
-  m.emit(ContourBreak{true});
+  m.emit(CompensationBreak{true});
   state.side_step = SideStep::none;
   state.compensates = false;
   state.way.reset();

@@ -1,11 +1,11 @@
 #pragma once
-// Adds to motions and blocks the data that cutter radius compensation needs (path/contour/radius_compensation; spec/nct/15 15.5).
+// Adds to motions and blocks the data that cutter radius compensation needs (path/compensation/radius_compensation; spec/nct/15 15.5).
 
 #include <optional>
 
 #include "action/action.h"
 #include "base/vec.h"
-#include "config/function.h"
+#include "config/control/function.h"
 
 namespace kadr {
 class BlockContext;

@@ -16,10 +16,10 @@
 namespace kadr {
 namespace {
 
-constexpr int most_inputs = 8;
+constexpr int max_inputs = 8;
 constexpr int torque_input = 98;     // P98 of G31: measures by the torque limit
 constexpr double full_torque = 255;  // value of Q that means 100 % torque
-constexpr double most_torque_word = 254;
+constexpr double max_torque_word = 254;
 
 /// A modal group, and the code of this group that must be in force for measuring.
 struct Needed {
@@ -54,7 +54,7 @@ Result<int> input_of(const BlockContext& m) {
   if (!m.has('P')) return 1;
   const auto p = m.whole('P', 1, torque_input);
   if (!p) return fail(p.error());
-  if (*p > most_inputs && *p != torque_input) return fail(alarm(AlarmId::value_out_of_range, m.where('P'), 'P', double(*p)));
+  if (*p > max_inputs && *p != torque_input) return fail(alarm(AlarmId::value_out_of_range, m.where('P'), 'P', double(*p)));
   return static_cast<int>(*p);
 }
 
@@ -75,7 +75,7 @@ Status servo_follows(const BlockContext& m, const Call& call, AxisMask named) {
 Status torque_possible(const BlockContext& m, const Call& call, AxisMask named) {
   if (!m.has('Q')) return fail(alarm(AlarmId::word_missing, call.where, 'Q', call.row->code));
   const double q = m.value('Q');
-  if (!(q >= 1 && q <= most_torque_word)) return fail(alarm(AlarmId::probe_torque, m.where('Q'), q));
+  if (!(q >= 1 && q <= max_torque_word)) return fail(alarm(AlarmId::probe_torque, m.where('Q'), q));
   int count = 0;
   for (std::size_t a = 0; a < m.axis_count; ++a)
     if ((named >> a & 1u) != 0 && ++count == 2)
@@ -211,7 +211,7 @@ Status correct_length(BlockContext& m, const Measurement& of, double there) {
 
 }  // namespace
 
-Status take_answer(Emitter& m, const ProbeAnswer& answer) {
+Status accept_answer(Emitter& m, const ProbeAnswer& answer) {
   Fanuc& fanuc = fanuc_of(m);
   fanuc.endless.note_change();
   m.needs_probe = false;

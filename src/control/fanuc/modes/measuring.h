@@ -17,6 +17,6 @@ namespace kadr::fanuc {
 /// (21.1). After G37 the tool offset is corrected (21.3).
 ///   alarms  probe_window: the signal of G37 came too far from the expected position, or not at all; the offset remains unchanged
 ///   law     G31 without a signal is no alarm: the position is the end point
-Status take_answer(Emitter& m, const ProbeAnswer& answer);
+Status accept_answer(Emitter& m, const ProbeAnswer& answer);
 
 }  // namespace kadr::fanuc

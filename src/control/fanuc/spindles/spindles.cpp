@@ -96,12 +96,12 @@ SurfaceSpeed Fanuc::surface_speed(const BlockContext& m) const {
   for (std::size_t a = 0; a < m.axis_count; ++a)
     if (m.def.axis_numbers[a] == state.css_axis) law.axis = static_cast<std::uint8_t>(a);
   const auto [least, most] = limits_of(*this, state.main_spindle);
-  law.least = std::max(settings.css_least, least);
-  law.most = state.css_most > 0 ? std::min(state.css_most, most) : most;
+  law.least = std::max(settings.min_css_speed, least);
+  law.most = state.max_css_speed > 0 ? std::min(state.max_css_speed, most) : most;
   return law;
 }
 
-void Fanuc::tell_surface_speed(Emitter& m) const {
+void Fanuc::emit_surface_speed(Emitter& m) const {
   if (m.batch != nullptr) m.emit(surface_speed(m));
 }
 
@@ -127,7 +127,7 @@ Status spindle_word(Emitter& m, const Call& call) {
   if (m.modal.surface_speed && named == 0) {
     fanuc.state.surface_speed = m.modal.inch ? value * fanuc::mm_per_foot / fanuc::mm_per_m : value;
     m.emit(Speed{fanuc.state.surface_speed, true, static_cast<std::uint8_t>(fanuc.state.main_spindle), 0, fanuc.css_rpm(m)});
-    fanuc.tell_surface_speed(m);
+    fanuc.emit_surface_speed(m);
     return {};
   }
   const int number = fanuc::spindle_of_block(m);
@@ -174,7 +174,7 @@ Status gear_range(Emitter& m, const Call& call) {
   fanuc::SpindleState& s = fanuc_of(m).spindle(number);
   s.range = call.row->arg;
   m.emit(MachineFunction{static_cast<std::uint32_t>(call.word->code / 10), {}, {}, static_cast<std::uint8_t>(number)});
-  if (m.modal.surface_speed) fanuc_of(m).tell_surface_speed(m);
+  if (m.modal.surface_speed) fanuc_of(m).emit_surface_speed(m);
   const double rpm = fanuc::limited(fanuc_of(m), number, s.rpm);
   if (rpm != s.rpm && !m.modal.surface_speed && !fanuc::has_spindle_word(m)) {
     s.rpm = rpm;
@@ -213,7 +213,7 @@ Status css_on(Emitter& m, const Call&) {
     fanuc_of(m).state.css_axis = static_cast<int>(*axis);
   }
   m.modal.surface_speed = true;
-  fanuc_of(m).tell_surface_speed(m);
+  fanuc_of(m).emit_surface_speed(m);
   return {};
 }
 
@@ -224,7 +224,7 @@ Status css_off(Emitter& m, const Call&) {
     if (s.dir == SpindleDir::cw || s.dir == SpindleDir::ccw) s.rpm = fanuc_of(m).css_rpm(m);
   }
   m.modal.surface_speed = false;
-  fanuc_of(m).tell_surface_speed(m);
+  fanuc_of(m).emit_surface_speed(m);
   return {};
 }
 
@@ -241,7 +241,7 @@ Status Fanuc::machine_code(Interpreter& m, const Call& call) {
 
 Status Fanuc::spindle_machine_code(Emitter& m, int code, Span where) {
   const int number = state.current_spindle;
-  for (int i = 0; i <= static_cast<int>(most_spindles); ++i) {
+  for (int i = 0; i <= static_cast<int>(max_spindles); ++i) {
     const int n = i == 0 ? number : i;  // 11.2: first the spindle that a word referred to last
     const SpindleSettings& s = settings.spindles[static_cast<std::size_t>(n)];
     if (s.index_count > 0 && code >= s.index_from && code < s.index_from + s.index_count) {

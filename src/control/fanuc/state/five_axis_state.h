@@ -12,7 +12,7 @@
 namespace kadr::fanuc {
 
 /// Codes of modal group 8 other than G43, G44, G49. They decide which point of the tool the programmed coordinates describe.
-enum class ToolLead : std::uint8_t {
+enum class TipControl : std::uint8_t {
   none,
   axis,            // G43.1: the length acts along the tilted tool axis
   tip,             // G43.4: tool centre point control; rotary axes are programmed
@@ -20,9 +20,9 @@ enum class ToolLead : std::uint8_t {
   contact,         // G43.8: cutting point control; rotary axes are programmed
   contact_vector,  // G43.9: cutting point control; the tool's direction is programmed
 };
-constexpr bool leads_tip(ToolLead lead) { return lead >= ToolLead::tip; }
-constexpr bool by_vector(ToolLead lead) { return lead == ToolLead::tip_vector || lead == ToolLead::contact_vector; }
-constexpr bool leads_contact(ToolLead lead) { return lead >= ToolLead::contact; }
+constexpr bool controls_tip(TipControl lead) { return lead >= TipControl::tip; }
+constexpr bool by_vector(TipControl lead) { return lead == TipControl::tip_vector || lead == TipControl::contact_vector; }
+constexpr bool leads_contact(TipControl lead) { return lead >= TipControl::contact; }
 
 /// Modal group 18, the programming frame in space. none: G69.1; turned: one G68.1; turned_twice: two G68.1; plane: G68.2.
 enum class SpaceFrame : std::uint8_t { none, turned, turned_twice, plane };
@@ -37,7 +37,7 @@ struct PlaneBlocks {
 };
 
 struct FiveAxisState {
-  ToolLead lead = ToolLead::none;
+  TipControl lead = TipControl::none;
   bool begins = false;     // tool centre point control takes effect with the next motion (25h)
   bool posture = false;    // tool posture control: P1 in the block of G43.4 to G43.9
   double lead_length = 0;  // tool length by H, mm

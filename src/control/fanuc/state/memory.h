@@ -15,7 +15,7 @@
 #include "control/fanuc/state/five_axis_state.h"
 #include "control/fanuc/state/settings.h"
 #include "control/macro_b/memory.h"
-#include "control/state/state.h"
+#include "control/state/control_state.h"
 
 namespace kadr::fanuc {
 
@@ -45,22 +45,22 @@ struct MotionMemory {
 };
 
 /// What a run remembers about cutting besides ControlState. An alarm restores it as one value.
-struct Volatile : MotionMemory {
-  std::array<SpindleState, most_spindles + 1> spindles;
+struct UndoableState : MotionMemory {
+  std::array<SpindleState, max_spindles + 1> spindles;
   int current_spindle = 1;  // the spindle that a word referred to last (11.2)
   int main_spindle = 1;
   double surface_speed = 0;  // constant surface speed of G96, m/min
   int css_axis = 0;          // axis that the constant surface speed refers to, by its control-wide number
-  double css_most = 0;       // highest speed by G92 S, rev/min; 0: no limit
+  double max_css_speed = 0;  // highest speed by G92 S, rev/min; 0: no limit
   DrillingMemory drilling;
   TurningMemory turning;
-  double tool_radius = 0;      // tool radius of offset D at the time when D was programmed (15.1)
-  std::optional<Vec2> way;     // vector I J K of G41, G42, G40 in this block
-  ContourCheck contour_check;  // the compensation settings last sent to the room `path`
+  double tool_radius = 0;                // tool radius of offset D at the time when D was programmed (15.1)
+  std::optional<Vec2> way;               // vector I J K of G41, G42, G40 in this block
+  CompensationCheck compensation_check;  // the compensation settings last sent to the room `path`
   FiveAxisState five_axis;
 };
 
-inline constexpr std::size_t extended_systems = most_further_systems;  // number of work systems of G54.1 P
+inline constexpr std::size_t extended_systems = max_further_systems;  // number of work systems of G54.1 P
 inline constexpr std::size_t all_systems = 1 + macro_b::basic_systems + extended_systems;
 inline constexpr std::size_t dynamic_systems = 8;  // G54.2 P1 … P8: the last rows in the tables of work offsets and rotations
 
@@ -73,7 +73,7 @@ struct InterruptedCycles {
 /// All memory that is a plain value: a snapshot copies it.
 struct Memory {
   Settings settings;
-  Volatile state;
+  UndoableState state;
   std::map<int, std::vector<std::pair<double, double>>> ranges;  // gear ranges of each spindle: lowest and highest speed, rev/min
   std::map<int, std::string> spindle_names;
   std::vector<Finishing> finishing;  // contours that G70.7 is executing, the innermost last

@@ -39,7 +39,7 @@ void read_axes(Settings& s, const ParameterSource& p, const std::vector<std::str
 }
 
 void read_spindles(Settings& s, const ParameterSource& p) {
-  for (int n = 1; n <= static_cast<int>(most_spindles); ++n) {
+  for (int n = 1; n <= static_cast<int>(max_spindles); ++n) {
     SpindleSettings& spindle = s.spindles[static_cast<std::size_t>(n)];
     spindle.orients = p.bit("0607", "1", n);
     spindle.indexes = p.bit("0607", "2", n);
@@ -106,11 +106,11 @@ void read_interpretation(Settings& s, const ParameterSource& p) {
   const bool plane = p.bit("1416", "1", 0);
   s.length_axes = plane ? 2 : p.bit("1416", "0", 0) ? 1 : 0;
   s.turning_offsets = p.bit("1416", "2", 0);
-  s.contour_check.interference = p.bit("1403", "0", 0);
-  s.contour_check.always_alarm = p.bit("1403", "1", 0);
-  s.contour_check.further = static_cast<std::uint8_t>(std::clamp(macro_b::whole_parameter(p.value("1404", 0)), 0, 8));
-  s.contour_check.least_step = std::max(p.value("1405", 0), 0.0);
-  s.skip_breaks_contour = !p.bit("1337", "4", 0);
+  s.compensation_check.interference = p.bit("1403", "0", 0);
+  s.compensation_check.always_alarm = p.bit("1403", "1", 0);
+  s.compensation_check.further = static_cast<std::uint8_t>(std::clamp(macro_b::whole_parameter(p.value("1404", 0)), 0, 8));
+  s.compensation_check.least_step = std::max(p.value("1405", 0), 0.0);
+  s.skip_breaks_compensation = !p.bit("1337", "4", 0);
 }
 
 void read_machine(Settings& s, const ParameterSource& p) {
@@ -122,7 +122,7 @@ void read_machine(Settings& s, const ParameterSource& p) {
   s.default_spindle = macro_b::whole_parameter(p.value("0604", 0));
   s.surface_speed = p.value("0686", 0);
   s.css_axis = macro_b::whole_parameter(p.value("0687", 0));
-  s.css_least = p.value("0688", 0);
+  s.min_css_speed = p.value("0688", 0);
 }
 
 void read_cycles(Settings& s, const ParameterSource& p) {
@@ -191,7 +191,7 @@ void read_five_axis(Settings& s, const ParameterSource& p, const std::array<std:
   f.holder = vector(3219);
   if (f.group == MachineGroup::head_head) f.head = vector(3222);
   s.keeps_linear = p.bit("3212", "7", 0);
-  s.leans_tool = p.bit("3212", "4", 0);
+  s.tilts_tool = p.bit("3212", "4", 0);
 }
 
 }  // namespace

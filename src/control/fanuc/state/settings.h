@@ -15,7 +15,7 @@
 
 namespace kadr::fanuc {
 
-inline constexpr std::size_t most_spindles = 16;
+inline constexpr std::size_t max_spindles = 16;
 
 struct AxisSettings {
   bool diameter = false;              // N0106 #0 DIA: diameter programming at power-on
@@ -43,8 +43,8 @@ struct SpindleSettings {
 
 /// What the parameters state about axes, spindles, canned cycles and five axes.
 struct Settings {
-  std::array<AxisSettings, max_axes> axes;                  // by index of the axis in the channel
-  std::array<SpindleSettings, most_spindles + 1> spindles;  // by spindle number
+  std::array<AxisSettings, max_axes> axes;                 // by index of the axis in the channel
+  std::array<SpindleSettings, max_spindles + 1> spindles;  // by spindle number
   // interpretation
   double radius_difference = 0.01;  // N1339: permitted difference of an arc's radii, mm; infinite if 0 means "not checked" (spec/fanuc 3.2)
   double radius_shortfall = 0.01;   // permitted shortfall of 2R against the chord, mm; checked even if radius_difference is not
@@ -80,8 +80,8 @@ struct Settings {
   bool shift_second = false;               // spec/fanuc 10.5: 5101#5: the shift of G76, G87 is along the second axis
   int length_axes = 0;                     // N1416: tool length acts on: 0 the axes of the block, 1 always Z, 2 the normal of the plane
   bool turning_offsets = false;            // N1416 #2 TOL: the offset table for turning is in use
-  ContourCheck contour_check;              // N1403 … N1405: settings of cutter compensation
-  bool skip_breaks_contour = true;         // N1337 #4 CBB is 0: a block with / interrupts cutter compensation (15.5.2)
+  CompensationCheck compensation_check;    // N1403 … N1405: settings of cutter compensation
+  bool skip_breaks_compensation = true;    // N1337 #4 CBB is 0: a block with / interrupts cutter compensation (15.5.2)
   // how system variables report positions
   bool without_length = false;  // N1755 #6 TLC: positions without the tool length
   bool in_frame = false;        // N1755 #5 PCS: positions in the programming frame
@@ -93,7 +93,7 @@ struct Settings {
   int default_spindle = 0;                         // N0604: number of the spindle that S without a number means
   double surface_speed = 0;                        // N0686: surface speed at power-on, m/min
   int css_axis = 0;                                // N0687: control-wide number of the axis that G96 refers to at power-on
-  double css_least = 0;                            // N0688: lowest speed in G96, rev/min
+  double min_css_speed = 0;                        // N0688: lowest speed in G96, rev/min
   // cycles, measuring (18, 21)
   double return_g73 = 0, clearance_g83 = 0;                                    // N1500, N1501: return of G73, clearance of G83, mm
   double extraction = 0;                                                       // N1502: feed of the retract, %
@@ -112,7 +112,7 @@ struct Settings {
   bool torque_known = true;                                                    // INFERRED: a virtual drive always reports its torque
   FiveAxis five_axis;         // N3200 … N3224; the limits of the rotary axes come from the machine
   bool keeps_linear = false;  // N3212 #7 FOS: X, Y, Z stay where they are while rotary axes move alone
-  bool leans_tool = false;    // N3212 #4 BSE: the basic rotation tilts the tool
+  bool tilts_tool = false;    // N3212 #4 BSE: the basic rotation tilts the tool
   double accuracy = 0;        // N3103: accuracy of smoothing, mm
 };
 

@@ -78,7 +78,7 @@ RunState Fanuc::run_state(const Emitter& m) const {
   }
   s.shifts["G92"] = by_name(m, m.modal.new_system);
   s.shifts["G52"] = by_name(m, m.modal.local);
-  for (int n = 1; n <= static_cast<int>(most_spindles); ++n) {
+  for (int n = 1; n <= static_cast<int>(max_spindles); ++n) {
     const SpindleState& from = spindle(n);
     if (!from.known && n != 1) continue;
     RunState::SpindleState& to = s.spindles[n];

@@ -65,7 +65,7 @@ double* offset_register(ToolOffset& offset, std::uint32_t l) {
 Status set_offset(BlockContext& m, const Call& call, std::uint32_t l) {
   for (const char letter : {'P', 'R'})
     if (!m.has(letter)) return fail(alarm(AlarmId::word_missing, call.where, letter, call.row->code));
-  const auto number = m.whole('P', 1, most_offsets(m));
+  const auto number = m.whole('P', 1, max_offsets(m));
   if (!number) return fail(number.error());
   m.journal.keep(m.tables.offsets[*number]);
   double* const to = offset_register(m.tables.offsets[*number], l);
@@ -80,7 +80,7 @@ Status set_offset(BlockContext& m, const Call& call, std::uint32_t l) {
 /// unchanged.
 Status set_turning_offset(BlockContext& m, const Call& call, bool wear) {
   if (!m.has('P')) return fail(alarm(AlarmId::word_missing, call.where, 'P', call.row->code));
-  const auto number = m.whole('P', 1, most_offsets(m));
+  const auto number = m.whole('P', 1, max_offsets(m));
   if (!number) return fail(number.error());
   const auto q = m.has('Q') ? m.whole('Q', 0, 9) : Result<std::uint32_t>(0);
   if (!q) return fail(q.error());

@@ -9,9 +9,9 @@
 #include "base/units.h"
 #include "control/emitter.h"
 #include "control/fanuc/fanuc.h"
-#include "control/fanuc/five_axis/five_axis.h"
+#include "control/fanuc/five_axis/five_axis_functions.h"
 #include "control/fanuc/words/coordinates.h"
-#include "kinematics/part_space.h"
+#include "kinematics/five_axis_transform.h"
 
 namespace kadr::fanuc {
 namespace {
@@ -37,14 +37,14 @@ double kept(const BlockContext& m, int axis, double value) {
   return (m.modal.diameter >> axis & 1u) != 0 ? mm / 2 : mm;
 }
 
-Vec3 main_axes_of(const PartSpace& space, const Axes& axes) {
+Vec3 main_axes_of(const FiveAxisTransform& space, const Axes& axes) {
   const auto& main = space.data().main;
   const auto of = [&](std::size_t i) { return main[i] < 0 ? 0.0 : axes[static_cast<std::size_t>(main[i])]; };
   return {of(0), of(1), of(2)};
 }
 
 /// Returns the component of a vector along an axis; nullopt if the axis is not one of the main axes X, Y, Z.
-std::optional<double> component(const PartSpace& space, std::size_t axis, Vec3 v) {
+std::optional<double> component(const FiveAxisTransform& space, std::size_t axis, Vec3 v) {
   const double values[] = {v.x, v.y, v.z};
   for (std::size_t i = 0; i < 3; ++i)
     if (space.data().main[i] == static_cast<std::int8_t>(axis)) return values[i];
@@ -55,7 +55,7 @@ std::optional<double> component(const PartSpace& space, std::size_t axis, Vec3 v
 /// tool length.
 double told(const BlockContext& m, std::size_t axis, const Axes& work, const Axes& length, bool in_frame) {
   const bool with_length = !fanuc_of(m).settings.without_length;
-  const PartSpace* const space = space_of(m);
+  const FiveAxisTransform* const space = space_of(m);
   if (space == nullptr || space->is_plain()) return work[axis] + (with_length ? length[axis] : 0);
   Vec3 at = space->in_system(main_axes_of(*space, work));
   if (with_length) at = at + main_axes_of(*space, length);
@@ -129,10 +129,10 @@ bool is_rotation(VariableKind kind) { return kind == VariableKind::rotation || k
 /// Returns #5501 … (25.4): the dynamic offset in force for the present position of the rotary table; for rotary axes, the value in the
 /// offset table.
 double dynamic_value(const BlockContext& m, int axis) {
-  const PartSpace* const space = space_of(m);
+  const FiveAxisTransform* const space = space_of(m);
   if (axis < 0 || space == nullptr || m.modal.work_zero < all_systems) return 0;
   const auto a = static_cast<std::size_t>(axis);
-  return component(*space, a, space->zero_now(m.position.machine)).value_or(m.tables.zeros[m.modal.work_zero][a]);
+  return component(*space, a, space->origin_now(m.position.machine)).value_or(m.tables.zeros[m.modal.work_zero][a]);
 }
 
 /// Returns the probe position. #151001 … report it in the frame (work system or programming frame) that #5061 … do not use; #151101 …
@@ -153,7 +153,7 @@ double* zero_field(BlockContext& m, const FoundVariable& f, int axis) {
 }  // namespace
 
 Axes length_in_force(const BlockContext& m) {
-  const PartSpace* const space = space_of(m);
+  const FiveAxisTransform* const space = space_of(m);
   if (space == nullptr || space->is_plain()) return m.frames.length;
   Axes length = m.frames.length;
   const Vec3 vector = space->length_now(m.position.machine);
@@ -194,7 +194,7 @@ Result<bool> Fanuc::write_table(Emitter& m, const FoundVariable& f, double value
   return true;
 }
 
-bool Fanuc::take_touched_tables() {
+bool Fanuc::consume_touched_tables() {
   const bool touched = std::exchange(tables_changed, false);
   return !std::exchange(changed_offsets, {}).empty() || touched;
 }

@@ -66,14 +66,14 @@ Status first_of_rough(BlockContext& m, const Call& call) {
 
 /// G73.7 U3 W3 R4: reads the offset of the first pass and the number of passes.
 Status first_of_pattern(BlockContext& m) {
-  constexpr double most_passes = 9999;
+  constexpr double max_passes = 9999;
   TurningMemory& kept = fanuc_of(m).state.turning;
   const auto d = distances(m);
   if (!d) return fail(d.error());
   if (d->word[0] != nullptr) kept.relief.x = d->value[0];
   if (d->word[1] != nullptr) kept.relief.y = d->value[1];
   if (!m.has('R')) return {};
-  const auto passes = m.whole('R', 1, most_passes);
+  const auto passes = m.whole('R', 1, max_passes);
   if (!passes) return fail(passes.error());
   kept.passes = *passes;
   return {};
@@ -184,7 +184,7 @@ Status simple_thread(Emitter& m, const Call& call) {
 }
 
 /// G70.7: executes the blocks of the contour as they are programmed (19.A 6).
-class FinishingRun final : public RunningValue<FinishingRun> {
+class FinishingRun final : public SteppedCycleValue<FinishingRun> {
  public:
   FinishingRun(Position first, Position behind, std::uint32_t name) : first_(first), behind_(behind), name_(name) {}
 

@@ -15,7 +15,7 @@
 namespace kadr::fanuc {
 namespace {
 
-constexpr std::size_t most_pieces = 10'000;
+constexpr std::size_t max_pieces = 10'000;
 
 /// Lets the interpreter read blocks without executing them, and restores its state at the end. Transformations are off meanwhile: the
 /// cycle computes with the contour as programmed, and its own motions are transformed like any others (16, INFERRED).
@@ -66,8 +66,8 @@ class DryRun {
   bool axes_taken_;
   Transform transform_;
   Origin origin_;
-  Volatile state_;
-  macro_b::Volatile macros_;
+  UndoableState state_;
+  macro_b::UndoableState macros_;
   bool moved_;
 };
 
@@ -75,7 +75,7 @@ class Reader {
  public:
   Reader(Interpreter& m, const Call& call) : m_(m), call_(call), run_(m), start_(m.position.work) {}
 
-  Status run(const ContourPlace& place, Contour& contour) {
+  Status run(const ContourLocation& place, Contour& contour) {
     ProgramFile& file = m_.flow.program_file();
     BlockReader reader(file.source(), file.grammar(), file.reader().encoding());
     reader.seek(place.first);
@@ -201,7 +201,7 @@ class Reader {
       return shape();
     const std::size_t before = run_.actions.size();
     if (const Status moved = handler_of(row.function)(m_, {&row, nullptr, call_.where}); !moved) return unread(moved.error());
-    if (run_.actions.size() > most_pieces) return shape();
+    if (run_.actions.size() > max_pieces) return shape();
     const AxisMask both = 1u << m_.modal.axes.first | 1u << m_.modal.axes.second;
     for (std::size_t i = before; i < run_.actions.size(); ++i) {
       const auto* const motion = motion_of(run_.actions[i]);
@@ -231,7 +231,7 @@ Vec2 ContourPiece::at(double part) const {
   return center + (r0 + (r1 - r0) * part) * Vec2{direction.cos, direction.sin};
 }
 
-Result<ContourPlace> find_contour(Interpreter& m, const Call& call) {
+Result<ContourLocation> find_contour(Interpreter& m, const Call& call) {
   constexpr double highest = 99'999'999;
   for (const char letter : {'P', 'Q'})
     if (!m.has(letter)) return fail(alarm(AlarmId::word_missing, call.where, letter, call.row->code));
@@ -248,10 +248,10 @@ Result<ContourPlace> find_contour(Interpreter& m, const Call& call) {
   reader.seek(*last);
   Block block;
   (void)reader.next(block);  // a fault in the block is reported when that block is executed
-  return ContourPlace{*first, *last, reader.position()};
+  return ContourLocation{*first, *last, reader.position()};
 }
 
-Result<Contour> read_contour(Interpreter& m, const Call& call) {
+Result<Contour> read_drawing(Interpreter& m, const Call& call) {
   const auto place = find_contour(m, call);
   if (!place) return fail(place.error());
   const PlaneAxes& plane = m.modal.axes;

@@ -30,17 +30,17 @@ struct Contour {
 };
 
 /// The positions of blocks P … Q in the file being read.
-struct ContourPlace {
+struct ContourLocation {
   Position first, last;
   Position behind;  // just after block Q
 };
 /// Finds the contour by the words P and Q of the current block. alarms  word_missing, contour_block_missing, contour_order
-Result<ContourPlace> find_contour(Interpreter& m, const Call& call);
+Result<ContourLocation> find_contour(Interpreter& m, const Call& call);
 
 /// Reads the contour, starting at the tool's position.
 ///   alarms  those of find_contour; contour_shape: a block that is not G0, G1, G2, G3 in the plane; those of chapter 17 for its corners;
 ///           plane_wrong: G68 in another plane; not_together: arcs with different factors of G51
-Result<Contour> read_contour(Interpreter& m, const Call& call);
+Result<Contour> read_drawing(Interpreter& m, const Call& call);
 
 /// Splits arcs where one of the axes reverses, so that both axes move in one direction only along each line or arc.
 std::vector<ContourPiece> monotone(const std::vector<ContourPiece>& pieces);

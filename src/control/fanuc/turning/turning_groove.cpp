@@ -13,9 +13,9 @@
 namespace kadr::fanuc {
 namespace {
 
-constexpr double most_steps = 1e6;
+constexpr double max_steps = 1e6;
 
-class GrooveRun final : public RunningValue<GrooveRun> {
+class GrooveRun final : public SteppedCycleValue<GrooveRun> {
  public:
   /// In each point, x is the coordinate along the pecks, y the coordinate along which the positions follow one another; programmed, mm.
   struct Job {
@@ -97,9 +97,9 @@ Status groove(Emitter& m, const Call& call) {
   if (job.target.y != job.start.y) job.relief = m.length_value('R');  // INFERRED: with one position there is no free side
   job.back = fanuc_of(m).state.turning.groove_back;
   KADR_TRY(m.feed_known(call.where));
-  if (std::fabs(job.target.x - job.start.x) / job.peck > most_steps)
+  if (std::fabs(job.target.x - job.start.x) / job.peck > max_steps)
     return fail(alarm(AlarmId::value_out_of_range, m.where(peck), peck, m.value(peck)));
-  if (job.step > 0 && std::fabs(job.target.y - job.start.y) / job.step > most_steps)
+  if (job.step > 0 && std::fabs(job.target.y - job.start.y) / job.step > max_steps)
     return fail(alarm(AlarmId::value_out_of_range, m.where(step), step, m.value(step)));
   m.running = std::make_unique<GrooveRun>(job);
   return {};

@@ -14,11 +14,11 @@
 namespace kadr::fanuc {
 namespace {
 
-constexpr double most_cuts = 1e6;
+constexpr double max_cuts = 1e6;
 constexpr int halvings = 60;
 
 /// Continues the program after the contour, if the contour comes after the cycle's block.
-Status jump_behind(Interpreter& m, const Contour& contour) {
+Status jump_after(Interpreter& m, const Contour& contour) {
   if (contour.follows) m.flow.jump(contour.behind);
   return {};
 }
@@ -115,7 +115,7 @@ class Profile {
   std::vector<ContourPiece> pieces_;
 };
 
-class RoughRun final : public RunningValue<RoughRun> {
+class RoughRun final : public SteppedCycleValue<RoughRun> {
  public:
   RoughRun(Contour contour, Profile profile, Vec2 allowance, const TurningMemory& data)
       : contour_(std::move(contour)), profile_(std::move(profile)), allowance_(allowance), depth_(data.depth), back_(data.back) {}
@@ -142,7 +142,7 @@ class RoughRun final : public RunningValue<RoughRun> {
     return true;
   }
 
-  Status lead_on(Interpreter& m) const override { return jump_behind(m, contour_); }
+  Status lead_on(Interpreter& m) const override { return jump_after(m, contour_); }
 
  private:
   Status to(Emitter& m, MotionKind kind, double u, double depth) const { return go(m, kind, profile_.at(u, depth) + allowance_); }
@@ -179,7 +179,7 @@ class RoughRun final : public RunningValue<RoughRun> {
 };
 
 /// Cuts the whole contour `passes` times. The first pass is offset by `relief`, the last pass is on the contour plus the allowance.
-class PatternRun final : public RunningValue<PatternRun> {
+class PatternRun final : public SteppedCycleValue<PatternRun> {
  public:
   PatternRun(Contour contour, Vec2 allowance, Vec2 relief, std::uint32_t passes)
       : contour_(std::move(contour)), allowance_(allowance), relief_(relief), passes_(passes) {}
@@ -201,7 +201,7 @@ class PatternRun final : public RunningValue<PatternRun> {
     return false;
   }
 
-  Status lead_on(Interpreter& m) const override { return jump_behind(m, contour_); }
+  Status lead_on(Interpreter& m) const override { return jump_after(m, contour_); }
 
  private:
   Contour contour_;
@@ -217,12 +217,12 @@ class PatternRun final : public RunningValue<PatternRun> {
 Status rough(Interpreter& m, const Call& call, Vec2 allowance) {
   const TurningMemory& kept = fanuc_of(m).state.turning;
   const bool facing = call.row->arg == 72.7_g;
-  auto contour = read_contour(m, call);
+  auto contour = read_drawing(m, call);
   if (!contour) return fail(contour.error());
   if (!(kept.depth > 0)) return fail(alarm(AlarmId::word_missing, call.where, letter_of(m, facing ? 0 : 1), call.row->code));
   auto profile = Profile::of(contour->pieces, facing, call.where);
   if (!profile) return fail(profile.error());
-  if (profile->deepest() / kept.depth > most_cuts)
+  if (profile->deepest() / kept.depth > max_cuts)
     return fail(alarm(AlarmId::value_out_of_range, call.where, letter_of(m, facing ? 0 : 1), kept.depth));
   KADR_TRY(m.feed_known(call.where));
   m.running = std::make_unique<RoughRun>(std::move(*contour), std::move(*profile), allowance, kept);
@@ -231,7 +231,7 @@ Status rough(Interpreter& m, const Call& call, Vec2 allowance) {
 
 Status pattern(Interpreter& m, const Call& call, Vec2 allowance) {
   const TurningMemory& kept = fanuc_of(m).state.turning;
-  auto contour = read_contour(m, call);
+  auto contour = read_drawing(m, call);
   if (!contour) return fail(contour.error());
   if (kept.passes == 0) return fail(alarm(AlarmId::word_missing, call.where, 'R', call.row->code));
   KADR_TRY(m.feed_known(call.where));

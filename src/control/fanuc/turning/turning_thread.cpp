@@ -31,7 +31,7 @@ Status cut_thread(Emitter& m, Vec2 to, double lead, double angle) {
 
 /// Runs the passes of a compound thread. The depth of pass n is Δ1·√n, at least `least` deeper than the pass before, up to the thread's
 /// height less the finishing allowance; then the finishing passes follow.
-class ThreadRun final : public RunningValue<ThreadRun> {
+class ThreadRun final : public SteppedCycleValue<ThreadRun> {
  public:
   struct Job {
     Vec2 start, target;  // the target is at the root of the thread, at its end
@@ -112,7 +112,7 @@ Result<double> thread_lead_of(BlockContext& m, const Call& call) {
 
 /// G76.7 X_ Z_ R_ P_ Q_ F_: starts the thread passes.
 Status compound_thread(Emitter& m, const Call& call) {
-  constexpr double most_passes = 1e6;
+  constexpr double max_passes = 1e6;
   ThreadRun::Job job;
   const auto target = plane_target(m);
   if (!target) return fail(target.error());
@@ -134,7 +134,7 @@ Status compound_thread(Emitter& m, const Call& call) {
   job.chamfer = job.data.chamfer * *lead;
   const double rough = job.height - job.data.allowance;
   if (rough < 0) return fail(alarm(AlarmId::value_out_of_range, m.where('P'), 'P', m.value('P')));
-  if (std::pow(rough / job.first, 2) > most_passes) return fail(alarm(AlarmId::value_out_of_range, m.where('Q'), 'Q', m.value('Q')));
+  if (std::pow(rough / job.first, 2) > max_passes) return fail(alarm(AlarmId::value_out_of_range, m.where('Q'), 'Q', m.value('Q')));
   if (std::fabs(job.start.x - job.target.x) <= tol::level) {
     const char letter = letter_of(m, 0);
     return fail(alarm(AlarmId::value_out_of_range, m.where(letter), letter, m.value(letter)));

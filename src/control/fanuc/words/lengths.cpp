@@ -5,22 +5,22 @@
 #include "base/code_literals.h"
 #include "control/fanuc/drilling/drilling.h"
 #include "control/fanuc/fanuc.h"
-#include "control/fanuc/five_axis/five_axis.h"
+#include "control/fanuc/five_axis/five_axis_functions.h"
 #include "control/fanuc/geometry/sides.h"
 #include "control/fanuc/words/coordinates.h"
 #include "control/functions/functions.h"
 
 namespace kadr {
 
-std::uint32_t fanuc::most_offsets(const BlockContext& m) {
+std::uint32_t fanuc::max_offsets(const BlockContext& m) {
   const int most = fanuc_of(m).settings.offset_numbers;
   return most > 0 ? std::min(static_cast<std::uint32_t>(most), m.def.behaviour.offsets) : m.def.behaviour.offsets;
 }
 
 Result<std::uint32_t> fanuc::offset_number(const BlockContext& m, char letter) {
-  if (m.has(letter) && m.value(letter) > fanuc::most_offsets(m) && m.def.gives(AlarmId::offset_number_large))  // PS0030 (spec/fanuc 7.1)
+  if (m.has(letter) && m.value(letter) > fanuc::max_offsets(m) && m.def.gives(AlarmId::offset_number_large))  // PS0030 (spec/fanuc 7.1)
     return fail(alarm(AlarmId::offset_number_large, m.where(letter), m.block->text_of(m.where(letter))));
-  const auto number = m.whole(letter, 0, fanuc::most_offsets(m));
+  const auto number = m.whole(letter, 0, fanuc::max_offsets(m));
   if (!number) return number;
   return fanuc_of(m).offset_meant(letter, *number);
 }
@@ -64,7 +64,7 @@ void register_length(BlockContext& m, std::uint32_t number) {
   if (m.modal.turning_lengths) return register_turning(m, number);
   const double length = number < m.tables.offsets.size() ? m.tables.offsets[number].whole_length() : 0;
   if (number != 0) m.use.note(UseKind::length, number, m.origin, length == 0);
-  if (fanuc_of(m).state.five_axis.lead != fanuc::ToolLead::none) return fanuc::register_lead_length(m, number == 0 ? 0 : length);
+  if (fanuc_of(m).state.five_axis.lead != fanuc::TipControl::none) return fanuc::register_lead_length(m, number == 0 ? 0 : length);
   const AxisMask axes = length_axes(m);
   for (std::size_t a = 0; a < m.axis_count; ++a)
     if ((axes >> a & 1u) != 0) m.modal.lengths[a] = number == 0 ? 0 : m.modal.length_sign * shift_by(m, a, length);
@@ -130,7 +130,7 @@ Status length_number(Emitter& m, const Call& call) {
   m.modal.length_number = *number;
   macro_b_of(m).state.words.h = *number;
   if (m.modal.length_sign == 0) return {};
-  if (changes && !m.modal.turning_lengths && fanuc_of(m).state.five_axis.lead == fanuc::ToolLead::none && length_axes(m) == 0)
+  if (changes && !m.modal.turning_lengths && fanuc_of(m).state.five_axis.lead == fanuc::TipControl::none && length_axes(m) == 0)
     m.warn(warning(AlarmId::length_no_axis, call.where, m.block->text_of(call.where)));
   register_length(m, *number);
   m.change_frames();
@@ -150,7 +150,7 @@ Status radius_number(Emitter& m, const Call&) {
 /// G40, G41, G42 (15.5.1, 15.5.3): call.row->arg is 0, 1, 2. The next motion in the plane starts or ends compensation; I, J, K give its
 /// direction vector.
 Status radius_side(Emitter& m, const Call& call) {
-  fanuc::Volatile& state = fanuc_of(m).state;
+  fanuc::UndoableState& state = fanuc_of(m).state;
   if (call.row->arg != 0 && m.modal.plane != Plane::xy && m.def.gives(AlarmId::compensation_plane))
     return fail(alarm(AlarmId::compensation_plane, call.where, call.row->code));
   const std::int8_t side = call.row->arg == 0 ? std::int8_t{0} : call.row->arg == 1 ? std::int8_t{-1} : std::int8_t{1};
@@ -165,9 +165,9 @@ Status radius_side(Emitter& m, const Call& call) {
   state.way.reset();
   if (const auto way = fanuc::plane_direction(m)) state.way = *way;
   m.modal.radius_side = side;
-  if (state.side_step == SideStep::begins && fanuc_of(m).settings.contour_check != state.contour_check) {
-    state.contour_check = fanuc_of(m).settings.contour_check;
-    m.emit(state.contour_check);
+  if (state.side_step == SideStep::begins && fanuc_of(m).settings.compensation_check != state.compensation_check) {
+    state.compensation_check = fanuc_of(m).settings.compensation_check;
+    m.emit(state.compensation_check);
   }
   return {};
 }
@@ -184,7 +184,7 @@ Status vector_hold(Emitter& m, const Call& call) {
 Status vector_corner(Emitter& m, const Call& call) {
   if (m.modal.radius_side == 0) return fail(alarm(AlarmId::compensation_needed, call.where, call.row->code));
   if (m.has_axis_words()) return fail(alarm(AlarmId::own_block, call.where, call.row->code));
-  m.emit(ContourCorner{fanuc::plane_direction(m)});
+  m.emit(CompensationCorner{fanuc::plane_direction(m)});
   return {};
 }
 

@@ -9,8 +9,8 @@
 namespace kadr::linuxcnc {
 namespace {
 
-constexpr double gap = 1e-2;         // offset pieces further apart than this get an arc between them
-constexpr int most_steps = 100'000;  // greatest number of steps of an offset; each step is at most half the smallest piece
+constexpr double gap = 1e-2;        // offset pieces further apart than this get an arc between them
+constexpr int max_steps = 100'000;  // greatest number of steps of an offset; each step is at most half the smallest piece
 
 tl::unexpected<std::string> endless() { return tl::unexpected(std::string()); }
 
@@ -62,7 +62,7 @@ Turned Profile::offset_step(double distance) {
     at = pieces.insert(after, Piece::arc(distance > 0, at->end, (b.end + a.start) / 2.0, after->start));
   }
 
-  int left = most_steps;
+  int left = max_steps;
   for (auto at = pieces.begin(); at != std::prev(pieces.end()); ++at) {
     if (--left == 0) return endless();
     if (!at->falls()) {
@@ -92,7 +92,7 @@ Turned Profile::offset(double distance) {
   if (pieces.empty()) return endless();
   double done = 0;
   for (int steps = 0; done != distance; ++steps) {
-    if (steps == most_steps) return endless();
+    if (steps == max_steps) return endless();
     double step = std::abs(distance - done);
     for (const Piece& piece : pieces) step = std::min(step, piece.size() / 2);
     if (distance < 0) step = -step;

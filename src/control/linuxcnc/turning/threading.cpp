@@ -17,7 +17,7 @@ namespace kadr::linuxcnc {
 namespace {
 
 constexpr std::size_t thread_axis = 2;  // Z
-constexpr double most_thread_passes = 100'000;
+constexpr double max_thread_passes = 100'000;
 
 /// The data of a thread, in mm. Depths count from the drive line, which is X at the start of the cycle.
 struct Thread {
@@ -39,14 +39,14 @@ struct Thread {
 };
 
 /// Executes the passes of the thread one by one.
-class Threading final : public RunningValue<Threading> {
+class Threading final : public SteppedCycleValue<Threading> {
  public:
   explicit Threading(const Thread& thread) : t_(thread) {}
 
   Result<bool> next(Emitter& m) override {
     const double full = t_.crest + t_.height;
     double depth = t_.crest + t_.first * (pass_ == 1 ? 1 : std::pow(pass_, 1 / t_.degression));
-    if (pass_ > most_thread_passes) return fail(alarm(AlarmId::cycle_repeats, t_.where, most_thread_passes));
+    if (pass_ > max_thread_passes) return fail(alarm(AlarmId::cycle_repeats, t_.where, max_thread_passes));
     if (depth < full) ++pass_;
     else if (++finished_ > t_.spring + 1) {
       KADR_TRY(m.straight(MotionKind::rapid, t_.end, 7));

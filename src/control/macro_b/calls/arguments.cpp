@@ -26,8 +26,8 @@ class Assigner {
       std::size_t& written = written_[static_cast<std::size_t>(letter - 'I')];
       if (later_counts_) number += type_2_step * written++;
       else
-        while (number <= most_locals && occupied_[number]) number += type_2_step;
-      if (number > most_locals) return illegal(w);
+        while (number <= max_locals && occupied_[number]) number += type_2_step;
+      if (number > max_locals) return illegal(w);
     } else if (occupied_[number] && !later_counts_) {
       return illegal(w);
     }
@@ -41,7 +41,7 @@ class Assigner {
 
   Locals& locals_;
   bool later_counts_;
-  std::array<bool, most_locals + 1> occupied_{};
+  std::array<bool, max_locals + 1> occupied_{};
   std::array<std::size_t, 3> written_{};  // number of words I, J and K read so far
 };
 

@@ -8,7 +8,7 @@
 
 #include "base/code_literals.h"
 #include "base/tolerance.h"
-#include "control/functions/behind_fault.h"
+#include "control/functions/after_fault.h"
 #include "control/functions/functions.h"
 #include "control/macro_b/dialect/blocks.h"
 #include "control/macro_b/statements/messages.h"
@@ -16,7 +16,7 @@
 namespace kadr::macro_b {
 namespace {
 
-constexpr std::uint32_t most_repeats = 99'999'999;
+constexpr std::uint32_t max_repeats = 99'999'999;
 
 /// Finds the program that the word P or the <name> of the block names.
 Result<CallRequest> named_program(Interpreter& m, const Call& code, bool name_allowed) {
@@ -62,7 +62,7 @@ Result<std::uint32_t> repeats_of(const BlockContext& m) {
   if (l == nullptr) return 1u;
   const double times = l->expression ? std::round(l->value) : l->value;  // 23.1.1
   if (times != std::floor(times)) return fail(alarm(AlarmId::word_not_integer, l->where, 'L', times));
-  if (!(times >= 1 && times <= most_repeats)) return fail(alarm(AlarmId::value_out_of_range, l->where, 'L', times));
+  if (!(times >= 1 && times <= max_repeats)) return fail(alarm(AlarmId::value_out_of_range, l->where, 'L', times));
   return static_cast<std::uint32_t>(times);
 }
 
@@ -112,8 +112,7 @@ Status call_modal(Interpreter& m, const Locals& arguments) {
 Status return_from(Interpreter& m, const Call& code) {
   MacroB& macros = macro_b_of(m);
   const Word* const p = m.word('P');
-  if (p != nullptr && !(p->value >= 0 && p->value <= most_repeats))
-    return fail(alarm(AlarmId::value_out_of_range, p->where, 'P', p->value));
+  if (p != nullptr && !(p->value >= 0 && p->value <= max_repeats)) return fail(alarm(AlarmId::value_out_of_range, p->where, 'P', p->value));
   CallFrame* const top = m.flow.innermost();
   if (p != nullptr && m.def.behaviour.returns_to_own_block) return go_to_block_again(m, p->value, p->where);
   if (top == nullptr) {  // in the main program M99 is a jump (14.4.4)
@@ -122,13 +121,13 @@ Status return_from(Interpreter& m, const Call& code) {
   }
   std::uint32_t passes = top->left;
   if (m.has('L')) {  // INFERRED: L is the number of executions after the first (14.4.3)
-    const auto k = m.whole('L', 0, most_repeats);
+    const auto k = m.whole('L', 0, max_repeats);
     if (!k) return fail(k.error());
     const std::uint32_t total = *k + 1;
     passes = total > top->done ? total - top->done + 1 : 1;
   }
   top->left = passes;
-  shorten_behind_fault(m.report, m.flow);
+  shorten_after_fault(m.report, m.flow);
   passes = top->left;
   const auto return_to = p != nullptr ? static_cast<std::int32_t>(p->value) : top->return_to;
   if (passes == 1 && return_to >= 0 && !m.flow.caller_has(static_cast<std::uint32_t>(return_to)))
@@ -170,7 +169,7 @@ Status macro_call(Interpreter& m, const Call& call) {
 
 /// G66 P L arguments: calls the macro after each movement. G66.1: calls it with each block, including the G66.1 block (23.3.2, 23.3.3).
 Status macro_modal(Interpreter& m, const Call& call) {
-  constexpr std::size_t most_modal_calls = 16;
+  constexpr std::size_t max_modal_calls = 16;
   auto request = macro_b::named_program(m, call, false);
   if (!request) return fail(request.error());
   const auto times = macro_b::repeats_of(m);
@@ -178,7 +177,7 @@ Status macro_modal(Interpreter& m, const Call& call) {
   Locals arguments;
   KADR_TRY(macro_b::arguments_of(m, macro_b::index_of(m, call.word), arguments));
   macro_b::MacroB& macros = macro_b_of(m);
-  if (macros.state.modal_calls.size() >= most_modal_calls) return fail(alarm(AlarmId::call_too_deep, call.where, double{most_modal_calls}));
+  if (macros.state.modal_calls.size() >= max_modal_calls) return fail(alarm(AlarmId::call_too_deep, call.where, double{max_modal_calls}));
   macros.state.modal_calls.resize(macros.state.active_modal_calls);  // INFERRED: modal calls that are not in force here are lost
   macros.state.modal_calls.push_back(
       {request->place.reader, request->place.start, *times, request->name, call.row->arg == 66.1_g, 0, -1, arguments});

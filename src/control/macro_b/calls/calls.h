@@ -10,7 +10,7 @@ namespace kadr::macro_b {
 
 /// A call to be executed.
 struct CallRequest {
-  ProgramPlace place;
+  ProgramLocation place;
   std::uint32_t name = 0;  // program number, for messages
   std::uint32_t times = 1;
   bool macro = false;  // opens a level of locals

@@ -90,7 +90,7 @@ namespace kadr::functions {
 Status interrupt_on(Interpreter& m, const Call& call) {
   macro_b::MacroB& macros = macro_b_of(m);
   if (macro_b::is_free(macros, call.word->code / 10, macros.settings.interrupt_on)) return m.dialect->machine_code(m, call);
-  if (m.def.tells_of_ends()) m.tell_machine(call.word->code);
+  if (m.def.reports_program_ends()) m.report_to_machine(call.word->code);
   macros.signal_rose = false;  // INFERRED: a signal edge of CP_MINT before M96 has no effect
   if (m.block->file_name.end != 0) {
     const auto place = macros.programs.by_name(m, m.block->text_of(m.block->file_name), m.block->file_name, macro_b::Beside::main_program);
@@ -111,7 +111,7 @@ Status interrupt_on(Interpreter& m, const Call& call) {
 
 Status interrupt_off(Interpreter& m, const Call& call) {
   if (macro_b::is_free(macro_b_of(m), call.word->code / 10, macro_b_of(m).settings.interrupt_off)) return m.dialect->machine_code(m, call);
-  if (m.def.tells_of_ends()) m.tell_machine(call.word->code);
+  if (m.def.reports_program_ends()) m.report_to_machine(call.word->code);
   macro_b_of(m).state.interrupt_program.reset();
   return macro_b::abort_interrupt(m, call);
 }

@@ -50,7 +50,7 @@ bool may_stop(const BlockContext& m) {
 /// Single-block operation: stops after each NC block. INFERRED: macro blocks run together with the next NC block (23.5). Canned cycles emit
 /// their own stops.
 void stop_single_block(Emitter& m, bool was_hidden) {
-  if (!may_stop(m) || m.block->word_count == 0 || m.cycle_run.active() || m.cycling()) return;
+  if (!may_stop(m) || m.block->word_count == 0 || m.canned_cycle_run.active() || m.cycling()) return;
   const bool returned = m.has_code({Function::return_program});
   const bool macro = returned || !macro_b_of(m).pending.empty() ||
                      m.has_code({Function::macro_call, Function::macro_modal, Function::macro_modal_off, Function::call_program});

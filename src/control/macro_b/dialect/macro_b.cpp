@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "base/code_literals.h"
-#include "config/machine_axes.h"
+#include "config/machine/machine_axes.h"
 #include "control/interpreter.h"
 #include "control/macro_b/calls/calls.h"
 #include "control/macro_b/calls/interrupt.h"
@@ -112,7 +112,7 @@ void MacroB::take_common(BlockContext& m, const Dialect& from) {
   refresh_settings(m);
 }
 
-// ---- state that an alarm restores; Interpreter::take_back restores the state that all controls have
+// ---- state that an alarm restores; Interpreter::undo_block restores the state that all controls have
 
 void MacroB::begin_block(Emitter& m) {
   m.journal.keep(state.words);
@@ -124,7 +124,7 @@ void MacroB::keep_all() {
   before_ = {true, state, variables.depth(), repeated_arguments.size()};
 }
 
-void MacroB::take_back(BlockContext&) {
+void MacroB::undo_block(BlockContext&) {
   if (!before_.all) return;
   state = before_.state;
   while (variables.depth() > before_.levels) variables.close_level();
@@ -140,10 +140,10 @@ std::shared_ptr<const DialectState> MacroB::snapshot() const { return std::make_
 
 Status MacroB::restore(BlockContext&, const DialectState& from) {
   const auto& then = static_cast<const MacroState&>(from);
-  KADR_TRY(output.remember(then.output));
+  KADR_TRY(output.resume_from(then.output));
   static_cast<Memory&>(*this) = then.memory;
-  parameters.remember(then.parameters);
-  variables.remember(then.variables);
+  parameters.resume_from(then.parameters);
+  variables.resume_from(then.variables);
   changes = Changes();  // empty, so that all rows are written to the state file again
   before_ = {};
   return {};
@@ -164,7 +164,9 @@ void MacroB::set_time(double at_ms, double cut_ms) {
 
 // ---- what the interpreter calls
 
-void MacroB::add_variables(Emitter& m, Ending& ending, const std::vector<std::string>& watch) { macro_b::add_variables(m, ending, watch); }
+void MacroB::add_variables(Emitter& m, FinalState& ending, const std::vector<std::string>& watch) {
+  macro_b::add_variables(m, ending, watch);
+}
 
 /// Returns true if the block may read a clock variable: it has one, a variable with a computed number, or a text with variables (23.1.9).
 /// The clock must show the time at the block: all earlier actions are executed first, and afterwards the actions of each block are.
@@ -184,7 +186,7 @@ Result<bool> MacroB::interrupt(Interpreter& m, BlockMoment moment) { return call
 
 Result<bool> MacroB::statement(Interpreter& m) { return run_statement(m); }
 void MacroB::note_fault(Interpreter& m, bool may_have_steered) { endless.note_fault(m, may_have_steered); }
-void MacroB::taken_back(Emitter& m) { refresh_settings(m); }
+void MacroB::block_undone(Emitter& m) { refresh_settings(m); }
 StateChanges MacroB::take_changes(Interpreter& m) { return changes.take(m); }
 
 bool MacroB::leave_call(Interpreter& m) {

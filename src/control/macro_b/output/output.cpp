@@ -9,7 +9,7 @@
 #include "control/emitter.h"
 #include "control/macro_b/macro_b.h"
 #include "control/macro_b/output/print.h"
-#include "control/reading.h"
+#include "control/variable_reader.h"
 #include "lang/expression/expression.h"
 
 namespace kadr::macro_b {
@@ -40,7 +40,7 @@ Status placed(const Status& status, Span where) {
 
 Result<double> value_or_zero(Emitter& m, Expression expression) {
   if (!expression) return 0.0;
-  return evaluate(*m.block, expression, Reading{m});
+  return evaluate(*m.block, expression, VariableReader{m});
 }
 
 /// Collects the values of the variables named in a text, in order; nullopt for a vacant one.
@@ -53,7 +53,7 @@ class Values {
     scratch_.clear();
     const auto reference = compile_macro_value(cursor, m_.def.grammar, scratch_, MacroValue::operand);
     if (!reference) return fail(reference.error());
-    const auto value = evaluate(scratch_, *reference, Reading{m_});
+    const auto value = evaluate(scratch_, *reference, VariableReader{m_});
     if (!value) return fail(value.error());
     values_.push_back(is_vacant(*value) ? std::optional<double>() : std::optional(*value));
     return cursor.at;

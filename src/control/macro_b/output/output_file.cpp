@@ -22,7 +22,7 @@ namespace {
 
 constexpr std::size_t longest_name = 60;  // characters between < > (14.4.2)
 constexpr double device_number = 31;
-constexpr double most_program_number = 99'999'999;
+constexpr double max_program_number = 99'999'999;
 constexpr int short_numbers = 9'999;  // the largest number written as O and four digits
 constexpr std::string_view percent = "%\r\n";
 constexpr std::string_view card_file = "PRNT0000.DAT";
@@ -140,7 +140,7 @@ Status OutputFile::open_card(std::string_view program) {
 
 Status OutputFile::open_number(double mode, double p, std::string_view program) {
   KADR_TRY(ready(mode));
-  if (!(p >= 1 && p <= most_program_number) || p != std::floor(p)) return fail(alarm(AlarmId::value_out_of_range, {}, 'P', p));
+  if (!(p >= 1 && p <= max_program_number) || p != std::floor(p)) return fail(alarm(AlarmId::value_out_of_range, {}, 'P', p));
   const int number = static_cast<int>(p);
   const std::string extension(extension_of(program));
   std::string name = program_name(number, number <= short_numbers ? 4 : 8);
@@ -220,8 +220,8 @@ Status OutputFile::close() {
 
 OutputFile::Memory OutputFile::memory() const { return {static_cast<std::uint8_t>(state_), program_, writer_.memory()}; }
 
-Status OutputFile::remember(const Memory& memory) {
-  KADR_TRY(writer_.remember(memory.writer));
+Status OutputFile::resume_from(const Memory& memory) {
+  KADR_TRY(writer_.resume_from(memory.writer));
   state_ = static_cast<State>(memory.state);
   program_ = memory.program;
   return {};

@@ -89,7 +89,7 @@ class OutputFile {
   Memory memory() const;
   /// Continues the file that was open when the snapshot was taken: text that was printed later is cut off. Other files do not change.
   ///   alarms   file_write (path): the file no longer exists, is shorter than at the snapshot, or may not be written
-  Status remember(const Memory& memory);
+  Status resume_from(const Memory& memory);
 
   bool is_open() const { return state_ != State::closed; }
   /// All files written in the run: path from the root → size in bytes.

@@ -15,8 +15,8 @@
 namespace kadr::macro_b {
 namespace {
 
-constexpr int most_digits = 15;          // 0 < c + d < 16
-constexpr int most_binary_decimals = 8;  // c
+constexpr int max_digits = 15;          // 0 < c + d < 16
+constexpr int max_binary_decimals = 8;  // c
 constexpr std::string_view end_of_line = "\r\n";
 
 bool is_blank(char c) { return c == ' ' || c == '\t'; }
@@ -51,10 +51,10 @@ std::optional<PrintPiece> value_piece(const std::optional<Format>& format, Print
   PrintPiece piece;
   piece.slot = slot;
   if (kind == PrintKind::binary) {
-    if (format->second || format->first > most_binary_decimals) return std::nullopt;
+    if (format->second || format->first > max_binary_decimals) return std::nullopt;
     piece.after = static_cast<std::uint8_t>(format->first);
   } else {
-    if (format->first + second < 1 || format->first + second > most_digits) return std::nullopt;
+    if (format->first + second < 1 || format->first + second > max_digits) return std::nullopt;
     piece.before = static_cast<std::uint8_t>(format->first);
     piece.after = static_cast<std::uint8_t>(second);
   }

@@ -18,10 +18,10 @@ namespace {
 namespace fs = std::filesystem;
 using Files = std::vector<fs::path>;
 
-constexpr std::size_t most_searched_files = 10'000;  // files of one folder
-constexpr std::size_t most_heading = 4096;           // bytes of a file that are searched for its first word
-constexpr std::size_t most_named = 3;                // files that an alarm lists
-constexpr std::size_t digits_of_haas = 5, digits_of_fanuc = 4, most_name_digits = 8;
+constexpr std::size_t max_searched_files = 10'000;  // files of one folder
+constexpr std::size_t max_heading = 4096;           // bytes of a file that are searched for its first word
+constexpr std::size_t max_named = 3;                // files that an alarm lists
+constexpr std::size_t digits_of_haas = 5, digits_of_fanuc = 4, max_name_digits = 8;
 
 std::string in_capitals(std::string text) {
   std::transform(text.begin(), text.end(), text.begin(), to_upper);
@@ -32,7 +32,7 @@ std::string in_capitals(std::string text) {
 std::size_t digits_of(const fs::path& file, std::uint32_t number) {
   const std::string stem = in_capitals(file.stem().string());
   const std::size_t digits = stem.size() - 1;
-  if (stem.size() < 2 || stem[0] != 'O' || digits > most_name_digits || stem.find_first_not_of("0123456789", 1) != std::string::npos)
+  if (stem.size() < 2 || stem[0] != 'O' || digits > max_name_digits || stem.find_first_not_of("0123456789", 1) != std::string::npos)
     return 0;
   return std::stoul(stem.substr(1)) == number ? digits : 0;
 }
@@ -42,7 +42,7 @@ Files files_in(const fs::path& folder) {
   Files files;
   std::error_code error;
   for (const auto& entry : fs::directory_iterator(folder, fs::directory_options::skip_permission_denied, error)) {
-    if (files.size() == most_searched_files) break;
+    if (files.size() == max_searched_files) break;
     if (entry.is_regular_file(error)) files.push_back(folder == "." ? entry.path().filename() : entry.path());
   }
   std::sort(files.begin(), files.end());
@@ -62,10 +62,10 @@ struct FirstWord {
   Position start;
 };
 
-FirstWord first_word(const fs::path& file, const Grammar& grammar, const FileDoor* door) {
+FirstWord first_word(const fs::path& file, const Grammar& grammar, const FileAccess* door) {
   const auto source = open_text(file.string(), {}, door).source;
   if (!source) return {};
-  std::string head(most_heading, '\0');
+  std::string head(max_heading, '\0');
   head.resize(source->read(0, head.data(), head.size()));
   BlockReader reader(text_source(std::move(head)), grammar, std::nullopt);
   const auto block = std::make_unique<Block>();
@@ -84,8 +84,8 @@ Result<std::optional<fs::path>> only_one(const Files& files, std::string_view sh
   if (files.empty()) return std::optional<fs::path>();
   if (files.size() == 1) return std::optional(files.front());
   std::string names;
-  for (std::size_t i = 0; i < std::min(files.size(), most_named); ++i) names += (i == 0 ? "" : ", ") + files[i].filename().string();
-  if (files.size() > most_named) names += ", …";
+  for (std::size_t i = 0; i < std::min(files.size(), max_named); ++i) names += (i == 0 ? "" : ", ") + files[i].filename().string();
+  if (files.size() > max_named) names += ", …";
   return fail(alarm(AlarmId::programs_alike, where, shown, std::string_view(names)));
 }
 
@@ -123,19 +123,19 @@ std::vector<fs::path> folders_of(const BlockContext& m) {
 
 }  // namespace
 
-Result<std::optional<ProgramPlace>> Programs::in_own_file(Interpreter& m, std::uint32_t number, Span where) {
+Result<std::optional<ProgramLocation>> Programs::in_own_file(Interpreter& m, std::uint32_t number, Span where) {
   const std::vector<Position> places = m.flow.program_file().programs_numbered(number);
   if (places.size() > 1) {
     const std::string lines = std::to_string(places[0].line) + ", " + std::to_string(places[1].line);
     const std::string shown = "O" + std::to_string(number);
     return fail(alarm(AlarmId::programs_alike, where, std::string_view(shown), std::string_view(lines)));
   }
-  if (places.empty()) return std::optional<ProgramPlace>();
+  if (places.empty()) return std::optional<ProgramLocation>();
   if (m.program().reader() == 0) (void)m.flow.label_of(number);  // marks the program as called
-  return std::optional(ProgramPlace{m.program().reader(), places.front()});
+  return std::optional(ProgramLocation{m.program().reader(), places.front()});
 }
 
-Result<ProgramPlace> Programs::by_steps(Interpreter& m, std::uint32_t number, Span where) {
+Result<ProgramLocation> Programs::by_steps(Interpreter& m, std::uint32_t number, Span where) {
   const std::pair key{std::uint32_t{m.program().reader()}, number};
   if (const auto known = numbers_.find(key); known != numbers_.end()) return known->second;
   const auto own = in_own_file(m, number, where);
@@ -157,12 +157,12 @@ Result<ProgramPlace> Programs::by_steps(Interpreter& m, std::uint32_t number, Sp
       if (!place) return fail(place.error());
       return numbers_[key] = *place;
     }
-  if (const auto built_in = m.flow.open_built_in(program_name(number))) return numbers_[key] = ProgramPlace{*built_in, {}};
+  if (const auto built_in = m.flow.open_built_in(program_name(number))) return numbers_[key] = ProgramLocation{*built_in, {}};
   const std::string name = m.def.behaviour.program_digits == digits_of_haas ? fmt::format("O{:05}", number) : program_name(number);
   return fail(alarm(AlarmId::program_missing, where, std::string_view(name)));
 }
 
-Result<std::optional<ProgramPlace>> Programs::by_heading(Interpreter& m, std::string_view name, Span where) {
+Result<std::optional<ProgramLocation>> Programs::by_heading(Interpreter& m, std::string_view name, Span where) {
   for (const fs::path& folder : folders_of(m)) {
     const Files files = files_that(
         files_in(folder), [&](const fs::path& file) { return first_word(file, m.def.grammar, m.program().limits().door).name == name; });
@@ -173,7 +173,7 @@ Result<std::optional<ProgramPlace>> Programs::by_heading(Interpreter& m, std::st
     if (!place) return fail(place.error());
     return std::optional(*place);
   }
-  return std::optional<ProgramPlace>();
+  return std::optional<ProgramLocation>();
 }
 
 }  // namespace kadr::macro_b

@@ -17,11 +17,11 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::size_t most_name = 60;  // characters between < and > (14.4.2)
-constexpr int most_parents = 16;       // folders above the program that are searched for SystemMacros
+constexpr std::size_t max_name = 60;  // characters between < and > (14.4.2)
+constexpr int max_parents = 16;       // folders above the program that are searched for SystemMacros
 constexpr std::uint32_t most_short = 9999;
-constexpr std::size_t most_files = 10'000;  // files of one folder that are examined
-constexpr std::size_t most_head = 512;      // bytes of a file that are searched for its number
+constexpr std::size_t max_files = 10'000;  // files of one folder that are examined
+constexpr std::size_t max_head = 512;      // bytes of a file that are searched for its number
 
 bool alike(std::string a, std::string b) {
   const auto small = [](std::string& s) { std::transform(s.begin(), s.end(), s.begin(), to_lower); };
@@ -95,9 +95,9 @@ struct Heading {
   Position start;  // start of the program; after the first line if that has `:`, which this control does not read
 };
 
-std::optional<Heading> heading_of(const fs::path& path, const FileDoor* door) {
+std::optional<Heading> heading_of(const fs::path& path, const FileAccess* door) {
   const auto source = open_text(path.string(), {}, door).source;
-  std::string head(most_head, '\0');
+  std::string head(max_head, '\0');
   head.resize(source ? source->read(0, head.data(), head.size()) : 0);
   const auto behind = [&](const char* passed, std::size_t from) { return std::min(head.find_first_not_of(passed, from), head.size()); };
   const auto line_end = [&](std::size_t from) { return std::min(head.find('\n', from), head.size()); };
@@ -115,7 +115,7 @@ std::optional<Heading> heading_of(const fs::path& path, const FileDoor* door) {
   return heading;
 }
 
-bool begins_with(const fs::path& path, std::uint32_t number, const FileDoor* door) {
+bool begins_with(const fs::path& path, std::uint32_t number, const FileAccess* door) {
   const auto heading = heading_of(path, door);
   return heading && heading->number == number;
 }
@@ -132,7 +132,7 @@ Result<std::string> other_file(BlockContext& m, std::uint32_t number, const fs::
     if (folder.empty()) continue;
     std::vector<std::string> files;
     std::error_code error;
-    std::size_t left = most_files;
+    std::size_t left = max_files;
     for (const auto& entry : fs::directory_iterator(folder, fs::directory_options::skip_permission_denied, error)) {
       if (left-- == 0) break;
       const fs::path& path = entry.path();
@@ -162,14 +162,14 @@ std::uint32_t number_of_file(const std::string& path) {
   return static_cast<std::uint32_t>(std::stoul(stem.substr(1)));
 }
 
-Result<ProgramPlace> Programs::by_number(Interpreter& m, std::uint32_t number, Span where, Beside beside) {
+Result<ProgramLocation> Programs::by_number(Interpreter& m, std::uint32_t number, Span where, Beside beside) {
   if (m.def.grammar.programs_by_label) return by_steps(m, number, where);
   const bool of_main = beside == Beside::main_program;
   const std::pair key{of_main ? 0 : std::uint32_t{m.program().reader()}, number};
   if (const auto known = numbers_.find(key); known != numbers_.end()) return known->second;
   const fs::path caller(of_main ? m.program().main_file() : m.program().file());
   const std::string extension = caller.extension().string();
-  ProgramPlace place;
+  ProgramLocation place;
   const auto open = [&](const fs::path& file) -> Status {
     const std::string name = file.filename().string();
     if (!is_inside(m, file)) return fail(alarm(AlarmId::file_outside, where, std::string_view(name)));
@@ -202,16 +202,16 @@ Result<ProgramPlace> Programs::by_number(Interpreter& m, std::uint32_t number, S
   return place;
 }
 
-Result<ProgramPlace> Programs::opened(Interpreter& m, const std::string& path, Span where) {
+Result<ProgramLocation> Programs::opened(Interpreter& m, const std::string& path, Span where) {
   const std::string name = fs::path(path).filename().string();
   if (!is_inside(m, path)) return fail(alarm(AlarmId::file_outside, where, std::string_view(name)));
   const auto reader = m.flow.open_program(path);
   if (!reader) return fail(alarm(AlarmId::file_missing, where, std::string_view(name)));
-  return ProgramPlace{*reader, {}};
+  return ProgramLocation{*reader, {}};
 }
 
-Result<ProgramPlace> Programs::by_name(Interpreter& m, std::string_view name, Span where, Beside beside) {
-  if (name.empty() || characters(name) > most_name || name.find('/') != std::string_view::npos)
+Result<ProgramLocation> Programs::by_name(Interpreter& m, std::string_view name, Span where, Beside beside) {
+  if (name.empty() || characters(name) > max_name || name.find('/') != std::string_view::npos)
     return fail(alarm(AlarmId::file_name, where, name));
   const fs::path caller(beside == Beside::main_program ? m.program().main_file() : m.program().file());
   const fs::path folder = caller.parent_path();
@@ -229,19 +229,19 @@ Result<ProgramPlace> Programs::by_name(Interpreter& m, std::string_view name, Sp
   if (file && !is_inside(m, *file)) return fail(alarm(AlarmId::file_outside, where, name));
   const auto reader = file ? m.flow.open_program(file->string()) : std::nullopt;
   if (!reader) return fail(alarm(AlarmId::file_missing, where, name));
-  return ProgramPlace{*reader, {}};
+  return ProgramLocation{*reader, {}};
 }
 
-Result<ProgramPlace> Programs::system(Interpreter& m, std::uint32_t number, Span where) {
+Result<ProgramLocation> Programs::system(Interpreter& m, std::uint32_t number, Span where) {
   if (const auto known = systems_.find(number); known != systems_.end()) return known->second;
   const std::string folder = fmt::format("SystemMacros/Channel{}", m.def.channel);
   fs::path base = fs::path(m.program().main_file()).parent_path();
-  for (int i = 0; i < most_parents; ++i, base = base.empty() ? fs::path("..") : base / "..") {
-    if (const FileDoor* const door = m.program().limits().door; door != nullptr && !door->reaches((base / folder).string())) break;
+  for (int i = 0; i < max_parents; ++i, base = base.empty() ? fs::path("..") : base / "..") {
+    if (const FileAccess* const door = m.program().limits().door; door != nullptr && !door->reaches((base / folder).string())) break;
     const auto file = in_folder(base / folder, fmt::format("O{:04}.nct", number));
     const auto reader = file ? m.flow.open_program(file->string()) : std::nullopt;
     if (!reader) continue;
-    const ProgramPlace place{*reader, {}};
+    const ProgramLocation place{*reader, {}};
     systems_.emplace(number, place);
     return place;
   }

@@ -17,7 +17,7 @@ class Interpreter;
 namespace kadr::macro_b {
 
 /// The location at which a called program starts: the number of the open file, and the position of the program in that file.
-struct ProgramPlace {
+struct ProgramLocation {
   std::uint16_t reader = 0;
   Position start;
 };
@@ -33,25 +33,25 @@ class Programs {
   /// programs). Our choice, for files of other shops: a file whose name is the number in another form (not .nct, .prg), in the caller's
   /// folder or in the folder of --files; the control's built-in program; a file that starts with `O` or `:` and the number.
   ///   alarms  program_missing (2147), label_twice, file_outside, file_missing
-  Result<ProgramPlace> by_number(Interpreter& m, std::uint32_t number, Span where, Beside beside = Beside::caller);
+  Result<ProgramLocation> by_number(Interpreter& m, std::uint32_t number, Span where, Beside beside = Beside::caller);
   /// Finds the program that M98 <path\\name.ext> calls. The path is relative to the caller's folder; the file must be inside the main
   /// program's folder or the folder of --files.
   ///   alarms  file_missing (2132), file_name, file_outside
-  Result<ProgramPlace> by_name(Interpreter& m, std::string_view name, Span where, Beside beside = Beside::caller);
+  Result<ProgramLocation> by_name(Interpreter& m, std::string_view name, Span where, Beside beside = Beside::caller);
   /// Finds a system macro or subprogram: SystemMacros/Channel1/Onnnn.nct (23.3). alarms program_missing
-  Result<ProgramPlace> system(Interpreter& m, std::uint32_t number, Span where);
+  Result<ProgramLocation> system(Interpreter& m, std::uint32_t number, Span where);
 
  private:
   /// Searches in the steps of spec/fanuc 9.2 (program_search.cpp). alarms program_missing, programs_alike, file_outside, file_missing
-  Result<ProgramPlace> by_steps(Interpreter& m, std::uint32_t number, Span where);
-  static Result<std::optional<ProgramPlace>> in_own_file(Interpreter& m, std::uint32_t number, Span where);
+  Result<ProgramLocation> by_steps(Interpreter& m, std::uint32_t number, Span where);
+  static Result<std::optional<ProgramLocation>> in_own_file(Interpreter& m, std::uint32_t number, Span where);
   /// Finds a file in which the program starts with the word <name>.
-  static Result<std::optional<ProgramPlace>> by_heading(Interpreter& m, std::string_view name, Span where);
+  static Result<std::optional<ProgramLocation>> by_heading(Interpreter& m, std::string_view name, Span where);
   /// Opens a file of the program memory. alarms file_outside, file_missing
-  static Result<ProgramPlace> opened(Interpreter& m, const std::string& path, Span where);
+  static Result<ProgramLocation> opened(Interpreter& m, const std::string& path, Span where);
 
-  std::map<std::pair<std::uint32_t, std::uint32_t>, ProgramPlace> numbers_;  // programs found, by {calling file, program number}
-  std::map<std::uint32_t, ProgramPlace> systems_;
+  std::map<std::pair<std::uint32_t, std::uint32_t>, ProgramLocation> numbers_;  // programs found, by {calling file, program number}
+  std::map<std::uint32_t, ProgramLocation> systems_;
 };
 
 /// Returns the name of a program: "O0012" for 12; numbers above 9999 are written with eight digits.

@@ -32,8 +32,8 @@ namespace {
 
 constexpr std::uint64_t compared_passes = 8;  // number of passes after a snapshot that are compared with it
 // After a fault: greatest number of jumps back, and of blocks in passes of loops; beyond these every loop is left.
-constexpr std::uint64_t jumps_behind_fault = 20'000, blocks_behind_fault = 50'000;
-constexpr std::size_t most_faults = 1000;
+constexpr std::uint64_t jumps_after_fault = 20'000, blocks_after_fault = 50'000;
+constexpr std::size_t max_faults = 1000;
 
 /// Compares bit by bit, so that vacant equals vacant.
 bool same(const Locals& a, const Locals& b) { return std::memcmp(a.data(), b.data(), sizeof a) == 0; }
@@ -131,7 +131,7 @@ void Endless::forget() {
 void Endless::note_fault(const BlockContext& m, bool may_steer) {
   any_fault_ = true;
   for (Watch& w : watches_) w.next_look = 0;  // examine each jump from now on
-  if (may_steer && faults_.size() < most_faults) faults_.push_back({m.block->position.offset, m.program().blocks(), m.program().reader()});
+  if (may_steer && faults_.size() < max_faults) faults_.push_back({m.block->position.offset, m.program().blocks(), m.program().reader()});
 }
 
 /// True if the loop, from the target to the jump, has a faulty block that would have written a variable, called or jumped.
@@ -147,7 +147,7 @@ bool Endless::took_too_long(const BlockContext& m, const Watch& w) {
   if (looked_ == nth) looped_ += m.program().blocks() - looked_at_;
   looked_ = nth;
   looked_at_ = m.program().blocks();
-  return ++looks_ > jumps_behind_fault || looped_ > blocks_behind_fault;
+  return ++looks_ > jumps_after_fault || looped_ > blocks_after_fault;
 }
 
 /// True if a loop around this loop has jumped back since the snapshot: then the outer loop is the one that never ends.

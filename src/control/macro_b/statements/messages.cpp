@@ -9,7 +9,7 @@
 
 #include "control/macro_b/macro_b.h"
 #include "control/macro_b/output/output.h"
-#include "control/reading.h"
+#include "control/variable_reader.h"
 #include "lang/expression/expression.h"
 
 namespace kadr::macro_b {
@@ -26,7 +26,7 @@ std::string text_of(BlockContext& m) {
 /// Returns the message number before the text, at most three digits; 0 if the statement has no number.
 Result<int> number_of(Emitter& m, const Statement& s) {
   if (!s.value) return 0;
-  const auto value = evaluate(*m.block, s.value, Reading{m});
+  const auto value = evaluate(*m.block, s.value, VariableReader{m});
   if (!value) return fail(value.error());
   const double nearest = is_vacant(*value) ? 0 : std::round(*value);
   if (!(nearest >= 0 && nearest <= 999)) return fail(alarm(AlarmId::message_number, s.where, *value));

@@ -8,13 +8,13 @@
 #include "control/macro_b/statements/messages.h"
 #include "control/macro_b/variables/further_variables.h"
 #include "control/macro_b/variables/system_variables.h"
-#include "control/reading.h"
+#include "control/variable_reader.h"
 #include "lang/expression/expression.h"
 
 namespace kadr::macro_b {
 namespace {
 
-Result<double> value_of(Emitter& m, Expression expression) { return evaluate(*m.block, expression, Reading{m}); }
+Result<double> value_of(Emitter& m, Expression expression) { return evaluate(*m.block, expression, VariableReader{m}); }
 
 /// Returns the number of the variable that an assignment writes; usually a constant.
 Result<double> target_of(Emitter& m, const Statement& s) {
@@ -28,7 +28,7 @@ void keep_target(BlockContext& m, double target) {
   MacroB& macros = macro_b_of(m);
   const auto n = static_cast<int>(target);
   if (n >= first_common && n <= last_common) macros.variables.keep_common(m.journal, n);
-  else if (n >= 1 && n <= static_cast<int>(most_locals)) m.journal.keep(macros.variables.locals()[static_cast<std::size_t>(n)]);
+  else if (n >= 1 && n <= static_cast<int>(max_locals)) m.journal.keep(macros.variables.locals()[static_cast<std::size_t>(n)]);
 }
 
 Status assign(Emitter& m, const Statement& s) {
@@ -93,7 +93,7 @@ Status jump(Interpreter& m, const Statement& s) {
   return go_to_block(m, *number, s.where);
 }
 
-Status carry_out(Interpreter& m, const Statement& s, bool holds) {
+Status execute(Interpreter& m, const Statement& s, bool holds) {
   if (s.kind == StatementKind::loop) return loop(m, s, holds);
   if (!holds) return {};
   switch (s.kind) {
@@ -137,7 +137,7 @@ Result<bool> run_statement(Interpreter& m) {
   const auto condition = holds(m, s);
   if (!condition) return fail(condition.error());
   if (s.kind == StatementKind::words) return !*condition;
-  KADR_TRY(carry_out(m, s, *condition));
+  KADR_TRY(execute(m, s, *condition));
   return !(s.words_follow && *condition);
 }
 

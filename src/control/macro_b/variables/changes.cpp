@@ -54,7 +54,7 @@ StateChanges Changes::take(Emitter& m) {
     if (macros.cutting_ms != cutting_ms_) changes.rows.push_back({StateTable::variables, "#3002", macros.cutting_ms / cutting_unit(m.def)});
     cutting_ms_ = macros.cutting_ms;
   }
-  const bool touched = macros.take_touched_tables();
+  const bool touched = macros.consume_touched_tables();
   if (!std::exchange(all_, false) && !touched && parameters_ == macros.parameters.version()) return changes;
   parameters_ = macros.parameters.version();
   Rows now = rows_now(m);

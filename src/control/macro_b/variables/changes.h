@@ -5,7 +5,7 @@
 #include <map>
 #include <string>
 
-#include "config/state_file.h"
+#include "config/state/state_file.h"
 
 namespace kadr {
 class Emitter;

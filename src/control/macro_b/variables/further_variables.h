@@ -6,7 +6,7 @@
 
 #include "base/result.h"
 #include "base/span.h"
-#include "config/control_def.h"
+#include "config/control/control_def.h"
 
 namespace kadr {
 class BlockContext;

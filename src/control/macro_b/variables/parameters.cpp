@@ -12,9 +12,9 @@
 namespace kadr::macro_b {
 namespace {
 
-constexpr double most_number = 9999;  // 24
-constexpr int bits_with_number = 8;   // Q0 to Q7 (24.1)
-constexpr int whole_value = -1;       // stands in place of a bit number
+constexpr double max_number = 9999;  // 24
+constexpr int bits_with_number = 8;  // Q0 to Q7 (24.1)
+constexpr int whole_value = -1;      // stands in place of a bit number
 
 /// Returns the number of values of a parameter, by its scope: global, or per channel, axis or spindle (24.0).
 int count_of(ParameterScope scope) {
@@ -211,7 +211,7 @@ std::string ParameterStore::text(ParameterId id, int index) const {
 
 Result<double> ParameterStore::read(double number, std::optional<double> bit, std::optional<double> index, Span where) const {
   const auto out_of_range = [&](char letter, double value) { return fail(alarm(AlarmId::value_out_of_range, where, letter, value)); };
-  const auto whole = whole_within(number, 0, most_number);
+  const auto whole = whole_within(number, 0, max_number);
   const ParameterId id = whole ? find(*whole) : ParameterId::none;
   if (id == ParameterId::none) return fail(alarm(AlarmId::parameter_unknown, where, number));  // 24.2, inferred
   const ParameterRow& of = row(id);
@@ -261,7 +261,7 @@ Result<int> bit_of(const Write& w, ParameterType type) {
 
 Status ParameterStore::write(const Write& w) {
   if (!w.n) return fail(missing(w, 'N'));
-  const auto number = whole_within(w.n->value, 0, most_number);
+  const auto number = whole_within(w.n->value, 0, max_number);
   const ParameterId id = number ? find(*number) : ParameterId::none;
   if (id == ParameterId::none) return fail(alarm(AlarmId::parameter_unknown, w.n->where, w.n->value));
   const ParameterRow& of = row(id);
@@ -280,13 +280,13 @@ Status ParameterStore::write(const Write& w) {
   const auto name = now_.texts.find(at);
   Undo old = {at, now_.values[at], name == now_.texts.end() ? std::string() : name->second, std::nullopt};
   if (now_.written.insert(place).second) old.place = place;
-  journal_.on_undo([this, old = std::move(old)] { take_back(old); });
+  journal_.on_undo([this, old = std::move(old)] { undo_block(old); });
   assign(at, *bit, value);
   ++now_.version;
   return {};
 }
 
-void ParameterStore::take_back(const Undo& write) {
+void ParameterStore::undo_block(const Undo& write) {
   now_.values[write.slot] = write.value;
   now_.texts.erase(write.slot);
   if (!write.text.empty()) now_.texts[write.slot] = write.text;

@@ -13,8 +13,8 @@
 #include <vector>
 
 #include "base/result.h"
-#include "config/control_def.h"
-#include "config/setup.h"
+#include "config/control/control_def.h"
+#include "config/setup/setup.h"
 #include "control/state/journal.h"
 
 namespace kadr::macro_b {
@@ -106,7 +106,7 @@ class ParameterStore {
     std::uint64_t version = 0;
   };
   const Memory& memory() const { return now_; }
-  void remember(const Memory& memory) { now_ = memory; }
+  void resume_from(const Memory& memory) { now_ = memory; }
   /// Connects the store to the journal, which undoes writes after an alarm. From now on the store must not be moved in memory.
   void keep_in(Journal& journal) { journal_.lead_to(journal); }
 
@@ -133,7 +133,7 @@ class ParameterStore {
     return n >= 1 && n <= context_.axes.size() && !context_.axes[n - 1].empty();
   }
   const ParameterRow& row(ParameterId id) const { return rows_[static_cast<std::size_t>(id)]; }
-  void take_back(const Undo& write);
+  void undo_block(const Undo& write);
   std::size_t slot(ParameterId id, int index) const;
   void give(const ParameterKey& key, const ParameterValue& value);
   std::optional<int> index_of(const ParameterRow& of, const std::string& index) const;

@@ -16,12 +16,12 @@ double number_of_symbol(const BlockContext& m, const std::string& name) {
   return -1;
 }
 
-void add_variables(Emitter& m, Ending& ending, const std::vector<std::string>& watch) {
+void add_variables(Emitter& m, FinalState& ending, const std::vector<std::string>& watch) {
   const auto add = [&](int n) {
     double value = 0;
     if (macro_b_of(m).variables.known(n, value) && !is_vacant(value)) ending.variables.emplace_back("#" + std::to_string(n), value);
   };
-  for (int n = 1; n <= static_cast<int>(most_locals); ++n) add(n);
+  for (int n = 1; n <= static_cast<int>(max_locals); ++n) add(n);
   for (int n = first_common; n <= last_common; ++n) add(n);
   for (const auto& [n, value] : macro_b_of(m).variables.all_further())
     if (!is_vacant(value)) ending.variables.emplace_back("#" + std::to_string(n), value);

@@ -145,7 +145,7 @@ Status write_variable(Emitter& m, double number, double value, Span where) {
   if (!n) return fail(n.error());
   MacroB& macros = macro_b_of(m);
   const auto plain = static_cast<int>(*n);
-  if (plain >= 1 && plain <= static_cast<int>(most_locals)) {
+  if (plain >= 1 && plain <= static_cast<int>(max_locals)) {
     macros.variables.locals()[*n] = value;
     return {};
   }

@@ -7,12 +7,12 @@
 
 #include "base/result.h"
 #include "base/span.h"
-#include "config/control_def.h"
+#include "config/control/control_def.h"
 
 namespace kadr {
 class BlockContext;
 class Emitter;
-struct Ending;
+struct FinalState;
 }  // namespace kadr
 
 namespace kadr::macro_b {
@@ -39,7 +39,7 @@ Result<double> number_of_element(const BlockContext& m, double symbol, double in
 /// Returns the variable number of a symbolic name such as "ALM" or "ABSIO[3]"; -1 if the name is unknown.
 double number_of_symbol(const BlockContext& m, const std::string& name);
 /// Adds to `ending` all variables that are not empty, and those named in `watch` ("#5061", "#_ALM").
-void add_variables(Emitter& m, Ending& ending, const std::vector<std::string>& watch);
+void add_variables(Emitter& m, FinalState& ending, const std::vector<std::string>& watch);
 /// Reads PRM[number, bit]/[index]; an argument that is an empty variable counts as missing.
 Result<double> read_parameter(BlockContext& m, double number, double bit, double index, Span where);
 

@@ -27,7 +27,7 @@ double master_number(const BlockContext& m, std::size_t axis) {
 std::optional<std::size_t> master_of(const BlockContext& m, std::size_t axis) { return axis_numbered(m, master_number(m, axis), axis); }
 
 /// True if the axis has a master in this channel or in another channel.
-bool has_master(const BlockContext& m, std::size_t axis) { return master_of(m, axis) || is_far_axis(m, master_number(m, axis)); }
+bool has_master(const BlockContext& m, std::size_t axis) { return master_of(m, axis) || is_cross_channel_axis(m, master_number(m, axis)); }
 
 bool bit_of(const BlockContext& m, std::size_t axis, int bit) {
   const ParameterStore& store = macro_b_of(m).parameters;
@@ -86,7 +86,7 @@ std::optional<std::size_t> axis_numbered(const BlockContext& m, double number, s
   return std::nullopt;
 }
 
-bool is_far_axis(const BlockContext& m, double number) {
+bool is_cross_channel_axis(const BlockContext& m, double number) {
   const bool is_own = std::any_of(m.def.axis_numbers.begin(), m.def.axis_numbers.begin() + static_cast<std::ptrdiff_t>(m.axis_count),
                                   [&](std::uint8_t own) { return own == number; });
   return !is_own && number >= 1 && number <= nct_of(m).axes_in_all;
@@ -128,14 +128,15 @@ void couple_axis(Emitter& m, const std::string& name, bool on) {
   constexpr int msy = 0, psn = 4;
   const double sign = bit_of(m, axis, msy) ? -1 : 1;
   const double number = master_number(m, axis);
-  if (!on && is_far_axis(m, number)) return link_far(m, {axis, static_cast<int>(number), AxisLink::follows, sign}, false);
+  if (!on && is_cross_channel_axis(m, number))
+    return link_cross_channel(m, {axis, static_cast<int>(number), AxisLink::follows, sign}, false);
   if (!on && !bit_of(m, axis, psn)) {
     std::erase_if(c.followers, [&](const Follower& follower) { return follower.axis == axis; });
     fanuc_of(m).following &= ~(AxisMask{1} << axis);
   }
   if (!on || (fanuc_of(m).following >> axis & 1u) != 0) return;
-  if (is_far_axis(m, number) && !fanuc_of(m).settings.axes[axis].rolls)
-    return link_far(m, {axis, static_cast<int>(number), AxisLink::follows, sign}, true);
+  if (is_cross_channel_axis(m, number) && !fanuc_of(m).settings.axes[axis].rolls)
+    return link_cross_channel(m, {axis, static_cast<int>(number), AxisLink::follows, sign}, true);
   const auto master = master_of(m, axis);
   if (!master || follows(c, *master, axis)) {
     constexpr double parameter = 2101;
@@ -145,9 +146,9 @@ void couple_axis(Emitter& m, const std::string& name, bool on) {
   add(m, axis, *master, sign);
 }
 
-void link_far(BlockContext& m, const FarAxis& axis, bool on) {
+void link_cross_channel(BlockContext& m, const CrossChannelAxis& axis, bool on) {
   Couplings& c = nct_of(m).couplings;
-  std::erase_if(c.far, [&](const FarAxis& far) { return far.axis == axis.axis && far.link == axis.link; });
+  std::erase_if(c.far, [&](const CrossChannelAxis& far) { return far.axis == axis.axis && far.link == axis.link; });
   if (on) c.far.push_back(axis);
   if (axis.link != AxisLink::follows) return;
   const AxisMask bit = AxisMask{1} << axis.axis;
@@ -155,8 +156,8 @@ void link_far(BlockContext& m, const FarAxis& axis, bool on) {
   following = on ? following | bit : following & ~bit;
 }
 
-void Nct::drop_far(Emitter& m, const FarAxis& axis) {
-  link_far(m, axis, false);
+void Nct::drop_cross_channel(Emitter& m, const CrossChannelAxis& axis) {
+  link_cross_channel(m, axis, false);
   const bool follows = axis.link == AxisLink::follows;
   constexpr double parameter = 2101;
   m.warn(follows ? warning(AlarmId::coupling_parameter, {}, parameter)
@@ -173,7 +174,9 @@ void Nct::lead_axis(Emitter& m, std::size_t axis, double machine) {
 
 bool Nct::may_exchange(const BlockContext& m, std::size_t axis) const { return may_be_exchanged(m, axis); }
 
-void Nct::exchange_far(std::size_t axis, double machine, bool on) { drives.asked.push_back({axis, AxisLink::exchanged, on, machine}); }
+void Nct::exchange_cross_channel(std::size_t axis, double machine, bool on) {
+  drives.asked.push_back({axis, AxisLink::exchanged, on, machine});
+}
 
 Status not_following(const BlockContext& m, AxisMask named) {
   const AxisMask wrong = named & fanuc_of(m).following;

@@ -7,8 +7,8 @@
 
 #include "action/action.h"
 #include "base/result.h"
-#include "config/setup_file.h"
-#include "control/state/far_axis.h"
+#include "config/setup/setup_file.h"
+#include "control/state/cross_channel_axis.h"
 
 namespace kadr {
 class BlockContext;
@@ -20,16 +20,16 @@ namespace kadr::nct {
 /// The axes that follow a master now (fanuc::Memory::following has their mask, including those whose master is in another channel). The
 /// machine position of a follower is lead + sign · machine position of its master.
 struct Couplings {
-  std::vector<Follower> followers;  // each follower comes after its master
-  std::vector<FarAxis> far;         // axes that follow axes of other channels, or are exchanged with them
-  Axes lead{};                      // the constant `lead` of each follower, by axis, mm or degrees
+  std::vector<Follower> followers;    // each follower comes after its master
+  std::vector<CrossChannelAxis> far;  // axes that follow axes of other channels, or are exchanged with them
+  Axes lead{};                        // the constant `lead` of each follower, by axis, mm or degrees
 };
 
 /// Returns the index of the channel's axis with this control-wide number; nullopt if there is none or it is `axis` itself.
 std::optional<std::size_t> axis_numbered(const BlockContext& m, double number, std::size_t axis);
 
 /// True if an axis of another channel has this number.
-bool is_far_axis(const BlockContext& m, double number);
+bool is_cross_channel_axis(const BlockContext& m, double number);
 
 /// Returns a sentence about the first coupling that the set-up's events request but that is impossible; empty if all are possible.
 SetupFault coupling_fault(const BlockContext& m, const std::vector<SetupEvent>& events);
@@ -42,7 +42,7 @@ void couple_gantries(BlockContext& m);
 void couple_axis(Emitter& m, const std::string& name, bool on);
 
 /// Starts or ends a link between an axis and an axis of another channel.
-void link_far(BlockContext& m, const FarAxis& axis, bool on);
+void link_cross_channel(BlockContext& m, const CrossChannelAxis& axis, bool on);
 
 /// Checks that no named axis follows a master. alarms  axis_follows
 Status not_following(const BlockContext& m, AxisMask named);

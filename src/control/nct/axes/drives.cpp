@@ -27,7 +27,7 @@ bool is_free_axis(const BlockContext& m, std::size_t axis) {
   const bool turns_tool = five.group != MachineGroup::none;
   bool coupled = false;
   for (const Follower& f : nct.couplings.followers) coupled = coupled || f.axis == axis || f.master == axis;
-  for (const FarAxis& f : nct.couplings.far) coupled = coupled || (f.link == AxisLink::follows && f.axis == axis);
+  for (const CrossChannelAxis& f : nct.couplings.far) coupled = coupled || (f.link == AxisLink::follows && f.axis == axis);
   const bool rolls = fanuc_of(m).settings.axes[axis].rolls && (m.def.rotary >> axis & 1U) != 0;
   return !coupled && !rolls &&
          !(turns_tool && (five.first.axis == number || five.second.axis == number || is_main(fanuc_of(m).settings.axes[axis].role)));
@@ -69,7 +69,7 @@ bool may_exchange(const BlockContext& m, std::size_t axis) {
 }
 
 /// Exchanges the axis with an axis of another channel, whose position is `machine`. Nothing moves; the programmed coordinates change.
-void exchange_far(BlockContext& m, std::size_t axis, double machine, bool on) {
+void exchange_cross_channel(BlockContext& m, std::size_t axis, double machine, bool on) {
   Drives& d = nct_of(m).drives;
   d.far = on ? d.far | bit(axis) : d.far & ~bit(axis);
   d.far_reversed = on && goes_other_way(m, axis) ? d.far_reversed | bit(axis) : d.far_reversed & ~bit(axis);
@@ -84,10 +84,10 @@ void unpark(BlockContext& m, std::size_t axis) {
 }
 
 /// Executes one request of the machine's logic. Returns false if it is impossible.
-bool carry_out(BlockContext& m, const AskedOfAxis& asked) {
+bool execute(BlockContext& m, const AxisRequest& asked) {
   Drives& d = nct_of(m).drives;
   if (asked.machine) {
-    exchange_far(m, asked.axis, *asked.machine, asked.on);
+    exchange_cross_channel(m, asked.axis, *asked.machine, asked.on);
     return true;
   }
   const AxisMask axis = bit(asked.axis);
@@ -115,20 +115,20 @@ bool may_be_exchanged(const BlockContext& m, std::size_t axis) {
   return is_free_axis(m, axis) && ((m.def.rotary | d.far) & bit(axis)) == 0 && fanuc_of(m).driven.of(axis) == axis;
 }
 
-void ask_of_axis(BlockContext& m, const std::string& name, AxisLink link, bool on) {
+void request_axis(BlockContext& m, const std::string& name, AxisLink link, bool on) {
   const ParameterStore& store = macro_b_of(m).parameters;
   for (std::size_t a = 0; a < m.axis_count; ++a) {
     if (m.axis_names[a] != name) continue;
     const double other = store.value(store.named("2104"), m.def.axis_numbers[a]);
-    if (link == AxisLink::exchanged && is_far_axis(m, other)) link_far(m, {a, static_cast<int>(other), link, 1}, on);
+    if (link == AxisLink::exchanged && is_cross_channel_axis(m, other)) link_cross_channel(m, {a, static_cast<int>(other), link, 1}, on);
     else nct_of(m).drives.asked.push_back({a, link, on});
   }
 }
 
-void carry_out_asked(Emitter& m) {
+void execute_requests(Emitter& m) {
   Drives& d = nct_of(m).drives;
-  for (const AskedOfAxis& asked : std::exchange(d.asked, {}))
-    if (!carry_out(m, asked)) m.warn(warning(AlarmId::axis_not_changed, {}, std::string_view(m.axis_names[asked.axis])));
+  for (const AxisRequest& asked : std::exchange(d.asked, {}))
+    if (!execute(m, asked)) m.warn(warning(AlarmId::axis_not_changed, {}, std::string_view(m.axis_names[asked.axis])));
   fanuc_of(m).driven = drives_of(m, d);
   m.refresh_frames();
   m.position.work = m.frames.work_of(m.position.machine);
@@ -141,7 +141,7 @@ void end_drives(Emitter& m) {
   if (fanuc_of(m).driven.is_own && d.parked == 0 && d.far == 0) return;
   while (d.parked != 0) unpark(m, static_cast<std::size_t>(__builtin_ctz(d.parked)));
   d = {};
-  carry_out_asked(m);
+  execute_requests(m);
 }
 
 void keep_parked(BlockContext& m, Motion& motion) {

@@ -7,7 +7,7 @@
 
 #include "action/action.h"
 #include "action/placement.h"
-#include "config/setup.h"
+#include "config/setup/setup.h"
 
 namespace kadr {
 class BlockContext;
@@ -17,7 +17,7 @@ class Emitter;
 namespace kadr::nct {
 
 /// A request of the machine's logic to exchange, reverse or park an axis, received since the last block.
-struct AskedOfAxis {
+struct AxisRequest {
   std::size_t axis;
   AxisLink link;
   bool on;
@@ -32,18 +32,18 @@ struct Drives {
   AxisMask far = 0;           // axes that drive an axis of another channel
   AxisMask far_reversed = 0;  // axes that drive an axis of another channel in the reversed direction
   Axes standing{};            // machine positions of the parked axes
-  std::vector<AskedOfAxis> asked;
+  std::vector<AxisRequest> asked;
 };
 
 /// True if the axis is linear, is neither coupled nor exchanged, and is not an axis of five-axis functions.
 bool may_be_exchanged(const BlockContext& m, std::size_t axis);
 
 /// Stores a request of the machine's logic until the next block begins.
-void ask_of_axis(BlockContext& m, const std::string& name, AxisLink link, bool on);
+void request_axis(BlockContext& m, const std::string& name, AxisLink link, bool on);
 
 /// Executes the stored requests. Nothing moves; the work coordinates become those of the machine axes that are driven now.
 ///   warns  axis_not_changed
-void carry_out_asked(Emitter& m);
+void execute_requests(Emitter& m);
 
 /// Called after power-off: every axis drives its own machine axis again.
 void end_drives(Emitter& m);

@@ -12,7 +12,7 @@
 namespace kadr {
 namespace {
 
-constexpr double most_teeth = 1000, most_starts = 21;
+constexpr double max_teeth = 1000, most_starts = 21;
 
 tl::unexpected<Alarm> wrong_parameter(const Call& call, double number) {
   return fail(alarm(AlarmId::coupling_parameter, call.where, number));
@@ -34,7 +34,7 @@ Result<int> master_of(const BlockContext& m, const Call& call, const std::string
     if (!name.empty() && named == name) return number;
   if (name == "S") return fanuc_of(m).state.main_spindle;
   const int number = name.size() > 1 && name[0] == 'S' ? static_cast<int>(std::strtol(name.c_str() + 1, nullptr, 10)) : 0;
-  if (number >= 1 && number <= static_cast<int>(fanuc::most_spindles)) return number;
+  if (number >= 1 && number <= static_cast<int>(fanuc::max_spindles)) return number;
   constexpr double parameter = 1801;
   return wrong_parameter(call, parameter);
 }
@@ -42,7 +42,7 @@ Result<int> master_of(const BlockContext& m, const Call& call, const std::string
 /// Reads T (teeth) and L (starts) and returns the ratio L / T. L0 is illegal (INFERRED).
 Result<double> ratio(const BlockContext& m, const Call& call) {
   if (!m.has('T')) return fail(alarm(AlarmId::word_missing, call.where, 'T', call.row->code));
-  const auto teeth = m.whole('T', 1, most_teeth);
+  const auto teeth = m.whole('T', 1, max_teeth);
   if (!teeth) return fail(teeth.error());
   const double starts = m.has('L') ? m.value('L') : 1;
   if (starts == 0 || std::floor(starts) != starts || std::fabs(starts) > most_starts)

@@ -19,8 +19,8 @@ constexpr int info_digits = 5, user_digits = 8;
 constexpr std::uint32_t not_performed = 0, not_used = 1, used = 2, expired = 3;
 
 constexpr int pockets_in_place_call = 10'000;  // T by pocket is magazine (iiii), pocket (kkkk): Tiiiikkkk
-constexpr int most_forms = 20;
-constexpr double most_dword = 99'999'999;
+constexpr int max_forms = 20;
+constexpr double max_dword = 99'999'999;
 
 bool in_life(const ToolRow& row) { return row.status == not_used || row.status == used; }
 bool has_one_pocket(int magazine) { return magazine >= 10 && magazine % 10 <= 1; }
@@ -202,9 +202,9 @@ ToolForm ToolManagement::form_of(int data) const {
   return form != nullptr ? *form : ToolForm{};
 }
 
-bool fits_beside(int pocket_a, const ToolForm& a, int pocket_b, const ToolForm& b) {
+bool fits_next_to(int pocket_a, const ToolForm& a, int pocket_b, const ToolForm& b) {
   if (pocket_a == pocket_b) return false;
-  if (pocket_a > pocket_b) return fits_beside(pocket_b, b, pocket_a, a);
+  if (pocket_a > pocket_b) return fits_next_to(pocket_b, b, pocket_a, a);
   return a.right + b.left <= 2.0 * (static_cast<double>(pocket_b) - pocket_a - 1);
 }
 
@@ -252,17 +252,17 @@ Result<int> needed_whole(const DataBlock& block, char letter, std::string_view c
 }
 
 /// Reads a word's decimal digits as binary digits: Q10001 is 17. Leading zeros may be omitted.
-Result<std::uint32_t> bits(const DataWord& word, int most_bits) {
+Result<std::uint32_t> bits(const DataWord& word, int max_bits) {
   std::string digits(word.digits);
   if (digits.empty()) {
-    if (!(word.value >= 0 && word.value <= most_dword) || word.value != std::floor(word.value)) return out_of_range(word);
+    if (!(word.value >= 0 && word.value <= max_dword) || word.value != std::floor(word.value)) return out_of_range(word);
     digits = std::to_string(static_cast<int>(word.value));
   }
   std::uint32_t value = 0;
   for (const char digit : digits) {
     if (digit != '0' && digit != '1') return out_of_range(word);
     value = value * 2 + static_cast<std::uint32_t>(digit - '0');
-    if (value >> most_bits != 0) return out_of_range(word);
+    if (value >> max_bits != 0) return out_of_range(word);
   }
   return value;
 }
@@ -276,17 +276,17 @@ struct Item {
   std::uint32_t ToolRow::*code;
 };
 constexpr Item row_items[] = {
-    {'T', most_dword, &ToolRow::type, nullptr},
-    {'A', most_forms, nullptr, &ToolRow::form},
+    {'T', max_dword, &ToolRow::type, nullptr},
+    {'A', max_forms, nullptr, &ToolRow::form},
     {'B', 4, nullptr, &ToolRow::status},
-    {'C', most_dword, &ToolRow::counter, nullptr},
-    {'L', most_dword, &ToolRow::life, nullptr},
-    {'I', most_dword, &ToolRow::warn, nullptr},
+    {'C', max_dword, &ToolRow::counter, nullptr},
+    {'L', max_dword, &ToolRow::life, nullptr},
+    {'I', max_dword, &ToolRow::warn, nullptr},
     {'H', 0, &ToolRow::h, nullptr},
     {'J', 0, &ToolRow::g, nullptr},
     {'D', 0, &ToolRow::d, nullptr},
     {'K', 0, &ToolRow::w, nullptr},
-    {'S', most_dword, &ToolRow::s, nullptr},
+    {'S', max_dword, &ToolRow::s, nullptr},
 };
 
 Status place_block(const DataBlock& block, ToolManagement& tools) {
@@ -309,7 +309,7 @@ Status place_block(const DataBlock& block, ToolManagement& tools) {
 
 Status form_block(const DataBlock& block, ToolManagement& tools) {
   KADR_TRY(only(block, "NPQRST"));
-  const auto number = needed_whole(block, 'N', "G10 L77", most_forms);
+  const auto number = needed_whole(block, 'N', "G10 L77", max_forms);
   KADR_TRY(number);
   if (*number == 0) return out_of_range(*find(block, 'N'));
   ToolForm form;
@@ -318,7 +318,7 @@ Status form_block(const DataBlock& block, ToolManagement& tools) {
   for (const auto& [letter, column] : items) {
     const DataWord* word = find(block, letter);
     if (word == nullptr) continue;
-    const auto value = whole(*word, 0, letter == 'T' ? 1 : most_dword);
+    const auto value = whole(*word, 0, letter == 'T' ? 1 : max_dword);
     KADR_TRY(value);
     form.*column = *value;
   }

@@ -15,7 +15,7 @@
 #include <vector>
 
 #include "base/result.h"
-#include "config/setup.h"
+#include "config/setup/setup.h"
 #include "control/state/journal.h"
 
 namespace kadr::nct {
@@ -139,7 +139,7 @@ class ToolManagement {
   /// True if the life of any tool in the tables is counted in time.
   bool counts_time() const;
   const std::map<int, ToolRow>& rows() const { return rows_.rows(); }
-  const PlaceTable& places() const { return places_.rows(); }
+  const PocketTable& places() const { return places_.rows(); }
   const std::map<int, ToolForm>& forms() const { return forms_.rows(); }
 
   /// True if a table has a row or a pocket. Otherwise T and M6 only pass the tool number to the machine.
@@ -240,7 +240,7 @@ class ToolManagement {
 /// plus the space that the right tool needs on its left is at most twice the number of pockets between them (12.3.3; inferred: space is
 /// counted in half pockets, from the border of the tool's own pocket).
 ///   law  symmetric in the two tools; false for the same pocket
-bool fits_beside(int pocket_a, const ToolForm& a, int pocket_b, const ToolForm& b);
+bool fits_next_to(int pocket_a, const ToolForm& a, int pocket_b, const ToolForm& b);
 
 enum class DataKind : std::uint8_t { register_rows, modify_rows, delete_rows, places, forms };
 

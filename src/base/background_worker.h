@@ -1,0 +1,67 @@
+#pragma once
+// BackgroundWorker: executes one piece of work at a time in a thread of its own, in parallel with the caller. wait_for(): how threads wait
+// for each other.
+
+#include <atomic>
+#include <cstdint>
+#include <exception>
+#include <functional>
+
+#include "base/thread.h"
+
+namespace kadr {
+
+/// Waits until `done`. It polls first, because the other side is usually nearly ready, then sleeps until `changes` is notified. Waking up
+/// takes some 20 µs, longer in a virtual machine; 500 polls take about as long. On a busy machine, more polls would use up the time slice
+/// of the very thread that is waited for.
+template <class Value, class Done>
+void wait_for(const std::atomic<Value>& changes, const Done& done, int max_polls = 500) {
+  for (int look = 0;; ++look) {
+    const Value seen = changes.load(std::memory_order_acquire);
+    if (done()) return;
+    if (look >= max_polls) changes.wait(seen, std::memory_order_acquire);
+#if defined(__x86_64__) || defined(__i386__)
+    else __builtin_ia32_pause();
+#endif
+  }
+}
+
+/// Returns true if this process may use more than one processor.
+bool has_several_processors();
+
+class BackgroundWorker {
+ public:
+  BackgroundWorker() = default;
+  /// Waits until work that was begun is done.
+  ~BackgroundWorker();
+  BackgroundWorker(const BackgroundWorker&) = delete;
+  BackgroundWorker& operator=(const BackgroundWorker&) = delete;
+
+  /// Starts the work. Until wait(), only the work may touch the data that it needs. With a single processor, or if no thread can be
+  /// created, the work is executed before this returns.
+  ///   pre  wait() was called after the previous begin()
+  void begin(std::function<void()> work);
+  /// Waits until the work is done.
+  ///   throws  the exception that the work threw
+  void wait();
+  bool is_begun() const { return begun_; }
+
+ private:
+  void work();
+  void execute();
+  bool claim(std::uint32_t number);
+  void finish();
+  bool is_done() const { return done_.load(std::memory_order_acquire) == given_.load(std::memory_order_relaxed); }
+
+  std::function<void()> work_;
+  std::exception_ptr failure_;
+  bool begun_ = false;  // begin() was called, wait() not yet
+  // There is a single processor, or no thread could be created: begin() executes the work itself
+  bool alone_ = false;
+  Thread thread_;  // started with the first work
+  // Number, from 1, of the last work that was begun, claimed by a thread, done
+  std::atomic<std::uint32_t> given_ = 0, claimed_ = 0, done_ = 0;
+  std::atomic<bool> over_ = false;
+};
+
+}  // namespace kadr

@@ -1,0 +1,19 @@
+#pragma once
+// FileAccess: opens the files that a program, a set-up or a control's file refers to (a called program, the base that a control extends …).
+// Without a FileAccess they are opened directly in the file system. The server passes one that opens nothing outside the folder it serves.
+
+#include <string>
+
+namespace kadr {
+
+class FileAccess {
+ public:
+  virtual ~FileAccess() = default;
+  /// Opens a regular file for reading, without blocking.
+  ///   returns  a file descriptor that the caller owns, or -1 with the reason in errno
+  virtual int open_for_reading(const std::string& path) const = 0;
+  /// Returns true if the path (links not resolved) lies inside the folders that may be searched.
+  virtual bool reaches(const std::string& path) const = 0;
+};
+
+}  // namespace kadr

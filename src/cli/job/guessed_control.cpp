@@ -1,0 +1,119 @@
+// Guesses the control of a program. Used by cli/job/job and cli/check; tested by tests/guess.py.
+
+#include "cli/job/guessed_control.h"
+
+#include <fmt/core.h>
+
+#include <cerrno>
+#include <filesystem>
+
+#include "config/control/remembered_control.h"
+#include "config/language.h"
+#include "config/program_names.h"
+#include "config/read_file.h"
+
+namespace kadr::cli {
+namespace {
+
+GivenEncoding encoding_of(const Options& options) {
+  GivenEncoding said;
+  (void)read_encoding(options.encoding, said);  // an unknown name is refused later
+  return said;
+}
+
+void say_guess(const Options& options, const std::string& file, const Guess& guess) {
+  const bool ru = language(options) == Lang::ru;
+  if (guess.control.empty())
+    return complain(
+        ru ? fmt::format("{}: УЧПУ неизвестно ({}); если это УП: --control", file, guess.reason_ru)
+           : fmt::format("{}: unknown, no program of a control that Kadr knows ({}); if it is one: --control", file, guess.reason_en));
+  if (options.guesses_silently) return;
+  if (guess.decisive)
+    return complain(ru ? fmt::format("{}: похоже на {} ({}); иначе: --control", file, guess.control, guess.reason_ru)
+                       : fmt::format("{}: looks like {} ({}); otherwise: --control", file, guess.control, guess.reason_en));
+  const std::string next = guess.runner_up();
+  const std::string then = next.empty() ? "" : fmt::format(fmt::runtime(ru ? "; затем {}" : "; next comes {}"), next);
+  complain(ru ? fmt::format("{}: может быть, {}: догадка слабая, решающего признака нет ({}){}; иначе: --control", file, guess.control,
+                            guess.reason_ru, then)
+              : fmt::format("{}: perhaps {}: a weak guess, nothing decides ({}){}; otherwise: --control", file, guess.control,
+                            guess.reason_en, then));
+}
+
+/// Saves the control for --remember.
+bool remembers(const Options& options, const std::string& file) {
+  const bool can = !options.control.empty() && file != "-";
+  const std::string error = can ? save_control_choice(options.control, file)
+                                : std::string(told("--remember: --control says what", "--remember: что запомнить, скажет --control"));
+  if (!error.empty()) complain(error);
+  return error.empty();
+}
+
+/// Returns the files for which --remember cannot save the control; tries each folder once, before the first guess.
+std::set<std::string> forgotten_of(const Options& options, const std::vector<std::string>& files) {
+  std::set<std::string> forgotten, remembering;
+  for (const std::string& file : files)
+    if (options.remembers && remembering.insert(std::filesystem::path(file).parent_path().string()).second && !remembers(options, file))
+      forgotten.insert(file);
+  return forgotten;
+}
+
+}  // namespace
+
+std::string named_control(const Options& options, const std::string& file) {
+  for (const std::string& rule : options.control_for) {
+    const std::size_t equals = rule.rfind('=');
+    if (equals != std::string::npos && is_like(file, rule.substr(0, equals))) return rule.substr(equals + 1);
+  }
+  if (!options.control.empty() || file == "-") return options.control;
+  static RememberedControls remembered(complain);
+  return remembered.of(file);
+}
+
+std::optional<std::string> control_of(const Options& options, const std::string& file) { return GuessedControls(options, {file}).of(file); }
+
+GuessedControls::GuessedControls(const Options& options, const std::vector<std::string>& files)
+    : options_(options),
+      forgotten_(forgotten_of(options, files)),
+      guesses_({[&options](const std::string& file) { return named_control(options, file); }, encoding_of(options)}, files) {}
+
+void GuessedControls::say(const std::string& file, const FolderGuess::Neighbours& neighbours) const {
+  const bool ru = language(options_) == Lang::ru;
+  const auto& [common, shown_by, reason_en, reason_ru] = neighbours;
+  if (!common.dialect.empty())
+    return complain(ru ? fmt::format("{}: УЧПУ неизвестно ({}, как и {}); если это УП: --control", file, reason_ru, shown_by)
+                       : fmt::format("{}: unknown, no program of a control that Kadr knows ({}, as in {}); if it is one: --control", file,
+                                     reason_en, shown_by));
+  if (options_.guesses_silently) return;
+  if (shown_by.empty())
+    return complain(
+        ru ? fmt::format("{}: как и вся папка, может быть, {}: догадка слабая; иначе: --control", file, common.control)
+           : fmt::format("{}: perhaps {}, like its folder as a whole: a weak guess; otherwise: --control", file, common.control));
+  complain(ru ? fmt::format("{}: может быть, {}, как и {} ({}); своего решающего признака нет; иначе: --control", file, common.control,
+                            shown_by, reason_ru)
+              : fmt::format("{}: perhaps {}, as {} is ({}); nothing of its own decides; otherwise: --control", file, common.control,
+                            shown_by, reason_en));
+}
+
+/// True for a lathe program of a control that Kadr reads as a mill's; prints the reason.
+bool GuessedControls::refuses(const std::string& file, const std::string& control) const {
+  if (control.ends_with(".toml")) return false;
+  const auto text = beginning_of_program(file, encoding_of(options_));
+  const std::string why = text ? refused_by_control(*text, control, language(options_) == Lang::ru) : std::string();
+  if (!why.empty()) complain(fmt::format("{}: {}", file, why));
+  return !why.empty();
+}
+
+std::optional<std::string> GuessedControls::of(const std::string& file) const {
+  if (forgotten_.contains(file)) return std::nullopt;
+  if (std::string named = named_control(options_, file); !named.empty()) return refuses(file, named) ? std::string() : named;
+  const auto found = guesses_.of(file);
+  if (!found) {
+    if (!beginning_of_program(file, encoding_of(options_))) complain(fmt::format("{}: {}", file, errno_message(errno)));
+    return std::nullopt;
+  }
+  if (found->neighbours) say(file, *found->neighbours);
+  else say_guess(options_, file, found->guess);
+  return found->control();
+}
+
+}  // namespace kadr::cli

@@ -1,0 +1,57 @@
+#pragma once
+// Job: the program that the command line names, and everything needed to run it.
+
+#include <memory>
+#include <optional>
+
+#include "cli/options/options.h"
+#include "config/machine/machine_profile.h"
+#include "lang/text/utf16.h"
+#include "session/session.h"
+
+namespace kadr::cli {
+
+/// A program with everything that is needed to run it.
+struct Job {
+  std::string file;
+  std::string setup_file;
+  std::shared_ptr<const ControlDef> def;
+  MachineProfile profile;
+  Setup setup;
+  GivenEncoding encoding;
+  std::uint32_t program = 0;                 // number of the program, on a tape with several programs
+  std::optional<std::size_t> program_index;  // or its index on the tape, from 0
+  KeyLines setup_lines;                      // line numbers of the keys in the set-up file
+  std::set<std::string> stated;              // keys of the set-up that the user states: PlacedSetup::stated
+  Lang lang = Lang::en;
+
+  /// Returns the alarm texts; they are read at the first call, so that a run without alarms does not wait for them.
+  const AlarmTexts& texts() const;
+  /// Returns the file and line of a set-up key: "shop.json:3".
+  std::string place_of(const std::string& key) const;
+
+ private:
+  mutable std::shared_ptr<const AlarmTexts> texts_;
+};
+
+/// Returns the error message for an unknown encoding.
+std::string no_encoding(const std::string& name, bool ru);
+
+/// Loads the files that the options name; prints errors to stderr.
+///   returns  nullopt if something is missing or wrong (exit status 2)
+std::optional<Job> make_job(const Options& options, const std::string& file);
+
+std::optional<Job> make_job(const Options& options, const std::string& file, const std::string& control);
+
+/// Opens the program; on a tape with several programs the one that the job names. Prints an error if the program is missing or cannot be
+/// read.
+std::optional<Program> open_program(const Job& job);
+
+/// Creates a session with all channels of the machine; prints an error if the control lacks a required feature.
+///   returns  nullptr for wrong usage
+std::unique_ptr<Session> make_session(const Job& job, Program program, const RunLimits& limits);
+
+/// Returns the number of programs in the file: 1, or more on a tape (spec/gost 1). Returns 1 if the file cannot be read.
+std::size_t count_programs(const Job& job);
+
+}  // namespace kadr::cli

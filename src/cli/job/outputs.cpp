@@ -1,0 +1,145 @@
+// Opens, checks and completes the files that a command writes. Used by cli/run, cli/mill, cli/tape_command and cli/check; tested by
+// tests/run_outputs.py.
+
+#include "cli/job/outputs.h"
+
+#include <fmt/core.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cstring>
+
+#include "cli/options/options.h"
+#include "config/language.h"
+#include "config/read_file.h"
+
+namespace kadr::cli {
+namespace {
+
+/// True for a device (terminal, /dev/null): two outputs may share it, and it may be an input too.
+bool is_device(const std::string& name) {
+  struct stat there {};
+  return ::stat(name.c_str(), &there) == 0 && S_ISCHR(there.st_mode);
+}
+
+/// Returns the identity of the file; "-" is the file that the standard stream is redirected to. Empty if the stream is not a file.
+FileSet set_of(const std::string& name, int stream) {
+  FileSet set;
+  if (name != "-") set.add(name);
+  else if (const auto id = file_id_of(stream)) set.add(*id);
+  return set;
+}
+
+}  // namespace
+
+bool came_out() {
+  const int error = error_of(stdout);
+  if (error != 0) complain_of_writing(told("standard output", "стандартный вывод"), error);
+  return error == 0;
+}
+
+void Outputs::reads(const std::string& path) {
+  if (!path.empty()) inputs_.push_back(path);
+}
+
+void Outputs::writes(const std::string& option, const std::string& name, Opened opened) {
+  if (name.empty()) return;
+  outputs_.push_back({option, name, opened, std::nullopt});
+  if (opened == Opened::by_its_owner)  // a state file: SQLite reads the files next to it at the next opening
+    for (const char* const log : {"-wal", "-shm", "-journal"}) reads(name + log);
+}
+
+std::string Outputs::clash(const Output& output, const char* en, const char* ru, const std::string& other) const {
+  return fmt::format("{} {}: {} {}", output.option, output.name, lang_ == Lang::ru ? ru : en, other);
+}
+
+/// Returns the reason why the output cannot be written; empty if it can.
+std::string Outputs::fault_of(std::size_t index) const {
+  const Output& output = outputs_[index];
+  const auto same = [](const std::string& a, const std::string& b, int stream_of_b) {
+    if (a != "-" && b == "-") return set_of(b, stream_of_b).has(a);
+    return a == "-" ? set_of("-", STDOUT_FILENO).has(b) : set_of(b, stream_of_b).has(a);
+  };
+  if (output.name != "-" && is_device(output.name)) return {};
+  for (std::size_t i = 0; i < index; ++i) {
+    const Output& other = outputs_[i];
+    const bool both_standard = output.name == "-" && other.name == "-";
+    if (both_standard || same(output.name, other.name, STDOUT_FILENO))
+      return clash(output, "the same file as", "тот же файл, что и", fmt::format("{} {}", other.option, other.name));
+  }
+  for (const std::string& input : inputs_) {
+    if (output.name == "-" || (input != "-" && is_device(input))) continue;
+    if (same(output.name, input, STDIN_FILENO)) return clash(output, "would be written over the input", "затёр бы исходный файл", input);
+  }
+  // Standard output goes to the same file: the summary and this output would overwrite each other.
+  if (output.name != "-" && !is_device("/dev/stdout") && same(output.name, "-", STDOUT_FILENO))
+    return clash(output, "is what standard output goes to; write", "туда идёт стандартный вывод; укажите", output.option + " -");
+  return {};
+}
+
+bool Outputs::check() const {
+  for (std::size_t i = 0; i < outputs_.size(); ++i)
+    if (const std::string fault = fault_of(i); !fault.empty()) {
+      complain(fault);
+      return false;
+    }
+  return true;
+}
+
+bool Outputs::open() {
+  for (Output& output : outputs_) {
+    if (output.opened == Opened::by_its_owner) continue;
+    auto file = ResultFile::open(output.name);
+    if (!file) {
+      complain(file.error());
+      outputs_.clear();
+      return false;
+    }
+    output.file = std::move(*file);
+  }
+  return true;
+}
+
+const ResultFile* Outputs::file(const std::string& option) const {
+  for (const Output& output : outputs_)
+    if (output.option == option && output.file) return &*output.file;
+  return nullptr;
+}
+
+std::FILE* Outputs::stream(const std::string& option) const {
+  const ResultFile* const found = file(option);
+  return found != nullptr ? found->get() : nullptr;
+}
+
+FileSet Outputs::all() const {
+  FileSet set;
+  for (const std::string& input : inputs_)
+    if (input != "-") set.add(input);
+  for (const Output& output : outputs_)
+    if (output.name != "-" && !is_device(output.name)) set.add(output.name);
+  for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO})
+    if (const auto id = file_id_of(stream)) set.add(*id);
+  return set;
+}
+
+bool Outputs::keep(const std::vector<std::string>& read) {
+  if (!came_out()) return false;
+  for (const std::string& input : read)
+    for (const Output& output : outputs_) {
+      if (output.name == "-" || is_device(output.name) || !set_of(output.name, STDOUT_FILENO).has(input)) continue;
+      complain(clash(output, "would be written over the called file", "затёр бы вызванный файл", input));
+      return false;
+    }
+  for (Output& output : outputs_) {
+    if (!output.file) continue;
+    if (const auto kept = output.file->keep(); !kept) {
+      if (!kept.error().empty()) complain(kept.error());
+      return false;
+    }
+  }
+  return true;
+}
+
+}  // namespace kadr::cli

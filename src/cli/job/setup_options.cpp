@@ -1,0 +1,137 @@
+// --tool, --zero, --corrector: set-up data that no file states, or that overrides the file. Used by cli/job/job.
+
+#include "cli/job/setup_options.h"
+
+#include <fmt/core.h>
+
+#include <charconv>
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <optional>
+
+#include "base/ascii.h"
+#include "config/setup/setup_names.h"
+
+namespace kadr::cli {
+namespace {
+
+using Json = nlohmann::json;
+
+std::optional<double> number_of(std::string_view text) {
+  if (text.starts_with('+')) text.remove_prefix(1);
+  double value = 0;
+  const auto read = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (text.empty() || read.ec != std::errc() || read.ptr != text.data() + text.size() || !std::isfinite(value)) return std::nullopt;
+  return value;
+}
+
+bool is_whole(std::string_view text) { return !text.empty() && text.find_first_not_of("0123456789") == std::string_view::npos; }
+
+/// A name with a number: "r8", "X-400", "X=-400".
+struct Named {
+  std::string name;
+  double value = 0;
+};
+
+std::optional<std::vector<Named>> list_of(std::string_view text) {
+  std::vector<Named> list;
+  while (!text.empty()) {
+    const std::size_t comma = std::min(text.find(','), text.size());
+    const std::string_view item = text.substr(0, comma);
+    std::size_t letters = 0;
+    while (letters < item.size() && is_letter(item[letters])) ++letters;
+    const std::size_t equals = letters < item.size() && item[letters] == '=' ? 1 : 0;
+    const auto value = number_of(item.substr(letters + equals));
+    if (letters == 0 || !value) return std::nullopt;
+    list.push_back({std::string(item.substr(0, letters)), *value});
+    if (comma + 1 == text.size()) return std::nullopt;  // nothing after the comma
+    text.remove_prefix(std::min(comma + 1, text.size()));
+  }
+  if (list.empty()) return std::nullopt;
+  return list;
+}
+
+/// Splits the option at its first ':' or '='.
+std::pair<std::string, std::string_view> cut(std::string_view text, char at) {
+  const std::size_t place = std::min(text.find(at), text.size());
+  return {std::string(text.substr(0, place)), text.substr(std::min(place + 1, text.size()))};
+}
+
+std::optional<Json> tool(const std::string& text) {
+  const auto [number, values] = cut(text, ':');
+  const auto list = list_of(values);
+  if (!is_whole(number) || !list) return std::nullopt;
+  Json row = Json::object();
+  for (const auto& [name, value] : *list) {
+    const char* const key = name == "r"    ? "radius"
+                            : name == "l"  ? "length"
+                            : name == "rw" ? "radius_wear"
+                            : name == "lw" ? "length_wear"
+                                           : nullptr;
+    if (key == nullptr || row.contains(key)) return std::nullopt;
+    row[key] = value;
+  }
+  return Json{{"offsets", {{number, row}}}};
+}
+
+/// Returns the set-up's key and name for a work offset: "G54.1P2" becomes "G54.1 P2". On a control that numbers its work offsets the name
+/// is the code's own number.
+std::pair<const char*, std::string> zero_name(std::string name, const ControlDef& def) {
+  if (has(def, SetupNeeds::zeros)) {
+    for (const WorkSystem& system : work_systems(def))
+      if (system.name == name) name = std::to_string(system.row);
+    return {"zeros", name};
+  }
+  if (is_whole(name)) return {"zeros", name};  // refused later, in words, on controls without them
+  if (const std::size_t p = name.find('P'); p != std::string::npos && p > 0 && name[p - 1] != ' ') name.insert(p, 1, ' ');
+  return {"work_offsets", name};
+}
+
+std::optional<Json> zero(const std::string& text, const ControlDef& def) {
+  const auto [name, values] = cut(text, '=');
+  const auto list = list_of(values);
+  if (name.empty() || !list) return std::nullopt;
+  Json axes = Json::object();
+  for (const auto& [axis, value] : *list) {
+    if (axes.contains(axis)) return std::nullopt;
+    axes[axis] = value;
+  }
+  const auto [table, row] = zero_name(name, def);
+  return Json{{table, {{row, axes}}}};
+}
+
+std::optional<Json> corrector(const std::string& text) {
+  const auto [number, value] = cut(text, '=');
+  const auto mm = number_of(value);
+  if (!is_whole(number) || !mm) return std::nullopt;
+  return Json{{"correctors", {{number, *mm}}}};
+}
+
+std::string not_understood(const char* option, const std::string& text, Lang lang) {
+  const std::string_view name = option;
+  const bool ru = lang == Lang::ru;
+  const char* const form = name == "--tool" ? (ru ? "НОМЕР:r8,l100 (r радиус, l вылет, rw и lw износ, мм; каждый один раз)"
+                                                  : "NUMBER:r8,l100 (r radius, l length, rw and lw wear, mm; each once)")
+                           : name == "--zero" ? (ru ? "G54=X-400,Y-250,Z-300 или НОМЕР=X… (мм, градусы; каждая ось один раз)"
+                                                    : "G54=X-400,Y-250,Z-300, or NUMBER=X… (mm, degrees; each axis once)")
+                                              : (ru ? "НОМЕР=-0.35 (мм)" : "NUMBER=-0.35 (mm)");
+  return ru ? fmt::format("{} {}: нужно {}", option, text, form) : fmt::format("{} {}: want {}", option, text, form);
+}
+
+}  // namespace
+
+tl::expected<std::vector<SetupSource>, std::string> setup_of_options(const Options& options, const ControlDef& def, Lang lang) {
+  std::vector<SetupSource> sources;
+  std::string wrong;
+  const auto add = [&](const char* option, const std::string& text, const std::optional<Json>& json) {
+    if (!json && wrong.empty()) wrong = not_understood(option, text, lang);
+    if (json) sources.push_back({fmt::format("{} {}", option, text), json->dump()});
+  };
+  for (const std::string& text : options.tools) add("--tool", text, tool(text));
+  for (const std::string& text : options.zeros) add("--zero", text, zero(text, def));
+  for (const std::string& text : options.correctors) add("--corrector", text, corrector(text));
+  if (!wrong.empty()) return tl::unexpected(wrong);
+  return sources;
+}
+
+}  // namespace kadr::cli

@@ -1,0 +1,144 @@
+// The values of options: their names in the help, and checks. Used by the rest of cli.
+
+#include "cli/options/option_values.h"
+
+#include <fmt/core.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <cmath>
+
+#include "config/control/control_file.h"
+#include "config/language.h"
+#include "config/machine/machine_profile.h"
+#include "config/nearest.h"
+#include "lang/text/utf16.h"
+
+namespace kadr::cli {
+namespace {
+
+std::string joined(const std::vector<std::string>& words, const char* between) {
+  std::string list;
+  for (const std::string& word : words) list += (list.empty() ? "" : between) + word;
+  return list;
+}
+
+std::string none_of(const std::string& word, const std::vector<std::string>& words) {
+  return told(fmt::format("'{}' is none of {}", word, joined(words, ", ")),
+              fmt::format("значения «{}» нет, есть: {}", word, joined(words, ", "))) +
+         did_you_mean(word, words);
+}
+
+/// Accepts one of the words in any case, and replaces it by the word as listed.
+CLI::Validator among(std::vector<std::string> words) {
+  const auto find = [words = std::move(words)](std::string& word) {
+    for (const std::string& known : words)
+      if (same_letters(word, known)) {
+        word = known;
+        return std::string();
+      }
+    return none_of(word, words);
+  };
+  return CLI::Validator(find, "");
+}
+
+/// Accepts an id and writes it in small letters; the name of a user's file stays unchanged, and the reader reports a missing file.
+/// `further_names` is called only if the word is not an id, because it unpacks every built-in file.
+CLI::Option* id_of(CLI::Option* option, std::vector<std::string> (*ids)(), std::vector<std::string> (*further_names)()) {
+  const auto find = [=](std::string& word) {
+    for (const auto names : {ids, further_names}) {
+      if (names == nullptr) continue;
+      for (const std::string& name : names()) {
+        if (!same_letters(word, name)) continue;
+        word = name;
+        return std::string();
+      }
+    }
+    return std::string();
+  };
+  return takes(option, "ID", "ОБОЗНАЧЕНИЕ")->transform(CLI::Validator(find, ""));
+}
+
+/// Returns "from 1 to 9" or "not less than 0"; empty if there are no limits.
+std::string limits_in_words(double least, double most) {
+  const auto text = [](double n) { return std::abs(n) < 1e15 ? fmt::format("{:.15g}", n) : fmt::format("{}", n); };
+  if (std::isinf(least) && std::isinf(most)) return {};
+  if (std::isinf(most)) return told(" not less than " + text(least), " не меньше " + text(least));
+  return told(fmt::format(" from {} to {}", text(least), text(most)), fmt::format(" от {} до {}", text(least), text(most)));
+}
+
+CLI::Option* limited(CLI::Option* option, bool whole, double least, double most) {
+  const auto check = [=](std::string& word) {
+    char* end = nullptr;
+    const double value = std::strtod(word.c_str(), &end);
+    const bool is_one = end != word.c_str() && *end == '\0' && !std::isnan(value) &&
+                        (!whole || word.find_first_not_of("+-0123456789") == std::string::npos);
+    if (is_one && value >= least && value <= most) return std::string();
+    return told(fmt::format("'{}': a {}number{} is wanted", word, whole ? "whole " : "", limits_in_words(least, most)),
+                fmt::format("«{}»: нужно {}число{}", word, whole ? "целое " : "", limits_in_words(least, most)));
+  };
+  return option->check(CLI::Validator(check, ""));
+}
+
+}  // namespace
+
+CLI::Option* takes(CLI::Option* option, const char* en, const char* ru) { return option->type_name(told(en, ru)); }
+CLI::Option* takes_file(CLI::Option* option) { return takes(option, "FILE", "ФАЙЛ"); }
+
+CLI::Option* writes_file(CLI::Option* option) {
+  const auto check = [option](std::string& name) {
+    const auto means = [&](const char* word) { return same_letters(name, word); };
+    const std::vector<const char*> words_for_none = {"off", "no", "none", "false"};
+    const bool is_word = std::any_of(words_for_none.begin(), words_for_none.end(), means);
+    const bool is_option = name.size() > 1 && name.front() == '-';
+    if (!is_word && !is_option) return std::string();
+    const std::string first = is_word ? told(fmt::format("without {} no such file is written", option->get_name()),
+                                             fmt::format("без {} такой файл не пишется", option->get_name()))
+                                      : told("that is how an option begins", "так начинается параметр");
+    return told(
+        fmt::format("'{}' is the name of a file to be written, and {}; if a file shall have this name, write ./{}", name, first, name),
+        fmt::format("«{}» — имя файла для записи, а {}; если файл должен называться так, укажите ./{}", name, first, name));
+  };
+  return takes_file(option)->check(CLI::Validator(check, ""));
+}
+
+CLI::Option* one_of(CLI::Option* option, const std::vector<std::string>& words) {
+  return option->type_name(joined(words, "|"))->transform(among(words));
+}
+
+CLI::Option* known_by(CLI::Option* option, const char* en, const char* ru, bool (*knows)(std::string_view),
+                      const std::vector<std::string>& words) {
+  const auto check = [=](std::string& word) { return knows(word) ? std::string() : none_of(word, words); };
+  return takes(option, en, ru)->check(CLI::Validator(check, ""));
+}
+
+bool takes_nothing(const CLI::Option& option) { return option.get_items_expected_max() == 0; }
+
+CLI::Option* number(CLI::Option* option, const char* en, const char* ru, double least, double most) {
+  return limited(takes(option, en, ru), false, least, most);
+}
+
+CLI::Option* whole_number(CLI::Option* option, double least, double most) { return limited(takes(option, "N", "N"), true, least, most); }
+
+CLI::Option* control_id(CLI::Option* option) { return id_of(option, built_in_controls, control_names); }
+CLI::Option* machine_id(CLI::Option* option) { return id_of(option, built_in_machines, nullptr); }
+
+CLI::Option* encoding(CLI::Option* option) {
+  const auto knows = [](std::string_view word) {
+    GivenEncoding said;
+    return read_encoding(word, said);
+  };
+  return known_by(option, "NAME", "КОДИРОВКА", knows, encodings());
+}
+
+CLI::Option* written_letters(CLI::Option* option) {
+  return known_by(option, "NAME", "КОДИРОВКА", [](std::string_view word) { return written_letters_named(word).has_value(); },
+                  {"ascii", "utf-8", "cp1251", "koi8-r", "cp866", "iso7", "eia"});
+}
+
+const std::vector<std::string>& encodings() {
+  static const std::vector<std::string> names = {"utf-8", "cp1251", "koi8-r", "cp866", "utf-16", "utf-16le", "utf-16be", "iso7", "eia"};
+  return names;
+}
+
+}  // namespace kadr::cli

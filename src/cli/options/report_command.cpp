@@ -1,0 +1,29 @@
+// kadr report: its options.
+
+#include <CLI/CLI.hpp>
+
+#include "cli/options/command_parts.h"
+#include "cli/options/help_text.h"
+#include "cli/options/option_values.h"
+#include "config/language.h"
+
+namespace kadr::cli {
+
+void add_report(CLI::App& app, Commands& c) {
+  ReportOptions& o = c.report;
+  CLI::App* const report = app.add_subcommand(
+      "report",
+      told("write a report: path, times, tools, alarms, set-up sheet in one page that opens without a server",
+           "записать отчёт: траектория, время, инструменты, ошибки, карта наладки — одна страница, которая открывается без сервера"));
+  program_argument(*report, o.cut.run);
+  writes_file(report->add_option("--out", o.out, told("the report: a file .html", "отчёт: файл .html"))->required());
+  const auto [stock, tools] = blank_options(*report, o.cut);
+  stock->needs(tools);
+  cell_option(*report, o.cut);
+  for (const char* const option : {"--fixture", "--resolution"}) report->get_option(option)->needs(stock);
+  program_options(*report, o.cut.run);
+  memory_option(*report, o.cut.run);
+  report->footer(report_examples());
+}
+
+}  // namespace kadr::cli

@@ -1,0 +1,120 @@
+// Describes an error in the command line, and suggests what the user may have meant. Used by cli/main.
+
+#include "cli/options/usage_error.h"
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <optional>
+
+#include "cli/options/help_text.h"
+#include "cli/options/option_values.h"
+#include "config/language.h"
+#include "config/nearest.h"
+#include "out/text/source_line.h"
+
+namespace kadr::cli {
+namespace {
+
+/// Returns the command that the command line names, or its last command that exists.
+const CLI::App& called(const CLI::App& app) {
+  const auto parsed = app.get_subcommands();
+  return parsed.empty() ? app : called(*parsed.front());
+}
+
+std::vector<std::string> commands_of(const CLI::App& app) {
+  std::vector<std::string> names;
+  for (const CLI::App* const sub : app.get_subcommands([](const CLI::App*) { return true; })) names.push_back(sub->get_name());
+  return names;
+}
+
+std::vector<std::string> options_of(const CLI::App& app) {
+  std::vector<std::string> names;
+  for (const CLI::Option* const option : app.get_options({}))
+    for (const std::string& name : option->get_lnames()) names.push_back("--" + name);
+  return names;
+}
+
+/// The message for a word that is not a command.
+std::string no_command(const CLI::App& app, const std::string& word) {
+  const auto names = commands_of(app);
+  const std::string meant = did_you_mean(word, names);
+  return told("no command '" + word + "'", "команды «" + word + "» нет") +
+         (meant.empty() ? fmt::format("{}{}", told("; there are: ", "; есть: "), fmt::join(names, ", ")) : meant);
+}
+
+/// Returns the message for the first argument that nothing accepts. Options come first, since the value of an unknown option is left over
+/// too.
+std::optional<std::string> left_over(const CLI::App& app, const CLI::App& command) {
+  const std::vector<std::string> words = app.remaining(true);
+  const auto is_option = [](const std::string& word) { return word.size() > 1 && word[0] == '-' && word != "--"; };
+  const auto option = std::find_if(words.begin(), words.end(), is_option);
+  if (option != words.end()) {
+    const std::string name = option->substr(0, option->find('='));
+    return told("no option '" + name + "' of " + whole_name(command), "у " + whole_name(command) + " нет ключа «" + name + "»") +
+           did_you_mean(name, options_of(command));
+  }
+  const auto word = std::find_if(words.begin(), words.end(), [](const std::string& w) { return w != "--"; });
+  if (word == words.end()) return std::nullopt;
+  if (!commands_of(command).empty()) return no_command(command, *word);
+  return told("'" + *word + "' is too many: " + whole_name(command) + " takes no more",
+              "«" + *word + "» — лишнее: " + whole_name(command) + " столько не берёт");
+}
+
+/// The message for a required option or command that is missing.
+std::string missing(const CLI::App& command) {
+  for (const CLI::Option* const option : command.get_options({}))
+    if (option->get_required() && option->count() == 0)
+      return told(option->get_name() + " is missing: ", "не указано " + option->get_name() + ": ") + option->get_description();
+  return fmt::format("{}{}", told("a command is missing; there are: ", "не указана команда; есть: "),
+                     fmt::join(commands_of(command), ", "));
+}
+
+/// Returns the option that CLI11's message is about: the message names it at the beginning, or after the first ": ".
+const CLI::Option* option_of(const CLI::App& command, const std::string& sentence) {
+  const CLI::Option* found = nullptr;
+  std::size_t first = std::string::npos;
+  for (const CLI::Option* const option : command.get_options({})) {
+    const std::size_t at = sentence.find(option->get_name());
+    // If --plot and --plot-speed both match at the same position, the longer name is meant.
+    if (at < first || (at != std::string::npos && at == first && option->get_name().size() > found->get_name().size()))
+      first = at, found = option;
+  }
+  return found;
+}
+
+/// The message for too few values, too many, or one for an option without values.
+std::string wrong_count(const CLI::App& command, const std::string& sentence) {
+  const CLI::Option* const option = option_of(command, sentence);
+  if (option == nullptr) return sentence;
+  const std::string name = option->get_name();
+  if (takes_nothing(*option)) return told(name + " takes no value", name + ": значения не имеет");
+  const int wanted = option->get_items_expected_min();
+  if (static_cast<int>(option->count()) > std::max(wanted, 1))
+    return told(name + " is given more than once", name + ": указано больше одного раза");
+  if (wanted > 1)
+    return told(fmt::format("{} wants {} values: ", name, wanted), fmt::format("{}: нужно значений: {}: ", name, wanted)) +
+           option->get_description();
+  return told(name + ": a value is missing: ", name + ": нет значения: ") + option->get_type_name();
+}
+
+std::string sentence_of(const CLI::App& app, const CLI::App& command, const CLI::ParseError& error) {
+  const bool required = dynamic_cast<const CLI::RequiredError*>(&error) != nullptr;
+  if (required || dynamic_cast<const CLI::ExtrasError*>(&error) != nullptr)
+    if (const auto word = left_over(app, command)) return *word;
+  if (required) return missing(command);
+  if (dynamic_cast<const CLI::ValidationError*>(&error) != nullptr)
+    return error.what();  // from Kadr's own checks (cli/options/option_values)
+  return wrong_count(command, error.what());
+}
+
+}  // namespace
+
+std::string usage_error(const CLI::App& app, const CLI::ParseError& error) {
+  const CLI::App& command = called(app);
+  const std::string help = whole_name(command) + " --help";
+  return fmt::format("kadr: {}\n{}\n", visible(sentence_of(app, command, error)), told("Help: " + help, "Справка: " + help));
+}
+
+}  // namespace kadr::cli

@@ -1,0 +1,371 @@
+#pragma once
+// ControlDef: a control as its file describes it, with a row for every code, address, group, cycle, variable (docs/architecture.md, "A
+// control is a file"). Rows refer to each other by index. The strings are for people and are not read while a program runs.
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <map>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "base/alarm.h"
+#include "base/vec.h"
+#include "config/control/function.h"
+#include "lang/block/grammar.h"
+#include "lang/text/written_letters.h"
+
+namespace kadr {
+
+/// A text for people, in English and Russian.
+struct Text {
+  std::string en;
+  std::string ru;
+};
+
+/// One G or M code.
+struct CodeRow {
+  std::string code;  // the code as it is printed: "G43.4"
+  char letter = 'G';
+  std::int32_t tenth = 0;  // ten times the code's number, see base/code_literals
+  Function function = Function::count;
+  Phase phase = Phase::none;
+  int arg = 0;
+  std::uint8_t group = 0;          // index in ControlDef::groups; 0: no group, any number of such codes per block
+  bool modal = false;              // the code stays in force, because its group is modal
+  bool own_block = false;          // the code must be alone in its block, except for the words that it takes
+  bool needs_axis = false;         // the block must have at least one axis word
+  std::uint64_t takes = 0;         // letter mask of the words that the code uses
+  std::uint64_t needs = 0;         // letter mask of the words that the block must have
+  std::vector<std::int32_t> with;  // codes of the same group, in tenths, that may be in the same block as this code (M7 and M8)
+  Text text;
+  std::string manual;
+  std::uint16_t cycle = 0;      // index in ControlDef::cycles plus 1; 0: the code calls no cycle
+  bool takes_all_axes = false;  // the file has `*` in `takes`: the code uses every axis word of the channel
+  bool works = true;            // Kadr implements the code
+  bool in_part = false;         // Kadr implements only a part of the code; the notes say what is missing
+  bool told = false;            // the control executes the code itself and reports it to the machine (nct 13.1)
+};
+
+enum class WordUnit : std::uint8_t { none, length, angle };
+
+/// One address.
+struct AddressRow {
+  char letter = 0;
+  Function function = Function::count;  // count: the control has no such address
+  Phase phase = Phase::none;
+  std::uint8_t axis = 0;    // index of an axis in ControlDef::axes, only for `axis` and `center`
+  std::uint8_t number = 0;  // number of a spindle, or of an auxiliary function (1 to 3)
+  WordUnit unit = WordUnit::none;
+  double scale = 1;       // factor from the word's value to mm, degrees, s, …
+  bool whole = false;     // the value must be a whole number
+  double least = -1e300;  // a value outside least…most raises value_out_of_range
+  double most = 1e300;
+  Text text;
+  std::string manual;
+  std::string format;  // number format as written in the file, for people
+};
+
+struct GroupRow {
+  std::string name;
+  bool modal = true;
+  std::int32_t power_on = -1;  // row of the group's code that is in force at power-on; -1: none
+  Text text;
+};
+
+/// A step of a drilling cycle (control/cycles).
+enum class CycleStep : std::uint8_t {
+  feed_bottom,
+  rapid_bottom,
+  retract,
+  feed_retract,
+  dwell,
+  spindle_stop,
+  spindle_reverse,
+  spindle_restore,
+  orient,
+  stop,
+  peck_full,
+  peck_break,  // like peck_full, but retracts only a little between the passes
+  shift_out,
+  shift_back,
+  feed_face,            // G87: moves out by I, J in the plane and back, and feeds up to K
+  passes_by_parameter,  // L83 of the 2С42: R1, R2, R3 give the levels of the passes
+  count
+};
+
+std::string_view name_of(CycleStep step);
+
+struct CycleRow {
+  std::string name;                              // "G81", "L81"
+  std::uint32_t call_number = 0;                 // number after L: 81 for L81; 0: the cycle is called by its code
+  std::vector<CycleStep> steps;                  // a cycle consists of steps …
+  std::string body;                              // … or of a program in the control's own language
+  std::string printed;                           // for a cycle of steps: the program that the manual prints for it, for people
+  std::vector<std::pair<char, int>> parameters;  // for a permanent subprogram: which word sets which formal parameter
+  std::uint64_t needs = 0;                       // letter mask of words that must be given in the block or be modal
+  // Words of `needs` (R, Q) that the manual's own example omits: if they are missing, the alarm is only a warning
+  std::uint64_t left_out = 0;
+  bool needs_spindle_cw = false;
+  bool needs_spindle = false;
+  bool needs_override_off = false;  // the overrides must be off (G23): L84 of the 2С42
+  Text text;
+  std::string manual;
+};
+
+// clang-format off
+#define KADR_VARIABLE_KINDS(X)                                                                              \
+  X(free) X(probe_point) X(home) X(home_second) X(set_position) X(fixture_number) X(fixture)                \
+  /* nct 23.1 */                                                                                            \
+  X(empty) X(constant_pi) X(constant_e) X(plc_in) X(plc_in_word) X(plc_out) X(plc_out_word)                               \
+  X(alarm_text) X(stop_text) X(message_text) X(message_box)                                                 \
+  X(clock) X(cutting_clock) X(date) X(time) X(parts_done) X(parts_required)                                 \
+  X(single_block_lock) X(override_lock) X(search_state) X(mirror_state) X(main_program)                     \
+  X(modal_group) X(modal_word)                                                                              \
+  X(end_position) X(machine_position) X(work_position) X(probe_position) X(length_in_force)                 \
+  X(servo_lag) X(handwheel_shift) X(distance_to_go)                                                         \
+  X(offset_length) X(offset_length_wear) X(offset_radius) X(offset_radius_wear)                             \
+  X(offset_corner) X(offset_corner_wear) X(offset_tip)                                                      \
+  X(offset_x) X(offset_y) X(offset_x_wear) X(offset_y_wear)                                                 \
+  X(zero_common) X(zero) X(rotation) X(zero_extended) X(rotation_extended)                                  \
+  X(zero_dynamic_number) X(zero_dynamic_value) X(zero_dynamic)                                              \
+  /* spec/fanuc 5.1, spec/haas 2.4 */                                                                         \
+  X(common_further) X(common_again) X(timer) X(tool_in_spindle) X(spindle_speed) X(operator_switch)        \
+  X(tool_magazine) X(tool_data) X(pallet_place) X(pallet_data) X(probe_position_5d) X(zero_local)
+// clang-format on
+enum class VariableKind : std::uint8_t {
+#define KADR_VARIABLE_ENUM(name) name,
+  KADR_VARIABLE_KINDS(KADR_VARIABLE_ENUM)
+#undef KADR_VARIABLE_ENUM
+      count
+};
+
+/// The first of the numbers that a program cannot write: bits of a variable, and variables that have only a symbol.
+inline constexpr std::uint32_t first_unwritten_variable = 1'000'000;
+
+/// A range of numbers of a system variable: `count` numbers starting at `from`, repeated `repeat` times at intervals of `stride`.
+struct VariableRange {
+  std::uint32_t from = 0;
+  std::uint32_t count = 1;
+  std::uint32_t stride = 0;
+  std::uint32_t repeat = 1;
+};
+
+inline bool is_clock(VariableKind kind) {
+  return kind == VariableKind::clock || kind == VariableKind::cutting_clock || kind == VariableKind::time || kind == VariableKind::timer;
+}
+struct VariableRow {
+  VariableKind kind = VariableKind::free;
+  std::vector<VariableRange> ranges;  // the variable's numbers: first the short ones, then the long ones; `symbol` means the last range
+  std::string symbol;                 // "ABSIO" for #_ABSIO[n]; for a family (#_WZP7[n]) "WZP"
+  std::uint32_t first_index = 1;      // index n of the variable's first number
+  int arg = 0;   // distinguishes variables of the same kind; the head of [[variables]] in controls/nct.toml explains the values
+  int bit = -1;  // bit number, if the row is one bit of the variable `of`; -1: the row is a whole variable
+  std::uint32_t of = 0;
+  bool read = true, write = true;
+  bool works = true;  // Kadr implements the variable
+  Text text;
+  std::string manual;
+};
+
+enum class ParameterScope : std::uint8_t { global, channel, axis, spindle };
+enum class ParameterType : std::uint8_t { bits, whole, real, text };
+enum class ParameterClass : std::uint8_t { run_time, restart, emergency };
+
+/// A parameter of the control (nct 24).
+struct ParameterRow {
+  std::string name;  // "0107"; "CLRG" if the manual gives no number
+  std::int32_t number = -1;
+  ParameterScope scope = ParameterScope::channel;
+  ParameterType type = ParameterType::real;
+  ParameterClass when = ParameterClass::run_time;
+  double least = -1e300, most = 1e300;
+  double initial = 0;
+  std::vector<std::string> bits;  // names of the bits, by bit number; "": unknown; a name whose bit number is unknown follows the eighth
+  bool used = false;              // the parameter has an effect in Kadr
+  // Names under which the engine uses the parameter ("1500", "1300#7", "calculator"); for bits, one name per bit
+  std::vector<std::string> means;
+  Text text;  // `en` begins with the manual's own name
+  std::string manual;
+};
+
+/// What I J K of an arc mean. incremental: the centre relative to the start point. as_distance: absolute or incremental as G90, G91 say;
+/// for the third axis, the word is the lead of a helix (2С42 6.6.4, 6.6.6). by_code: absolute or incremental as G90.1, G91.1 say.
+enum class ArcCenters : std::uint8_t { incremental, as_distance, by_code };
+/// How R of an arc is read. none: not at all. alone: instead of I J K. before_centre: also in a block with I J K, which R then overrides
+/// (spec/fanuc 3.2).
+enum class ArcRadius : std::uint8_t { none, alone, before_centre };
+enum class LengthOffset : std::uint8_t { at_once, next_motion };
+/// Where the first motion after G41, G42 ends. normal: on the normal at the start of the next block. tangent: the tool touches the line to
+/// the first point (Mach3). queued: the motion is held back until the next motion determines its end (LinuxCNC:
+/// path/compensation/queued_compensation).
+enum class CompensationEntry : std::uint8_t { normal, tangent, queued };
+/// The unit of P in a dwell: s; ms; or ms if P has no decimal point, else s (spec/haas 4.1).
+enum class DwellUnit : std::uint8_t { seconds, milliseconds, milliseconds_without_point };
+/// Where the later of two words for the same thing takes effect. nowhere: two such words are an alarm. arguments: among the arguments of a
+/// macro call (spec/fanuc 9.3), except G, L, N, O, P, which are no arguments. everywhere: also for addresses and codes of a group (1.2,
+/// 2.1).
+enum class LaterWord : std::uint8_t { nowhere, arguments, everywhere };
+/// What the words of a drilling cycle mean. shift_by_ijk: I J K are the shift of G76, G87; I of G85, G89 and of tapping is a percentage;
+/// R alone drills nothing (nct 18). shift_by_q: Q is the shift, a parameter gives its direction, and R alone drills (spec/fanuc 10.1,
+/// 10.5). pecks_by_ijk: like shift_by_q, and I J K of G73, G83 are the first cut, the reduction of each further cut, and the least cut
+/// (spec/haas 8.3).
+enum class CycleWords : std::uint8_t { shift_by_ijk, shift_by_q, pecks_by_ijk };
+
+/// How the engine's functions behave where controls differ.
+struct Behaviour {
+  ArcCenters arc_centers = ArcCenters::incremental;
+  ArcRadius arc_radius_word = ArcRadius::none;
+  double arc_radius_difference = 0.01;  // mm by which an arc's radii at start and end may differ
+  double arc_difference_inch = 0;       // the same limit in mm while the unit is inch (G20); 0: arc_radius_difference applies
+  // If an arc's radius changes, its angle advances evenly (nct 4.3); else the length of its path does
+  bool arc_angle_even = false;
+  LengthOffset length_offset = LengthOffset::next_motion;
+  CompensationEntry compensation_entry = CompensationEntry::normal;
+  bool rapids_apart =
+      false;  // rapid: each axis at its own rate, for a control without a parameter for this; see config/machine/rapid_path.h
+  bool feed_required = true;  // a feed motion before any F is an alarm, else a warning (F0 is always an alarm)
+  double result_most = 0;     // greatest absolute value that may be assigned to a variable (spec/fanuc 5.3); 0: no limit
+  // Values of the machine. If the control has a parameter table that contains them (under the name in `as`), the table takes precedence,
+  // and the set-up over the table (config/machine/machine_axes).
+  double feed_most = 0;                // mm/min, greatest feed; 0: no limit
+  double reference_feed = 2000;        // mm/min, feed of G25 of the 2С42
+  double return_chip_break = 1;        // mm, distance that G73 retracts to break the chip
+  double return_near = 1;              // mm above the previous bottom of the hole at which G83 ends its rapid
+  double probe_least_distance = 0;     // mm
+  double probe_retract = 0;            // mm, distance to retract along the path after the probe has touched (Mach3 10.7.12.1)
+  bool probe_in_inverse_time = false;  // Grbl: in G93, F of G38 is the time of the whole path
+  bool speed_needs_direction = false;  // 2С42: S without M3 or M4 does not change the speed
+  bool skip_asks = false;              // the set-up may say that the operator is asked before a block is skipped (spec/gost 2)
+  bool tool_and_corrector = false;     // T0404: if T has more than two digits, the last two are the offset number
+  bool end_required = false;           // a program without M2 or M30 gets a warning
+  bool ends_reading = true;            // nothing after the end of the program is read (GOST)
+  bool delayed_assignment = false;     // Mach3: an assignment takes effect after its block: in `#1=5 X#1`, X is the old #1
+  bool feed_of_axis = false;           // F right after an axis word, followed by more axis words, is the feed of that axis (GOST 20999-83)
+  bool label_is_number = false;        // O0001 right after % is the program number (spec/gost 1)
+  // Differences between controls with custom macros (spec/fanuc).
+  LaterWord later_word_counts = LaterWord::nowhere;
+  CycleWords cycle_words = CycleWords::shift_by_ijk;
+  // With milliseconds, the dwell words X and U are still in s, and G4 alone is an exact stop (4.1)
+  DwellUnit dwell_unit = DwellUnit::seconds;
+  bool tool_along_third = false;  // unless a parameter says otherwise, cycles drill along Z and G43 acts on Z in any plane (7.1, 10.1)
+  bool repeats_in_program_number = false;  // M98 P51002 calls O1002 five times (9.1)
+  bool machine_move_absolute = false;      // G53 in G91 is ignored (6.5)
+  bool repeats_by_k = false;               // the repeat count of a drilling cycle is K, else L (spec/fanuc 10.1)
+  bool reference_all_axes = false;         // G28 alone moves all axes, straight to the point (spec/haas 5.1)
+  bool returns_to_own_block = false;       // M99 P goes to a block of the program that contains the M99 (spec/haas 3.3)
+  bool repeats_keep_locals = false;        // G65 L: the arguments are set for the first repeat only (spec/haas 3.4)
+  bool words_passed_over = false;          // a word that nothing in the block uses gets a warning instead of an alarm (spec/fanuc 1.2)
+  std::uint32_t alarm_base = 4000;         // #3000=n raises alarm number alarm_base + n (5.5)
+  std::uint32_t call_depth = 16;
+  std::uint32_t program_digits = 1;    // digits of O in written programs and in names of files that a call looks for (spec/haas 1.1)
+  std::uint32_t m_codes_of_block = 8;  // greatest number of M codes in a block (nct 13.1, spec/fanuc 2.4, spec/haas 10)
+  std::uint32_t offsets = 99;          // highest offset number
+  std::uint32_t fixtures = 6;
+  std::uint32_t further_systems = 99;  // highest P of G54.1 (nct 10.2.2, spec/fanuc 6.1)
+
+  /// Returns true if a helix has Z and a lead, and makes whole revolutions (2С42 6.6.6).
+  bool helix_by_lead() const { return arc_centers == ArcCenters::as_distance; }
+  bool reads_arc_radius() const { return arc_radius_word != ArcRadius::none; }
+  bool queues_compensation() const { return compensation_entry == CompensationEntry::queued; }
+  /// Returns true if Q, not I J K, gives the shift of G76 and G87, and R alone drills.
+  bool shifts_by_q() const { return cycle_words != CycleWords::shift_by_ijk; }
+};
+inline constexpr std::uint32_t max_further_systems = 300;
+
+struct AlarmText {
+  std::string number;  // the control's own alarm number; may be empty
+  Text text;
+  Text hint;
+};
+
+/// The part of the engine that does what no row of a control's file can express (`dialect = "…"`; control/dialect.h). iso: none is
+/// needed.
+enum class DialectId : std::uint8_t { iso, s2c42, correctors, nct, linuxcnc, grbl, mach3 };
+inline constexpr std::array<std::string_view, 7> dialect_names = {"iso", "s2c42", "correctors", "nct", "linuxcnc", "grbl", "mach3"};
+
+/// An M function of the machine that has another code on another control's machine.
+struct MachineCodeRow {
+  std::uint32_t code = 0;
+  std::string control;      // id of the other control; "*": all others
+  std::uint32_t there = 0;  // the M code on the other control
+};
+
+struct ControlDef {
+  std::string id;
+  std::vector<std::string> aliases;  // further names for --control: "haas-vf"
+  Text name;
+  std::string spec;                  // the document with the control's rules
+  std::vector<std::string> lineage;  // ids of the controls that this control extends, such as "gost"
+  std::string descriptor;            // the format string of the control's words
+  DialectId dialect = DialectId::iso;
+  Grammar grammar;
+  Behaviour behaviour;
+  std::vector<std::string> axes;                      // names of the axes, in order
+  std::uint32_t rotary = 0;                           // mask of rotary axes
+  std::uint32_t diameter = 0;                         // mask of axes programmed as diameters
+  bool diameter_by_setup = false;                     // the set-up says which axes are diameters (spec/gost 5)
+  std::array<std::uint8_t, max_axes> axis_numbers{};  // number of each axis, counted from 1 across all channels of the control (nct 2.1)
+  std::uint8_t channel = 1;
+  std::vector<GroupRow> groups;  // groups of codes; groups[0] stands for "no group"
+  std::vector<CodeRow> codes;    // rows of G and M codes, in the file's order
+  std::array<AddressRow, max_addresses> addresses{};
+  std::vector<CycleRow> cycles;
+  std::vector<VariableRow> variables;
+  std::vector<ParameterRow> parameters;
+  std::array<std::uint8_t, static_cast<std::size_t>(Phase::count)> order{};  // rank of each phase in the order of execution
+  std::vector<Phase> order_list;
+  std::vector<std::int32_t> end_codes;        // rows of the codes that the end of the program puts in force
+  std::map<AlarmId, AlarmText> alarms;        // the alarms for which the control has a number or wording of its own
+  std::map<std::int32_t, double> feed_codes;  // F and S as codes, with their values (spec/gost 3); empty: F and S are direct values
+  std::map<std::int32_t, double> speed_codes;
+  std::vector<MachineCodeRow> machine_codes;  // [convert]
+  WrittenLetters letters;                     // letters and encoding of programs that are written for this control
+
+  static constexpr std::int32_t max_tenths = 100'000;        // greatest code that may have a row, in tenths: G9999.9, M9999.9
+  static constexpr std::int32_t most_codes = 1'000'000'000;  // greatest code that may occur at all, in tenths: M99999999
+  // Row of a G code, indexed by ten times its number; -1: unknown code; ends at the last known code
+  std::vector<std::int16_t> g_rows;
+  std::vector<std::int16_t> m_rows;
+  std::int32_t m_user_from = -1;  // range of the M codes without a row of their own that go to the machine (free functions, macros M100…)
+  std::int32_t m_user_to = -1;
+  std::int32_t m_user_row = -1;
+
+  /// Returns true if the axes and their names depend on the machine and come from the set-up (nct 2).
+  bool machine_axes() const { return dialect == DialectId::nct; }
+  /// Returns true if some variables are clocks.
+  bool has_clocks() const {
+    return std::any_of(variables.begin(), variables.end(), [](const VariableRow& row) { return is_clock(row.kind); });
+  }
+  /// Returns true if codes that call and end programs are reported to the machine's logic (nct 13.1).
+  bool reports_program_ends() const {
+    return std::any_of(codes.begin(), codes.end(), [](const CodeRow& row) { return row.told; });
+  }
+  /// Returns true if the control may raise this alarm: its file has a row for the alarm. Some checks run only then, see `[alarms]` in
+  /// docs/own-control.md.
+  bool gives(AlarmId which) const { return alarms.contains(which); }
+  /// Returns true if the engine uses some parameter of the control under this name (`as` of its row).
+  bool has_parameter(std::string_view meaning) const {
+    return std::any_of(parameters.begin(), parameters.end(),
+                       [&](const ParameterRow& row) { return std::find(row.means.begin(), row.means.end(), meaning) != row.means.end(); });
+  }
+  /// Returns true if subprograms are in sections of their own, with a work offset of their own (2С42 6.3.5, last section).
+  bool has_sections() const { return grammar.section_address != 0; }
+  /// Returns true if it has a common zero that shifts all work systems (nct 10.2.3). Otherwise #5201 and G10 L2 P0 mean G52 (spec/haas
+  /// 2.4, 5.4).
+  bool has_common_zero() const {
+    return std::any_of(variables.begin(), variables.end(), [](const VariableRow& row) { return row.kind == VariableKind::zero_common; });
+  }
+  /// Returns true if it has axis correctors (spec/correctors).
+  bool has_correctors() const { return dialect == DialectId::correctors; }
+  /// Returns true if its words and frames follow RS274/NGC with parameters in files (spec/linuxcnc).
+  bool has_parameter_file() const { return dialect == DialectId::linuxcnc; }
+  /// Returns true if each line is checked as a whole, independently of the others (spec/grbl).
+  bool has_lines_alone() const { return dialect == DialectId::grbl; }
+  const AddressRow& address(char letter) const { return addresses[static_cast<std::size_t>(letter - 'A')]; }
+  /// Returns the row of a code word, or -1.
+  std::int32_t row_of(char letter, std::int32_t tenth) const;
+};
+
+}  // namespace kadr

@@ -1,0 +1,70 @@
+// Reads `encoding` of a control file, and [convert]: which of its M functions correspond to which ones of other controls
+// (config/machine/machine_codes).
+
+#include <algorithm>
+
+#include "config/control/control_loader.h"
+#include "config/machine/machine_codes.h"
+
+namespace kadr {
+
+using loader_texts::say;
+using toml_tools::place;
+
+namespace {
+
+/// Converts "M27" to 27; returns nullopt if the text is no M code.
+std::optional<std::uint32_t> m_code(std::string_view text) {
+  constexpr std::size_t max_digits = 8;
+  if (text.size() < 2 || text.size() > max_digits + 1 || text[0] != 'M' ||
+      text.find_first_not_of("0123456789", 1) != std::string_view::npos)
+    return std::nullopt;
+  std::uint32_t code = 0;
+  for (const char digit : text.substr(1)) code = 10 * code + static_cast<std::uint32_t>(digit - '0');
+  return code;
+}
+
+}  // namespace
+
+/// Reads the encoding of programs that are written for the control.
+Done ControlLoader::encoding() {
+  const toml::node* const node = file_.get("encoding");
+  if (node == nullptr) return {};
+  const auto letters = written_letters_named(text(file_, "encoding"));
+  if (!letters) return Failed(place(name_, *node) + say("encoding: ascii, utf-8, cp1251, koi8-r, cp866, iso7 or eia"));
+  def_.letters = *letters;
+  return {};
+}
+
+/// Reads M27 = "M8", or M27 = { fanuc = "M51", "*" = "M8" }.
+Done ControlLoader::machine_codes() {
+  const toml::table* const t = section("convert");
+  if (t == nullptr) return {};
+  for (const auto& [key, node] : *t) {
+    const auto code = m_code(key.str());
+    const CodeRow* const row = code ? machine_row(def_, *code) : nullptr;
+    if (row == nullptr || row->function != Function::machine_function)
+      return Failed(place(name_, node) + say("[convert] {}: no code of this control that does 'machine_function'", key.str()));
+    if (const toml::table* const by_control = node.as_table()) {
+      for (const auto& [control, there] : *by_control) KADR_LOAD(machine_code(*code, std::string(control.str()), there));
+    } else {
+      KADR_LOAD(machine_code(*code, "*", node));
+    }
+  }
+  return {};
+}
+
+Done ControlLoader::machine_code(std::uint32_t code, const std::string& control, const toml::node& node) {
+  const auto there = m_code(node.value_exact<std::string>().value_or(std::string()));
+  if (!there) return Failed(place(name_, node) + say("[convert] M{}: an M code of the other control, such as \"M8\"", code));
+  if (control == def_.id) return Failed(place(name_, node) + say("[convert] M{}: '{}' is this control itself", code, control));
+  const auto twice = std::find_if(def_.machine_codes.begin(), def_.machine_codes.end(),
+                                  [&](const MachineCodeRow& one) { return one.control == control && one.there == *there; });
+  if (twice != def_.machine_codes.end())
+    return Failed(place(name_, node) +
+                  say("[convert] M{} and M{} are both M{} of '{}': the way back is not known", twice->code, code, *there, control));
+  def_.machine_codes.push_back({code, control, *there});
+  return {};
+}
+
+}  // namespace kadr

@@ -1,0 +1,337 @@
+// Guesses the control that a program was written for from its text: from the marks in the controls' files, and from the style of the text
+// as a whole. Used by session/folder_guess, cli/job/program_files; tested by tests/config/guess_test.cpp.
+
+#include "config/control/guess.h"
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cstdint>
+#include <functional>
+#include <iterator>
+#include <map>
+#include <set>
+#include <tuple>
+
+#include "base/ascii.h"
+#include "config/control/control_file.h"
+#include "config/control/guess_pattern.h"
+#include "config/text_kind.h"
+#include "lang/text/encoding.h"
+
+namespace kadr {
+namespace {
+
+constexpr std::uint32_t lines_of_guess = 500;
+constexpr double near = 4;  // a control whose score is lower than the best one by more than this is not considered
+
+/// The control that is guessed if no evidence points to another one: the most common one on hobbyists' machines.
+constexpr std::string_view usual_control = "mach3";
+
+/// A piece of evidence: a text and its first line, or (line 0) the style of the text, the file's name or its folder's name.
+struct Found {
+  double weight = 0;
+  std::uint32_t line = 0;
+  std::string en, ru;
+};
+
+/// A control or a language, with the evidence found for it so far.
+struct Candidate {
+  const GuessRows* rows;
+  bool is_dialect;
+  std::vector<Found> found{};
+  double strongest_mark = 0;
+
+  void take(std::string_view text, double weight, std::uint32_t number) {
+    strongest_mark = std::max(strongest_mark, weight);
+    const std::string where = std::to_string(number), said(text);
+    found.push_back({weight, number, "line " + where + ": " + said, "строка " + where + ": " + said});
+  }
+
+  void take_name(std::string_view path) {
+    for (const auto& [pattern, weight, place, needs, rarest] : rows->marks)
+      if (place == MarkLocation::name && is_named_like(path, pattern)) {
+        const bool of_folder = pattern.find('/') != std::string::npos;
+        const std::size_t last = path.rfind('/');  // the path has the form "/folder/part.nc"
+        const std::string name(of_folder ? path.substr(1, last - 1) : path.substr(last + 1));
+        found.push_back({weight, 0, (of_folder ? "its folder: " : "its name: ") + name, (of_folder ? "папка: " : "имя: ") + name});
+        strongest_mark = std::max(strongest_mark, weight);
+      }
+  }
+
+  void take(const Traits& text) {
+    for (const auto& [trait, weight] : rows->traits)
+      if (text.holds(trait)) found.push_back({weight, 0, std::string(text_of(trait).en), std::string(text_of(trait).ru)});
+  }
+
+  double score() const {
+    double sum = 0;
+    for (const Found& f : found) sum += f.weight;
+    return sum;
+  }
+
+  /// Returns the strongest evidence in order of lines, then the style of the text: "line 3: M97P, line 12: G187".
+  std::vector<Found> strongest() const {
+    constexpr std::size_t most = 5;
+    std::vector<Found> all;
+    std::copy_if(found.begin(), found.end(), std::back_inserter(all), [](const Found& f) { return f.weight > 0; });
+    std::stable_sort(all.begin(), all.end(), [](const Found& a, const Found& b) { return a.weight > b.weight; });
+    for (std::size_t i = 0; i < all.size(); ++i)  // two patterns may match the same word, which counts once
+      all.erase(
+          std::remove_if(all.begin() + static_cast<std::ptrdiff_t>(i) + 1, all.end(), [&](const Found& f) { return f.en == all[i].en; }),
+          all.end());
+    if (all.size() > most) all.resize(most);
+    // Line 0 becomes the greatest number and sorts last
+    std::stable_sort(all.begin(), all.end(), [](const Found& a, const Found& b) { return a.line - 1U < b.line - 1U; });
+    return all;
+  }
+};
+
+/// The marks of all candidates that have not been found yet. Each is stored under the rarest character that it needs, so that most lines do
+/// not have to be compared with most marks.
+class OpenMarks {
+ public:
+  void add(Candidate& candidate) {
+    for (const GuessMark& mark : candidate.rows->marks)
+      if (mark.place != MarkLocation::name) marks_[mark.rarest].push_back({&candidate, &mark});
+  }
+
+  /// Searches a line for marks. `signs`: the characters of the line as written, with its comments. `only_against`: ignore evidence for
+  /// languages that Kadr does not read.
+  void take(const GuessLine& line, LineSigns signs, std::uint32_t number, bool only_against) {
+    hits_.clear();
+    for (LineSigns rest = signs; rest != 0; rest &= rest - 1)
+      look(static_cast<std::size_t>(std::countr_zero(rest)), line, signs, only_against);
+    look(any_sign, line, signs, only_against);
+    // In the order of the marks' rows
+    std::sort(hits_.begin(), hits_.end(), [](const Hit& a, const Hit& b) { return std::less<>()(a.mark, b.mark); });
+    for (const Hit& hit : hits_) hit.of->take(hit.text, hit.mark->weight, number);
+  }
+
+ private:
+  struct Open {
+    Candidate* of;
+    const GuessMark* mark;
+  };
+  struct Hit : Open {
+    std::string_view text;
+  };
+
+  void look(std::size_t sign, const GuessLine& line, LineSigns signs, bool only_against) {
+    std::vector<Open>& marks = marks_[sign];
+    for (std::size_t i = 0; i < marks.size();) {
+      const Open open = marks[i++];
+      const GuessMark& mark = *open.mark;
+      if ((mark.needs & ~signs) != 0 || (only_against && open.of->is_dialect && mark.weight > 0)) continue;
+      const std::string_view text =
+          mark.place == MarkLocation::comment ? found_in_words(line.comments, mark.pattern) : found_in(line, mark.pattern);
+      if (text.empty()) continue;
+      hits_.push_back({open, text});
+      marks[--i] = marks.back();
+      marks.pop_back();
+    }
+  }
+
+  std::array<std::vector<Open>, any_sign + 1> marks_;
+  std::vector<Hit> hits_;
+};
+
+std::string reason_of(const std::vector<Found>& found, std::string Found::*language) {
+  std::string all;
+  for (const Found& f : found) all += (all.empty() ? "" : ", ") + f.*language;
+  return all;
+}
+
+/// Orders by score, the greater first; among equal scores the usual control comes first.
+template <class Row>
+bool stands_before(const Row& a, const Row& b) {
+  return a.second != b.second ? a.second > b.second : a.first == usual_control && b.first != usual_control;
+}
+
+/// Decides by the scores alone. A control with a mark that is conclusive by itself needs only a small margin over the next control. Weaker
+/// marks together need a large margin, and mere hints decide nothing.
+void decide(Guess& guess) {
+  constexpr double lead = 2, great_lead = 6, more_than_hint = 5;
+  auto ranked = guess.scores;
+  std::stable_sort(ranked.begin(), ranked.end(), stands_before<std::pair<std::string, double>>);
+  guess.control = ranked[0].first;
+  for (std::size_t i = 0; i < guess.scores.size(); ++i)
+    if (guess.scores[i].first == guess.control) std::tie(guess.reason_en, guess.reason_ru) = guess.reasons[i];
+  const double mark = guess.strongest_marks[guess.control], before = ranked[0].second - ranked[1].second;
+  guess.decisive = ranked[0].second >= decisive_weight &&
+                   ((mark >= decisive_weight && before >= lead) || (mark >= more_than_hint && before >= great_lead));
+}
+
+Guess guess_of(const std::vector<Candidate>& candidates) {
+  Guess guess;
+  for (const Candidate& c : candidates) {
+    guess.scores.emplace_back(c.rows->control, c.score());
+    guess.strongest_marks[c.rows->control] = c.strongest_mark;
+    const auto strongest = c.strongest();
+    guess.reasons.emplace_back(strongest.empty() ? "the text tells little" : reason_of(strongest, &Found::en),
+                               strongest.empty() ? "по тексту почти ничего не видно" : reason_of(strongest, &Found::ru));
+  }
+  decide(guess);
+  return guess;
+}
+
+/// Returns the language that Kadr does not read, if one is found for certain; else nullptr.
+const Candidate* dialect_of(const std::vector<Candidate>& dialects) {
+  const auto best =
+      std::max_element(dialects.begin(), dialects.end(), [](const Candidate& a, const Candidate& b) { return a.score() < b.score(); });
+  return best != dialects.end() && best->score() >= decisive_weight ? &*best : nullptr;
+}
+
+Guess of_dialect(const Candidate& dialect) {
+  Guess guess;
+  guess.decisive = true;
+  guess.dialect = dialect.rows->control;
+  guess.refused_by = dialect.rows->refused_by;
+  guess.language_en = dialect.rows->name_en, guess.language_ru = dialect.rows->name_ru;
+  const auto strongest = dialect.strongest();
+  guess.reason_en = guess.language_en + ", " + reason_of(strongest, &Found::en);
+  guess.reason_ru = guess.language_ru + ", " + reason_of(strongest, &Found::ru);
+  return guess;
+}
+
+Guess unknown(const KindOfText& text) {
+  const std::string line = std::to_string(text.line);
+  Guess guess;
+  guess.decisive = true;
+  if (text.kind == TextKind::prose) {
+    guess.reason_en = "few lines are blocks, the first that is none is line " + line + ": " + text.found;
+    guess.reason_ru = "кадров мало, первая строка не из них — " + line + ": " + text.found;
+  } else {
+    guess.reason_en = "it is no text", guess.reason_ru = "это не текст";
+  }
+  return guess;
+}
+
+/// LinuxCNC's variable names may contain any letters, so they are no evidence for another language.
+bool has_names(const GuessLine& line) {
+  return line.written.find("#<") != std::string::npos || line.written.find("O<") != std::string::npos;
+}
+
+}  // namespace
+
+bool is_program_text(std::string_view bytes) {
+  std::string text;
+  const auto encoding = detect_encoding(bytes);
+  if (encoding) (void)append_utf8(bytes, *encoding, text);
+  return kind_of_text(encoding ? std::string_view(text) : bytes).kind == TextKind::program;
+}
+
+std::string Guess::runner_up() const {
+  auto ranked = scores;
+  std::stable_sort(ranked.begin(), ranked.end(), stands_before<std::pair<std::string, double>>);
+  for (const auto& [id, score] : ranked)
+    if (id != control) return score > 0 ? id : std::string();
+  return {};
+}
+
+Guess guess_control(std::string_view sample, std::string_view path, const std::vector<GuessRows>& own) {
+  if (own.empty()) return guess_among(sample, path, built_in_guess_rows(), dialect_rows());
+  std::vector<GuessRows> all = built_in_guess_rows();
+  all.insert(all.end(), own.begin(), own.end());
+  return guess_among(sample, path, all, dialect_rows());
+}
+
+Guess guess_among(std::string_view sample, std::string_view path, const std::vector<GuessRows>& controls,
+                  const std::vector<GuessRows>& dialects_known) {
+  if (sample.starts_with("\xEF\xBB\xBF")) sample.remove_prefix(3);
+  const KindOfText text = kind_of_text(sample);
+  if (text.kind == TextKind::binary) return unknown(text);
+  std::vector<Candidate> candidates, dialects;
+  for (const GuessRows& rows : controls) candidates.push_back({&rows, false});
+  for (const GuessRows& rows : dialects_known) dialects.push_back({&rows, true});
+  OpenMarks marks;
+  for (auto* all : {&candidates, &dialects})
+    for (Candidate& c : *all) marks.add(c);
+  Traits traits;
+  for (std::uint32_t number = 1; !sample.empty() && number <= lines_of_guess; ++number) {
+    const std::size_t end = std::min(sample.find('\n'), sample.size());
+    const GuessLine line = guess_line(sample.substr(0, end));
+    sample.remove_prefix(std::min(end + 1, sample.size()));
+    if (line.raw.empty()) continue;
+    marks.take(line, signs_of(line.raw), number, has_names(line));
+    if (!line.written.empty()) traits.take(line.written);
+  }
+  for (auto* all : {&candidates, &dialects})
+    for (Candidate& c : *all) {
+      c.take(traits);
+      if (!path.empty()) c.take_name(path);
+    }
+  if (const Candidate* const dialect = dialect_of(dialects)) return of_dialect(*dialect);
+  if (text.kind == TextKind::prose) return unknown(text);
+  Guess guess = guess_of(candidates);
+  for (const Candidate& c : dialects) guess.dialect_scores.emplace_back(c.rows->control, c.score());
+  return guess;
+}
+
+std::string refused_by_control(std::string_view sample, std::string_view control, bool ru) {
+  std::string id;
+  for (const char c : control) id += to_lower(c);
+  for (const auto& [alias, meant] : control_aliases())
+    if (alias == id) id = meant;
+  const auto refuses = [&](const std::vector<std::string>& by) { return std::find(by.begin(), by.end(), id) != by.end(); };
+  const auto& rows = dialect_rows();
+  if (std::none_of(rows.begin(), rows.end(), [&](const GuessRows& of) { return refuses(of.refused_by); })) return {};
+  const Guess guess = guess_control(sample);
+  if (!refuses(guess.refused_by)) return {};
+  return ru ? guess.reason_ru + "; для " + id + " Kadr читает только программы фрезерных станков"
+            : guess.reason_en + "; of " + id + " Kadr reads milling programs alone";
+}
+
+std::vector<std::string> candidates_of(const Guess& guess) {
+  constexpr std::size_t most = 5;
+  std::vector<std::string> ids;
+  if (guess.control.empty() || guess.decisive) return ids;
+  auto ranked = guess.scores;
+  std::stable_sort(ranked.begin(), ranked.end(), stands_before<std::pair<std::string, double>>);
+  for (const auto& [id, score] : ranked)
+    if (score + near >= ranked[0].second && ids.size() < most && (score > 0 || id == usual_control)) ids.push_back(id);
+  return ids;
+}
+
+void take_trial(Guess& guess, const std::vector<std::pair<std::string, std::size_t>>& faults) {
+  // Score that a control loses if it finds faults: enough that a reading without faults wins over one with faults
+  constexpr double of_faults = near + 1;
+  // If no candidate reads the program without faults, the trial proves nothing.
+  if (std::none_of(faults.begin(), faults.end(), [](const auto& row) { return row.second == 0; })) return;
+  for (const auto& [id, count] : faults)
+    for (auto& [control, score] : guess.scores)
+      if (control == id && count > 0) score -= of_faults;
+  decide(guess);
+}
+
+CommonGuess common_guess(const std::vector<Guess>& guesses) {
+  std::map<std::string, std::size_t> controls, dialects;
+  std::map<std::string, double> sums;
+  std::size_t decided = 0;
+  for (const Guess& guess : guesses) {
+    if (guess.control.empty() && guess.dialect.empty()) continue;
+    decided += guess.decisive;
+    if (!guess.dialect.empty()) ++dialects[guess.dialect];
+    else if (guess.decisive) ++controls[guess.control];
+    for (const auto& [control, score] : guess.scores) sums[control] += score;
+  }
+  const auto agree = [decided](std::size_t count) { return count == decided || (count >= 3 && 4 * count >= 3 * decided); };
+  for (const auto& [control, count] : controls)
+    if (agree(count)) return {control, {}};
+  for (const auto& [dialect, count] : dialects)
+    if (agree(count) && count >= 2) return {{}, dialect};
+  if (decided != 0 || sums.empty()) return {};
+  return {std::min_element(sums.begin(), sums.end(), stands_before<std::pair<const std::string, double>>)->first, {}};
+}
+
+bool may_be(const Guess& guess, const CommonGuess& neighbours, bool same_ending) {
+  constexpr double most_behind = 6;
+  const auto score_in = [](const auto& scores, const std::string& id) {
+    const auto found = std::find_if(scores.begin(), scores.end(), [&](const auto& row) { return row.first == id; });
+    return found == scores.end() ? -decisive_weight : found->second;
+  };
+  if (!neighbours.dialect.empty()) return score_in(guess.dialect_scores, neighbours.dialect) >= (same_ending ? 0 : 1);
+  return score_in(guess.scores, neighbours.control) + most_behind >= score_in(guess.scores, guess.control);
+}
+
+}  // namespace kadr

@@ -1,0 +1,55 @@
+#pragma once
+// The evidence by which texts are recognised: of each control, the section [guess] of its file; of each language that Kadr does not read,
+// controls/dialects.toml.
+
+#include <toml++/toml.h>
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <tl/expected.hpp>
+#include <utility>
+#include <vector>
+
+#include "config/control/guess_pattern.h"
+#include "config/control/guess_traits.h"
+
+namespace kadr {
+
+enum class MarkLocation : std::uint8_t {
+  statement,  // rows of [guess]: the pattern is searched in the blocks
+  comment,    // rows of [guess.comment]: the pattern is searched in the comments
+  name        // rows of [guess.name]: the pattern is searched in the names of the file and its folder
+};
+
+struct GuessMark {
+  std::string pattern;  // the text to find, see guess_pattern.h
+  double weight = 0;    // how strong the evidence is; below 0: evidence against the control
+  MarkLocation place = MarkLocation::statement;
+  LineSigns needs = 0;            // the characters without which the pattern cannot match
+  std::size_t rarest = any_sign;  // the rarest of these characters
+};
+
+/// The evidence for one control or language.
+struct GuessRows {
+  std::string control;           // id of the control, or of the language
+  std::string name_en, name_ru;  // only for a language: its name for people
+  // Only for a language: controls that must not be used for its programs, because Kadr reads these controls differently.
+  std::vector<std::string> refused_by;
+  std::vector<GuessMark> marks;
+  std::vector<std::pair<TextTrait, double>> traits;
+};
+
+/// A mark with this weight identifies the control by itself. For a language, the weights of all evidence must add up to this number.
+inline constexpr double decisive_weight = 10;
+
+/// Reads a section [guess].
+///   returns  on failure, an error sentence: a weight that is not a number from -20 to 20 or is 0, or an unknown trait
+tl::expected<GuessRows, std::string> guess_rows_of(const toml::table& guess, const std::string& file);
+
+/// Returns the rows of the built-in controls, which are read once.
+const std::vector<GuessRows>& built_in_guess_rows();
+/// Returns the rows of the languages that Kadr does not read; they are read once.
+const std::vector<GuessRows>& dialect_rows();
+
+}  // namespace kadr

@@ -1,0 +1,51 @@
+#pragma once
+// The control that .kadr.toml in a folder remembers for the programs of this folder and the folders below it:
+//
+//   control = "haas"              # an id of `kadr controls`, or a control file, relative to this one
+//   [control_for]
+//   "*.ngc" = "linuxcnc"          # as --control-for
+//
+// Only --remember writes it.
+
+#include <functional>
+#include <map>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "base/file_access.h"
+
+namespace kadr {
+
+inline constexpr const char* remembering_file = ".kadr.toml";
+
+/// Reads the .kadr.toml of each folder once.
+class RememberedControls {
+ public:
+  ///   complain  is called with a sentence for each fault in a .kadr.toml
+  ///   door      opens the files; nullptr: the file system. It must outlive this object
+  explicit RememberedControls(std::function<void(const std::string&)> complain, const FileAccess* door = nullptr)
+      : complain_(std::move(complain)), door_(door) {}
+
+  /// Returns the control for a program. The nearest .kadr.toml decides, in the program's folder or above.
+  ///   returns  empty if nothing is remembered
+  std::string of(const std::string& program);
+
+ private:
+  struct Remembered {
+    std::string control;
+    std::vector<std::pair<std::string, std::string>> patterns;
+  };
+  std::optional<Remembered> read(const std::string& file) const;
+
+  std::function<void(const std::string&)> complain_;
+  const FileAccess* door_;
+  std::map<std::string, std::optional<Remembered>> folders_;
+};
+
+/// Writes `control` to the .kadr.toml in the program's folder. Other lines of the file are kept.
+///   returns  an error sentence; empty on success
+std::string save_control_choice(const std::string& control, const std::string& program);
+
+}  // namespace kadr

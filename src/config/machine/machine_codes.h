@@ -1,0 +1,51 @@
+#pragma once
+// MachineCodes: maps the M functions of one control's machine to those of another's, by the tables [convert] of both files.
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "config/control/control_def.h"
+
+namespace kadr {
+
+class MachineCodes {
+ public:
+  /// A row with the id of the other control has priority over a row with an id that the other control extends, and that one over a row with
+  /// "*". The table of `from` has priority over the table of `to`.
+  MachineCodes(const ControlDef& from, const ControlDef& to);
+
+  /// there() returns the M function of `to` for an M function of `from`, here() the reverse. Both return nullopt if no table has the
+  /// function.
+  std::optional<std::uint32_t> there(std::uint32_t code) const;
+  std::optional<std::uint32_t> here(std::uint32_t code) const;
+  /// Two corresponding M codes: `here` on the control `from`, `there` on the control `to`.
+  struct Pair {
+    std::uint32_t here = 0, there = 0;
+  };
+  const std::vector<Pair>& pairs() const { return pairs_; }
+  /// A row that names the other control, but with a code that is neither an M function of its machine nor coolant; nullopt if there is
+  /// none.
+  struct Fault {
+    std::string control;  // the control whose table has the row
+    std::uint32_t code = 0;
+    std::string other;
+    std::uint32_t there = 0;
+  };
+  const std::optional<Fault>& fault() const { return fault_; }
+
+ private:
+  void take(const ControlDef& own, const ControlDef& other, bool own_is_from);
+
+  std::vector<Pair> pairs_;
+  std::optional<Fault> fault_;
+};
+
+/// Returns the row of an M code; nullptr if the control has no such row, or Kadr does not implement the code.
+const CodeRow* machine_row(const ControlDef& def, std::uint32_t code);
+/// is_of_machine(): true for a function of the machine, and for switching coolant.
+bool is_of_machine(const CodeRow& row);
+bool switches_coolant(Function function);
+
+}  // namespace kadr

@@ -1,0 +1,68 @@
+#pragma once
+// MachineProfile: the capabilities of a machine, from machines/*.toml. Times, limits, kinematics and bodies; the control does not use it.
+
+#include <cstdint>
+#include <map>
+#include <string>
+#include <tl/expected.hpp>
+#include <vector>
+
+#include "base/file_access.h"
+#include "base/vec.h"
+#include "config/machine/machine_bodies.h"
+
+namespace kadr {
+
+/// How an axis moves what it carries. Without data in the file, its letter decides: X, U along X …, A about X, B about Y, C about Z.
+struct AxisJoint {
+  bool turns = false;
+  Vec3 direction;  // unit vector of the motion, or of the axis of rotation, with all axes at 0
+  Vec3 through;    // a point of the axis of rotation, machine coordinates, with all axes at 0; the gauge point of the spindle is then {}
+  // If reversed, a positive rotation is left-handed; a positive linear motion moves the tool against `direction`, seen from the part.
+  bool reversed = false;
+  bool rolls_over = false;
+};
+
+struct AxisProfile {
+  double rapid = 10000;   // mm/min or degrees/min
+  double least = -1e300;  // machine coordinate, mm or degrees
+  double most = 1e300;
+  double acceleration = 500;  // mm/s² or degrees/s²; used for sampling and times if nothing else gives one
+  double jerk = 10000;        // mm/s³ or degrees/s³
+  AxisJoint joint{};
+};
+
+/// Which axis carries which ([kinematics]). Each list has axis names from the bed outwards: an axis carries the next one, and the last axis
+/// carries the tool or the part.
+struct AxisChains {
+  std::vector<std::string> tool, part;
+  Vec3 tool_direction{0, 0, 1};  // unit vector from the tip into the spindle, with all axes at 0
+  bool given() const { return !tool.empty() || !part.empty(); }
+};
+
+/// What determines the machine's speed. programmed: the programmed feeds and the rapid rates, as long as the set-up states no
+/// accelerations. control: what a conventional control achieves with the machine's accelerations (docs/motion.md). optimal: the
+/// least-time planner (docs/planner.md).
+enum class PlannerMode : std::uint8_t { programmed, control, optimal };
+
+struct MachineProfile {
+  std::string id = "generic";
+  std::string name_en = "generic three-axis mill";
+  std::string name_ru = "обобщённый фрезерный станок";
+  std::map<std::string, AxisProfile> axes;  // by axis name; axes that are not listed have AxisProfile{}
+  AxisChains chains;
+  std::vector<MachineBody> bodies;
+  double tool_change_s = 10;
+  double spindle_start_s = 0;
+  double most_rpm = 0;      // highest spindle speed, rev/min; 0: not stated
+  double tolerance = 0.01;  // mm by which a corner may be rounded if the program states no tolerance
+  PlannerMode planner = PlannerMode::programmed;
+};
+
+/// `name`: a built-in id, in upper or lower case, or a file that ends with .toml. Returns an error sentence on failure.
+tl::expected<MachineProfile, std::string> load_machine(const std::string& name, const FileAccess* door = nullptr);
+
+/// Returns the ids of the built-in machines.
+std::vector<std::string> built_in_machines();
+
+}  // namespace kadr

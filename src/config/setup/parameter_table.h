@@ -1,0 +1,25 @@
+#pragma once
+// Reads controls/NAME-parameters.toml as rows of parameters (nct 24). Such a table belongs to a control (`parameters = "NAME-parameters"`
+// in its file) and is no control itself.
+
+#include <string>
+#include <string_view>
+#include <tl/expected.hpp>
+#include <vector>
+
+#include "config/control/control_def.h"
+
+namespace kadr {
+
+/// Returns true if a file of controls/ with this name is a parameter table.
+bool is_parameter_table(std::string_view name);
+
+/// Returns the built-in table with this name.
+///   returns  rows sorted by number, those without a number last; on failure, an error sentence with file and line: no such table,
+///            unknown key, wrong scope, type, class or range, duplicate bit
+tl::expected<std::vector<ParameterRow>, std::string> load_parameters(const std::string& name);
+
+/// Like load_parameters(), from TOML text; `file` is the name used in messages.
+tl::expected<std::vector<ParameterRow>, std::string> parse_parameters(std::string_view toml, const std::string& file);
+
+}  // namespace kadr

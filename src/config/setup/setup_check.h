@@ -1,0 +1,26 @@
+#pragma once
+// Checks that each key of a set-up is in the table of keys (config/setup/setup_keys) and exists on the control.
+
+#include <optional>
+#include <set>
+#include <string>
+
+#include "config/json_lines.h"
+#include "config/setup/setup_file.h"
+#include "config/setup/setup_names.h"
+
+namespace kadr {
+
+/// Returns the first fault in the order of the text's keys; nullopt if there is none.
+///   def      nullptr: accept the keys of every control
+///   context  the whole set-up, if `value` is one of several sources: its axes count
+std::optional<SetupFault> fault_of(const nlohmann::json& value, const nlohmann::json& context, const ControlDef* def);
+
+/// Returns the form that a key needs, in words: "a number, 0 to 1"; «число, от 0 до 1».
+SetupNamesOf::Words form_of(const SetupKey& row, SetupRange range);
+
+/// Returns the keys of tool offsets, work offsets and correctors that have a value: "offsets.1.length", "work_offsets.G54", "zeros.1",
+/// "correctors.17". A key with null does not count.
+std::set<std::string> stated_in(const nlohmann::json& setup);
+
+}  // namespace kadr

@@ -1,0 +1,123 @@
+#pragma once
+// The keys of a set-up (--setup FILE.json): one table, one row per key. The check of a file (config/setup/setup_check), its documentation
+// (docs/setup.md) and `kadr explain ID setup` (out/text/explain/setup_page) are generated from it. tests/golden/README.md defines what the
+// keys mean.
+
+#include <cstdint>
+#include <span>
+#include <string_view>
+
+#include "config/setup/setup.h"
+
+namespace kadr {
+
+/// The form of a key's value.
+enum class SetupForm : std::uint8_t {
+  table,           // { … }, with fixed keys or names (SetupNames)
+  tables,          // [ { … }, … ]
+  number,          //
+  whole,           // a whole number
+  flag,            // true, false
+  text,            //
+  one_of,          // one of the words in `words`
+  number_or_text,  // the value of a parameter: a number or a text
+  info,            // info bits of a tool, written as five letters or as a number
+  span,            // [least, most]
+  numbers,         // [1, 2]
+  wholes,          //
+  texts,           // ["X", "Y"]
+  spans,           // [[50, 1000], …]
+};
+
+/// The names that are allowed as keys of a table, or as the text of a value.
+enum class SetupNames : std::uint8_t {
+  fixed,  // only the keys that have rows of their own in the table of keys
+  any,
+  axis,
+  axis_of_any,    // name of an axis of any channel
+  axis_or_all,    // name of an axis, or "*" for all axes
+  axis_or_plane,  // name of an axis, or "G17", "G18", "G19" for a basic rotation
+  offset,         // number of a row of the offset table; the names below, to `channel`, are numbers too
+  corrector,
+  zero,
+  reference_point,
+  spindle,
+  tool_row,
+  tool_form,
+  probe_input,
+  channel,
+  work_offset,  // "G54", "G54.1 P2", "common"
+  variable,     // "#100", "#_ALM", "R2"
+  parameter,    // "N0106.X#1"
+  place,        // place of a tool as magazine/pocket: "10/1"
+  signal,       // name of a signal of the machine's logic
+  shift,        // "G92", "G52"
+};
+
+/// What a control must have so that the key applies to it; its file decides (config/setup/setup_names).
+enum class SetupNeeds : std::uint8_t {
+  nothing,
+  work_offsets,   // work offsets G54 … that are named by their codes
+  zeros,          // work offsets by number, in an order that the codes need not have (2С42: G55 is zero 3)
+  correctors,     // axis correctors
+  variables,      // #n or R0 … R9
+  parameters,     // a parameter table
+  corner_radius,  // variables for the corner radius of the tool offsets
+  turning_lengths,
+  tool_management,
+  clock,
+  ini,  // an ini file with settings of the control (spec/linuxcnc 10.1)
+  probe,
+  diameters,      // axes may be programmed as diameters
+  skip_question,  // the operator may be asked before a block is skipped
+  machine_axes,   // axes, channels, spindles and the machine's logic depend on the machine
+};
+
+enum class SetupUnit : std::uint8_t { none, mm, axis, mm_min, mm_s2, seconds, degrees, rev_min, m_min, percent };
+
+/// The permitted range of a number.
+struct SetupRange {
+  double least = -1e300, most = 1e300;
+  bool by_reader = false;  // the range is one of config/range.h: the reader of the key checks it, with its unit
+};
+
+struct SetupKey {
+  std::string_view path;  // full name of the key: "offsets.*.length"; `*` stands for a name
+  SetupForm form;
+  SetupNames names;  // the names that the keys of a table, or the texts, may have
+  SetupRange range;  // range of the numbers
+  SetupUnit unit;
+  bool null;  // the value null is allowed and means the same as a missing key
+  SetupNeeds needs;
+  std::string_view words;    // the permitted words, separated by blanks; only for one_of
+  std::string_view example;  // JSON
+  std::string_view instead;  // key that another type of control has for the same purpose
+  std::string_view en, ru;
+};
+
+std::span<const SetupKey> setup_keys();
+
+/// Returns the row of a path, written with `*` for names; nullptr if there is none.
+const SetupKey* setup_key(std::string_view path);
+
+/// A signal of the machine's logic that has an effect on the control or the machine (nct).
+struct SetupSignal {
+  std::string_view name, en, ru, manual;
+  bool of_axis = false;  // each axis has such a signal: AP_SYNCR.Z
+};
+std::span<const SetupSignal> setup_signals();
+
+/// The effect of a signal such as "AP_SYNCR.Z" on an axis (nct 20.2 to 20.4). `axis` is empty for any other signal.
+struct AxisSignal {
+  AxisLink link = AxisLink::follows;
+  std::string_view axis;
+};
+AxisSignal axis_signal(std::string_view name);
+
+/// A text in both languages.
+struct SetupWords {
+  std::string_view en, ru;
+};
+SetupWords name_of(SetupUnit unit);
+
+}  // namespace kadr

@@ -1,0 +1,65 @@
+#pragma once
+// Decides which keys of a set-up exist on a control, and which names its tables may have: axes, work systems, numbers. The control's file
+// is the source.
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "config/control/control_def.h"
+#include "config/setup/setup_keys.h"
+
+namespace kadr {
+
+/// Returns true if the control's file has what the key needs.
+bool has(const ControlDef& def, SetupNeeds needs);
+
+/// A work system of the control, by its name in a set-up.
+struct WorkSystem {
+  std::string name;   // "G54", "G54.1 P2"
+  std::uint32_t row;  // row in the table of work offsets or fixtures
+  bool works = true;  // Kadr implements the work system
+};
+std::vector<WorkSystem> work_systems(const ControlDef& def);
+/// Returns the names of the work systems by `row`. Name 0 is the code that selects no work system ("G53"), or empty.
+std::vector<std::string> system_names(const ControlDef& def);
+
+class SetupNamesOf {
+ public:
+  /// `def`: nullptr for all controls. `axes`: of the program's channel; `all_axes`: of all channels.
+  SetupNamesOf(const ControlDef* def, std::vector<std::string> axes, std::vector<std::string> all_axes);
+
+  bool knows(const SetupKey& row) const { return def_ == nullptr || has(*def_, row.needs); }
+  bool allows(SetupNames kind, std::string_view name) const;
+  /// Returns all names of this kind, from which a suggestion is chosen; empty if the names are numbers or have a fixed form.
+  std::vector<std::string> all(SetupNames kind) const;
+  /// A text in both languages. form(): "named by a whole number, 1 to 9"; "named common, G54 or …".
+  struct Words {
+    std::string en, ru;
+  };
+  Words form(SetupNames kind) const;
+  /// Returns one parameter name of each form that the control's table has, for messages and pages: N5114, N5200#1, N1006.X.
+  std::vector<std::string> forms_of_parameters() const;
+  /// Returns the word for a name of this kind: "axis", «оси».
+  static SetupWords kind_name(SetupNames kind);
+  /// Returns true for a work system that the control has, but that Kadr does not support yet.
+  bool unsupported(SetupNames kind, std::string_view name) const;
+  /// Returns the form that the value of a parameter needs, if it is not valid. `text`: the value is given as text.
+  std::optional<Words> parameter_fault(std::string_view name, double value, bool text) const;
+  /// Returns the range that the numbers of this key have on this control.
+  SetupRange range(const SetupKey& row) const;
+  const ControlDef* control() const { return def_; }
+
+ private:
+  struct Numbers {
+    int least, most;
+  };
+  Numbers numbers(SetupNames kind) const;
+
+  const ControlDef* def_;
+  std::vector<std::string> axes_, all_axes_;
+  std::vector<WorkSystem> systems_;
+};
+
+}  // namespace kadr

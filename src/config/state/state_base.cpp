@@ -1,0 +1,113 @@
+// The SQLite database behind a state file: connection, marks, errors in words. Used by config/state/state_content.
+
+#include "config/state/state_base.h"
+
+#include <cstdlib>
+#include <filesystem>
+
+#include "config/language.h"
+#include "config/read_file.h"
+
+namespace kadr::state {
+namespace {
+
+namespace fs = std::filesystem;
+
+// Small pages: a save writes only the pages that it changes. A merge of the log flushes the disk, so it is rare (state_file.cpp).
+constexpr const char* before_opening = "PRAGMA page_size = 1024; PRAGMA locking_mode = EXCLUSIVE; PRAGMA trusted_schema = OFF";
+
+}  // namespace
+
+void bind_text(sqlite3_stmt* statement, int index, std::string_view text) {
+  sqlite3_bind_text(statement, index, text.data(), static_cast<int>(text.size()), SQLITE_STATIC);
+}
+
+std::string_view text_at(sqlite3_stmt* statement, int column) {
+  const auto* const text = reinterpret_cast<const char*>(sqlite3_column_text(statement, column));
+  return {text == nullptr ? "" : text, static_cast<std::size_t>(sqlite3_column_bytes(statement, column))};
+}
+
+Base::~Base() {
+  sqlite3_close(connection_);
+  if (merges_ || had_log_) return;
+  std::error_code none;  // opening a database already creates an empty log
+  const std::string log = path_ + "-wal";
+  if (fs::exists(log, none) && fs::file_size(log, none) == 0) fs::remove(log, none);
+}
+
+Done Base::connect() {
+  std::error_code none;
+  had_log_ = fs::exists(path_ + "-wal", none);
+  const std::string name = path_[0] == '/' ? path_ : "./" + path_;  // the prefix keeps SQLite from interpreting ":memory:" and "file:…"
+  constexpr int how = SQLITE_OPEN_READWRITE | SQLITE_OPEN_NOMUTEX;
+  if (const int code = sqlite3_open_v2(name.c_str(), &connection_, how, nullptr); code != SQLITE_OK) return failed(code);
+  merges(false);
+  if (sqlite3_db_readonly(connection_, "main") == 1) return failed(SQLITE_READONLY);
+  if (const int code = run(before_opening); code != SQLITE_OK) return failed(code);
+  if (const int code = run("BEGIN EXCLUSIVE"); code != SQLITE_OK) return failed(code);
+  return {};
+}
+
+void Base::merges(bool may) {
+  merges_ = may;
+  sqlite3_db_config(connection_, SQLITE_DBCONFIG_NO_CKPT_ON_CLOSE, may ? 0 : 1, nullptr);
+}
+
+SqlStatement Base::prepared(const char* statement) const {
+  sqlite3_stmt* made = nullptr;
+  sqlite3_prepare_v3(connection_, statement, -1, SQLITE_PREPARE_PERSISTENT, &made, nullptr);
+  return SqlStatement(made);
+}
+
+std::optional<std::string> Base::answer(const char* question) const {
+  const SqlStatement statement = prepared(question);
+  if (!statement || sqlite3_step(statement.get()) != SQLITE_ROW) return std::nullopt;
+  return std::string(text_at(statement.get(), 0));
+}
+
+int Base::version() const { return std::atoi(answer("PRAGMA user_version").value_or("0").c_str()); }
+
+tl::unexpected<std::string> Base::error(const std::string& en, const std::string& ru) const {
+  return tl::unexpected(name_ + " " + told(en, ru));
+}
+
+tl::unexpected<std::string> Base::failed(int code) const {
+  const int system_error = sqlite3_system_errno(connection_);
+  const std::string why = system_error == 0 ? "" : ": " + errno_message(system_error);
+  const std::string sqlite = sqlite3_errstr(code & 0xFF);
+  switch (code & 0xFF) {
+    case SQLITE_BUSY:
+    case SQLITE_LOCKED: return error("is in use by another process", "занят другим процессом");
+    case SQLITE_NOTADB: return tl::unexpected(no_state_file_message(name_));
+    case SQLITE_READONLY:
+    case SQLITE_PERM: return error("cannot be written: it is read-only", "не записывается: открыт только для чтения");
+    case SQLITE_CANTOPEN: return error("cannot be opened" + why, "не открывается" + why);
+    case SQLITE_FULL: return error("cannot be written: the disk is full", "не записывается: диск полон");
+    case SQLITE_IOERR: return error("cannot be read or written: " + sqlite, "не читается или не записывается: " + sqlite);
+    case SQLITE_CORRUPT:
+    case SQLITE_ERROR:
+    case SQLITE_CONSTRAINT:
+    case SQLITE_MISMATCH: return error("is damaged", "повреждён");
+    default: return error("cannot be used: " + sqlite, "непригоден: " + sqlite);
+  }
+}
+
+std::string no_state_file_message(const std::string& name) {
+  return name + " " + told("is no state file of Kadr", "не является файлом состояния Kadr");
+}
+
+Done vetted(const std::string& path) {
+  const auto error = [&](const std::string& en, const std::string& ru) { return tl::unexpected(path + " " + told(en, ru)); };
+  if (path.empty()) return tl::unexpected(told("the state file has no name", "не задано имя файла состояния"));
+  if (const std::string kind = file_type_in_words(path); !kind.empty())
+    return error("is " + kind + ", not a file", "— это " + kind + ", а не файл");
+  std::error_code none;  // reads attributes only and does not open the file: closing it would release the locks of this process
+  const std::uintmax_t size = fs::file_size(path, none);
+  if (!none && size == 0)
+    return error("is empty: no state file of Kadr. A new one is made where there is none: remove it, if nobody else needs it",
+                 "пуст: это не файл состояния Kadr. Новый создаётся там, где файла нет: удалите этот, если он никому не нужен");
+  if (!none && size > max_bytes) return error("is too long for a state", "слишком длинный для файла состояния");
+  return {};
+}
+
+}  // namespace kadr::state

@@ -1,0 +1,87 @@
+#pragma once
+// The SQLite database behind a state file: connection, marks, errors in words. Only state_*.cpp use it.
+
+#include <sqlite3.h>
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <tl/expected.hpp>
+
+namespace kadr::state {
+
+using Done = tl::expected<void, std::string>;
+
+inline constexpr int application_id = 0x4B616472;  // "Kadr"
+inline constexpr int major_version = 2;            // changes if an older Kadr must not read the file; version 1 had no checksums
+inline constexpr int minor_version = 0;            // changes if there is additional data that an older version ignores
+inline constexpr int minors_of_major = 1000;
+inline constexpr std::uintmax_t max_bytes = 256u << 20;  // greatest size of a state file; one with all tables full has 1 MB
+
+/// The statements that create the tables, by version. A file with any other table is not a state file.
+inline constexpr const char* about_table = "CREATE TABLE about (name TEXT PRIMARY KEY, value NOT NULL) WITHOUT ROWID";
+inline constexpr const char* state_table =
+    "CREATE TABLE state (kind TEXT, key TEXT, value NOT NULL, turn INTEGER NOT NULL, rows INTEGER NOT NULL, whole INTEGER NOT NULL, "
+    "sum INTEGER NOT NULL, PRIMARY KEY (kind, key)) WITHOUT ROWID";
+inline constexpr const char* put_row =
+    "INSERT INTO state VALUES (?, ?, ?, ?, ?, ?, ?) ON CONFLICT DO UPDATE SET value = excluded.value, turn = excluded.turn, "
+    "rows = excluded.rows, whole = excluded.whole, sum = excluded.sum";
+inline constexpr const char* about_table_1 = "CREATE TABLE about (name TEXT PRIMARY KEY, value TEXT NOT NULL) WITHOUT ROWID";
+inline constexpr const char* state_table_1 =
+    "CREATE TABLE state (kind TEXT, key TEXT, value NOT NULL, PRIMARY KEY (kind, key)) WITHOUT ROWID";
+
+struct Finalize {
+  void operator()(sqlite3_stmt* statement) const { sqlite3_finalize(statement); }
+};
+using SqlStatement = std::unique_ptr<sqlite3_stmt, Finalize>;
+
+void bind_text(sqlite3_stmt* statement, int index, std::string_view text);  // the text must live until the statement is reset
+std::string_view text_at(sqlite3_stmt* statement, int column);
+
+class Base {
+ public:
+  /// `path` is the file to open, `name` is used in messages: for a copy, the name of the original.
+  Base(std::string path, std::string name) : path_(std::move(path)), name_(std::move(name)) {}
+  explicit Base(const std::string& path) : Base(path, path) {}
+  Base(const Base&) = delete;
+  Base& operator=(const Base&) = delete;
+  ~Base();
+
+  /// Opens the existing file and locks it. As long as merges(false) applies, the file is not changed, not even by closing.
+  Done connect();
+  void merges(bool may);  // says whether closing may merge the log into the file
+  /// Call let_go() if the path now means another file: closing then leaves that other file and its log alone.
+  void let_go() {
+    merges(false);
+    had_log_ = true;
+  }
+
+  SqlStatement prepared(const char* statement) const;
+  /// Returns the first column of the first row as text; nullopt if there is none, or it cannot be read.
+  std::optional<std::string> answer(const char* question) const;
+  int run(const char* statements) const { return sqlite3_exec(connection_, statements, nullptr, nullptr, nullptr); }
+  int last_error() const { return sqlite3_extended_errcode(connection_); }
+  bool in_transaction() const { return sqlite3_get_autocommit(connection_) == 0; }
+  int version() const;  // major and minor version as one number
+
+  tl::unexpected<std::string> error(const std::string& en, const std::string& ru) const;
+  /// Returns the sentence for a result code of SQLite.
+  tl::unexpected<std::string> failed(int code) const;
+
+ private:
+  std::string path_, name_;
+  sqlite3* connection_ = nullptr;
+  bool had_log_ = false;
+  bool merges_ = false;
+};
+
+/// Returns "… is no state file of Kadr".
+std::string no_state_file_message(const std::string& name);
+
+/// Checks the file without opening it: the path is not empty, and the file is regular, not empty, and not too large. Never blocks.
+///   returns  on failure, an error sentence
+Done vetted(const std::string& path);
+
+}  // namespace kadr::state

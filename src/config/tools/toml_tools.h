@@ -1,0 +1,56 @@
+#pragma once
+// Common functions of the readers of TOML files: built-in texts, merging for `extends`, messages with a location.
+
+#include <toml++/toml.h>
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <tl/expected.hpp>
+#include <vector>
+
+#include "config/control/control_def.h"
+#include "config/range.h"
+
+namespace kadr::toml_tools {
+
+/// Returns the text of a built-in file ("controls/gost.toml").
+std::optional<std::string_view> embedded_text(std::string_view name);
+
+/// Returns the table of a built-in TOML file. Its nodes have no positions.
+std::optional<toml::table> embedded_table(std::string_view name);
+
+/// Parses TOML text; `file` is the name used in messages.
+///   returns  on failure, an error sentence with file, line and column: not TOML, or beyond the limits of config/toml_scan.h
+tl::expected<toml::table, std::string> parsed(std::string_view text, const std::string& file);
+
+/// Merges `over` into `under`: tables key by key; anything else is replaced.
+void merge(toml::table& under, toml::table&& over);
+
+/// Returns "file:line: ".
+std::string place(const std::string& file, const toml::node& node);
+
+/// Returns "file:line: " for a key of a row, or for the row if the key is missing. The key may come from another file than the row.
+std::string place(const std::string& file, const toml::table& row, std::string_view key);
+
+Text text_of(const toml::table& row);
+
+/// Reads the number of a key, which must be in the range; `to` is unchanged if the key is missing.
+///   returns  on failure, an error sentence with file and line: "machine.toml:3: rapid must be a number, 0.001 to 1e9 mm/min"
+tl::expected<void, std::string> number(const std::string& file, const toml::table& row, std::string_view key, const NumberRange& range,
+                                       double& to);
+
+/// Reads [least, most], both in the range, the second above the first.
+tl::expected<void, std::string> span(const std::string& file, const toml::table& row, std::string_view key, const NumberRange& range,
+                                     double& least, double& most);
+
+/// Returns the name of `names` that `word` was probably meant to be; empty if there is none. Up to a third of the letters may be wrong.
+std::string_view nearest(std::string_view word, const std::vector<std::string_view>& names);
+
+/// Returns the value of a key (string, number or bool), or `otherwise` if the key is missing.
+template <class T>
+T value_or(const toml::table& row, std::string_view key, T otherwise) {
+  return row[key].value_or(otherwise);
+}
+
+}  // namespace kadr::toml_tools

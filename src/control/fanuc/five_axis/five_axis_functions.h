@@ -1,0 +1,68 @@
+#pragma once
+// Five-axis functions (chapter 25 of the NCT manual): frames in space, orienting the rotary axes to the tool direction, tool centre point
+// control (spec/nct/25a to 25l).
+
+#include <memory>
+#include <optional>
+
+#include "action/placement.h"
+#include "base/result.h"
+#include "control/fanuc/state/five_axis_state.h"
+
+namespace kadr {
+class BlockContext;
+class Emitter;
+class FiveAxisTransform;
+struct Call;
+struct Motion;
+enum class MotionKind : std::uint8_t;
+}  // namespace kadr
+
+namespace kadr::fanuc {
+
+/// Returns the transformation between work and machine coordinates that the codes in force define. Returns `before` if nothing has
+/// changed, and nullptr for a machine without five-axis kinematics while no programming frame in space is on.
+std::shared_ptr<const WorkTransform> five_axis_transform(const Emitter& m, const std::shared_ptr<const WorkTransform>& before);
+/// Sets the frames by the codes in force: origin, length, rotation and space (10, 25). Called by refresh_frames().
+void refresh_space(Emitter& m);
+const FiveAxisTransform* space_of(const BlockContext& m);
+
+/// Makes the block's motion also position the main axes X, Y, Z, at their last programmed coordinates, so that a new length or work
+/// offset takes effect (25h).
+void take_up(BlockContext& m, const Axes& programmed_before);
+/// Notes which rotary axes the block positions. Once all rotary axes have been positioned, the basic rotation of the work system tilts
+/// the tool too (25.20). Must be called before the target of the motion is used.
+void note_positioned(Emitter& m, AxisMask named);
+
+/// Prepares a block before it is planned. Replaces the words I J K of G43.5, G43.9 by words of the rotary axes, and reads and removes ,L2
+/// I J K. Closes the definition of a G68.2 P2, P3 plane after its last block. Raises an alarm for codes that cannot be combined with tool
+/// centre point control.
+///   alarms  lead_words, direction_zero, direction_unreachable, lead_state, and those of finish_plane()
+Status five_axis_block(Emitter& m);
+/// True if every block must go through five_axis_block().
+bool watches_words(const BlockContext& m);
+/// True if this block must go through five_axis_block(): it may have codes that cannot be combined with tool centre point control.
+bool watches_codes(const BlockContext& m);
+/// True if a straight motion must go through tip_control_line(): posture or cutting point control determines the path of the tool tip, or
+/// the basic rotation of the work system tilts the tool.
+bool leads_lines(const BlockContext& m);
+Status tip_control_line(Emitter& m, const Call& call, MotionKind kind);
+/// Completes a motion that was just added in tool centre point control with the data of its tip path (25.16, 25.17).
+///   alarms  lead_angle, normal_missing
+Status lead_motion(BlockContext& m, Motion& motion, const Axes& from);
+
+/// Must be called for each block while G68.2 P2 or P3 defines a plane. The first block of another kind closes the definition; if the
+/// definition is incomplete, that is an alarm.
+Status finish_plane(BlockContext& m);
+/// Executes an H word: puts its tool length into force (25b, 25h).
+void register_lead_length(BlockContext& m, double length);
+/// Executes a D word: sets tool radius and corner radius for cutting point control (25.17).
+void note_lead_radius(BlockContext& m);
+/// Checks that G49 may end tool centre point control: only with G0 or G1 (25.14; INFERRED: in the modes of 25.17 too). alarms lead_mode
+Status may_end_lead(const BlockContext& m, const Call& call);
+/// Ends G43.1 to G43.9. Called for G49, G43, G44, G43.7.
+void end_lead(BlockContext& m);
+/// Ends every five-axis function, as G49, G69.1 and G54 do; used by a reset.
+void reset_five_axis(BlockContext& m);
+
+}  // namespace kadr::fanuc

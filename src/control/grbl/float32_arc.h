@@ -1,0 +1,37 @@
+#pragma once
+// Computes an arc as Grbl does: the result of each operation is rounded to 32 bits, as by the C compiler of the AVR processor, where a
+// double is a float (spec/grbl 5.2 to 5.4; gcode.c, mc_arc). The rounding has visible effects in three cases:
+//
+//   an arc with R far from machine zero: with the chord (x, y), the centre depends on the square root of 4R² − x² − y², which is a
+//     difference of rounded squares
+//   a short arc of a large circle: its angle is computed as less than 5e-7 rad, so Grbl adds a whole revolution
+//   a full circle: its angle is computed as more than 5e-7 rad in the arc's direction, so Grbl adds no revolution and hardly moves
+
+#include <array>
+#include <cstdint>
+
+#include "base/vec.h"
+#include "control/block/arc.h"
+
+namespace kadr::grbl {
+
+/// A point of the active plane in machine coordinates, mm.
+using Float32Pair = std::array<float, 2>;
+
+struct Float32Arc {
+  enum class Answer : std::uint8_t { moves, radius_small, radius_wrong };  // radius_small is Grbl's error:34, radius_wrong its error:33
+  Answer answer = Answer::moves;
+  Vec2 offset;       // from the start to the rounded centre, mm
+  double turns = 0;  // swept angle / 360, positive
+  int segments = 0;  // number of segments; 0: a straight line to the end point
+  float radius = 0;  // mm, the radius from which the number of segments is computed
+  float other = 0;   // for the alarm, mm: radius at the end point (radius_wrong), or half the chord (radius_small)
+};
+
+/// Computes the arc given by I, J, K. `tolerance`: setting $12, mm.
+Float32Arc float32_arc_by_center(Float32Pair from, Float32Pair to, Float32Pair offset, Turn turn, float tolerance);
+
+/// Computes the arc given by R. If R is negative, the result is the longer of the two possible arcs.
+Float32Arc float32_arc_by_radius(Float32Pair from, Float32Pair to, float radius, Turn turn, float tolerance);
+
+}  // namespace kadr::grbl

@@ -1,0 +1,35 @@
+#pragma once
+// Turning cycles G70 to G72: the profile is in a subprogram, whose blocks are read without moving the tool; then the cycle is executed
+// (spec/linuxcnc 7.2; convert_g7x of the source).
+
+#include <cstddef>
+#include <cstdint>
+
+#include "base/result.h"
+#include "control/linuxcnc/turning/turning_passes.h"
+
+namespace kadr {
+class BlockContext;
+class Emitter;
+}  // namespace kadr
+
+namespace kadr::linuxcnc {
+
+/// A turning cycle whose profile is being read.
+struct TurningCycle {
+  std::int32_t code = 0;  // G code in tenths: 711 is G71.1
+  std::size_t depth = 0;  // number of open calls at the block with the cycle
+  bool absolute = true, centers_absolute = false;
+  TurningWords words;
+  Profile profile;
+  Point at;  // end point of the profile read so far
+  std::int32_t motion = 0;
+  Span where;
+};
+
+/// Adds the present block of the subprogram to the profile.
+Status take_profile_block(BlockContext& m);
+/// Computes the motions after the profile is complete, and starts them.
+Status run_turning(Emitter& m);
+
+}  // namespace kadr::linuxcnc

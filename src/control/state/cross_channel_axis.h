@@ -1,0 +1,19 @@
+#pragma once
+// CrossChannelAxis: an axis that is coupled to, or exchanged with, an axis of another channel (spec/nct/20 20.2, 20.3). The session
+// exchanges the positions between the channels (session/axis_links).
+
+#include <cstddef>
+
+#include "config/setup/setup.h"
+
+namespace kadr {
+
+struct CrossChannelAxis {
+  std::size_t axis = 0;               // index in this channel
+  int other = 0;                      // number of the other axis; the numbers are unique across the channels
+  AxisLink link = AxisLink::follows;  // follows the other axis, or is exchanged with it
+  double sign = 1;                    // +1 or -1: direction in which the axis follows the other axis
+  friend bool operator==(const CrossChannelAxis&, const CrossChannelAxis&) = default;
+};
+
+}  // namespace kadr

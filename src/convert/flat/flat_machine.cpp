@@ -1,0 +1,101 @@
+// Writes motions to machine positions: G53, G28, G30. Part of convert/flat/flat_program; tested by tests/convert_open.py.
+
+#include <algorithm>
+
+#include "convert/flat/flat_program.h"
+
+namespace kadr {
+
+/// True if the control has no modal code that cancels the work offsets, only G53 for a single block.
+bool FlatProgram::has_no_zeroless_system() const { return row_that_does(blocks_.def(), {{Function::work_zero, 0}}) == nullptr; }
+
+namespace {
+
+constexpr std::initializer_list<Wanted> machine_codes = {
+    {Function::machine_coordinates, any_argument}, {Function::machine_block, any_argument}, {Function::machine_move, any_argument}};
+
+const CodeRow* reference_code(const ControlDef& def, int point) {
+  const int row = std::min(point, 2);  // row number of the code: G28, G30
+  const CodeRow* const found = row_that_does(
+      def,
+      {{Function::reference_return, row}, {Function::home_through, row}, {Function::reference_move, row}, {Function::stored_move, row}});
+  return found != nullptr && (point <= 2 || found->function == Function::reference_return) ? found : nullptr;
+}
+
+}  // namespace
+
+/// True if the target control has a modal code that cancels the work offset (G53 of the 2С42 and of GOST): its words are then machine
+/// coordinates, except for the tool length.
+bool FlatProgram::is_without_zero(const Motion& motion) const {
+  return way_ != FlatForm::plain && motion.end_reference == EndReference::by_machine &&
+         row_that_does(blocks_.def(), machine_codes) == nullptr && !has_no_zeroless_system();
+}
+
+Status FlatProgram::motion_without_zero(Function function, const Motion& motion) {
+  const CodeRow* const with_zero = row_that_does(blocks_.def(), {{Function::work_zero, motion.system}});
+  if (motion.system != 0 && with_zero == nullptr) return no_code("machine_coordinates");
+  if (relative_) KADR_TRY(blocks_.code({{Function::absolute, any_argument}}));
+  KADR_TRY(blocks_.code({{Function::work_zero, 0}}));
+  KADR_TRY(blocks_.end());
+  KADR_TRY(motion_code(function));
+  for (std::size_t a = 0; a < axes_.size() && a < max_axes; ++a) {
+    if ((motion.named >> a & 1U) == 0) continue;
+    const auto letter = letter_of(a);
+    if (!letter) return no_code(axes_[a].c_str());
+    KADR_TRY(blocks_.word(*letter, motion.machine[a] - placement_.length[a]));
+  }
+  KADR_TRY(blocks_.end());
+  if (relative_) KADR_TRY(blocks_.code({{Function::incremental, any_argument}}));
+  return motion.system == 0 ? Status() : blocks_.code({{Function::work_zero, motion.system}});
+}
+
+bool FlatProgram::is_in_machine(const Motion& motion) const {
+  if (motion.end_reference == EndReference::by_machine && row_that_does(blocks_.def(), machine_codes) != nullptr) return true;
+  return way_ != FlatForm::plain && source_.has_systems && motion.system == 0 && has_no_zeroless_system();
+}
+
+/// True if G1 can move in machine coordinates too.
+bool FlatProgram::cuts_in_machine() const {
+  return row_that_does(blocks_.def(), {{Function::machine_coordinates, any_argument}, {Function::machine_block, any_argument}}) != nullptr;
+}
+
+Status FlatProgram::machine_motion(Function function, const Motion& motion) {
+  if (relative_) KADR_TRY(blocks_.code({{Function::absolute, any_argument}}));
+  KADR_TRY(blocks_.code(machine_codes));
+  if (cuts_in_machine()) KADR_TRY(motion_code(function));
+  for (std::size_t a = 0; a < axes_.size() && a < max_axes; ++a) {
+    if ((motion.named >> a & 1U) == 0) continue;
+    const auto letter = letter_of(a);
+    if (!letter) return no_code(axes_[a].c_str());
+    KADR_TRY(blocks_.word(*letter, motion.machine[a]));
+  }
+  if (!relative_) return {};
+  KADR_TRY(blocks_.end());
+  return blocks_.code({{Function::incremental, any_argument}});
+}
+
+bool FlatProgram::is_by_reference(const Motion& motion) const {
+  const int point = reference_of(motion.end_reference);
+  return point != 0 && reference_code(blocks_.def(), point) != nullptr;
+}
+
+/// Writes a reference point motion over an intermediate point 0 increments away: straight to the reference point of the machine.
+Status FlatProgram::reference_motion(const Motion& motion) {
+  const int point = reference_of(motion.end_reference);
+  const CodeRow* const row = reference_code(blocks_.def(), point);
+  if (!relative_) KADR_TRY(blocks_.code({{Function::incremental, any_argument}}));
+  KADR_TRY(blocks_.code({{row->function, row->arg}}));
+  if (point > 1 && row->function == Function::reference_return) KADR_TRY(blocks_.word('P', point));
+  for (std::size_t a = 0; a < axes_.size() && a < max_axes; ++a) {
+    if ((motion.named >> a & 1U) == 0) continue;
+    const auto letter = letter_of(a);
+    if (!letter) return no_code(axes_[a].c_str());
+    KADR_TRY(blocks_.word(*letter, 0));
+  }
+  code_ = Function::count;
+  if (relative_) return {};
+  KADR_TRY(blocks_.end());
+  return blocks_.code({{Function::absolute, any_argument}});
+}
+
+}  // namespace kadr

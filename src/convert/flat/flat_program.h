@@ -1,0 +1,181 @@
+#pragma once
+// FlatProgram: writes the actions of a run of the source program as flat blocks of the target control: single motions and codes, without
+// calls, loops, canned cycles and variables. It does not check the result; the proof checks that both programs do the same
+// (convert/conversion).
+
+#include <array>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "action/action.h"
+#include "action/tool_position.h"
+#include "compare/path_modes.h"
+#include "convert/block_maker.h"
+
+namespace kadr {
+
+/// How the path is expressed in flat blocks.
+enum class FlatForm : std::uint8_t {
+  contours,  // as programmed: cutter compensation, tool lengths and work offsets are codes
+  lengths,   // cutter compensation is applied to the coordinates; tool lengths and work offsets are codes
+  plain,     // all offsets are applied: the words are machine coordinates
+  places,    // like `contours`, for ranges between rewritten blocks, which may have put shifts in force: coordinates as programmed
+  centres,   // like `places`, with cutter compensation applied to the coordinates
+};
+
+/// The rows of the offset tables that are in force.
+struct OffsetsInForce {
+  std::int8_t length_sign = 0;      // +1 (G43), -1 (G44); 0: no length compensation
+  std::uint32_t length_number = 0;  // number of the length offset: H, or the word that the control uses for it
+  std::uint32_t radius_number = 0;  // number of the radius offset: D
+  friend bool operator==(const OffsetsInForce&, const OffsetsInForce&) = default;
+};
+
+/// The modes that the preceding rewritten blocks have put in force.
+struct FlatBefore {
+  bool incremental = false, inch = false;
+  bool exact = false;  // exact stop mode is in force
+  CornerSpeed corners = CornerSpeed::limited;
+};
+
+/// Properties of the source program that its actions do not contain.
+struct FlatSource {
+  std::vector<std::string> axes;  // axis names
+  std::map<int, Axes> zeros;      // work offsets of the set-up, by number of the work system
+  bool has_systems = true;        // the source control has work systems
+  bool same_messages = true;      // both controls display messages in the same way, without a code; false: messages become comments
+  std::map<std::uint32_t, std::uint32_t> machine_codes{};  // M functions that have another number on the target control, by both tables
+  std::array<std::optional<std::uint32_t>, 3> coolants{};  // target control's M codes by Coolant, if its tables state them
+  std::vector<std::string> systems{};                      // work system codes of the target control, by number: "G54", "G54.1 P1"
+};
+
+class FlatProgram {
+ public:
+  FlatProgram(BlockMaker& blocks, FlatSource source, FlatForm way)
+      : blocks_(blocks), source_(std::move(source)), axes_(source_.axes), way_(way), modes_(path_modes_of(blocks.def())) {}
+
+  ///   stand  position of the axes at the beginning; `placement` contains the work offset in force
+  Status begin(const ToolPosition& stand, const Placement& placement);
+  /// Writes an action.
+  ///   alarms  function_has_no_code  the target control has no code for it
+  ///           word_has_no_room
+  Status take(const Action& action, const OffsetsInForce& now);
+  /// Ends the output for one block of the source program.
+  Status end_block();
+  Status finish();
+
+  /// Call it for an action that other blocks express: only tracks the state after it.
+  void pass(const Action& action);
+  /// Begins flat blocks after rewritten blocks.
+  ///   before, now  modes and offsets that the rewritten blocks have put in force
+  Status open(const FlatBefore& before, const OffsetsInForce& now);
+  /// Call it if only the flat blocks, and no rewritten ones, select the work system from here on.
+  void system_changes() { system_is_written_ = false; }
+  /// Ends flat blocks: restores the modes that the source program has in force here, since the rewritten blocks that follow rely on them.
+  Status close(const FlatBefore& after);
+  /// Allows motions after a probe motion: the caller checks whether their coordinates depend on what the probe touched.
+  void allow_after_probe() { after_probe_allowed_ = true; }
+  bool has_probed() const { return has_probed_; }
+  /// Returns the work system that all motions in work coordinates use; nullopt if there are several or none.
+  std::optional<std::uint16_t> counts_from() const { return counts_from_several_ ? std::nullopt : counts_from_; }
+  /// Number of motions written so far.
+  std::size_t motions() const { return motions_; }
+
+ private:
+  static Status no_code(const char* what);
+  Status motion(const Motion& motion, const OffsetsInForce& now);
+  Status write_before_motion(const Motion& motion, const OffsetsInForce& now);
+  Status write_with_motion(const Motion& motion, const OffsetsInForce& now);
+  Status straight(Function function, const Motion& motion);
+  Status axis_words(const Motion& motion);
+  Status arc(const Motion& motion);
+  struct Arms {
+    double begin = 0, end = 0;  // radii at the beginning and the end of a spiral, mm
+  };
+  bool is_spiral(const Arms& arms) const;
+  Status spiral(const Motion& motion, Vec2 centre, const Arms& arms);
+  Status one_arc(Function function, const Motion& motion, Vec2 centre, const Axes& to, int turns);
+  bool is_written_by_lead(const Motion& motion, int turns) const;
+  double rise_of(std::size_t axis, const Axes& to) const;
+  bool has_no_zeroless_system() const;
+  bool is_in_machine(const Motion& motion) const;
+  bool cuts_in_machine() const;
+  Status machine_motion(Function function, const Motion& motion);
+  bool is_without_zero(const Motion& motion) const;
+  Status motion_without_zero(Function function, const Motion& motion);
+  bool is_by_reference(const Motion& motion) const;
+  Status reference_motion(const Motion& motion);
+  void note_system(const Motion& motion);
+  Status motion_code(Function function);
+  Status feed(const Motion& motion);
+  Status feed_unit(FeedUnit unit);
+  bool has_stop_modes() const;
+  Status stop_mode(bool exact);
+  Status end_of_motion(bool exact);
+  Status rounding(const Motion& motion);
+  Status corners(const Motion& motion);
+  Status corner_mode(CornerSpeed corners);
+  Status smoothing(const Motion& motion);
+  Status smoothing_mode(std::uint8_t smoothing);
+  Status spindle(const Spindle& spindle);
+  Status spindle_on();
+  Status speed(const Speed& speed);
+  Status tool(std::uint32_t number, std::uint32_t corrector, bool change);
+  Status tool_by_hand(std::uint32_t number);
+  Status coolant(Coolant what);
+  bool is_length_by_word() const;
+  Status length_by_word(const OffsetsInForce& now);
+  Status dwell(double seconds);
+  Status stop(const Stop& stop);
+  Status message(const Message& message);
+  Status machine_code(std::uint32_t code);
+  std::optional<char> letter_of(std::size_t axis) const;
+
+  Axes written_position(const Axes& zero) const;
+  double word_of(std::size_t axis, double to, double zero) const { return relative_ ? to - at_[axis] : to - zero; }
+  bool is_by_codes() const { return way_ == FlatForm::contours || way_ == FlatForm::places; }
+  bool is_between() const { return way_ == FlatForm::places || way_ == FlatForm::centres; }
+  /// Machine coordinates of the origin of the words in the target text.
+  Axes base() const;
+
+  BlockMaker& blocks_;
+  const FlatSource source_;
+  const std::vector<std::string>& axes_;
+  const FlatForm way_;
+  const PathModes modes_;  // path modes of the target control
+
+  Axes at_{};  // position in machine coordinates
+  Placement placement_;
+  AxisMask known_ = 0;
+  Function code_ = Function::count;
+  std::optional<FeedUnit> unit_;                 // feed unit in force in the target text
+  FeedUnit source_unit_ = FeedUnit::mm_per_min;  // feed unit in force in the source program
+  double feed_ = -1;
+  int plane_ = 17;
+  std::uint16_t system_ = 0;
+  std::int8_t side_ = 0;
+  OffsetsInForce said_;
+  std::uint32_t selected_ = 0;
+  std::size_t motions_ = 0;
+  std::optional<std::uint16_t> counts_from_;
+  bool counts_from_several_ = false;
+  Axes written_origin_{};  // origin of the work system in the target text, with the shifts that the rewritten blocks have put in force
+  bool after_probe_allowed_ = false;
+  bool has_probed_ = false;  // later coordinates may depend on what the probe touched: they would be wrong in another run
+  bool system_is_written_ = true;
+  bool relative_ = false;  // incremental programming is in force in the target text
+  double rpm_ = -1;
+  SpindleDir turns_ = SpindleDir::stop;
+  Coolant coolant_ = Coolant::off;
+  double written_length_ = 0;  // mm; on a control that states the tool length itself as a word
+  bool surface_ = false, has_acts_ = false;
+  bool is_exact_ = false;  // exact stop mode is in force in the target text
+  double tolerance_ = 0;   // mm by which corners may be rounded (G64 P)
+  CornerSpeed corners_ = CornerSpeed::limited;
+  std::uint8_t smoothing_ = 0, smoothing_before_ = 0;  // Q of G5.1, in the flat blocks and in the rewritten blocks before them
+  bool wants_direction_ = false;                       // the block has an S word, so it needs M3 or M4 too
+};
+
+}  // namespace kadr

@@ -1,0 +1,38 @@
+#pragma once
+// FlatPlaces: expands ranges of lines into flat blocks (single motions) of the target control; the lines between them are rewritten. The
+// program is run, and each action in these ranges is written (convert/flat/flat_program). A range that does the same in each execution
+// becomes one text.
+
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "base/stop_token.h"
+#include "convert/program_shape.h"
+#include "session/session.h"
+
+namespace kadr {
+
+struct FlatRange {
+  TextLines lines;
+  bool follows = false;           // no block lies between the previous range and this one
+  std::string text{};             // the flat blocks of one execution
+  std::size_t times = 0;          // number of executions
+  std::size_t motions = 0;        // number of motions in one execution
+  bool differs = false;           // two executions of the range differ
+  std::optional<Alarm> cannot{};  // the target control cannot express the range
+  bool probed = false;            // a probe motion came earlier: coordinates of this range may depend on what it touched in this run
+  bool settled() const { return !differs && !cannot; }
+};
+
+/// Runs the program once and fills in `places`, which must be in order and must not overlap.
+///   centres      cutter compensation is applied to the coordinates; contours are expanded as a whole
+///   straight_on  nothing after the last range leads back to it, so the run may end there
+///   returns      number of blocks executed
+///   alarms       conversion_too_long if all ranges together are too long; what cannot be expressed is stored in `places`
+Result<std::size_t> write_flat_ranges(Session& source, const ControlDef& to, std::vector<FlatRange>& places, bool centres, bool straight_on,
+                                      const StopToken& stop);
+
+}  // namespace kadr

@@ -1,0 +1,37 @@
+#pragma once
+// Detects whether a file is the image of a punched tape, in which code, and in which orientation the tape was read.
+
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "lang/text/tape.h"
+
+namespace kadr {
+
+/// The orientation in which a tape was put into the reader.
+enum class TapeOrientation : std::uint8_t {
+  right,
+  wrong_end,   // read from its end: the rows are in reverse order
+  wrong_side,  // turned over: track 1 is read as track 8
+  both,        // read from its end and turned over
+};
+
+struct TapeFinding {
+  TapeCode code = TapeCode::iso;
+  TapeOrientation lie = TapeOrientation::right;
+};
+
+/// Accepts the rows as a tape if 19 of 20 rows have the parity of the code and are codes of program text, with at least eight rows and a
+/// digit. If that leaves the orientation open, words decide: an address is before its number.
+///   returns  nullopt if the rows are not a tape
+std::optional<TapeFinding> inspect_tape(std::string_view rows);
+
+/// Returns the rows in the order and with the tracks that the correctly inserted tape would give.
+///   law  turned(turned(t, lie), lie) == t
+std::string turned(std::string_view rows, TapeOrientation lie);
+
+/// Returns the names of orientations for messages: "wrong_end", …
+std::string_view name_of(TapeOrientation lie);
+
+}  // namespace kadr

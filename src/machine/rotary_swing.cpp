@@ -1,0 +1,39 @@
+// Finds rotary axes that turn far while the tip hardly moves. Used by session/channel_run; tested by tests/cases/nct/25-five-axes.cases.
+
+#include "machine/rotary_swing.h"
+
+#include <cmath>
+
+namespace kadr {
+namespace {
+
+constexpr double stands = 1e-6;  // mm; on a shorter path the tip counts as standing still
+
+/// Returns the rotary axis that turns farthest in the step, and its rotation.
+RotarySwing farthest_of(const Step& step, const Motion& motion) {
+  RotarySwing found;
+  for (AxisMask left = step.from.space->rotary_axes(); left != 0; left &= left - 1) {
+    const auto axis = static_cast<std::size_t>(__builtin_ctz(left));
+    const bool rolls = motion.detail && (motion.detail->rolled >> axis & 1U) != 0;
+    const double degrees = std::fabs(rolls ? motion.detail->travel[axis] : motion.machine[axis] - step.from.machine[axis]);
+    if (degrees > found.degrees) found = {axis, degrees, 0};
+  }
+  return found;
+}
+
+}  // namespace
+
+std::optional<RotarySwing> SingularityWatch::look(const Step& step) {
+  const Motion* const motion = step.motion();
+  if (motion == nullptr || !controls_tip(step.from, *motion) || motion->kind == MotionKind::rapid || motion->kind == MotionKind::home)
+    return std::nullopt;
+  RotarySwing whirl = farthest_of(step, *motion);
+  whirl.way = step.curve().length();
+  const bool before = swings_;
+  swings_ = whirl.degrees >= least && whirl.way > stands && whirl.degrees > most * whirl.way;
+  if (!swings_ || before || told_ >= max_reported) return std::nullopt;
+  ++told_;
+  return whirl;
+}
+
+}  // namespace kadr

@@ -1,0 +1,222 @@
+// Draws the path itself in one view. Used by out/picture/plot/plot_page and out/picture/plot/plot_view.
+
+#include "out/picture/plot/plot_strokes.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <unordered_set>
+
+#include "out/picture/plot/plot_differences.h"
+
+namespace kadr {
+namespace {
+
+constexpr double same_pixel = 0.45;   // units of the page: points closer than this are on the same pixel
+constexpr int strokes_at_once = 400;  // segments per path drawn by Cairo, whose time for longer paths grows more than in proportion
+constexpr double plunge_radius = 3.2;
+constexpr double beyond = 20'000;  // of the page: farther points overflow Cairo's numbers
+
+Vec2 within_reach(Vec2 p) { return {std::clamp(p.x, -beyond, beyond), std::clamp(p.y, -beyond, beyond)}; }
+
+/// Shortens a line to the part within the limits of the page; returns false if no part is.
+bool cut_to_reach(Vec2& from, Vec2& to) {
+  double first = 0, last = 1;
+  const Vec2 start = from, way = to - from;
+  const auto keep = [&](double at, double step) {  // at + t·step ≤ beyond
+    if (step > 0) last = std::min(last, (beyond - at) / step);
+    else if (step < 0) first = std::max(first, (beyond - at) / step);
+    else if (at > beyond) last = -1;
+  };
+  keep(start.x, way.x), keep(-start.x, -way.x), keep(start.y, way.y), keep(-start.y, -way.y);
+  if (first > last) return false;
+  if (last < 1) to = start + last * way;
+  if (first > 0) from = start + first * way;
+  return true;
+}
+
+bool is_line(Stroke point, Stroke wanted) {
+  return point == wanted || (wanted == Stroke::feed && (point == Stroke::plunge || point == Stroke::probe));
+}
+
+/// Sets the program lines of the strokes while a view is drawn.
+class LineTags {
+ public:
+  ///   names  the first stroke of each program line gets the id by which the line is found
+  LineTags(Canvas& canvas, const PlotScene& scene, bool names)
+      : canvas_(canvas), title_(scene.title), tells_(canvas.tags_lines() && lines_are_tagged(scene)), names_(names) {}
+  bool tells() const { return tells_; }
+  void next(ProgramLine line, bool may_name) {
+    const bool first = names_ && may_name && line.line != 0 && named_.insert(std::uint64_t{line.file} << 32U | line.line).second;
+    canvas_.program_line(line, title_.file_of(line), first);
+  }
+  void end() { canvas_.program_line({}, {}, false); }
+
+ private:
+  Canvas& canvas_;
+  const PlotTitle& title_;
+  bool tells_, names_;
+  std::unordered_set<std::uint64_t> named_;  // at most max_line_strokes
+};
+
+/// Draws a polyline and leaves out points that would not be visible.
+class Pencil {
+ public:
+  ///   may_name  the strokes belong to the path itself, so they may get the id of their line
+  Pencil(Canvas& canvas, LineTags& tags, bool may_name) : canvas_(canvas), tags_(tags), may_name_(may_name) {}
+  void segment(Vec2 from, Vec2 to, ProgramLine line) {
+    const Vec2 start = from;
+    if (!cut_to_reach(from, to)) return lift();
+    if (!(from == start)) lift();
+    if (tags_.tells() && !(down_ && line == line_)) {
+      lift();
+      tags_.next(line_ = line, may_name_);
+    }
+    if (!down_ || ++drawn_ % strokes_at_once == 0) {
+      lift();
+      canvas_.move_to(from);
+      at_ = from;
+      down_ = true;
+    }
+    skipped_ = length(to - at_) < same_pixel;
+    last_ = to;
+    if (skipped_) return;
+    canvas_.line_to(to);
+    at_ = to;
+  }
+  void lift() {
+    if (!down_) return;
+    if (skipped_) canvas_.line_to(last_);
+    canvas_.stroke();
+    down_ = false;
+  }
+
+ private:
+  Canvas& canvas_;
+  LineTags& tags_;
+  bool may_name_;
+  ProgramLine line_;
+  Vec2 at_, last_;
+  bool down_ = false, skipped_ = false;
+  int drawn_ = 0;
+};
+
+/// Draws the segments for which `is_wanted` is true, with the present pen.
+template <class Wanted>
+void draw_pieces(Canvas& canvas, LineTags& tags, View view, const ViewScale& scale, const PlotPath& path, bool may_name,
+                 const Wanted& is_wanted) {
+  Pencil pencil(canvas, tags, may_name);
+  const auto& points = path.points();
+  Vec2 from;
+  for (std::size_t i = 0; i < points.size() + (path.has_pending() ? 1 : 0); ++i) {
+    const PlotPoint point = i < points.size() ? points[i] : path.pending();
+    const Vec2 to = scale.page(projected(view, point.at));
+    if (i > 0 && is_wanted(point)) pencil.segment(from, to, point.line);
+    else pencil.lift();
+    from = to;
+  }
+  pencil.lift();
+  tags.end();
+}
+
+const char* name_of(Stroke stroke) {
+  switch (stroke) {
+    case Stroke::rapid: return "rapid";
+    case Stroke::arc: return "arc";
+    case Stroke::contour: return "contour";
+    case Stroke::plunge: return "plunge";
+    default: return "feed";
+  }
+}
+
+void draw_lines(Canvas& canvas, LineTags& tags, View view, const ViewScale& scale, const PlotPath& path, Stroke wanted) {
+  const StrokeStyle style = style_of(wanted, path.points().size());
+  canvas.kind(name_of(wanted));
+  canvas.pen(style.ink, style.width);
+  if (style.dashed) canvas.dashes(5, 4);
+  draw_pieces(canvas, tags, view, scale, path, wanted != Stroke::contour,
+              [wanted](const PlotPoint& point) { return is_line(point.stroke, wanted); });
+  canvas.solid();
+  canvas.kind("");
+}
+
+/// Draws all cutting motions, one interval of the colour scale after the other.
+void draw_shaded(Canvas& canvas, LineTags& tags, View view, const ViewScale& scale, const PlotScene& scene) {
+  constexpr double width = 1.8;
+  canvas.kind("shade");
+  for (std::size_t step = 0; step < scene.shades.steps(); ++step) {
+    if (!scene.shades.occurs(step)) continue;
+    canvas.pen(scene.shades.ink(step), width);
+    draw_pieces(canvas, tags, view, scale, scene.path, true,
+                [&](const PlotPoint& point) { return cuts(point.stroke) && scene.shades.step_of(point.shade) == step; });
+  }
+  canvas.kind("");
+}
+
+/// Draws the paths of two programs over each other; where they coincide, A is visible on both sides of B.
+void draw_ways(Canvas& canvas, LineTags& tags, View view, const ViewScale& scale, const PlotScene& scene) {
+  const PlotDifferences& d = *scene.differences;
+  struct Way {
+    const PlotPath& path;
+    const char* kind;
+    const PathStyle& style;
+    bool names, dashed;
+  };
+  const std::array<Way, 5> ways = {{{d.changed, "changed", changed_way, false, false},
+                                    {d.changed, "same", same_way, true, true},
+                                    {scene.path, "same", same_way, true, true},
+                                    {d.a, "a", way_of_a, true, true},
+                                    {d.b, "b", way_of_b, true, true}}};
+  for (const Way& way : ways)
+    for (const bool rapid : {true, false}) {
+      canvas.kind(way.kind);
+      canvas.pen(way.style.ink, way.style.width);
+      if (rapid && way.dashed) canvas.dashes(5, 4);
+      draw_pieces(canvas, tags, view, scale, way.path, way.names,
+                  [rapid](const PlotPoint& point) { return point.stroke != Stroke::jump && (point.stroke == Stroke::rapid) == rapid; });
+      canvas.solid();
+    }
+  canvas.kind("");
+}
+
+/// Draws a ring for each plunge, which is only a point when seen from above, unless there are too many rings to distinguish.
+void draw_plunges(Canvas& canvas, const ViewScale& scale, const PlotPath& path) {
+  const StrokeStyle style = style_of(Stroke::plunge, 0);
+  canvas.kind(name_of(Stroke::plunge));
+  Vec2 before{-beyond, -beyond};
+  for (const PlotPoint& point : path.points()) {
+    if (point.stroke != Stroke::plunge) continue;
+    const Vec2 at = within_reach(scale.page(projected(View::xy, point.at)));
+    if (length(at - before) < plunge_radius) continue;
+    canvas.ring(at, plunge_radius, style.ink, style.width);
+    before = at;
+  }
+  canvas.kind("");
+}
+
+}  // namespace
+
+bool lines_are_tagged(const PlotScene& scene) {
+  std::size_t strokes = 0;
+  for (const PlotPath* const path : paths_of(scene)) {
+    ProgramLine line;
+    Stroke stroke = Stroke::rapid;
+    for (const PlotPoint& point : path->points()) {
+      if (!(point.line == line) || point.stroke != stroke) ++strokes;
+      line = point.line, stroke = point.stroke;
+    }
+  }
+  return strokes <= max_line_strokes;
+}
+
+void draw_strokes(Canvas& canvas, View view, const ViewScale& scale, const PlotScene& scene) {
+  LineTags tags(canvas, scene, view == View::isometric);
+  if (scene.differences != nullptr) return draw_ways(canvas, tags, view, scale, scene);
+  draw_lines(canvas, tags, view, scale, scene.contour, Stroke::contour);
+  draw_lines(canvas, tags, view, scale, scene.path, Stroke::rapid);
+  if (scene.shades.by() != PlotColour::stroke) return draw_shaded(canvas, tags, view, scale, scene);
+  for (const Stroke stroke : {Stroke::feed, Stroke::arc}) draw_lines(canvas, tags, view, scale, scene.path, stroke);
+  if (view == View::xy) draw_plunges(canvas, scale, scene.path);
+}
+
+}  // namespace kadr

@@ -1,0 +1,16 @@
+#pragma once
+// Describes a parameter of a control, for commands such as `kadr explain nct N1339`.
+
+#include <optional>
+#include <string>
+
+#include "config/alarm_texts.h"
+#include "config/control/control_def.h"
+
+namespace kadr {
+
+/// Returns the description of the parameter "N1339", "1339", "N0106" or "106". A parameter without a number is found by its name (CLRG).
+///   returns  nullopt if the control has no such parameter
+std::optional<std::string> explain_parameter(const ControlDef& def, const std::string& code, Lang lang);
+
+}  // namespace kadr

@@ -1,0 +1,294 @@
+// PanelMachine: runs a stretch: turns the session's steps into motion in the servo clock's time. Used by panel/panel_machine.
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "action/by_kind.h"
+#include "config/language.h"
+#include "motion/time/steps.h"
+#include "panel/panel_machine.h"
+
+namespace kadr {
+namespace {
+
+using Failed = tl::unexpected<std::string>;
+
+constexpr double nearly_there = 1e-6;  // mm, degrees: a shorter distance counts as none
+constexpr double farthest = 1e5;       // mm, degrees: longest single motion by hand
+
+}  // namespace
+
+/// Observes each step before the planner receives it.
+void PanelMachine::look(ChannelAxes& lane, Control& control, const Step& step) {
+  if (looks_on_) looks_on_(step);
+  const bool is_own = &lane == lane_;
+  const auto hold_next = [&] { is_own ? stepping_->hold_next() : void(lane.holds_next = true); };
+  by_kind(
+      step.action, [&](const FrameChange& frame) { lane.placement = frame.placement; },
+      [&](const Message& message) {
+        kept_.told = message.text;
+        if (message.asks) kept_.asks = true, asks_ = &control, hold_next();
+      },
+      [&](const Stop& stop) {
+        if (stop.optional && !kept_.optional_stop) return;
+        hold_next();
+        kept_.why = stop.optional ? "M1" : "M0";
+      },
+      ignores<Motion, Dwell, Spindle, Speed, CoolantSwitch, ToolSelect, ToolChange, MachineFunction, AuxiliaryFunction, SurfaceSpeed, Sync,
+              ZoneChange, Couple, Uncouple, CompensationBreak, CompensationCorner, CompensationCheck>);
+  const Motion* const motion = step.motion();
+  if (motion == nullptr) return;
+  const Origin& origin = step.action.origin;
+  PanelBlock& pending = lane.pending;
+  if (origin.number != lane.modes_of || !pending.modes) {
+    pending.modes = std::make_shared<PanelModes>(PanelModes{control.in_force(), control.calls_of(origin)});
+    lane.modes_of = origin.number;
+  }
+  pending.origin = origin;
+  pending.work = motion->to, pending.machine = motion->machine;
+  pending.placement = lane.placement;
+  pending.entered = stretch_ && stretch_->of == Stretch::Of::line;
+  pending.by_turn = motion->unit == FeedUnit::mm_per_rev;
+  pending.number = pending.entered || !is_own ? 0 : origin.number - std::uint32_t(entered_);
+  pending.feed = motion->kind == MotionKind::rapid || motion->kind == MotionKind::home ? 0 : step.time.feed;
+}
+
+/// Starts a leg (motion up to the next stop) of a channel. Its planner starts at the position where the axes will be at rest.
+void PanelMachine::begin_leg(std::size_t channel) {
+  ChannelAxes& lane = *lanes_[channel];
+  Control& control = *session_->channels()[channel].control;
+  // also replaces the function that used the old planner
+  session_->outlets(channel).step = [this, &lane, &control](const Step& step) { look(lane, control, step); };
+  lane.plan(session_->plan(channel), kept_.shares.dry_feed);
+  session_->change_outlets();
+}
+
+/// Handles waiting codes: legs of motion end there, and new ones start.
+void PanelMachine::watch_channels() {
+  if (is_alone()) return;
+  ChannelOutlets& together = session_->together();
+  together.waits = [this](std::size_t channel, const Control::Meeting& meeting) {
+    const auto waits = std::make_shared<PanelMeeting>();
+    waits->code = meeting.code;
+    for (const auto& lane : lanes_)
+      if ((meeting.channels >> lane->number & 1U) != 0) waits->channels.insert(lane->number);
+    lanes_[channel]->end_leg(waits, meeting.origin);
+  };
+  together.over = [this](std::size_t channel) { lanes_[channel]->end_leg(), lanes_[channel]->has_ended = true; };
+  together.met = [this](const std::vector<std::size_t>& channels) {
+    const auto met = std::make_shared<PanelMeeting>();
+    met->is_met = true;
+    for (const std::size_t channel : channels) met->channels.insert(lanes_[channel]->number);
+    for (const std::size_t channel : channels) {
+      if (const PanelMeeting* const before = lanes_[channel]->meeting()) met->code = before->code;
+      lanes_[channel]->meet(met);
+      begin_leg(channel);
+    }
+  };
+  for (std::size_t i = 0; i < lanes_.size(); ++i)
+    if (i != session_->own())
+      session_->channels()[i].control->holds_before = [lane = lanes_[i].get(), &control = *session_->channels()[i].control](const Origin&) {
+        return lane->enters ? !control.in_entered() : lane->is_held();
+      };
+}
+
+/// Starts a stretch of motion. `channel`: the channel of an entered line.
+void PanelMachine::begin(Stretch::Of of, std::size_t channel) {
+  Stretch& stretch = stretch_.emplace();
+  stretch.of = of, stretch.channel = channel;
+  has_moved_ = true;
+  for (std::size_t i = 0; i < lanes_.size(); ++i) {
+    const bool moves = of == Stretch::Of::line ? i == channel : !lanes_[i]->has_ended;
+    if (moves && !lanes_[i]->waits()) begin_leg(i);
+  }
+  lane_->on.origin = stepping_->next().value_or(Origin()), lane_->on.entered = false;
+  if (of == Stretch::Of::program) stepping_->begin(how_.value_or(kept_.single ? Stepping::How::block : Stepping::How::free));
+  play();
+}
+
+/// Starts the stretch. Its motion is computed in the next look_round(), so that the caller gets an answer at once, even if the program
+/// calculates for long before it moves.
+void PanelMachine::play() {
+  kept_.mode = PanelMode::running;
+  apply_overrides();
+}
+
+/// Starts a line of the operator.
+void PanelMachine::begin_line(const std::string& line, std::size_t channel) {
+  note_variables(last_line_);
+  entering_from_ = session_->channels()[channel].control->blocks();
+  tables_before_.reset();
+  if (!going_) tables_before_ = session_->control().tables_now();
+  if (channel == own_) {
+    stepping_->begin_entering(line);
+  } else {
+    lanes_[channel]->enters = true;
+    session_->enter(line, channel);
+  }
+  begin(Stretch::Of::line, channel);
+}
+
+/// Ends a line of the operator: the channel is held again before the same block.
+void PanelMachine::end_line() {
+  const std::size_t channel = stretch_->channel;
+  ChannelAxes& lane = *lanes_[channel];
+  const Control& control = *session_->channels()[channel].control;
+  if (channel == own_) {
+    stepping_->end_entering(stretch_->came_to);
+    entered_ += control.blocks() - entering_from_;
+  } else {
+    if (stretch_->came_to == Session::State::stopped) {
+      session_->acknowledge(channel);
+      session_->alone(channel);
+      (void)session_->run();
+    }
+    lane.enters = false;
+    lane.entered += control.blocks() - entering_from_;
+  }
+  note_variables(0);
+  if (tables_before_) keep_tables(*std::exchange(tables_before_, std::nullopt));
+}
+
+PanelMachine::Answer PanelMachine::move_by_hand(std::size_t channel, const std::string& axis, double way, double feed) {
+  ChannelAxes& lane = *lanes_[channel];
+  const auto found = std::find(lane.axes.begin(), lane.axes.end(), axis);
+  if (found == lane.axes.end()) return Failed(axis + told(": there is no such axis", ": такой оси нет"));
+  if (!(std::fabs(way) <= farthest) || !(feed >= 0 && feed <= farthest) || way == 0)
+    return Failed(told("want a way and a feed up to 100000", "нужны путь и подача до 100000"));
+  const Channel& its = session_->channels()[channel];
+  if (its.control->in_block() || its.control->meeting())
+    return Failed(told("a block is not over: run it to its end first", "кадр не закончен: сначала отработайте его до конца"));
+  const std::size_t a = std::size_t(found - lane.axes.begin());
+  const ToolPosition stand = standing_plainly(channel);
+  const auto [least, most] = limits_of(session_->machine(), its.setup, axis);
+  Motion motion;
+  motion.kind = feed > 0 ? MotionKind::feed : MotionKind::rapid;
+  motion.feed = feed;
+  motion.named = AxisMask{1} << a;
+  motion.exact = true;
+  motion.to = stand.work, motion.machine = stand.machine;
+  motion.to[a] += way, motion.machine[a] += way;
+  if (motion.machine[a] < least || motion.machine[a] > most)
+    return Failed(axis + told(": beyond the end of its way", ": за пределом хода"));
+  begin_by_hand(lane, {motion});
+  return {};
+}
+
+/// Returns the position without a programmed frame, for motion along the machine's axes.
+ToolPosition PanelMachine::standing_plainly(std::size_t channel) const {
+  ToolPosition stand = session_->stand(channel);
+  stand.turn.reset(), stand.space.reset();
+  return stand;
+}
+
+void PanelMachine::begin_by_hand(ChannelAxes& lane, const std::vector<Motion>& motions) {
+  const std::size_t number =
+      std::size_t(std::find_if(lanes_.begin(), lanes_.end(), [&](const auto& one) { return one.get() == &lane; }) - lanes_.begin());
+  const Channel& channel = session_->channels()[number];
+  const ToolPosition stand = standing_plainly(number);
+  Stretch& stretch = stretch_.emplace();
+  stretch.of = Stretch::Of::hand;
+  stretch.by_hand = std::make_unique<Planned>(channel, session_->machine(), stand);
+  stretch.planned_all = true;
+  has_moved_ = true;
+  lane.plan(*stretch.by_hand, 0);
+  TimeEstimate times(lane.roles, rates_of(session_->machine(), channel.setup, lane.axes));
+  Steps steps(lane.roles, stand, &times);
+  for (const Motion& motion : motions) {
+    lane.pending = lane.on;
+    lane.pending.work = motion.to, lane.pending.machine = motion.machine, lane.pending.feed = motion.feed;
+    Action action;
+    action.what = motion;
+    steps.give(action, [&](const Step& step) {
+      if (looks_on_) looks_on_(step);
+      stretch.by_hand->consume(step);
+    });
+  }
+  lane.end_leg();
+  play();
+}
+
+/// Runs the session until enough motion is planned for every channel's clock.
+void PanelMachine::provide() {
+  const auto any = [this](bool (ChannelAxes::*is)() const) {
+    return std::any_of(lanes_.begin(), lanes_.end(), [is](const auto& lane) { return ((*lane).*is)(); });
+  };
+  const auto must_go_on = [&] {
+    return any(&ChannelAxes::wants_more) || !any(&ChannelAxes::is_planned);
+  };  // else the lane waits or has ended: the session runs on
+  while (!stretch_->planned_all && must_go_on() && !any(&ChannelAxes::is_full)) go_on();
+  for (const auto& lane : lanes_) lane->go_on();
+}
+
+void PanelMachine::go_on() {
+  stretch_->came_to = session_->go_on();
+  if (stretch_->came_to == Session::State::running) return;
+  for (const auto& lane : lanes_) lane->end_leg();
+  stretch_->planned_all = true;
+}
+
+bool PanelMachine::is_over() const {
+  return stretch_->planned_all && std::all_of(lanes_.begin(), lanes_.end(), [](const auto& lane) { return lane->is_over(); });
+}
+
+/// The axes have stopped at the end of the stretch.
+void PanelMachine::end_run() {
+  for (const auto& lane : lanes_) lane->settle();
+  const Stretch::Of of = stretch_->of;
+  const Session::State came_to = stretch_->came_to;
+  if (of == Stretch::Of::line) end_line();
+  stretch_.reset();
+  holds_ = false;
+  for (std::size_t i = 0; i < lanes_.size(); ++i) {
+    ServoClock& clock = lanes_[i]->clock;
+    const Axes at = clock.sample().machine;
+    const auto is_at = [&](const Axes& there) {
+      bool is = true;
+      for (std::size_t a = 0; a < lanes_[i]->axes.size() && a < max_axes; ++a) is = is && std::fabs(there[a] - at[a]) < nearly_there;
+      return is;
+    };
+    const Axes& aim = lanes_[i]->pending.machine;  // end position of a motion by hand, which has one lane
+    const Control& control = *session_->channels()[i].control;
+    if (of == Stretch::Of::hand && !control.meeting() && !control.in_block()) session_->stand_at(i, is_at(aim) ? aim : at);
+    // removes rounding errors of the planner from the position
+    if (const Axes stand = session_->stand(i).machine; is_at(stand)) clock.stand_at(stand);
+  }
+  if (of != Stretch::Of::hand) show_what_is_in_force();
+  if (of == Stretch::Of::program) goes_on_ = came_to == Session::State::held;
+  if (going_ && came_to != Session::State::stopped) {
+    if (const Answer there = go_on_there(); !there) kept_.told = there.error(), kept_.mode = PanelMode::standing;
+    return;
+  }
+  going_.reset();
+  const bool stopped = came_to == Session::State::stopped && of == Stretch::Of::program;
+  if (stopped) kept_.mode = PanelMode::alarm;
+  else kept_.mode = stepping_->next() || goes_on_ ? PanelMode::standing : PanelMode::ended;
+  if (of != Stretch::Of::program) return;
+  if (kept_.mode == PanelMode::ended) tell("ended");
+  else if (kept_.mode == PanelMode::standing) tell("stopped", kept_.why, stepping_->line().number);
+}
+
+/// Updates the displayed modes: blocks after the last motion may have changed them. Also updates the work zero, unless a motion of a
+/// compensated contour is kept back.
+void PanelMachine::show_what_is_in_force() {
+  const bool in_contour = is_in_contour();
+  for (std::size_t i = 0; i < lanes_.size(); ++i) {
+    const Control& control = *session_->channels()[i].control;
+    PanelBlock& on = lanes_[i]->on;
+    on.modes = std::make_shared<PanelModes>(PanelModes{control.in_force(), control.calls()});
+    if (in_contour) continue;
+    on.placement = lanes_[i]->placement = control.placement();
+    on.work = session_->stand(i).work, on.machine = session_->stand(i).machine;
+  }
+}
+
+/// Drops the stretch; the axes stay where they are.
+void PanelMachine::drop_run() {
+  for (const auto& lane : lanes_) lane->drop();
+  stretch_.reset();
+  going_.reset();
+  holds_ = resets_ = false;
+}
+
+}  // namespace kadr

@@ -1,0 +1,227 @@
+// RadiusCompensation, output: after the interference check, the first motion of the window is moved by its vectors and emitted.
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "action/by_kind.h"
+#include "path/compensation/radius_compensation.h"
+#include "path/curve/plane_shift.h"
+
+namespace kadr {
+namespace {
+
+/// Returns the motion of an action; replaces any other content by a motion.
+Motion& motion_in(Action& action) {
+  if (auto* const m = motion_of(action)) return *m;
+  return action.what.emplace<Motion>();
+}
+
+}  // namespace
+
+std::span<const CompensatedBlock> RadiusCompensation::checked_blocks() {
+  for (std::size_t i = 0; i < now_.count; ++i) {
+    const Held& h = held(i);
+    const bool plain = h.motion.side_step == SideStep::none || h.motion.side_step == SideStep::holds;
+    const bool known = i + 1 < now_.count || h.end.count > 0;
+    blocks_[i] = {&h.element, h.motion.tool_radius, static_cast<double>(h.motion.side), plain, h.start_vector, known ? &h.end : nullptr};
+  }
+  return {blocks_.data(), now_.count};
+}
+
+/// Checks the first motion of the window against the later motions, and emits it with the actions that follow it and the path around the
+/// corner.
+void RadiusCompensation::release_first() {
+  const RepairOutcome mended = now_.check.interference ? mend_first() : RepairOutcome::sound;
+  Held& first = held(0);
+  if (mended != RepairOutcome::sound) {
+    const Origin origin = held(mended == RepairOutcome::first_fails ? 0 : 1).origin;
+    // with a further look-ahead (N1404) the alarm comes before this motion
+    if (mended == RepairOutcome::next_fails && now_.check.further == 0) (void)let_go(first);
+    const AlarmId id = first.end.count > 0 ? AlarmId::compensation_interference : AlarmId::compensation_no_intersection;
+    if (!fault_) fault(alarm(id, {}), origin);
+    return;
+  }
+  if (first.end.round) now_.round_first = first.motion;  // copied, because let_go() moves the motion away
+  if (!let_go(first)) return;
+  now_.vector = first.end.first();
+  for (Action& action : first.waiting) {
+    now_.stand.take(action);
+    if (auto* const m = motion_of(action)) shift(*m, now_.vector);
+    if (auto* const frame = std::get_if<FrameChange>(&action.what)) shift(*frame);
+    out_.add() = std::move(action);
+  }
+  first.waiting.clear();
+  now_.regular_start = first.regular;
+  now_.radius_before = first.motion.tool_radius;
+  go_around_corner(first);
+  drop_first();
+}
+
+/// Moves the tool around a corner, from the first vector at the end of `first` to the last vector. Straight moves have the feed and kind
+/// of the next motion, an arc those of the first motion.
+void RadiusCompensation::go_around_corner(const Held& first) {
+  const bool follows = now_.count > 1;
+  if (first.end.round) {
+    const Motion& like = !follows || held(1).motion.kind == MotionKind::rapid ? now_.round_first : held(1).motion;
+    return round(first.end.last(), follows ? held(1).origin : first.origin, like);
+  }
+  const ContourSpan known = first.regular ? ContourSpan{first.number, first.number + 1} : ContourSpan{};
+  for (std::size_t i = 1; i < first.end.count && follows; ++i) {
+    watch_step(now_.vector, first.end.at[i], held(1).motion, held(1).origin, known);
+    step(first.end.at[i], held(1).motion, held(1).origin);
+  }
+  now_.vector = first.end.last();
+}
+
+/// Joins the first motion of the window with a later motion if that resolves an interference (15.5.7). The motions between are dropped,
+/// but the actions after them are kept.
+RadiusCompensation::RepairOutcome RadiusCompensation::mend_first() {
+  Held& first = held(0);
+  const auto join = check_interference(checked_blocks(), now_.check.further, now_.check.always_alarm);
+  if (join && join->next > 1) {
+    first.end = join->vectors;
+    first.regular = false;
+    for (std::size_t i = 1; i < join->next; ++i)
+      for (Action& action : std::exchange(held(i).waiting, {})) first.waiting.push_back(std::move(action));
+    held(join->next).start_vector = join->start_vector;
+    const std::size_t dropped = join->next - 1;
+    for (std::size_t i = 1; i + dropped < now_.count; ++i) std::swap(held(i), held(i + dropped));
+    now_.count -= dropped;
+  }
+  if (first.end.count == 0 || (checked_blocks()[0].plain && moves_backwards(blocks_[0]))) return RepairOutcome::first_fails;
+  return join ? RepairOutcome::sound : RepairOutcome::next_fails;
+}
+
+/// Emits a motion of the window, moved by its vectors.
+///   returns  false if it raised an alarm
+bool RadiusCompensation::let_go(Held& held) {
+  Motion& m = held.motion;
+  const Vec2 end_vector = held.end.first();
+  const bool of_contour = now_.keeps_vector && m.side_step == SideStep::none && m.tool_radius != 0;
+  if (of_contour && !fits(held.element, held.start_vector, end_vector, m.tool_radius, m.side)) {
+    fault(alarm(AlarmId::compensation_gouge, {}, m.tool_radius), held.origin);
+    return false;
+  }
+  now_.stand.take(m);
+  if (held.rejoins && is_arc(m.kind)) {
+    if (!rejoin(m, held, end_vector)) {
+      fault(alarm(AlarmId::compensation_turn, {}), held.origin);
+      return false;
+    }
+  } else if (is_arc(m.kind)) {
+    const double turns = compensated_turns(held.element, held.start_vector, end_vector);
+    if (turns * held.element.turns > 0) m.turns = std::fabs(turns);
+    // the tool does not fit into the arc, which becomes a line: the interference check is off (15.5.7, IEN=0)
+    else m.kind = MotionKind::feed, m.turns = 0;
+  }
+  watch_path(held, end_vector);
+  shift(m, end_vector);
+  Action& action = out_.add();
+  action.origin = held.origin;
+  motion_in(action) = std::move(m);
+  return true;
+}
+
+/// Handles a change of side without an intersection after an arc: an arc of the programmed radius joins the compensated ends (15.5.4).
+bool RadiusCompensation::rejoin(Motion& m, const Held& held, Vec2 end_vector) const {
+  const ContourElement& e = held.element;
+  const Vec2 a = e.from + held.start_vector, b = e.to + end_vector, chord = b - a;
+  const double way = length(chord), radius = e.start_radius;
+  if (way > 2 * radius + tol::same_point || way == 0) return false;
+  const double height = std::sqrt(std::max(radius * radius - way * way / 4, 0.0));
+  const double minor = std::fabs(e.turns) <= 0.5 ? 1 : -1;  // INFERRED: at most half a circle if the programmed arc is, else more
+  const Vec2 center = 0.5 * (a + b) + minor * e.sense() * height / way * left_of(chord);
+  const double half = std::asin(std::min(way / (2 * radius), 1.0)) / rad_per_deg / 180;
+  m.turns = minor > 0 ? half : 1 - half;
+  m.center = center;
+  return true;
+}
+
+/// Moves the tool from the current vector to the vector `to` along an arc about the programmed point (15.5.6).
+void RadiusCompensation::round(Vec2 to, const Origin& origin, const Motion& like) {
+  const double swept = angle_deg({dot(now_.vector, to), cross(now_.vector, to)});  // swept angle, degrees, counter-clockwise positive
+  const bool cw = like.side > 0;
+  const double turns = (cw ? -swept : swept) / 360;
+  const Vec2 point = in_plane(now_.stand.work);
+  const std::size_t behind = out_.size();
+  step(to, like, origin);
+  if (out_.size() == behind || turns == 0) return;
+  auto& m = std::get<Motion>(out_.back().what);
+  m.kind = cw ? MotionKind::arc_cw : MotionKind::arc_ccw;
+  m.center = point;
+  m.turns = turns < 0 ? turns + 1 : turns;
+}
+
+/// Emits a straight motion in the plane to the position programmed point + `vector`.
+void RadiusCompensation::step(Vec2 vector, const Motion& like, const Origin& origin) {
+  if (length(vector - now_.vector) <= tol::same_point) return;
+  Action& action = out_.add();
+  action.origin = origin;
+  Motion& m = motion_in(action) = like;
+  if (is_arc(m.kind)) m.kind = MotionKind::feed;
+  m.named = AxisMask{1} << now_.first | AxisMask{1} << now_.second;
+  m.detail.reset();
+  m.turns = 0;
+  m.exact = m.in_position = false;
+  m.to = now_.stand.work;
+  m.machine = now_.stand.machine;
+  shift(m, vector);
+  now_.vector = vector;
+}
+
+/// Emits an action as it is. Motions must already be shifted by the compensation.
+void RadiusCompensation::deliver(Action action) {
+  now_.stand.take(action);
+  out_.add() = std::move(action);
+}
+
+void RadiusCompensation::shift(Motion& m, Vec2 vector) const { shift_in_plane(m, now_.first, now_.second, vector, now_.at.turn.get()); }
+
+/// Shifts the coordinates of a new frame: the tool's coordinates are the programmed coordinates plus the vector.
+void RadiusCompensation::shift(FrameChange& frame) const {
+  frame.work[now_.first] += now_.vector.x;
+  frame.work[now_.second] += now_.vector.y;
+}
+
+/// Decides whether GougeDetector checks the last motion for cuts into the contour. It checks motions at feed along the contour; not the
+/// start and end of compensation, not the neighbours of a change of side, and not a motion that keeps its vector (G38), which leaves the
+/// contour on purpose.
+void RadiusCompensation::watch_last() {
+  Held& now = last_held();
+  const Motion& m = now.motion;
+  const bool plain = m.side_step == SideStep::none || m.side_step == SideStep::begun;
+  if (m.side_step == SideStep::begins || m.side_step == SideStep::begun) now_.astray = false;
+  now.watched = plain && !now_.astray && m.kind != MotionKind::rapid && m.tool_radius > 0;
+  if (now_.count > 1 && held(now_.count - 2).motion.side * m.side < 0) {
+    held(now_.count - 2).watched = now.watched = false;
+    end_watch();
+  }
+  if (now.watched) now.number = now_.watch.contour(now.element, m.tool_radius, now.origin);
+}
+
+void RadiusCompensation::watch_path(const Held& held, Vec2 end_vector) {
+  if (!held.watched) return;
+  const Motion& m = held.motion;
+  const double radius = std::min(m.tool_radius, now_.radius_before);  // with a new D word the tool radius changes during the motion
+  const Vec2 from = held.element.from + held.start_vector, to = held.element.to + end_vector;
+  const double turns = m.kind == MotionKind::arc_ccw ? m.turns : -m.turns;
+  ContourSpan known;
+  if (is_arc(m.kind) == held.element.is_arc && lies_on_offset(held.element, held.start_vector, end_vector, m.tool_radius, m.side))
+    known = {held.number - (now_.regular_start ? 1 : 0), held.number + (held.regular ? 1 : 0)};
+  if (is_arc(m.kind)) now_.watch.path([&] { return PlanePiece::arc(from, to, m.center, turns); }, radius, held.origin, known);
+  else if (length(to - from) > tol::same_point) now_.watch.path([&] { return PlanePiece::line(from, to); }, radius, held.origin, known);
+}
+
+void RadiusCompensation::watch_step(Vec2 from, Vec2 to, const Motion& like, const Origin& origin, ContourSpan known) {
+  const Vec2 point = in_plane(now_.stand.work);
+  if (like.kind == MotionKind::rapid || length(to - from) <= tol::same_point) return;
+  now_.watch.path([&] { return PlanePiece::line(point + from, point + to); }, like.tool_radius, origin, known);
+}
+
+void RadiusCompensation::end_watch() {
+  if (const auto cut = now_.watch.end())
+    warnings_.push_back({warning(AlarmId::contour_cut, {}, cut->depth, static_cast<double>(cut->contour.line)), cut->tool, cut->contour});
+}
+
+}  // namespace kadr

@@ -1,0 +1,114 @@
+#pragma once
+// GougeDetector: detects where the tool cuts into the workpiece. A control compares only neighbouring blocks (nct 15.5.7). GougeDetector
+// compares all blocks within a range, and so reports damage that the control would cause without an alarm.
+//
+// The workpiece boundary is the programmed contour without its run-in and run-out, which cross each other or lead to and from a point of
+// the contour (path/compensation/contour_closing). If the tool's centre comes nearer to the boundary than the tool radius, the tool cuts
+// into the workpiece. Run-in and run-out are known only at the end of the contour; until then the deepest cut into each piece of the
+// contour is stored.
+
+#include <array>
+#include <optional>
+#include <vector>
+
+#include "action/action.h"
+#include "base/construct_in_place.h"
+#include "path/curve/plane_distance.h"
+
+namespace kadr {
+
+/// The deepest cut of the tool into the workpiece.
+struct ContourGouge {
+  double depth = 0;  // depth of the cut into the workpiece, mm
+  Origin tool;       // block whose tool path causes the cut
+  Origin contour;    // block of the contour that is cut into
+};
+
+/// A range of contour pieces, by number, that a piece of the tool's path is not compared with. The corner rules guarantee that the path
+/// lies on the offset of these pieces.
+struct ContourSpan {
+  std::uint64_t first = 1, last = 0;  // an empty range
+};
+
+class GougeDetector {
+ public:
+  /// Adds a piece of the programmed contour. `radius`: tool radius, mm.
+  ///   returns  the number of the piece
+  std::uint64_t contour(const ContourElement& element, double radius, const Origin& origin);
+  /// Adds a piece of the tool centre's path. `way`: a function that returns the piece.
+  template <class Make>
+  void path(const Make& way, double radius, const Origin& origin, ContourSpan known) {
+    if (path_.loses_first()) path_.keep_first();
+    compare_path(path_.add(way, radius, origin), known);
+  }
+  /// Ends the contour. Returns the deepest cut into the workpiece if it is deeper than tol::same_point. Clears all data.
+  ///   law  no cut is reported if each piece of the path keeps the radius as its distance from the last `reach` and the next `reach`
+  ///        contour pieces, or comes nearer only at the run-in and the run-out
+  ///   law  the end of the contour is compared with its start, however long it is
+  std::optional<ContourGouge> end();
+
+  static constexpr std::size_t reach = 40;  // number of pieces; short moves around corners count as pieces too
+
+ private:
+  static constexpr std::size_t group_size = 8, groups = reach / group_size + 1;
+
+  struct Seen {
+    PlanePiece piece;
+    double radius = 0;
+    Origin origin;
+    std::uint64_t number = 0;
+  };
+  /// The last pieces, in groups with a bounding box each: most groups are far away and are skipped as a whole. `first` has the first
+  /// pieces after they have left the ring buffer.
+  struct Ring {
+    std::array<Seen, group_size * groups> at;
+    std::array<Box2, groups> boxes;
+    std::vector<Seen> first;
+    std::uint64_t count = 0;
+    std::size_t place = 0;  // index for the next piece
+    /// True if the next piece overwrites one of the first pieces, which must then be copied to `first`.
+    bool loses_first() const { return count - at.size() < at.size(); }  // the difference is unsigned: false while count is below at.size()
+    void keep_first() { first.push_back(at[place]); }
+    template <class Make>
+    const Seen& add(const Make& piece, double radius, const Origin& origin);
+    /// Calls `found` for each stored piece whose bounding box is less than `distance` away from the bounding box of `piece`.
+    template <class Found>
+    void near(const PlanePiece& piece, double distance, const Found& found) const;
+    /// Calls `found` for the first pieces and then for the last pieces, in order.
+    template <class Found>
+    void each(const Found& found) const;
+    void clear() {
+      count = place = 0;
+      first.clear();
+    }
+  };
+  void make_room();
+  void compare_path(const Seen& path, ContourSpan known);
+  void compare(const Seen& contour, const Seen& path);
+  void compare_ends();
+  void leave_out_tails();
+  void anew(const Seen& contour, const PlanePiece& piece);
+  ContourGouge& cut_into(std::uint64_t number);
+
+  Ring contour_, path_;
+  std::array<ContourGouge, group_size * groups> cuts_;  // the deepest cuts into the pieces of the ring
+  std::vector<ContourGouge> first_cuts_;                // the deepest cuts into the first pieces
+  ContourGouge worst_;                                  // the deepest cut into pieces that have left the ring and are not among the first
+  bool any_ = false;
+};
+
+template <class Make>
+const GougeDetector::Seen& GougeDetector::Ring::add(const Make& piece, double radius, const Origin& origin) {
+  const std::size_t i = place, group = i / group_size;
+  place = i + 1 == at.size() ? 0 : i + 1;
+  construct_in_place(at[i].piece, piece);
+  at[i].radius = radius;
+  at[i].origin = origin;
+  at[i].number = count++;
+  const Box2& box = at[i].piece.box;
+  if (i % group_size == 0) boxes[group] = box;
+  else boxes[group].take(box.least), boxes[group].take(box.most);
+  return at[i];
+}
+
+}  // namespace kadr

@@ -1,0 +1,282 @@
+// QueuedCompensation, input: how actions enter the queue of LinuxCNC's cutter radius compensation. Used by path/compensation; tested by
+// tests/path/queued_compensation_test.cpp and tests/cases/linuxcnc/compensation.cases.
+
+#include "path/compensation/queued_compensation.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "action/by_kind.h"
+
+namespace kadr {
+namespace {
+
+constexpr double least_speed_by_time = 0.1;  // least speed with inverse-time feed, units/min (inverse_time_rate_straight of the source)
+constexpr double least_way_by_time = 1e-7;   // least length with inverse-time feed, mm (find_straight_length of the source)
+
+/// Returns the number of started revolutions of an arc, counter-clockwise positive.
+int turn_of(const Motion& m) {
+  const int begun = std::max(1, static_cast<int>(std::ceil(m.turns - tol::same_angle)));
+  return m.kind == MotionKind::arc_ccw ? begun : -begun;
+}
+
+/// True for a turning tool whose tip is not at the centre of its nose.
+bool has_tip(const Motion& m) { return m.nose != 0 && m.nose != 9; }
+
+/// Returns the vector from a contour point with the tangent `way` to the tool's centre.
+Vec2 beside_line(Vec2 way, const Motion& m) {
+  const double angle = std::atan2(way.y, way.x) + (m.side > 0 ? pi / 2 : -pi / 2);
+  return {m.tool_radius * std::cos(angle), m.tool_radius * std::sin(angle)};
+}
+
+}  // namespace
+
+QueuedCompensation::QueuedCompensation(const ToolPosition& start) {
+  now_.at = start;
+  now_.stands = start.work;
+}
+
+std::optional<CompensationFault> QueuedCompensation::take(ActionBatch& batch, Follows follows) {
+  warnings_.clear();
+  if (!at_work()) {  // the usual case: only the tool's position is updated
+    const bool any = std::any_of(batch.begin(), batch.end(), [](const Action& action) {
+      const auto* const m = motion_of(action);
+      return m != nullptr && m->side != 0;
+    });
+    if (!any) {
+      for (const Action& action : batch) now_.at.take(action);
+      now_.stands = now_.at.work;
+      return std::nullopt;
+    }
+  }
+  out_.clear();
+  fault_.reset();
+  for (Action& action : batch) {
+    if (fault_) follow(action);
+    else next(action);
+  }
+  if (follows == Follows::nothing && !now_.queue.empty()) lose();
+  std::swap(batch, out_);
+  return fault_;
+}
+
+void QueuedCompensation::next(Action& action) {
+  origin_ = action.origin;
+  if (motion_of(action) != nullptr) {
+    motion(action);
+  } else if (const auto* const end = std::get_if<CompensationBreak>(&action.what)) {
+    end_here(*end);
+  } else {
+    const bool overtakes = std::holds_alternative<Message>(action.what) || std::holds_alternative<ToolSelect>(action.what);
+    now_.at.take(action);
+    if (overtakes) out_.add() = std::move(action);
+    else wait(action);
+  }
+  if (fault_) {
+    lose();
+    follow(action);
+  }
+}
+
+/// Appends an action to the queue, or emits it if the queue is empty.
+void QueuedCompensation::wait(Action& action) {
+  Queued queued;
+  queued.action = std::move(action);
+  if (now_.queue.empty()) deliver(queued);
+  else push(queued);
+}
+
+/// Ends the contour at G40 or a stop: the queued motions end where the tool is perpendicular to their programmed end point
+/// (convert_cutter_compensation_off, convert_stop).
+void QueuedCompensation::end_here(const CompensationBreak& end) {
+  if (!now_.on || !move_ends(now_.tool)) return;
+  now_.start.reset();
+  if (!end.off) return;
+  now_.on = false;
+  end_watch();
+}
+
+void QueuedCompensation::motion(Action& action) {
+  const auto& m = std::get<Motion>(action.what);
+  const bool served = m.kind == MotionKind::rapid || m.kind == MotionKind::feed || m.kind == MotionKind::thread || is_arc(m.kind);
+  now_.inch = m.inch;
+  if (m.side == 0 || !served) return outside_contour(action);
+  Queued queued;
+  queued.moves = true;
+  queued.action = action;
+  const bool enters = m.side_step == SideStep::begins || !now_.on;
+  if (enters) {
+    deliver_queue();
+    now_.first = m.first;
+    now_.second = m.second;
+  }
+  queued.speed = programmed_speed(m);
+  if (enters) enter(queued, m);
+  else if (is_arc(m.kind)) arc(queued, m);
+  else line(queued, m);
+  if (!fault_) now_.at.take(m);
+}
+
+/// Emits a motion to the programmed point, from the tool's current position.
+void QueuedCompensation::outside_contour(Action& action) {
+  auto& m = std::get<Motion>(action.what);
+  deliver_queue();
+  Queued queued;
+  queued.moves = true;
+  queued.end = in_plane(m.to);
+  if (beside()) {
+    if (!is_arc(m.kind)) queued.speed = programmed_speed(m);
+    m.side_step = SideStep::ends;
+  }
+  now_.on = false;
+  now_.at.take(m);
+  queued.action = std::move(action);
+  deliver(queued);
+}
+
+/// Queues the first motion of a contour. A line leads straight to the tool position next to the line's programmed end.
+void QueuedCompensation::enter(Queued& queued, const Motion& m) {
+  const Vec2 from = in_plane(now_.at.work), to = in_plane(m.to);
+  if (is_arc(m.kind)) {
+    const auto way = entry_arc(from, {to, m.center, turn_of(m)}, m.tool_radius, m.side);
+    if (!way) return void(fault(way.error()));
+    queued.arc = *way;
+    queued.swept = swept_by(from, way->center, way->turn, way->end);
+    queued.end = way->end;
+    if (has_tip(m)) lead_tip_in(queued, from);
+  } else {
+    if (std::hypot(to.x - from.x, to.y - from.y) <= m.tool_radius) return void(fault(alarm(AlarmId::entry_line_within_tool, {})));
+    if (m.kind == MotionKind::thread) return void(fault(alarm(AlarmId::compensated_thread, {})));
+    const Vec2 normal = beside_line(to - from, m);
+    queued.direction = normal;  // the normal of the line, as in LinuxCNC's source; so a corner cannot make this line go backwards
+    queued.end = to + normal;
+    now_.start = from;
+  }
+  now_.on = true;
+  now_.tool = queued.end;
+  push(queued);
+}
+
+/// Queues, before an entry arc, a line that moves the tool's centre to the position of the tip; without it the arc's radii would differ
+/// (convert_arc_comp1).
+void QueuedCompensation::lead_tip_in(const Queued& arc, Vec2 from) {
+  Queued way;
+  way.action = arc.action;
+  way.moves = true;
+  way.end = from;
+  way.speed = arc.speed;
+  auto& m = std::get<Motion>(way.action.what);
+  for (const std::size_t axis : {now_.first, now_.second, third()}) {
+    m.to[axis] = now_.at.work[axis];
+    m.machine[axis] = now_.at.machine[axis];
+  }
+  m.kind = MotionKind::feed;
+  m.detail.reset();
+  now_.start = from;
+  push(way);
+}
+
+void QueuedCompensation::line(Queued& queued, const Motion& m) {
+  const Vec2 from = in_plane(now_.at.work), to = in_plane(m.to);
+  if (from == to) {  // a motion of the third axis or rotary axes only: it ends where the previous motion ends
+    if (m.kind == MotionKind::thread) return void(fault(alarm(AlarmId::compensated_thread, {})));
+    queued.end = now_.tool;
+    return push(queued);
+  }
+  const auto corner = corner_to_line(place_before(m), to);
+  if (!corner) return void(fault(corner.error()));
+  watch_element(queued, m);
+  if (corner->way == CornerKind::outer) {
+    if (!move_ends(now_.tool)) return;
+    if (m.kind == MotionKind::thread) return void(fault(alarm(AlarmId::compensated_thread, {})));
+    go_around_corner(queued, corner->at);
+  } else if (corner->way == CornerKind::inner) {
+    if (!move_ends(corner->at)) return;
+  } else {
+    deliver_queue();
+    now_.start = now_.tool;
+  }
+  queued.direction = to - from;
+  queued.end = now_.tool = corner->end;
+  push(queued);
+}
+
+void QueuedCompensation::arc(Queued& queued, const Motion& m) {
+  const Vec2 from = in_plane(now_.at.work), to = in_plane(m.to);
+  const QueuedArc programmed{to, m.center, turn_of(m)};
+  const auto corner = corner_to_arc(place_before(m), programmed);
+  if (!corner) return void(fault(corner.error()));
+  watch_element(queued, m);
+  if (corner->way == CornerKind::inner) {
+    if (!move_ends(corner->at)) return;
+  } else {
+    deliver_queue();
+    now_.start = now_.tool;
+    if (corner->way == CornerKind::outer) go_around_corner(queued, corner->at);
+  }
+  queued.arc = {corner->end, m.center, programmed.turn};
+  queued.swept = swept_by(from, m.center, programmed.turn, to);
+  queued.end = now_.tool = corner->end;
+  push(queued);
+}
+
+CornerSituation QueuedCompensation::place_before(const Motion& m) const {
+  return {in_plane(now_.at.work), now_.tool, m.tool_radius, static_cast<double>(m.side), now_.first_arc, !now_.queue.empty()};
+}
+
+/// Returns the speed of a motion with inverse-time feed: the programmed length divided by the time. The tool moves at this speed along
+/// the compensated path and around the corner.
+double QueuedCompensation::programmed_speed(const Motion& m) const {
+  if (m.unit != FeedUnit::per_min || m.kind == MotionKind::rapid) return 0;
+  double way = 0;
+  if (is_arc(m.kind)) {
+    const Vec2 from{now_.at.work[m.first], now_.at.work[m.second]}, to{m.to[m.first], m.to[m.second]};
+    const double deep = m.to[third()] - now_.at.work[third()];
+    way = std::hypot(std::hypot(m.center.x - from.x, m.center.y - from.y) * swept_by(from, m.center, turn_of(m), to), deep);
+  } else {
+    for (std::size_t a = 0; a < 3; ++a) way = std::hypot(way, m.to[a] - now_.at.work[a]);
+    if (way <= least_way_by_time && !beside()) return 0;
+  }
+  return std::max(least_speed_by_time * unit(), way * m.feed);
+}
+
+/// Adds an element to GougeDetector, which compares all motions emitted later with it. Only motions at feed along the contour are added;
+/// not the start and the end of compensation.
+void QueuedCompensation::watch_element(Queued& queued, const Motion& m) {
+  if (m.kind == MotionKind::rapid) return;
+  const Vec2 from = in_plane(now_.at.work), to = in_plane(m.to);
+  const ContourElement element = is_arc(m.kind)
+                                     ? ContourElement::arc(from, to, m.center, m.kind == MotionKind::arc_ccw ? m.turns : -m.turns)
+                                     : ContourElement::line(from, to);
+  const std::uint64_t number = now_.watch.contour(element, m.tool_radius, origin_);
+  queued.watched = true;
+  queued.known = {number == 0 ? 0 : number - 1, number + 1};  // the corner rules check the path against the neighbouring elements
+}
+
+/// Discards the queue, after an alarm or at the end of a file.
+void QueuedCompensation::lose() {
+  now_.queue.clear();
+  now_.start.reset();
+  now_.first_arc.reset();
+  now_.dropped = true;
+  (void)now_.watch.end();
+}
+
+/// Updates the positions by an action after an alarm. The action is not executed, but may still be analysed (kadr check): the tool is
+/// assumed to be next to each programmed end.
+void QueuedCompensation::follow(const Action& action) {
+  if (const auto* const m = motion_of(action)) {
+    now_.on = m->side != 0;
+    now_.first = m->first;
+    now_.second = m->second;
+    const Vec2 to = in_plane(m->to), way = is_arc(m->kind) ? to - m->center : to - in_plane(now_.at.work);
+    const double sense = m->kind == MotionKind::arc_ccw ? 1 : -1;
+    const Vec2 along = is_arc(m->kind) ? Vec2{-sense * way.y, sense * way.x} : way;
+    if (now_.on && !(along == Vec2{})) now_.tool = to + beside_line(along, *m);
+  }
+  now_.at.take(action);
+  now_.stands = now_.at.work;
+}
+
+}  // namespace kadr

@@ -1,0 +1,145 @@
+// QueuedCompensation, output: how the queue of LinuxCNC's cutter radius compensation is corrected and emitted (interp_queue.cc of the
+// source).
+
+#include <cmath>
+#include <utility>
+
+#include "action/by_kind.h"
+#include "path/compensation/queued_compensation.h"
+#include "path/curve/plane_shift.h"
+
+namespace kadr {
+namespace {
+
+constexpr double radii_apart = 0.01;       // greatest difference of an arc's radii, in the block's length unit (move_endpoint_and_flush)
+constexpr double more_swept_mm = 0.0254;   // by how much an arc may become longer than programmed, rad, in a block in mm;
+constexpr double more_swept_inch = 0.001;  // in a block in inches: the source converts the angle like a length
+constexpr double no_arc = 1e-9;            // rad: a smaller swept angle counts as a full circle
+
+/// Directions from the centre of a turning tool's nose to its programmed tip, as (Z, X) (latheorigin_z, latheorigin_x).
+//       +X
+//    3  8  4       each orientation number is drawn at the position of the tip relative to the nose centre (0, 9)
+//    7  9  5 +Z
+//    2  6  1
+constexpr std::size_t orientations = 10;
+constexpr Vec2 tips[orientations] = {{0, 0}, {1, -1}, {-1, -1}, {-1, 1}, {1, 1}, {1, 0}, {0, -1}, {-1, 0}, {0, 1}, {0, 0}};
+Vec2 tip_of(const Motion& m) { return m.side == 0 || m.nose >= orientations ? Vec2{} : m.tool_radius * tips[m.nose]; }
+
+double plane_way(Vec2 a, Vec2 b) { return std::hypot(a.x - b.x, a.y - b.y); }
+
+}  // namespace
+
+/// Moves the ends of all queued motions to the point `to` and emits the motions (move_endpoint_and_flush).
+bool QueuedCompensation::move_ends(Vec2 to) {
+  if (now_.queue.empty()) return true;
+  for (std::size_t i = 0; i < now_.queue.size(); ++i) {
+    Queued& queued = now_.queue[i];
+    if (!queued.moves) continue;
+    if (!may_end(queued, to)) return false;
+    queued.end = to;
+    if (queued.arc) queued.arc->end = to;
+    if (i == 0) now_.first_arc = queued.arc;
+  }
+  deliver_queue();
+  now_.start = to;
+  return true;
+}
+
+/// Checks the new end of a queued motion: a line must not go backwards, and an arc must not have a greater swept angle than programmed.
+bool QueuedCompensation::may_end(const Queued& queued, Vec2 to) {
+  if (queued.arc) {
+    const double before = plane_way(queued.arc->end, queued.arc->center), now = plane_way(to, queued.arc->center);
+    if (std::fabs(before - now) > radii_apart * unit()) return fault(alarm(AlarmId::offset_arc_radii, {}, before / unit(), now / unit()));
+    if (!now_.start || queued.swept == 0) return true;
+    const double swept = swept_by(*now_.start, queued.arc->center, queued.arc->turn, to);
+    const double more = now_.inch ? more_swept_inch : more_swept_mm;
+    return std::fabs(swept) > std::fabs(queued.swept) + more ? fault(alarm(AlarmId::gouge_arc, {})) : true;
+  }
+  if (!now_.start || dot(queued.direction, to - *now_.start) >= 0) return true;
+  const bool rapid = std::get<Motion>(queued.action.what).kind == MotionKind::rapid;
+  return fault(alarm(rapid ? AlarmId::gouge_rapid : AlarmId::gouge_feed, {}));
+}
+
+void QueuedCompensation::push(Queued& queued) {
+  if (now_.queue.size() >= max_queued) return void(fault(alarm(AlarmId::compensation_buffer, {})));
+  if (now_.queue.empty()) now_.first_arc = queued.arc;
+  now_.queue.push_back(std::move(queued));
+}
+
+/// Emits the motion around an outer corner to the point `to`: an arc, or a line at rapid. It has the feed and unit of the motion `next`;
+/// the rotary axes of `next` move in it, its third axis does not.
+void QueuedCompensation::go_around_corner(const Queued& next, Vec2 to) {
+  Queued round;
+  round.action = next.action;
+  round.moves = true;
+  round.end = to;
+  round.speed = next.speed;
+  round.watched = next.watched;
+  if (next.watched) round.known = {next.known.first, next.known.last - 1};
+  auto& m = std::get<Motion>(round.action.what);
+  for (const std::size_t axis : {now_.first, now_.second, third()}) {
+    m.to[axis] = now_.at.work[axis];
+    m.machine[axis] = now_.at.machine[axis];
+  }
+  m.named = (m.named | AxisMask{1} << now_.first | AxisMask{1} << now_.second) & ~(AxisMask{1} << third());
+  m.detail.reset();
+  if (m.kind != MotionKind::rapid) {
+    m.kind = m.side > 0 ? MotionKind::arc_cw : MotionKind::arc_ccw;
+    m.center = in_plane(now_.at.work);
+    round.arc = {to, m.center, m.side > 0 ? -1 : 1};
+  }
+  deliver(round);
+  now_.start = to;
+}
+
+void QueuedCompensation::deliver_queue() {
+  for (Queued& queued : now_.queue) deliver(queued);
+  now_.queue.clear();
+  now_.start.reset();
+}
+
+void QueuedCompensation::deliver(Queued& queued) {
+  if (auto* const m = motion_of(queued.action); m != nullptr && queued.moves) {
+    move_tool(queued, *m);
+    // a new coordinate frame: converts the tool's coordinates
+  } else if (auto* const frame = std::get_if<FrameChange>(&queued.action.what)) {
+    frame->work[now_.first] += now_.beside.x;
+    frame->work[now_.second] += now_.beside.y;
+    now_.stands = frame->work;
+  }
+  out_.add() = std::move(queued.action);
+}
+
+void QueuedCompensation::move_tool(const Queued& queued, Motion& m) {
+  const Vec2 tip = tip_of(m), from = in_plane(now_.stands) - tip, to = queued.end;
+  double way = plane_way(from, to);
+  if (queued.arc) {
+    m.center = queued.arc->center;
+    const int further = std::abs(queued.arc->turn) - 1;
+    double swept = std::fabs(swept_by(from, m.center, queued.arc->turn > 0 ? 1 : -1, to));
+    if (swept <= no_arc) swept += 2 * pi;
+    swept += further * 2 * pi;
+    m.turns = swept / (2 * pi);
+    way = swept * plane_way(from, m.center);
+  }
+  if (m.kind == MotionKind::thread && m.side != 0) m.kind = MotionKind::feed;
+  way = std::hypot(way, m.to[third()] - now_.stands[third()]);
+  if (queued.speed > 0 && way > tol::same_point) m.feed = queued.speed / way;
+  if (queued.watched && plane_way(from, to) > tol::same_point) {
+    const double turns = m.kind == MotionKind::arc_ccw ? m.turns : -m.turns;
+    const auto piece = [&] { return queued.arc ? PlanePiece::arc(from, to, m.center, turns) : PlanePiece::line(from, to); };
+    now_.watch.path(piece, m.tool_radius, queued.action.origin, queued.known);
+  }
+  if (queued.arc) m.center = m.center + tip;
+  now_.beside = to + tip - in_plane(m.to);
+  shift_in_plane(m, now_.first, now_.second, now_.beside, now_.at.turn.get());
+  now_.stands = m.to;
+  now_.dropped = false;
+}
+
+void QueuedCompensation::end_watch() {
+  if (const auto cut = now_.watch.end())
+    warnings_.push_back({warning(AlarmId::contour_cut, {}, cut->depth, static_cast<double>(cut->contour.line)), cut->tool, cut->contour});
+}
+
+}  // namespace kadr

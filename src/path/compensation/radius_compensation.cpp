@@ -1,0 +1,325 @@
+// RadiusCompensation, input: how motions enter the window, and how the corner between two motions is computed.
+
+#include "path/compensation/radius_compensation.h"
+
+#include <cmath>
+#include <utility>
+
+#include "action/by_kind.h"
+#include "action/curve.h"
+
+namespace kadr {
+namespace {
+
+bool in_contour(const Motion& m) {
+  const bool kind = m.kind == MotionKind::rapid || m.kind == MotionKind::feed || is_arc(m.kind);
+  return kind && !(m.detail && m.detail->surface != PathSurface::plane);
+}
+
+const std::optional<Vec2>& direction_of(const Motion& m) {
+  static const std::optional<Vec2> none;
+  return m.detail ? m.detail->way : none;
+}
+
+/// Returns the rule for the corner after `m`: a corner between two rapid motions gets no arc.
+CornerJoin join_of(const Motion& m, const Motion& next) {
+  const bool rapid = m.kind == MotionKind::rapid && next.kind == MotionKind::rapid;
+  return rapid && m.join_corner == CornerJoin::arc ? CornerJoin::extended : m.join_corner;
+}
+
+/// Returns a single vector, to the point where the offsets meet, for inside and outside corners (15.5.1, 15.5.3, 15.5.4). `otherwise`:
+/// the vector to return if the offsets do not meet.
+JunctionVectors meeting(const OffsetElement& first, const OffsetElement& second, Vec2 point, Vec2 otherwise) {
+  return single(intersection(first, second, point).value_or(otherwise));
+}
+
+}  // namespace
+
+void RadiusCompensation::drop() {
+  for (; now_.count > 0; drop_first()) held(0).waiting.clear();
+  now_.zero.reset();
+  now_.corner.reset();
+  now_.stand = now_.at;
+  (void)now_.watch.end();
+  now_.astray = true;
+}
+
+std::optional<CompensationFault> RadiusCompensation::take(ActionBatch& batch, bool last) {
+  warnings_.clear();
+  if (now_.count == 0 && !now_.zero && !beside()) {  // the usual case: only the tool's position is updated
+    bool any = false;
+    for (const Action& action : batch) {
+      if (const auto* const m = motion_of(action)) any = any || m->side != 0;
+      else any = any || std::holds_alternative<CompensationCheck>(action.what);
+    }
+    if (!any) {
+      for (const Action& action : batch) now_.at.take(action);
+      now_.stand = now_.at;
+      return std::nullopt;
+    }
+  }
+  out_.clear();
+  fault_.reset();
+  for (Action& action : batch) {
+    next(action);
+    if (fault_) break;
+  }
+  if (!fault_ && last) flush({});
+  if (last && !fault_) end_watch();
+  now_.astray = now_.astray || last;
+  std::swap(batch, out_);
+  if (fault_) drop();
+  return fault_;
+}
+
+void RadiusCompensation::next(Action& action) {
+  by_kind(
+      action, [&](Motion&) { motion(action); },
+      [&](CompensationBreak& end) {
+        if (end.here) stay();
+        else if (end.off) leave();
+        else flush(Vec2{});
+      },
+      [&](CompensationCorner&) { corner(action); },
+      [&](CompensationCheck& check) {
+        const CompensationCheck from_here = check;
+        flush({});
+        now_.check = from_here;
+      },
+      [&](FrameChange& frame) { frame_change(action, frame); },
+      [&]<class Other>(Other&) requires IsOneOf<Other, Dwell, Spindle, Speed, CoolantSwitch, ToolSelect, ToolChange, MachineFunction,
+                                                AuxiliaryFunction, Stop, Message, SurfaceSpeed, Sync, ZoneChange, Couple, Uncouple> {
+        now_.at.take(action);
+        if (now_.count == 0) deliver(std::move(action));
+        else wait(std::move(action));
+      });
+}
+
+/// Handles a new coordinate frame. A change of tool length does not affect the path. If the work offset changes, compensation stays
+/// active on controls where only the program may cancel it (`entry`).
+void RadiusCompensation::frame_change(Action& action, FrameChange& frame) {
+  const bool stays = length(in_plane(frame.work) - in_plane(now_.at.work)) <= tol::same_point && frame.placement.turn == now_.at.turn;
+  if (!now_.keeps_vector) flush(Vec2{});
+  else if (!stays) flush({});
+  if (fault_) return;
+  now_.at.take(frame);
+  if (now_.count > 0) return wait(std::move(action));
+  now_.stand.take(frame);
+  if (now_.keeps_vector) shift(frame);
+  out_.add() = std::move(action);
+}
+
+void RadiusCompensation::wait(Action action) {
+  auto& waiting = last_held().waiting;
+  if (waiting.size() < max_waiting) waiting.push_back(std::move(action));
+  else fault(alarm(AlarmId::compensation_buffer, {}), last_held().origin);
+}
+
+void RadiusCompensation::motion(Action& action) {
+  auto& m = std::get<Motion>(action.what);
+  const bool ends = m.side_step == SideStep::ends;
+  if ((m.side == 0 && !ends) || !in_contour(m)) return outside_contour(action);
+  now_.first = m.first;
+  now_.second = m.second;
+  now_.keeps_vector = m.entry != CompensationApproach::by_corner;
+  const Vec2 way = in_plane(m.to) - in_plane(now_.at.work);
+  if (length(way) > tol::same_point || is_arc(m.kind)) return contour(action);
+  const bool named = (m.named & (AxisMask{1} << now_.first | AxisMask{1} << now_.second)) != 0;
+  if (named && ends) {
+    leave();
+    now_.at.take(m);
+    deliver(std::move(action));
+  } else if (named && !now_.keeps_vector) {  // zero displacement (15.5.1, 15.5.2): the block moves the tool to the next vector
+    flush({});
+    now_.at.take(m);
+    now_.zero = std::move(action);
+  } else if (now_.count > 0) {
+    now_.at.take(m);
+    wait(std::move(action));
+  } else {
+    now_.at.take(m);
+    now_.stand.take(m);
+    shift(m, now_.vector);
+    out_.add() = std::move(action);
+  }
+}
+
+/// Emits a motion without compensation. It goes to the programmed point, but axes of the plane that are not programmed in its block keep
+/// the vector's component.
+void RadiusCompensation::outside_contour(Action& action) {
+  auto& m = std::get<Motion>(action.what);
+  const bool stays = m.side != 0 && (m.named & (AxisMask{1} << now_.first | AxisMask{1} << now_.second)) == 0;
+  if (now_.keeps_vector) flush({});
+  else flush(Vec2{});
+  if (fault_) return;
+  now_.at.take(m);
+  now_.stand.take(m);
+  if (stays) shift(m, now_.vector);
+  else now_.vector = {};
+  out_.add() = std::move(action);
+}
+
+void RadiusCompensation::contour(Action& action) {
+  auto& m = std::get<Motion>(action.what);
+  ContourElement& element = held(now_.count).element;  // written to the place in the window where the motion will be stored
+  construct_in_place(element, [&] { return element_of(m); });
+  if (element.start == Vec2{}) {
+    const double way = length(in_plane(m.to) - in_plane(now_.at.work));
+    return fault(alarm(AlarmId::compensation_entry_short, {}, way, m.tool_radius), action.origin);
+  }
+  const Vec2 beside = m.tool_radius * side_normal(element.start, m.side);
+  Vec2 start = now_.vector;
+  if (now_.count > 0 && now_.corner) {
+    const Motion before = last_held().motion;
+    const Origin origin = std::exchange(now_.corner, std::nullopt)->origin;
+    flush({});
+    if (!fault_) round(beside, origin, before.kind == MotionKind::rapid ? m : before);
+    start = beside;
+  } else if (now_.count > 0) {
+    join(m, element);
+    const JunctionVectors& end = last_held().end;
+    start = end.count > 0 ? end.last() : beside;
+  } else if (now_.zero) {
+    const auto& like = std::get<Motion>(now_.zero->what);
+    if (like.side_step == SideStep::none) watch_step(now_.vector, beside, m, now_.zero->origin, {});
+    step(beside, like, now_.zero->origin);
+    now_.zero.reset();
+    start = beside;
+  } else if (m.side_step == SideStep::begun) {
+    step(beside, m, action.origin);
+    start = beside;
+  }
+  if (!fault_) hold(action, element, start);
+}
+
+void RadiusCompensation::hold(Action& action, const ContourElement& element, Vec2 start_vector) {
+  Held& now = held(now_.count++);
+  now.motion = std::move(std::get<Motion>(action.what));
+  now.origin = action.origin;
+  if (&now.element != &element) now.element = element;  // the interference check has dropped blocks between
+  now.start_vector = start_vector;
+  now.end.count = 0;
+  now.rejoins = now.regular = false;
+  now_.at.take(now.motion);
+  watch_last();
+  if (now.motion.side_step == SideStep::ends) {
+    flush(Vec2{});
+    end_watch();
+  }
+  while (!fault_ && now_.count >= looked_at()) release_first();
+}
+
+/// Handles G39: if its block states a direction, it acts at once; else when the next motion is known.
+void RadiusCompensation::corner(Action& action) {
+  if (now_.count == 0) return;
+  const auto& way = std::get<CompensationCorner>(action.what).way;
+  if (!way) {
+    now_.corner = std::move(action);
+    return;
+  }
+  const Motion before = last_held().motion;
+  flush({});
+  if (!fault_) round(before.tool_radius * side_normal(1 / length(*way) * *way, before.side), action.origin, before);
+}
+
+/// Ends the contour, because no motion in the plane follows. The last stored motion ends with `vector`; if it is empty, with the vector
+/// perpendicular to the motion's end.
+void RadiusCompensation::flush(std::optional<Vec2> vector) {
+  if (now_.zero) {
+    auto& m = std::get<Motion>(now_.zero->what);
+    now_.stand.take(m);
+    shift(m, vector.value_or(now_.vector));
+    out_.add() = std::move(*now_.zero);
+    now_.zero.reset();
+    now_.vector = vector.value_or(now_.vector);
+  }
+  if (now_.count == 0 || fault_) return;
+  Held& last = last_held();
+  last.end = single(vector.value_or(last.motion.tool_radius * side_normal(last.element.end, last.motion.side)));
+  while (!fault_ && now_.count > 0) release_first();
+}
+
+/// Handles G40 without a motion in the plane: the tool moves to the vector perpendicular to the end of the last block, then straight to
+/// the programmed point (15.5.3).
+void RadiusCompensation::leave() {
+  if (now_.count == 0) return flush(Vec2{});
+  const Motion like = last_held().motion;
+  const Origin origin = last_held().origin;
+  std::vector<Action> behind = std::exchange(last_held().waiting, {});
+  flush({});
+  if (fault_) return;
+  step({}, like, origin);
+  end_watch();
+  for (Action& action : behind) deliver(std::move(action));
+}
+
+/// Lets the program continue from the tool's current position: adds the vector to the programmed point.
+void RadiusCompensation::stay() {
+  flush({});
+  if (fault_) return;
+  for (ToolPosition* const position : {&now_.at, &now_.stand})
+    for (Axes* const axes : {&position->work, &position->machine}) {
+      (*axes)[now_.first] += now_.vector.x;
+      (*axes)[now_.second] += now_.vector.y;
+    }
+  now_.vector = {};
+  end_watch();
+}
+
+/// Returns the contour element of a motion, from which the corners are computed. Its direction is zero if the motion cannot start
+/// compensation because the end point lies within the tool radius.
+ContourElement RadiusCompensation::element_of(const Motion& m) const {
+  const Vec2 from = in_plane(now_.at.work), to = in_plane(m.to);
+  if (m.side_step == SideStep::begins && m.entry == CompensationApproach::tangent) {
+    const auto way = entry_direction(to - from, m.tool_radius, m.side);
+    return way ? ContourElement::line(to - *way, to) : ContourElement();
+  }
+  if (!is_arc(m.kind)) return ContourElement::line(from, to);
+  return ContourElement::arc(from, to, m.center, m.kind == MotionKind::arc_ccw ? m.turns : -m.turns);
+}
+
+/// Computes the vectors at the corner between the last stored motion and the next motion.
+void RadiusCompensation::join(const Motion& next, const ContourElement& second) {
+  Held& first = last_held();
+  const auto vectors = vectors_to(next, second);
+  first.regular = vectors && first.watched && first.motion.side == next.side && first.motion.tool_radius == next.tool_radius &&
+                  next.side_step == SideStep::none && next.kind != MotionKind::rapid && gentle(first.element, second);
+  if (vectors) {
+    first.end = now_.check.least_step > 0 ? without_short_steps(*vectors, now_.check.least_step) : *vectors;
+  } else if (!now_.check.interference) {
+    const bool inside = corner_of(first.element.end, second.start, first.motion.side) == Corner::inside;
+    fault(alarm(inside ? AlarmId::compensation_no_intersection : AlarmId::compensation_corner_sharp, {}), first.origin);
+  }
+}
+
+/// Returns the vectors at the junction with the next motion. The tool radius is that of the block that ends at the junction.
+std::optional<JunctionVectors> RadiusCompensation::vectors_to(const Motion& next, const ContourElement& second) {
+  Held& before = last_held();
+  const Motion& m = before.motion;
+  const ContourElement& first = before.element;
+  const double radius = m.tool_radius, side = m.side;
+  if (radius == 0) return single({});
+  const bool begins = m.side_step == SideStep::begins, ends = next.side_step == SideStep::ends;
+  if (now_.keeps_vector && ends) return single(radius * side_normal(first.end, side));
+  if (now_.keeps_vector && begins && m.entry == CompensationApproach::normal) return single(radius * side_normal(second.start, side));
+  if (now_.keeps_vector && next.side == m.side) return joined(first, second, radius, side, join_of(m, next));
+  if (const auto& way = direction_of(m); begins && way) {
+    const ContourElement in = ContourElement::line(first.to - *way, first.to);
+    return meeting(offset_at_end(in, radius, side), offset_at_start(second, radius, side), first.to,
+                   radius * side_normal(second.start, side));
+  }
+  if (const auto& way = direction_of(next); ends && way) {
+    const ContourElement out = ContourElement::line(first.to, first.to + *way);
+    return meeting(offset_at_end(first, radius, side), offset_at_start(out, radius, side), first.to, radius * side_normal(first.end, side));
+  }
+  if (m.side_step == SideStep::holds) return single(before.start_vector);
+  if (begins) return start_up(first, second, radius, side);
+  if (ends) return cancel(first, second, radius, side);
+  if (next.side == m.side) return junction(first, second, radius, side);
+  const double other = next.side;
+  const auto meet = intersection(offset_at_end(first, radius, side), offset_at_start(second, radius, other), first.to);
+  before.rejoins = !meet && first.is_arc;
+  return single(meet.value_or(radius * side_normal(second.start, other)));
+}
+
+}  // namespace kadr

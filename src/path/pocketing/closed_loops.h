@@ -1,0 +1,29 @@
+#pragma once
+// Loops: joins the edges of a drawing to closed contours. Outer contours run counter-clockwise and islands clockwise, so the zone is on
+// the left of each contour.
+
+#include "path/pocketing/edge.h"
+
+namespace kadr::area {
+
+/// The joined edges of a drawing: closed contours and open chains.
+struct Chains {
+  std::vector<Edges> closed;
+  std::vector<Edges> open;  // centre lines of slots
+};
+
+/// A connected area with its islands: loops[0] is the outer contour.
+struct Zone {
+  std::vector<Edges> loops;
+};
+
+/// Joins edges whose end points meet. End points up to tol::contour_gap apart are moved to the same point.
+///   alarms  contour_branch
+tl::expected<Chains, DrawingFault> chained(const Edges& edges);
+
+/// Returns the areas enclosed by the closed loops: each outer contour with the islands directly inside it. A loop inside an island is the
+/// outer contour of a further zone.
+///   alarms  contour_open_end, if a chain does not close; contour_crosses
+tl::expected<std::vector<Zone>, DrawingFault> zones_of(const Chains& chains);
+
+}  // namespace kadr::area

@@ -1,0 +1,55 @@
+#pragma once
+// Geometry of one edge of a contour in a plane: a line or an arc of at most half a circle.
+
+#include <limits>
+
+#include "config/drawing/drawing.h"
+
+namespace kadr::area {
+
+struct Circle {
+  Vec2 centre;
+  double radius = 0;
+};
+
+inline bool is_line(const Edge& e) { return e.bulge == 0; }
+Circle circle_of(const Edge& arc);
+double length_of(const Edge& e);
+double length_of(const Edges& path);
+Edge reversed(const Edge& e);
+Edges reversed(const Edges& path);
+
+/// Returns the point at the fraction `part` of the edge's length, 0 … 1.
+Vec2 at(const Edge& e, double part);
+/// Returns the direction of travel at the fraction `part` of the length, a unit vector.
+Vec2 direction(const Edge& e, double part);
+/// Returns the section of the edge between two fractions of its length.
+Edge stretch(const Edge& e, double from, double to);
+/// Returns where the edge is nearest to `p`, as a fraction of the edge's length.
+double nearest_part(const Edge& e, Vec2 p);
+double distance(const Edge& e, Vec2 p);
+
+/// Returns the least distance between two edges (path/curve/plane_distance); 0 if they cross.
+double distance(const Edge& a, const Edge& b);
+
+/// Returns the points that two edges have in common, end points included. If the edges overlap, these are the end points of the overlap.
+std::vector<Vec2> meetings(const Edge& a, const Edge& b);
+
+struct Bounds {
+  Vec2 least{std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()};
+  Vec2 most{-std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()};
+  void take(Vec2 p);
+  void take(const Edge& e);
+  /// True if the two bounding boxes are at most `reach` apart.
+  bool near(const Bounds& other, double reach) const;
+};
+Bounds bounds_of(const Edges& path);
+
+/// Returns the edge rotated about the origin.
+Edge rotated(const Edge& e, double deg);
+
+/// Returns the circular arc from `from` to `to` that starts in the direction `way`; a line if `to` lies straight ahead. An arc longer
+/// than half a circle becomes two edges.
+Edges tangent_arc(Vec2 from, Vec2 way, Vec2 to);
+
+}  // namespace kadr::area

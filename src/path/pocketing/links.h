@@ -1,0 +1,41 @@
+#pragma once
+// Links: paths from one pass to the next without lifting the tool.
+
+#include <optional>
+
+#include "path/pocketing/milling_passes.h"
+
+namespace kadr::area {
+
+/// Returns two arcs from `from`, leaving in the direction `out`, to `to`, arriving in the direction `in`; nullopt if the arcs would
+/// reverse the direction of travel.
+std::optional<Edges> double_arc(Vec2 from, Vec2 out, Vec2 to, Vec2 in);
+
+/// Returns a path between two points within the field: a straight line, or a path along the boundary if it is at most `detour` mm longer
+/// than the straight line.
+std::optional<Edges> way_between(const Field& field, Vec2 from, Vec2 to, double detour);
+
+/// A pass with a chosen start: `way` leads to the start, `path` is the pass from there.
+struct PassStart {
+  Edges way;
+  Edges path;
+};
+
+/// Returns the pass with the path from `from`, where the tool has arrived in the direction `out`. A closed pass (ring) is entered along a
+/// double arc if there is room.
+std::optional<PassStart> pass_start_from(const Field& field, const Job& job, const Pass& pass, Vec2 from, std::optional<Vec2> out);
+
+/// Returns the ring with its start moved to the point nearest to `p`.
+Edges begun_near(const Edges& ring, Vec2 p);
+
+/// Returns the ring with its start moved to the middle of its longest edge.
+Edges begun_at_longest(const Edges& ring);
+
+/// Returns a quarter circle that leads tangentially into the start of a pass, with the largest radius for which there is room.
+std::optional<Edge> arc_into(const Field& field, const Job& job, const Edges& path);
+
+/// Returns a quarter circle that leads tangentially out of the end of a pass, away from the wall, with the largest radius for which there
+/// is room.
+std::optional<Edge> arc_out_of(const Field& field, const Job& job, const Edges& path);
+
+}  // namespace kadr::area

@@ -1,0 +1,36 @@
+#pragma once
+// Passes: computes the passes by which a scheme (zigzag, rings, comb) covers a field. path/pocketing/layers computes how the tool moves
+// from one pass to the next.
+
+#include "path/pocketing/field.h"
+
+namespace kadr::area {
+
+/// A section of the path that the tool cuts without interruption.
+struct Pass {
+  Edges path;
+  bool closed = false;  // true for a ring, which may start at any of its points
+  bool lifted = false;  // the tool is always lifted before this pass, even if a direct path exists (comb schemes, Ш)
+};
+using Passes = std::vector<Pass>;
+
+inline constexpr std::size_t max_passes = 20'000;  // of one layer: beyond it the drawing's unit or the step is wrong
+
+/// Returns the passes of the job's scheme, which together cut everything that the tool can cut.
+///   alarms  mill_too_long
+Result<Passes> passes_of(const Field& field, const Job& job);
+
+/// Returns equidistant rings (СПИР, АСПИР).
+Result<Passes> ring_passes(const Field& field, const Job& job);
+
+/// Returns parallel rows: back and forth, or all in one direction. `inset`: distance between the ends of the rows and the boundary, mm;
+/// 0: the rows are connected along the boundary.
+Result<Passes> row_passes(const Field& field, const Job& job, double inset);
+
+/// Returns passes that cut the areas which the passes `done` leave uncut.
+Passes rest_passes(const Field& field, const Job& job, const Passes& done);
+
+/// Returns the ring with its start moved to the fraction `part` of the edge with the index `edge`.
+Edges begun_at(const Edges& ring, std::size_t edge, double part);
+
+}  // namespace kadr::area

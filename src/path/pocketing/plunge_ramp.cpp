@@ -1,0 +1,152 @@
+// Ramps: finds a sloped path along which the tool goes down into uncut material near the start of a pass. Used by path/pocketing/layers;
+// tested by tests/path/pocketing/ramp_test.cpp.
+
+#include "path/pocketing/plunge_ramp.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/tolerance.h"
+#include "path/pocketing/links.h"
+
+namespace kadr::area {
+namespace {
+
+constexpr double fine = tol::area_wall / 4;         // chord tolerance, mm, of a ramp that may run along a wall
+constexpr double coarse = 0.02;                     // chord tolerance, mm, of a ramp away from walls; gives fewer blocks
+constexpr double shortest = 2, longest = 6;         // length of a stroke in tool radii, where there is room
+constexpr double good_extent = 2;                   // extent in tool radii with which the search for a wider ramp ends
+constexpr double helices[] = {0.8, 0.5, 0.3, 0.2};  // helix radii to try, in tool radii; up to 1 no core remains
+constexpr double good_helix = 0.5;
+constexpr double lines[] = {6, 4, 2, 1, 0.4};  // lengths of straight ramps to try, in tool radii
+constexpr int directions = 24;                 // directions tried around the start
+// greatest number of strokes or revolutions; more mean that the slope is too flat for a useful program
+constexpr int max_times = 2000;
+
+double length_of_corners(const Polygon& corners) {
+  double sum = 0;
+  for (std::size_t i = 1; i < corners.size(); ++i) sum += length(corners[i] - corners[i - 1]);
+  return sum;
+}
+
+double extent_of(const Polygon& corners) {
+  Bounds box;
+  for (const Vec2 p : corners) box.take(p);
+  return std::max(box.most.x - box.least.x, box.most.y - box.least.y);
+}
+
+/// Returns the first `most` mm of a path.
+Edges beginning(const Edges& path, double most) {
+  Edges piece;
+  for (const Edge& e : path) {
+    const double whole = length_of(e);
+    piece.push_back(whole <= most ? e : stretch(e, 0, most / whole));
+    most -= whole;
+    if (most <= 0) break;
+  }
+  return piece;
+}
+
+class Search {
+ public:
+  Search(const Field& field, const Job& job, const Edges& path, double drop)
+      : field_(field), job_(job), path_(path), needed_(drop / std::tan(job.ramp_deg * rad_per_deg)) {
+    // a flat ramp uses longer strokes, which avoids thousands of them
+    stroke_ = std::clamp(needed_ / 2, shortest * job.radius, std::max(longest * job.radius, needed_ / 100));
+  }
+
+  std::optional<Ramp> run() {
+    try_pass();
+    if (!found()) try_helices(good_helix);
+    if (!found()) try_lines();
+    if (!found()) try_boundary();
+    if (!found()) try_helices(0);
+    return best_;
+  }
+
+ private:
+  bool found() const { return good_; }
+
+  void offer(const Polygon& corners, bool round, bool good) {
+    const double extent = extent_of(corners), once = length_of_corners(corners);
+    if (extent < ramp_core * job_.radius || extent <= best_extent_) return;
+    const double times = round ? std::ceil(needed_ / once) : 2 * std::ceil(needed_ / once / 2);
+    if (!(times <= max_times)) return;
+    best_ = Ramp{corners, round, static_cast<int>(times), times * once};
+    best_extent_ = extent;
+    good_ = good || extent >= good_extent * job_.radius;
+  }
+
+  /// Returns the corner points of a path if the path stays in the field, else nullopt.
+  std::optional<Polygon> held(const Edges& way) const {
+    for (const double chord : {coarse, fine}) {
+      Polygon corners = flattened(way, chord);
+      if (length(corners.back() - way.back().to) > tol::same_point) corners.push_back(way.back().to);
+      if (field_.roomy.holds(corners, tol::area_chord)) return corners;
+    }
+    return std::nullopt;
+  }
+
+  void try_along(const Edges& way) {
+    if (way.empty()) return;
+    const bool closed = length(way.back().to - way.front().from) < tol::same_point;
+    const bool round = closed && length_of(way) <= stroke_;
+    if (const auto corners = held(beginning(way, stroke_))) offer(*corners, round, false);
+  }
+
+  void try_pass() { try_along(path_); }
+
+  void try_helices(double least) {
+    const Vec2 start = path_.front().from;
+    for (const double share : helices) {
+      const double radius = share * job_.radius;
+      for (int i = 0; share >= least && !found() && i < directions; ++i) {
+        const Vec2 out = radius * heading(i);
+        const double side = job_.direction == Direction::ccw ? 1 : -1;
+        const Edges circle{{start, start + 2 * out, side}, {start + 2 * out, start, side}};
+        if (const auto corners = held(circle)) offer(*corners, true, share >= good_helix);
+      }
+    }
+  }
+
+  void try_lines() {
+    const Vec2 start = path_.front().from;
+    for (const double share : lines)
+      for (int i = 0; !found() && i < directions; ++i)
+        if (const Vec2 end = start + std::min(share * job_.radius, stroke_) * heading(i); holds(field_, {{start, end}}))
+          offer({start, end}, false, false);
+  }
+
+  void try_boundary() {
+    const Vec2 start = path_.front().from;
+    for (const Edges& loop : field_.reach)
+      for (const Edges& ring : {begun_near(loop, start), reversed(begun_near(loop, start))}) {
+        if (found() || ring.empty()) continue;
+        Edges way = ring;
+        if (length(ring.front().from - start) > tol::same_point) way.insert(way.begin(), Edge{start, ring.front().from});
+        try_along(way);
+      }
+  }
+
+  /// Returns the direction to try as number `i`: 0 is the direction of the pass, further directions lie on alternating sides of it.
+  Vec2 heading(int i) const {
+    const int turn = (i + 1) / 2 * (i % 2 == 0 ? 1 : -1);
+    return kadr::rotated(direction(path_.front(), 0), 360.0 * turn / directions);
+  }
+
+  const Field& field_;
+  const Job& job_;
+  const Edges& path_;
+  double needed_, stroke_ = 0;
+  std::optional<Ramp> best_;
+  double best_extent_ = 0;
+  bool good_ = false;
+};
+
+}  // namespace
+
+std::optional<Ramp> ramp_for(const Field& field, const Job& job, const Edges& path, double drop) {
+  return Search(field, job, path, drop).run();
+}
+
+}  // namespace kadr::area

@@ -1,0 +1,30 @@
+#pragma once
+// Ramps: finds a sloped path along which the tool goes down into uncut material near the start of a pass.
+
+#include <optional>
+
+#include "path/pocketing/field.h"
+
+namespace kadr::area {
+
+/// Extent of the smallest ramp, in tool radii. INFERRED: end teeth leave a core of about a tenth of the diameter; a movement by twice the
+/// core's size removes it (a bore of 1.2 tool diameters, the least that tool makers allow for a helix).
+inline constexpr double ramp_core = 0.4;
+
+/// The plan view of a ramp: a path from the start of a pass, followed back and forth or in circles while the tool goes down. It ends
+/// where it starts.
+struct Ramp {
+  Polygon corners;
+  bool round = false;
+  int times = 0;     // number of revolutions if `round`, else of strokes (even)
+  double along = 0;  // total horizontal length, mm
+};
+
+/// Returns the first of these ramps for which there is full room: along the pass, a helix, a straight line, along the boundary of the
+/// field. If there is none, returns the one with the greatest extent; nullopt if the tool could move by less than ramp_core of its
+/// radius, because it would then drill.
+///   drop  depth to go down, mm
+///   law   drop <= along · tan(job.ramp_deg); the whole ramp lies in the field
+std::optional<Ramp> ramp_for(const Field& field, const Job& job, const Edges& path, double drop);
+
+}  // namespace kadr::area

@@ -1,0 +1,40 @@
+#pragma once
+// Translates a user's request for milling (by the command kadr mill or a page) into a job of path/pocketing.
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "base/result.h"
+#include "path/pocketing/mill.h"
+
+namespace kadr {
+
+/// A request. Lengths in mm, angles in degrees, feeds in mm/min. A negative or empty value selects the default (docs/commands/mill.md).
+struct MillRequest {
+  std::string task;  // pocket, face, slot
+  std::string scheme, direction, plunge = "ramp", stepover, mark;
+  double tool_diameter = 0, depth = 0, pass = -1, allowance = 0, top = 0, clearance = 5, overrun = 2, angle = 0, ramp_angle = 3, width = -1;
+  double feed = 300, plunge_feed = -1, speed = 0;
+  std::vector<double> hole;  // X and Y of a drilled hole in which the tool plunges
+  std::uint32_t tool = 0;
+  bool coolant = false;
+};
+
+/// Checks the request and converts it to a complete job.
+///   alarms  mill_value, mill_stepover
+Result<area::Job> mill_job(const MillRequest& request);
+
+/// Checks that a name is valid; the functions named …_names() list the valid names.
+bool is_scheme(std::string_view name);
+bool is_direction(std::string_view name);
+bool is_plunge(std::string_view name);
+std::vector<std::string> scheme_names();
+std::vector<std::string> direction_names();
+std::vector<std::string> plunge_names();
+
+/// Names of schemes and plunges in the Russian source: СПИР, 1 ЗИГЗАГ; СПУСК.
+std::string_view russian_name(area::Scheme scheme);
+std::string_view russian_name(area::Plunge plunge);
+
+}  // namespace kadr

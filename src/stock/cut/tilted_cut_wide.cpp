@@ -1,0 +1,34 @@
+// Cuts with a tilted tool, with the vectors of AVX2. Used by stock/cut/tilted_cut, which checks that the processor has AVX2.
+
+// All code without lanes is included before the pragma, so that it is compiled without AVX2: the linker may use this file's copy of such a
+// function for the whole program.
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+
+#include "stock/cut/brick_cut.h"
+#include "stock/cut/tilted_cut.h"
+#include "stock/cut/tilted_over.h"
+
+#if defined(__x86_64__) && defined(__clang__)
+#pragma clang attribute push(__attribute__((target("avx2"))), apply_to = function)
+#elif defined(__x86_64__)
+#pragma GCC push_options
+#pragma GCC target("avx2")
+#endif
+
+#include "stock/cut/tilted_ball_cutter.h"
+#include "stock/cut/tilted_cutter.h"
+#include "stock/cut/tilted_later.h"
+
+namespace kadr {
+
+void cut_tilted_wide(TiltedCutter& cutter) { cutter.cut<Wide>(); }
+
+}  // namespace kadr
+
+#if defined(__x86_64__) && defined(__clang__)
+#pragma clang attribute pop
+#elif defined(__x86_64__)
+#pragma GCC pop_options
+#endif

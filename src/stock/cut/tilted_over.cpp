@@ -1,0 +1,45 @@
+// Finds lattice lines over which a tilted tool may turn. Used by stock/cut/tilted_cut; tested by tests/stock/tilted_graze_test.
+
+#include "stock/cut/tilted_over.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "stock/cut/tilted_division.h"
+
+namespace kadr {
+namespace {
+
+/// Returns true if a line may touch the side where the curvature of the side along the line is less than `bent` (1/mm). The cosine of
+/// the angle between line and axis is between `least` and `most`.
+bool is_flat_along(const Frustum& f, float least, float most, float bent) {
+  if (!(f.high > f.low)) return false;
+  const float tall = f.high - f.low, wide = f.high_radius - f.low_radius, cosine = tall / std::sqrt(tall * tall + wide * wide);
+  if (least > cosine) return false;  // the angle between line and axis is too small to touch the side
+  const float along = std::min(most / cosine, 1.f);
+  return (1 - along * along) * cosine < bent * std::max(f.low_radius, f.high_radius);
+}
+
+}  // namespace
+
+TiltedOver::TiltedOver(const TiltedSweep& s, const TiltedBody& body, float edge) {
+  const float turn = 2 * s.half_turn;
+  if (turn * edge <= 2 * over_allowed) return;
+  apart = 4 * over_allowed / turn;
+  const bool faces = has_flat_face(s, body);
+  const float bent = turn * turn / (8 * over_allowed);
+  // The sine of the angle along the rounding, measured from the lower face, gives the height; 0.01 mm is a margin for the error of an end.
+  const float sine = std::min(bent * (body.flat + body.corner), 1.f);
+  edge_below = body.low() + body.corner * (1 - std::sqrt(1 - sine * sine)) + 0.01f;
+  for (int d = 0; d < 3; ++d) {
+    const float cosine = std::fabs(s.axes[d][2]), least = std::max(cosine - s.half_turn, 0.f), most = std::min(cosine + s.half_turn, 1.f);
+    family[d].by_end = body.kind == TiltedBody::Kind::cone && is_flat_along(body.end, least, most, bent);
+    family[d].by_shaft = is_flat_along(body.shaft, least, most, bent);
+    // Where a line touches a rounded edge, the edge is at least as steep as the line. Its curvature is this slope divided by the distance
+    // from the axis.
+    family[d].by_edge = body.kind == TiltedBody::Kind::rounded && body.flat > 0 && least < bent * (body.flat + body.corner);
+    family[d].by_face = faces && least < turn;
+  }
+}
+
+}  // namespace kadr

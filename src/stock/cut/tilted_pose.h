@@ -1,0 +1,85 @@
+#pragma once
+// Intersects lattice lines with a cylinder of a tilted tool in the poses at both ends of its path, and finds whether the cylinder
+// reaches farther along a line between these poses.
+//
+// For a convex body that shifts without turning, the pairs (position on the line, position on the path) for which the body contains the
+// point of the line form a convex set. So the position at which the line enters the body is a convex function of the path. If this
+// position, in an end pose, moves out of the face or side that it is on, the body reaches farthest in this end pose. A turn of the body
+// may disturb this if the line nearly lies in that face or side: such lines are left undecided here.
+
+#include "stock/cut/tilted_rows.h"
+
+namespace kadr::lanes {
+
+/// The lines of a family, in the tool's coordinates in the pose half way.
+template <class V>
+struct TiltedFamily {
+  TiltedLines<V> even;  // the lines, with the shift of the brick's middle for all
+  Heading first, last;  // direction of the lines in the end poses
+  /// Signed distance of a line from the tool's axis times the sine of the angle between them: `aside` for the line through the brick's
+  /// middle, and its change per mm of lane and per mm of row. `reach` bounds the absolute value for lines that come near.
+  float aside, aside_lane, aside_row, reach;
+};
+/// Eight lines of a family.
+template <class V>
+struct TiltedRow {
+  Vec3Of<V> at, shift;    // middle points of the lines, and their shift; `at` is corrected to half way between the chord and the true curve
+  Vec3Of<V> first, last;  // middle points of the lines in the end poses
+  Swept<V> at_ends;       // intervals inside the tool in the end poses
+};
+
+template <class V>
+struct Pose {
+  Vec3Of<V> at;  // middle point of each line
+  Heading heading;
+  Swept<V> side, in;  // side: interval inside the cylinder without ends; in: interval inside the cylinder
+};
+
+template <class V>
+KADR_IN_LANES Pose<V> in_pose(const Vec3Of<V>& at, const Heading& h, const Frustum& f) {
+  const Swept<V> side = in_circle(at.x, at.y, h, f.low_radius);
+  Swept<V> in = side;
+  clip_by_faces(in, at.z, h, f);
+  return {at, h, side, in};
+}
+
+/// The motion of the points of a line past the tool.
+template <class V>
+struct PastTool {
+  Vec3Of<V> shift, grows;  // shift of the line's middle point, and its change per mm along the line
+  float radius;            // radius of the cylinder
+  float steep;             // sine of the angle between line and face (or side) above which the tool's turn has no influence
+  float bend;              // mm by which the paths of the points may deviate from straight lines
+};
+
+/// Marks lines whose entry or exit point at `place` is moving out of the cylinder. In the lanes of `by_face` the point is on a flat face
+/// (the upper one if `face_is_upper`), else on the side.
+template <class V>
+KADR_IN_LANES MarksOf<V> moves_out(const Pose<V>& pose, const V& place, const PastTool<V>& past, float forth, const MarksOf<V>& by_face,
+                                   bool face_is_upper) {
+  const Heading& e = pose.heading;
+  const V up = forth * (past.shift.z + place * past.grows.z);
+  const V x = pose.at.x + place * e.x, y = pose.at.y + place * e.y, through = x * e.x + y * e.y;
+  const V beside = forth * (x * (past.shift.x + place * past.grows.x) + y * (past.shift.y + place * past.grows.y));
+  const MarksOf<V> side = (beside >= past.bend * past.radius) & (most(through, -through) >= past.steep * past.radius);
+  const MarksOf<V> face = (face_is_upper ? up : -up) >= (std::fabs(e.z) >= past.steep ? past.bend : missed);
+  return choose(by_face, face, side);
+}
+
+/// Marks lines on which the cylinder reaches farthest backwards in one of the end poses; is_farthest_on() does so for forwards.
+template <class V>
+KADR_IN_LANES MarksOf<V> is_farthest_back(const Pose<V>& first, const Pose<V>& last, const PastTool<V>& past) {
+  const auto at = [&](const Pose<V>& p, float forth) {
+    return (p.in.from <= p.in.to) & moves_out(p, p.in.from, past, forth, p.in.from > p.side.from, p.heading.z < 0.f);
+  };
+  return at(first, 1.f) | at(last, -1.f);
+}
+template <class V>
+KADR_IN_LANES MarksOf<V> is_farthest_on(const Pose<V>& first, const Pose<V>& last, const PastTool<V>& past) {
+  const auto at = [&](const Pose<V>& p, float forth) {
+    return (p.in.from <= p.in.to) & moves_out(p, p.in.to, past, forth, p.in.to<p.side.to, p.heading.z> 0.f);
+  };
+  return at(first, 1.f) | at(last, -1.f);
+}
+
+}  // namespace kadr::lanes

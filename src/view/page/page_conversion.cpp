@@ -1,0 +1,201 @@
+// Answers the request convert: converts a program for another control and verifies that the result is equivalent. Nothing is saved here;
+// the page saves the result if the user wants. Used by view/page/page_session; tested by tests/serve_convert.py.
+
+#include <fmt/format.h>
+
+#include <filesystem>
+
+#include "compare/comparison_text.h"
+#include "config/control/control_file.h"
+#include "convert/conversion_text.h"
+#include "lang/text/text_spool.h"
+#include "view/page/page_inside.h"
+
+namespace kadr {
+
+/// One conversion. It owns the data that its sessions use, and outlives them.
+class PageConversion {
+ public:
+  PageConversion(OpenedProgram from, std::shared_ptr<const ControlDef> to, StopToken stop)
+      : from_(std::move(from)), to_(std::move(to)), stop_(std::move(stop)) {}
+
+  tl::expected<Converted, std::string> make(std::shared_ptr<ByteSource> text, bool flat) const {
+    ConversionSpec spec;
+    spec.to = to_.get();
+    spec.flat = flat;
+    spec.stop = stop_;
+    spec.source_text = std::move(text);
+    spec.source = [this](const Setup& setup) { return source(setup); };
+    spec.setup = from_.setup;
+    spec.target = [this](std::shared_ptr<ByteSource> made, const Setup& setup) { return target(std::move(made), setup); };
+    return converted(spec);
+  }
+  const ControlDef& from() const { return *from_.def; }
+  const ControlDef& to() const { return *to_; }
+  const AlarmTexts& texts() const { return *from_.texts; }
+
+ private:
+  using Side = tl::expected<std::unique_ptr<Session>, std::string>;
+
+  Side source(const Setup& setup) const {
+    auto program = from_.program();
+    if (!program) return tl::unexpected(program.error());
+    SessionSpec spec = from_.spec(std::move(*program), stop_);
+    spec.setup = setup;
+    auto session = Session::open(std::move(spec));
+    if (!session) return tl::unexpected(told(session.error().fault.en, session.error().fault.ru));
+    if ((*session)->channels().size() > 1) return tl::unexpected(no_conversion_of_channels());
+    return std::move(*session);
+  }
+
+  Side target(std::shared_ptr<ByteSource> text, const Setup& setup) const {
+    SessionSpec spec = from_.spec({from_.path, shared_source(std::move(text)), Encoding::utf8}, stop_);
+    spec.control = to_;
+    spec.setup = setup;
+    auto session = Session::open(std::move(spec));
+    if (!session) return tl::unexpected(session.error().fault.key + ": " + told(session.error().fault.en, session.error().fault.ru));
+    (*session)->control().set_waiting(Control::Waiting::pass);
+    return std::move(*session);
+  }
+
+  OpenedProgram from_;
+  std::shared_ptr<const ControlDef> to_;
+  StopToken stop_;
+};
+
+namespace {
+
+constexpr std::size_t max_converted = std::size_t{8} << 20;  // maximum size of a program, bytes, before and after the conversion
+constexpr std::size_t max_written_out = 1000;                // maximum number of segments of lines listed as rewritten
+constexpr std::size_t most_line = 200;                       // maximum length, bytes, of a program line that a message quotes
+
+tl::unexpected<Refusal> not_converted(std::string text) { return tl::unexpected(Refusal{std::move(text)}); }
+
+/// Checks that the request contains only known keys and valid values. Ignoring one would be dangerous, since the program will run on a
+/// machine.
+///   returns  an error sentence; empty if the request is valid
+std::string fault_of_request(const PageJson& question) {
+  struct Word {
+    const char* key;
+    bool (PageJson::*is_right)() const noexcept;
+  };
+  static constexpr Word words[] = {
+      {"file", &PageJson::is_string},   {"control", &PageJson::is_string}, {"machine", &PageJson::is_string},
+      {"setup", &PageJson::is_string},  {"text", &PageJson::is_string},    {"encoding", &PageJson::is_string},
+      {"tables", &PageJson::is_object}, {"to", &PageJson::is_string},      {"flat", &PageJson::is_boolean},
+      {"force", &PageJson::is_boolean},
+  };
+  for (const Word& word : words)
+    if (question.contains(word.key) && !(question[word.key].*word.is_right)())
+      return fmt::format("convert: {}: {}", word.key, told("not understood", "не понято"));
+  return {};
+}
+
+std::string clipped(std::string line) {
+  if (line.size() <= most_line) return line;
+  std::size_t end = most_line;
+  while (end > 0 && (static_cast<unsigned char>(line[end]) & 0xC0U) == 0x80U) --end;
+  return line.substr(0, end) + "…";
+}
+
+std::string line_of_text(std::string_view text, std::uint32_t line) {
+  for (std::uint32_t i = 1; i < line; ++i) {
+    const std::size_t end = text.find('\n');
+    if (end == text.npos) return {};
+    text.remove_prefix(end + 1);
+  }
+  return clipped(std::string(text.substr(0, text.find('\n'))));
+}
+
+std::string too_long_for_the_page() {
+  return told("the program is too long for the page: kadr convert makes it",
+              "УП слишком длинна для страницы: переведите её командой kadr convert");
+}
+
+PageJson refusal_json(const ConversionTry& one, const ConversionRefusal& why, const SourceText& source, const ServedFolder& folder) {
+  std::vector<std::string> line = why.at.file == 0 && why.at.line > 0 ? source.from(why.at.line, 1) : std::vector<std::string>();
+  return {{"as", name_of(one.as)},
+          {"way", method_in_words(one.as)},
+          {"text", why.text},
+          {"line", why.at.line},
+          {"file", why.at.file},
+          {"file_name", why.file.empty() ? std::string() : folder.shown(why.file)},
+          {"line_text", line.empty() ? std::string() : clipped(std::move(line.front()))},
+          {"written_line", why.written_line},
+          {"written_text", why.written_line == 0 ? std::string() : line_of_text(whole_text(*one.text), why.written_line)}};
+}
+
+/// Returns the file name of the result: "flange.nc" → "flange-mach3.nc".
+std::string name_for(const std::string& file, const ControlDef& to) {
+  return fmt::format("{}-{}.nc", std::filesystem::path(file).replace_extension().string(), to.id);
+}
+
+/// Lists the lines that had to be rewritten as a whole, for a conversion that otherwise replaces word by word.
+PageJson written_out_json(const ConversionTry& one, const ConversionSides& sides) {
+  PageJson list = PageJson::array();
+  for (const WrittenOut& out : one.written_out) {
+    if (list.size() == max_written_out) break;
+    list.push_back({{"from", out.lines.first}, {"to", out.lines.last}, {"text", why_written_out(out, sides)}});
+  }
+  return list;
+}
+
+PageJson written_json(const ConversionTry& one, bool is_proven, const Setup& setup, std::string name) {
+  return {{"proven", is_proven},
+          {"as", name_of(one.as)},
+          {"way", method_in_words(one.as)},
+          {"program", (is_proven ? std::string() : unproven_mark()) + whole_text(*one.text)},
+          {"setup", setup_text(setup)},
+          {"name", std::move(name)}};
+}
+
+}  // namespace
+
+/// Converts the program that the request names, whether or not it is open. So the page can use a separate connection, and its other
+/// requests need not wait.
+PageSession::Inside::Answer PageSession::Inside::convert(const PageJson& question) {
+  if (const std::string fault = fault_of_request(question); !fault.empty()) return not_converted(fault);
+  const auto request = opening_request_in(question);
+  if (!request) return tl::unexpected(request.error());
+  std::string name;
+  if (const std::string fault = place_of(question, "to", name, true); !fault.empty()) return not_converted(fault);
+  if (name.empty()) return not_converted(told("convert: no control is named", "convert: УЧПУ не названо"));
+  auto to = load_control(name, &server.folder);
+  if (!to) return not_converted(to.error());
+  const auto opened = open_for_page(*request);
+  if (!opened) return not_converted(opened.error());
+  const SourceText text(opened->text ? OpenedText{text_source(*opened->text), Encoding::utf8}
+                                     : open_text(request->path, opened->encoding, &server.folder));
+  if (text.bytes() > max_converted) return not_converted(too_long_for_the_page());
+  const PageConversion conversion(*opened, std::make_shared<const ControlDef>(std::move(*to)), token());
+  const auto made = conversion.make(text_source(text.whole()), question.value("flat", false));
+  if (stops) return not_converted(told("interrupted", "прервано"));
+  if (!made) return not_converted(made.error());
+  return conversion_answer(conversion, *made, text, question);
+}
+
+PageSession::Inside::Answer PageSession::Inside::conversion_answer(const PageConversion& conversion, const Converted& made,
+                                                                   const SourceText& text, const PageJson& question) const {
+  const auto of_target = AlarmTexts::load(&conversion.to());
+  if (!of_target) return not_converted(of_target.error());
+  const ConversionSides sides{conversion.from(), conversion.texts(), *of_target};
+  PageJson tries = PageJson::array();
+  for (std::size_t i = 0; i < made.tries.size(); ++i)
+    if (i != made.taken) tries.push_back(refusal_json(made.tries[i], refusal_of(made.tries[i], sides), text, server.folder));
+  const auto taken = made.taken || !question.value("force", false) ? made.taken : best_unproven(made);
+  PageJson written;
+  if (taken) {
+    const ConversionTry& one = made.tries[*taken];
+    if (one.text->size() > max_converted) return not_converted(too_long_for_the_page());
+    const std::string name = name_for(value_in<std::string>(question, "file", ""), conversion.to());
+    written = written_json(one, made.taken.has_value(), made.setup_of(one.as), free_name(name, ".nc"));
+    written["note"] = made.taken ? fmt::format("{}", fmt::join(notes_on(made, one), "; ")) : std::string();
+    written["written_out"] = written_out_json(one, sides);
+  }
+  return PageJson{{"text", made.taken ? summary_of(made.tries[*made.taken].proof, lang) : nothing_proven()},
+                  {"tolerance", made.tolerance},
+                  {"written", std::move(written)},
+                  {"tries", std::move(tries)}};
+}
+
+}  // namespace kadr

@@ -1,0 +1,171 @@
+#pragma once
+// The implementation of PageSession. The functions that answer requests are in several files, one for each kind of request
+// (docs/panel-protocol.md).
+
+#include <atomic>
+#include <functional>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <set>
+
+#include "config/language.h"
+#include "lang/text/tape.h"
+#include "panel/panel_hub.h"
+#include "view/page/page_json.h"
+#include "view/page/page_session.h"
+#include "view/part_run.h"
+#include "view/source_text.h"
+#include "view/stock_guess.h"
+
+namespace kadr {
+
+class PageConversion;
+struct Converted;
+
+/// The reason why a request is refused.
+struct Refusal {
+  std::string text;
+  bool changed = false;
+};
+inline tl::unexpected<Refusal> refused(std::string text) { return tl::unexpected(Refusal{std::move(text)}); }
+
+/// Returns a value of the request; `fallback` if the value is missing or has another type.
+template <class T>
+T value_in(const PageJson& question, const char* key, T fallback) {
+  const auto found = question.find(key);
+  if (found == question.end()) return fallback;
+  if constexpr (std::is_same_v<T, std::string>) return found->is_string() ? found->template get<std::string>() : fallback;
+  else return found->is_number() ? found->template get<T>() : fallback;
+}
+
+/// Returns a count or a line number of the request; `fallback` if it is missing or too large.
+inline std::uint32_t count_in(const PageJson& question, const char* key, std::uint32_t fallback) {
+  const double value = value_in<double>(question, key, fallback);
+  return value >= 0 && value <= 4e9 ? std::uint32_t(value) : fallback;
+}
+
+using PageAnswer = tl::expected<PageJson, Refusal>;
+
+inline PageAnswer not_served(const std::string& what) {
+  return tl::unexpected(Refusal{what + ": " + told("not served yet", "пока не отвечает")});
+}
+
+/// Reads the condition for holding a program from a request.
+StopPoint stop_point_of(const PageJson& question);
+
+struct PageSession::Inside {
+  Inside(const PageServer& its_server, PageLine& its_line) : server(its_server), line(its_line), lang(its_server.lang) {}
+
+  using Answer = PageAnswer;
+  Answer answer(const std::string& what, const PageJson& question);
+  Answer language(const PageJson& question);
+  Answer nothing(const PageJson&) { return PageJson::object(); }
+  // the answers in page_folder.cpp
+  Answer hello(const PageJson& question);
+  Answer files(const PageJson& question);
+  Answer read(const PageJson& question);
+  Answer save(const PageJson& question);
+  // the answers in page_program.cpp
+  Answer open(const PageJson& question);
+  Answer source_lines(const PageJson& question);
+  Answer state(const PageJson& question);
+  Answer passes(const PageJson& question);
+  // the answers in page_check.cpp
+  Answer check(const PageJson& question);
+  Answer explain(const PageJson& question);
+  // the answers in page_part.cpp
+  Answer cut(const PageJson& question);
+  Answer part(const PageJson& question);
+  Answer proposals(const PageJson& question);
+  void cut_part();
+  // the answers in page_sheet.cpp
+  Answer sheet(const PageJson& question);
+  // the answers in page_compare.cpp
+  Answer compare(const PageJson& question);
+  // the answers in page_making.cpp and page_tape.cpp
+  Answer mill(const PageJson& question);
+  Answer tape(const PageJson& question);
+  Answer punch(const PageJson& question, std::optional<TapeCode> code) const;
+  Answer read_punched(const std::string& file, std::optional<TapeCode> code) const;
+  // the answers in page_conversion.cpp
+  Answer convert(const PageJson& question);
+  Answer conversion_answer(const PageConversion& conversion, const Converted& made, const SourceText& text, const PageJson& question) const;
+  // the answers in page_panel.cpp
+  Answer machines(const PageJson& question);
+  Answer machine(const PageJson& question);
+  Answer panel(const PageJson& question);
+  Answer machine_source(const PageJson& question);
+  Answer press(const PageJson& question);
+  Answer switches(const PageJson& question);
+  Answer enter(const PageJson& question);
+  Answer undo(const PageJson& question);
+  Answer jog(const PageJson& question);
+  Answer stops_at(const PageJson& question);
+  Answer answer_to_machine(const PageJson& question);
+  Answer watch(const PageJson& question);
+  void note(const char* kind, const std::string& text, std::uint32_t line) const;
+  std::string keep(const char* what, const std::string& text) const;
+  tl::expected<std::shared_ptr<PanelHub::HubMachine>, Refusal> switch_on(const std::string& file, const PageJson& question);
+  // the answers in page_tables.cpp
+  Answer tables(const PageJson& question);
+  Answer edit(const PageJson& question);
+  Answer keep_tables(const PageJson& question);
+  Answer shift(const PageJson& question);
+  // the answers in page_restart.cpp
+  Answer restart(const PageJson& question);
+  Answer go_there(const PageJson& question);
+  Answer lead(const PageJson& question);
+  tl::expected<PanelSearch::Answer, Refusal> find_place(PanelMachine& machine, const PageJson& question) const;
+  void leave_machine();
+  void stop_machine();
+  tl::expected<PanelMachine*, Refusal> held_machine() const;
+
+  tl::expected<OpeningRequest, Refusal> opening_request_in(const PageJson& question) const;
+  /// Finds the path of the file that a request names; or accepts the name of a built-in control or machine, if `may_be_a_name`.
+  ///   returns  an error sentence; empty if `to` has been set
+  std::string place_of(const PageJson& question, const char* key, std::string& to, bool may_be_a_name) const;
+  /// Returns a file name that does not exist yet: derived from `like`, with the given ending.
+  std::string free_name(const std::string& like, const std::string& ending) const;
+  void execute();
+  /// Sends the frames of a piece of the path; `which` as defined by the protocol. If nobody receives them, the current work ends.
+  void send(const ViewPiece& piece, std::uint32_t which, std::uint32_t channel);
+  void say(const PageJson& event) { gone = !line.text(dumped(event)) || gone; }
+  PageJson problem(const AlarmReport& report) const {
+    PageJson json = problem_json(finding_of(report, *run->opened().texts, lang), report.origin.file, quick_fix(report, lang));
+    if (report.origin.file != 0) json["file_name"] = server.folder.shown(report.file);
+    return json;
+  }
+  bool is_memory_full() const;
+  static std::string memory_full_message();
+  /// If all sessions together use too much memory: ends the growing data of this session, and reports that to the page.
+  void end_if_memory_is_full();
+  /// Makes the file paths in a list of calls relative to the folder, for display.
+  void show_files(PageJson& calls) const;
+  PageJson problem_of_channel(const AlarmReport& report, int channel) const;
+  void speak(const PageJson& question) {
+    lang = value_in<std::string>(question, "lang", lang == Lang::ru ? "ru" : "en") == "ru" ? Lang::ru : Lang::en;
+  }
+  StopToken token() const { return StopToken(stops); }
+
+  const PageServer& server;
+  PageLine& line;
+  Lang lang;
+  std::atomic<bool> stops = false;
+  std::function<void()> afterwards;  // work that the request has started; runs after the answer is sent
+  bool greeted = false, gone = false;
+  std::atomic<bool> may_change = false;
+  int mistakes = 0;
+  std::set<std::string> opened_names;  // the files that this page has opened; only these may be overwritten
+  OpeningRequest opened_request;
+  std::unique_ptr<SourceText> source;
+  std::map<std::uint32_t, std::unique_ptr<SourceText>> called_sources;  // texts of the files with called subprograms, by Origin::file
+  std::unique_ptr<ProgramRun> run;
+  std::unique_ptr<Instants> instants;
+  StockGuess guess;
+  std::unique_ptr<PartRun> part_run;  // nullptr: nothing has been cut
+  std::uint64_t page = 0;             // number of this page in the hub; 0: the page has not displayed a machine yet
+  std::mutex place_lock;              // protects hub_machine, which another thread uses for an emergency stop
+  std::shared_ptr<PanelHub::HubMachine> hub_machine;
+};
+
+}  // namespace kadr

@@ -1,0 +1,324 @@
+// Answers the requests about a machine at its operator panel: machines, machine, panel, press, switches, enter, undo, jog, stops. Used by
+// view/page/page_session; tested by tests/panel.py.
+
+#include <fmt/core.h>
+
+#include <cmath>
+
+#include "view/page/page_inside.h"
+#include "view/panel_content.h"
+#include "view/panel_json.h"
+#include "view/served_folder.h"
+
+namespace kadr {
+namespace {
+
+constexpr std::size_t max_expression = 200, most_watched = 50;
+// bytes of a program that is stored in memory; also the limit for editing on the page
+constexpr std::size_t max_held = std::size_t{8} << 20;
+
+PageAnswer answer_of(const PanelMachine::Answer& answer) {
+  if (!answer) return refused(answer.error());
+  return PageJson::object();
+}
+
+/// Returns the functions that save the machine's events in the journal, and that add table changes by lines of the operator to the tables
+/// of its program.
+PanelRecorder keeper_of(PanelJournal& journal, const std::string& name, PanelProgram& program, Lang lang) {
+  PanelRecorder keeper;
+  const std::shared_ptr<const AlarmTexts> texts = program.opened().texts;
+  keeper.spot = [&journal, name](const PanelLocation& spot) {
+    const auto kept = journal.keep("spot", name, spot_text(spot));
+    return kept ? std::string() : kept.error();
+  };
+  keeper.event = [&journal, name](const char* kind, const std::string& text, std::uint32_t line) {
+    (void)journal.log(name, log_entry(kind, text, line));  // a failure to save is reported when the location is saved
+  };
+  keeper.tables = [&journal, &program, name](const Setup& before, const Setup& after) {
+    const auto patch = program.take_by_hand(before, after);
+    if (!patch) return patch.error();
+    const auto kept = journal.keep("tables", name, dumped(program.edited()));
+    (void)journal.log(name, log_entry("edit", dumped(*patch), 0));
+    return kept ? std::string() : kept.error();
+  };
+  keeper.alarm = [&journal, name, texts, lang](const AlarmReport& report) {
+    const Finding finding = finding_of(report, *texts, lang);
+    (void)journal.log(name, log_entry("alarm", finding.text, finding.line));
+  };
+  return keeper;
+}
+
+/// Stores the program's text when a machine starts.
+void hold_text(const ServedFolder& folder, const std::string& file, PanelProgram& program) {
+  if (auto text = folder.read(file, max_held))
+    return program.take_text(std::make_shared<const std::string>(std::move(text->bytes)), std::move(text->digest));
+  program.take_text(nullptr, folder.digest(file).value_or(""));
+}
+
+/// Returns the part of the request that says how to switch the machine on, as text for the journal.
+std::string machine_text(const PageJson& question) {
+  PageJson kept = PageJson::object();
+  for (const char* const key : {"file", "control", "machine", "setup", "encoding"})
+    if (question.contains(key)) kept[key] = question[key];
+  return dumped(kept);
+}
+
+/// Returns the saved location of a machine as JSON, and whether the program can continue there.
+PageJson spot_json(const std::string& text) {
+  PageJson spot = PageJson::parse(text, nullptr, false);
+  if (spot.is_object()) spot.erase("stands");
+  return spot;
+}
+
+}  // namespace
+
+PageSession::Inside::Answer PageSession::Inside::machines(const PageJson&) {
+  PageJson list = PageJson::array();
+  std::set<std::string> on;
+  for (const auto& place : server.hub != nullptr ? server.hub->all() : std::vector<std::shared_ptr<PanelHub::HubMachine>>()) {
+    on.insert(place->name);
+    list.push_back({{"name", place->name}, {"mode", name_of(place->machine->state().mode)}, {"held", place->holder != 0}});
+  }
+  if (server.journal != nullptr)
+    for (const std::string& name : server.journal->machines())
+      if (!on.contains(name)) list.push_back({{"name", name}, {"mode", "kept"}, {"held", false}});
+  return PageJson{{"machines", std::move(list)}};
+}
+
+/// Switches a machine on, with its edited tables and with the axes at their last positions.
+tl::expected<std::shared_ptr<PanelHub::HubMachine>, Refusal> PageSession::Inside::switch_on(const std::string& file,
+                                                                                            const PageJson& question) {
+  if (!may_change)
+    return refused(
+        told("this page may only look: open the printed address", "эта страница может только смотреть: откройте напечатанный адрес"));
+  PanelJournal& journal = *server.journal;
+  PageJson as_kept = PageJson::parse(journal.value("machine", file).value_or("{}"), nullptr, false);
+  if (as_kept.is_object()) as_kept.update(question);
+  auto request = opening_request_in(as_kept.is_object() ? as_kept : question);
+  if (!request) return tl::unexpected(request.error());
+  request->text.reset();  // the machine runs the file on the disk, not the text in the editor
+  request->tables = journal.value("tables", file).value_or("");
+  auto opened = open_for_page(*request);
+  if (!opened) return refused(opened.error());
+  const auto content = std::make_shared<PanelContent>(std::move(*opened), std::move(*request));
+  const std::string stood = journal.value("spot", file).value_or("");
+  const auto spot = spot_of(stood);
+  const auto opens = [program = &content->program](const std::optional<Axes>& start, const StopToken& stop) {
+    return program->open(start, stop);
+  };
+  PanelRecorder keeper = keeper_of(journal, file, content->program, lang);
+  keeper.begins = [&folder = server.folder, file, program = &content->program] { hold_text(folder, file, *program); };
+  auto made = PanelMachine::make(opens, std::move(keeper), spot ? std::optional(spot->machine) : std::nullopt,
+                                 spot ? spot->stands : std::vector<Axes>());
+  if (!made) return refused(made.error());
+  if (const auto kept = journal.keep("machine", file, machine_text(as_kept)); !kept) return refused(kept.error());
+  auto place = std::make_shared<PanelHub::HubMachine>();
+  place->name = file, place->content = content, place->machine = std::move(*made);
+  place->stood = spot && spot->number > 1 ? stood : std::string();
+  (void)journal.log(file, log_entry("on", content->program.opened().def->id, 0));
+  if (!server.hub->add(place)) {
+    place = server.hub->find(file);
+    if (!place) return refused(told("too many machines are on", "включено слишком много станков"));
+  }
+  return place;
+}
+
+/// Switches on the machine of a program, or displays it if it is on. A machine has the name of its program.
+PageSession::Inside::Answer PageSession::Inside::machine(const PageJson& question) {
+  if (server.hub == nullptr || server.journal == nullptr) return not_served("machine");
+  const std::string file = value_in<std::string>(question, "file", "");
+  auto place = server.hub->find(file);
+  if (!place) {
+    auto made = switch_on(file, question);
+    if (!made) return tl::unexpected(made.error());
+    place = std::move(*made);
+  }
+  if (page == 0) page = server.hub->new_page();
+  leave_machine();
+  {
+    const std::lock_guard hold(place_lock);
+    hub_machine = place;
+  }
+  std::uint64_t nobody = 0;
+  const bool holds = may_change && place->holder.compare_exchange_strong(nobody, page);
+  const OpenedProgram& its = content_of(*place).program.opened();
+  const PageJson stood = place->stood.empty() ? PageJson() : spot_json(place->stood);
+  return PageJson{
+      {"name", place->name}, {"axes", place->machine->axes()},  {"control", its.def->id}, {"machine", its.machine.id}, {"holds", holds},
+      {"stood", stood},      {"lasts", server.journal->lasts()}};
+}
+
+/// Adds an entry to the log of the machine.
+void PageSession::Inside::note(const char* kind, const std::string& text, std::uint32_t at_line) const {
+  (void)server.journal->log(hub_machine->name, log_entry(kind, text, at_line));
+}
+
+/// Saves a value of the machine. Returns an error sentence if it could not be saved, else an empty string.
+std::string PageSession::Inside::keep(const char* what, const std::string& text) const {
+  const auto kept = server.journal->keep(what, hub_machine->name, text);
+  return kept ? std::string() : kept.error();
+}
+
+/// Gives up control of the machine, so that other pages may take it.
+void PageSession::Inside::leave_machine() {
+  std::shared_ptr<PanelHub::HubMachine> place;
+  {
+    const std::lock_guard hold(place_lock);
+    place = std::exchange(hub_machine, nullptr);
+  }
+  std::uint64_t mine = page;
+  if (place) place->holder.compare_exchange_strong(mine, 0);
+}
+
+/// Returns the machine if this page has control of it.
+tl::expected<PanelMachine*, Refusal> PageSession::Inside::held_machine() const {
+  if (!hub_machine) return refused(told("no machine is looked at", "станок не выбран"));
+  if (!may_change)
+    return refused(
+        told("this page may only look: open the printed address", "эта страница может только смотреть: откройте напечатанный адрес"));
+  if (hub_machine->holder != page)
+    return refused(told("another page holds the controls: take them first", "управление у другой страницы: сначала возьмите его"));
+  return hub_machine->machine.get();
+}
+
+PageSession::Inside::Answer PageSession::Inside::panel(const PageJson&) {
+  if (hub_machine && server.hub->find(hub_machine->name) != hub_machine) leave_machine();  // another page has switched the machine off
+  if (!hub_machine) return refused(told("no machine is looked at", "станок не выбран"));
+  const PanelState state = hub_machine->machine->state();
+  PageJson json = panel_json(state, hub_machine->machine->axes(), lang);
+  const OpenedProgram& opened = content_of(*hub_machine).program.opened();
+  json["alarm"] = PageJson();
+  if (state.alarm) json["alarm"] = problem_json(finding_of(*state.alarm, *opened.texts, lang), state.alarm->origin.file, std::nullopt);
+  show_files(json["calls"]);
+  json["digest"] = content_of(*hub_machine).program.digest();
+  json["holds"] = may_change && hub_machine->holder == page;
+  json["held"] = hub_machine->holder != 0;
+  return json;
+}
+
+/// Returns the program text that the machine runs, which may differ from the file on the disk.
+PageSession::Inside::Answer PageSession::Inside::machine_source(const PageJson&) {
+  if (!hub_machine) return refused(told("no machine is looked at", "станок не выбран"));
+  const PanelProgram& program = content_of(*hub_machine).program;
+  std::string digest = program.digest();
+  auto text = program.text();
+  if (!text)
+    return refused(told("the program is too long to be shown as the machine runs it",
+                        "программа слишком длинна, чтобы показать её, как её выполняет станок"));
+  return PageJson{{"text", std::move(*text)}, {"digest", std::move(digest)}};
+}
+
+PageSession::Inside::Answer PageSession::Inside::press(const PageJson& question) {
+  const std::string key = value_in<std::string>(question, "key", "");
+  if (key == "emergency") {
+    stop_machine();
+    return PageJson::object();
+  }
+  if (key == "take" && hub_machine && may_change) {
+    hub_machine->holder = page;
+    return PageJson::object();
+  }
+  const auto machine = held_machine();
+  if (!machine) return tl::unexpected(machine.error());
+  if (key == "run") return answer_of((*machine)->run());
+  if (key == "block") return answer_of((*machine)->run(Stepping::How::block));
+  if (key == "over") return answer_of((*machine)->run(Stepping::How::over));
+  if (key == "out") return answer_of((*machine)->run(Stepping::How::out));
+  if (key == "hold") return answer_of((*machine)->hold());
+  if (key == "reset") return answer_of((*machine)->reset());
+  if (key != "off") return refused(key + told(": there is no such key", ": такой клавиши нет"));
+  (*machine)->switch_off();  // switches off first, so that nothing is saved after the data are deleted
+  note("off", {}, 0);
+  const auto forgotten = server.journal->forget(hub_machine->name);
+  server.hub->remove(hub_machine->name);
+  leave_machine();
+  if (!forgotten) return refused(forgotten.error());
+  return PageJson::object();
+}
+
+PageSession::Inside::Answer PageSession::Inside::switches(const PageJson& question) {
+  const auto machine = held_machine();
+  if (!machine) return tl::unexpected(machine.error());
+  const auto flag = [&](const char* key) -> std::optional<bool> {
+    const auto found = question.find(key);
+    return found != question.end() && found->is_boolean() ? std::optional(found->get<bool>()) : std::nullopt;
+  };
+  PanelMachine::Answer answer;
+  if (const auto on = flag("single")) answer = (*machine)->set_single(*on);
+  if (const auto on = flag("optional_stop"); on && answer) answer = (*machine)->set_optional_stop(*on);
+  if (const auto on = flag("on"); on && answer) answer = (*machine)->set_skip(int(count_in(question, "skip", 0)), *on);
+  PanelOverrides shares = (*machine)->state().shares;
+  const PanelOverrides before = shares;
+  if (question.contains("override")) shares.feed = value_in<double>(question, "override", -1);
+  if (question.contains("rapid")) shares.rapid = value_in<double>(question, "rapid", -1);
+  if (question.contains("spindle")) shares.spindle = value_in<double>(question, "spindle", -1);
+  if (question.contains("dry_feed")) shares.dry_feed = value_in<double>(question, "dry_feed", -1);
+  if (answer && !(shares == before)) answer = (*machine)->set_overrides(shares);
+  return answer_of(answer);
+}
+
+PageSession::Inside::Answer PageSession::Inside::enter(const PageJson& question) {
+  const auto machine = held_machine();
+  if (!machine) return tl::unexpected(machine.error());
+  return answer_of((*machine)->enter(value_in<std::string>(question, "line", "")));
+}
+
+PageSession::Inside::Answer PageSession::Inside::undo(const PageJson&) {
+  const auto machine = held_machine();
+  if (!machine) return tl::unexpected(machine.error());
+  return answer_of((*machine)->undo());
+}
+
+PageSession::Inside::Answer PageSession::Inside::jog(const PageJson& question) {
+  const auto machine = held_machine();
+  if (!machine) return tl::unexpected(machine.error());
+  return answer_of((*machine)->jog(value_in<std::string>(question, "axis", ""), value_in<double>(question, "way", 0),
+                                   value_in<double>(question, "feed", 0), int(count_in(question, "channel", 0))));
+}
+
+/// Answers a question of the program that the machine runs.
+PageSession::Inside::Answer PageSession::Inside::answer_to_machine(const PageJson& question) {
+  const auto machine = held_machine();
+  if (!machine) return tl::unexpected(machine.error());
+  return answer_of((*machine)->answer(value_in<double>(question, "answer", -1)));
+}
+
+/// Evaluates the expressions that this page watches.
+PageSession::Inside::Answer PageSession::Inside::watch(const PageJson& question) {
+  if (!hub_machine) return refused(told("no machine is looked at", "станок не выбран"));
+  std::vector<std::string> expressions;
+  if (const auto list = question.find("expressions"); list != question.end() && list->is_array())
+    for (const PageJson& one : *list)
+      if (one.is_string() && one.get_ref<const std::string&>().size() <= max_expression && expressions.size() < most_watched)
+        expressions.push_back(one.get<std::string>());
+  const auto values = hub_machine->machine->watch_values(expressions);
+  if (!values) return refused(values.error());
+  PageJson list = PageJson::array();
+  for (const PanelWatch& one : *values)
+    list.push_back({{"text", one.text}, {"value", one.value && std::isfinite(*one.value) ? PageJson(*one.value) : PageJson()}});
+  return PageJson{{"values", std::move(list)}};
+}
+
+/// Adds a stop point, or removes the one with the number `remove`.
+PageSession::Inside::Answer PageSession::Inside::stops_at(const PageJson& question) {
+  const auto machine = held_machine();
+  if (!machine) return tl::unexpected(machine.error());
+  if (question.contains("remove")) return answer_of((*machine)->remove_stop(count_in(question, "remove", 0)));
+  StopPoint point = stop_point_of(question);
+  if (point == StopPoint{}) return refused(told("want a line, a call or a condition", "нужна строка, вызов или условие"));
+  const auto number = (*machine)->add_stop(std::move(point));
+  if (!number) return refused(number.error());
+  return PageJson{{"number", *number}};
+}
+
+/// Emergency stop. May be called from any thread.
+void PageSession::Inside::stop_machine() {
+  std::shared_ptr<PanelHub::HubMachine> place;
+  {
+    const std::lock_guard hold(place_lock);
+    place = hub_machine;
+  }
+  if (place && may_change) place->machine->stop_at_once();
+}
+
+}  // namespace kadr

@@ -1,0 +1,196 @@
+// Answers the requests cut, part and proposals. Used by view/page/page_session; tested by tests/serve.py.
+
+#include <fmt/core.h>
+
+#include "config/tools/tool_list.h"
+#include "out/text/cut_text.h"
+#include "session/cutting/named_body.h"
+#include "view/page/page_inside.h"
+#include "view/proposals.h"
+
+namespace kadr {
+namespace {
+
+constexpr std::size_t max_fixtures = 100;
+constexpr std::size_t max_tools_files = 32;                        // number of tools files that are read for proposals, at most …
+constexpr std::uint64_t max_tools_bytes = std::uint64_t{1} << 20;  // … and the maximum size of each, bytes
+
+/// Returns the description of a solid, in which the name of a mesh file is replaced by its path in the file system.
+tl::expected<std::string, Refusal> placed_body(const ServedFolder& folder, const std::string& text) {
+  if (!names_mesh_file(text)) return text;
+  auto path = folder.path_of(text);
+  if (!path) return refused(path.error());
+  return *path;
+}
+
+/// Reads the tools of a request: a list, or the name of a tools file.
+tl::expected<ToolLibrary, Refusal> tools_in(const ServedFolder& folder, const PageJson& question) {
+  const auto found = question.find("tools");
+  if (found != question.end() && found->is_array()) {
+    if (found->empty())
+      return refused(told("no tool is given: add the one that cuts", "не указан ни один инструмент: добавьте тот, что режет"));
+    PageJson list = *found;
+    for (PageJson& tool : list)
+      if (tool.is_object()) tool.erase("from"), tool.erase("known");  // removes the keys that only a proposal has
+    auto tools = tools_of_list(dumped(list));
+    if (!tools) return refused(tools.error());
+    return std::move(*tools);
+  }
+  if (found == question.end() || !found->is_string())
+    return refused(told("tools: want a list of tools or a file", "tools: нужен список инструментов или файл"));
+  const std::string name = found->get<std::string>();
+  const auto path = folder.path_of(name);
+  if (!path) return refused(path.error());
+  auto tools = load_tools(*path, &folder);
+  if (!tools) return refused(tools.error());
+  return std::move(*tools);
+}
+
+tl::expected<PartRequest, Refusal> part_request(const ServedFolder& folder, const PageJson& question) {
+  PartRequest request;
+  auto stock = placed_body(folder, value_in<std::string>(question, "stock", ""));
+  if (!stock) return tl::unexpected(stock.error());
+  request.stock = *stock;
+  if (request.stock.empty())
+    return refused(
+        told("the blank is not given: a box, a cylinder, a file .stl or .3mf", "не указана заготовка: box, cylinder или файл .stl, .3mf"));
+  const auto fixtures = question.find("fixtures");
+  if (fixtures != question.end()) {
+    if (!fixtures->is_array() || fixtures->size() > max_fixtures)
+      return refused(told("fixtures: want a list of bodies, 100 at most", "fixtures: нужен список тел, не более 100"));
+    for (const PageJson& text : *fixtures) {
+      if (!text.is_string()) return refused(told("fixtures: want a list of bodies", "fixtures: нужен список тел"));
+      auto body = placed_body(folder, text.get<std::string>());
+      if (!body) return tl::unexpected(body.error());
+      request.fixtures.push_back(*body);
+      request.fixture_names.push_back(text.get<std::string>());
+    }
+  }
+  const auto resolution = question.find("resolution");
+  if (resolution != question.end() && !resolution->is_number())
+    return refused(told("resolution: want a number, mm", "resolution: нужно число, мм"));
+  request.resolution = value_in<double>(question, "resolution", 0);
+  if (resolution != question.end() && !(request.resolution > 0))
+    return refused(told("resolution: want 0.001 to 1000 mm", "resolution: нужно от 0.001 до 1000 мм"));
+  auto tools = tools_in(folder, question);
+  if (!tools) return tl::unexpected(tools.error());
+  request.tools = std::move(*tools);
+  return request;
+}
+
+/// Returns a message that lists the tools with which the program cuts and that `tools` does not describe; empty if there are none.
+std::string missing_tools_message(const ProgramRun& run, const ToolLibrary& tools) {
+  std::string missing;
+  for (const std::uint32_t number : tools_cutting(run)) {
+    if (tools.find(number) != nullptr || (number == 0 && tools.tools.size() == 1)) continue;
+    missing += fmt::format("{}T{}", missing.empty() ? "" : ", ", number);
+  }
+  return missing.empty() ? missing : told("tools without a shape: ", "инструменты без формы: ") + missing;
+}
+
+/// Returns the names of the tools files next to the program, relative to the served folder.
+std::vector<std::string> tools_files(const ServedFolder& folder, const std::string& program) {
+  const std::size_t slash = program.rfind('/');
+  const std::string beside = slash == std::string::npos ? "" : program.substr(0, slash);
+  std::vector<std::string> names;
+  const auto list = folder.list(beside);
+  if (!list) return names;
+  for (const FolderEntry& entry : list->entries)
+    if (entry.kind == FolderEntry::Kind::tools && entry.size <= max_tools_bytes && names.size() < max_tools_files)
+      names.push_back(beside.empty() ? entry.name : beside + "/" + entry.name);
+  return names;
+}
+
+std::vector<KnownTools> known_tools(const ServedFolder& folder, const std::string& program) {
+  std::vector<KnownTools> known;
+  for (const std::string& name : tools_files(folder, program)) {
+    const auto path = folder.path_of(name);
+    auto tools = path ? load_tools(*path, &folder) : tl::unexpected(std::string());
+    if (tools) known.push_back({name, std::move(*tools)});
+  }
+  return known;
+}
+
+PageJson proposal_json(const ProposedTool& proposed) {
+  PageJson json = tool_json(proposed.tool);
+  json["from"] = proposed.from;
+  json["known"] = proposed.known;
+  return json;
+}
+
+}  // namespace
+
+PageSession::Inside::Answer PageSession::Inside::cut(const PageJson& question) {
+  part_run.reset();
+  auto request = part_request(server.folder, question);
+  if (!request) return tl::unexpected(request.error());
+  if (const std::string missing = missing_tools_message(*run, request->tools); !missing.empty()) return refused(missing);
+  auto made = PartRun::make(run->opened(), *request, token());
+  if (!made) return refused(made.error());
+  part_run = std::move(*made);
+  afterwards = [this] { cut_part(); };
+  return PageJson::object();
+}
+
+void PageSession::Inside::cut_part() {
+  PageJson marks = PageJson::array();
+  part_run->on_progress = [this](double part) {
+    say({{"event", "cutting"}, {"part", part}});
+    end_if_memory_is_full();
+    if (gone) stops = true;
+  };
+  part_run->on_finding = [&](const CutFinding& f, const AlarmReport& report) {
+    const PageJson told = problem(report);
+    marks.push_back(cut_mark_json(told, f));
+    PageJson event = {{"event", "finding"}};
+    event.update(cut_finding_json(told, f));
+    say(event);
+    if (gone) stops = true;
+  };
+  const auto done = part_run->execute();
+  PageJson event = {{"event", "cut"}};
+  if (done) {
+    event.update(cut_json(part_run->result(), part_run->alarms(), part_run->warnings()));
+    event["marks"] = std::move(marks);
+    event["notes"] = part_run->notes();
+  } else {
+    event["error"] = {{"text", done.error()}};
+    part_run.reset();
+  }
+  say(event);
+}
+
+PageSession::Inside::Answer PageSession::Inside::part(const PageJson& question) {
+  if (!part_run) return refused(told("nothing has been cut", "материал ещё не снимали"));
+  const PartThen then = part_run->at(value_in<double>(question, "at", 0));
+  gone = !line.frame(part_run->frame_of(then)) || gone;
+  return PageJson{{"stock", then.stock},
+                  {"left", then.left},
+                  {"triangles", then.surface.triangle_count()},
+                  {"seconds", then.seconds},
+                  {"cell", then.cell}};
+}
+
+/// Answers with proposals of blank and tools. `tools`: a tools file to be used instead of those next to the program.
+PageSession::Inside::Answer PageSession::Inside::proposals(const PageJson& question) {
+  const Vec3 zero = run->path().zero();
+  KnownTools named;
+  std::vector<KnownTools> beside;
+  const KnownTools* file = nullptr;
+  if (question.contains("tools")) {
+    auto tools = tools_in(server.folder, question);
+    if (!tools) return tl::unexpected(tools.error());
+    named = {value_in<std::string>(question, "tools", ""), std::move(*tools)};
+    file = &named;
+  } else {
+    beside = known_tools(server.folder, server.folder.shown(run->opened().path));
+    file = tools_file_for(beside, *run);
+  }
+  const std::vector<ProposedTool> proposed = proposed_tools(*run, file);
+  PageJson json = {{"stock", guess.text(zero, is_turning(*run) && guess.is_flat(zero), radii_of(proposed))}, {"tools", PageJson::array()}};
+  for (const ProposedTool& tool : proposed) json["tools"].push_back(proposal_json(tool));
+  json["files"] = tools_files(server.folder, server.folder.shown(run->opened().path));
+  return json;
+}
+
+}  // namespace kadr

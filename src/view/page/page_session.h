@@ -1,0 +1,88 @@
+#pragma once
+// PageSession: the session of one page. It receives requests and emits answers, events and binary frames (docs/panel-protocol.md). It
+// does not use sockets itself.
+
+#include <atomic>
+#include <memory>
+#include <mutex>
+#include <string>
+#include <string_view>
+
+#include "config/alarm_texts.h"
+
+namespace kadr {
+
+class PanelHub;
+class MemoryBound;
+class PanelJournal;
+class ServedFolder;
+
+/// Receives the output of a session. The functions are called by the thread that answers requests.
+class PageLine {
+ public:
+  virtual ~PageLine() = default;
+  /// Sends a message. Waits while too much output is unsent. Returns false if the page is closed.
+  virtual bool text(std::string message) = 0;
+  virtual bool frame(std::string bytes) = 0;
+};
+
+/// The program file that was opened last, by whichever page.
+class LastOpened {
+ public:
+  std::string get() const {
+    const std::lock_guard hold(lock_);
+    return file_;
+  }
+  void set(const std::string& file) {
+    const std::lock_guard hold(lock_);
+    file_ = file;
+  }
+
+ private:
+  mutable std::mutex lock_;
+  std::string file_;  // name of the file; empty: no file has been opened
+};
+
+/// The data that all pages of a server share.
+struct PageServer {
+  const ServedFolder& folder;
+  std::string token;    // secret that a page must send to be allowed any change
+  bool all_need_token;  // a page without the token may not even view
+  Lang lang = Lang::en;
+  std::string version;                  // version of Kadr
+  LastOpened* last = nullptr;           // nullptr: the last opened file is not recorded
+  PanelHub* hub = nullptr;              // nullptr: the server has no operator panels
+  PanelJournal* journal = nullptr;      // saved data of the panel machines; set if `hub` is
+  const MemoryBound* memory = nullptr;  // memory limit for all sessions together; nullptr: no limit
+};
+
+class PageSession {
+ public:
+  static constexpr std::size_t max_message = std::size_t{16} << 20;  // maximum length of a message, bytes
+  static constexpr int max_mistakes = 100;
+
+  PageSession(const PageServer& server, PageLine& line);
+  ~PageSession();
+  PageSession(const PageSession&) = delete;
+  PageSession& operator=(const PageSession&) = delete;
+
+  /// Call before take(), in the order of the calls of stop(). The work that follows continues until stop(); if `stopped`, a stop was
+  /// already requested and the work ends at once.
+  void begin(bool stopped);
+  /// Answers a message, and performs what the message requests.
+  ///   returns  false if too many messages were invalid, or the page is closed
+  bool take(std::string_view message);
+  /// Ends the current work at once. May be called from any thread.
+  void stop();
+  /// True if the message does nothing but request stop(). It must be passed to take() all the same.
+  static bool asks_to_stop(std::string_view message);
+  /// True if the message requests an emergency stop. Then emergency() must be called at once; any thread may call it.
+  static bool asks_for_emergency(std::string_view message);
+  void emergency();
+
+ private:
+  struct Inside;
+  std::unique_ptr<Inside> inside_;
+};
+
+}  // namespace kadr

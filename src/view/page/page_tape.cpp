@@ -1,0 +1,74 @@
+// Answers the requests about punched tape: converts a program of the folder to the rows of a tape, and a tape to text. Nothing is saved
+// here; the page saves the result if the user wants. Used by view/page/page_session; tested by tests/serve_making.py.
+
+#include <fmt/core.h>
+
+#include <algorithm>
+
+#include "lang/text/tape_reading.h"
+#include "out/text/base64.h"
+#include "out/text/tape_text.h"
+#include "view/page/page_inside.h"
+
+namespace kadr {
+namespace {
+
+constexpr std::size_t max_rows = std::size_t{8} << 20;  // rows of a tape, at most: 21 km
+constexpr std::size_t max_leader = 100'000;
+constexpr std::size_t max_faults_reported = 100;
+
+tl::unexpected<Refusal> no_tape(std::string text) { return tl::unexpected(Refusal{std::move(text)}); }
+
+/// Returns the error sentence for a character that the tape code lacks, with the line and the character.
+std::string not_punched(const std::string& file, const std::string& text, Span at, TapeCode code, Lang lang) {
+  const auto line = 1 + std::count(text.begin(), text.begin() + std::min<std::ptrdiff_t>(at.begin, std::ssize(text)), '\n');
+  return fmt::format(fmt::runtime(lang == Lang::ru ? "{}:{}: символ '{}' не пробить в коде {}" : "{}:{}: '{}' has no {} code"), file, line,
+                     text.substr(at.begin, at.end - at.begin), name_for_people(code));
+}
+
+}  // namespace
+
+PageSession::Inside::Answer PageSession::Inside::tape(const PageJson& question) {
+  const std::string way = value_in<std::string>(question, "way", ""), said = value_in<std::string>(question, "code", "");
+  const auto code = tape_code_named(said);
+  if (question.contains("code") && !code) return no_tape(told("tape: code: iso or eia", "tape: code: iso или eia"));
+  if (way == "out") return punch(question, code);
+  if (way == "in") return read_punched(value_in<std::string>(question, "file", ""), code);
+  return no_tape(told("tape: way: in or out", "tape: way: in или out"));
+}
+
+/// Punches the text of the editor, or of the file.
+PageSession::Inside::Answer PageSession::Inside::punch(const PageJson& question, std::optional<TapeCode> said) const {
+  const std::string file = value_in<std::string>(question, "file", "");
+  const auto found = server.folder.read(file, max_rows);
+  if (!found) return no_tape(found.error());
+  const bool is_edited = question.contains("text") && question["text"].is_string();
+  const std::string text = is_edited ? question["text"].get<std::string>() : SourceText(as_text(text_source(found->bytes))).whole();
+  if (text.find_first_not_of(" \t\r\n") == std::string::npos) return no_tape(file + ": " + told("is empty", "пуст"));
+  const TapeCode code = said.value_or(TapeCode::iso);
+  constexpr std::uint32_t usual_leader = 100;  // rows of leader before and after the program
+  const std::size_t leader = std::min<std::size_t>(count_in(question, "leader", usual_leader), max_leader);
+  const auto rows = encode_tape(text, leader, code);
+  if (!rows) return no_tape(not_punched(file, text, rows.error().where, code, lang));
+  if (rows->size() > max_rows) return no_tape(file + ": " + told("too long for a tape here", "слишком длинен для ленты здесь"));
+  return PageJson{{"bytes", base64_of(*rows)}, {"rows", rows->size()}, {"name", free_name(file, ".tape")}};
+}
+
+PageSession::Inside::Answer PageSession::Inside::read_punched(const std::string& file, std::optional<TapeCode> said) const {
+  const auto found = server.folder.read(file, max_rows);
+  if (!found) return no_tape(found.error());
+  const TapeReading read = read_tape(found->bytes, said);
+  if (!read.looks_like_tape && !said) return no_tape(file + ": " + told("is no image of a punched tape", "не образ перфоленты"));
+  PageJson faults = PageJson::array();
+  for (std::size_t i = 0; i < std::min(read.faults.size(), max_faults_reported); ++i)
+    faults.push_back(fault_in_words(read.faults[i], read.code, lang));
+  const bool lies = read.lie != TapeOrientation::right;
+  return PageJson{{"text", read.text},
+                  {"code", read.code == TapeCode::eia ? "eia" : "iso"},
+                  {"lies", lies ? told("the tape was ", "лента ") + orientation_in_words(read.lie, lang) : std::string()},
+                  {"faults", std::move(faults)},
+                  {"more", read.faults.size() - std::min(read.faults.size(), max_faults_reported)},
+                  {"name", free_name(file, ".nc")}};
+}
+
+}  // namespace kadr

@@ -1,0 +1,59 @@
+#pragma once
+// Creates the report of a program: one HTML file with the page's viewer and all data, which needs no server and no network.
+//
+//   ProgramRun, part ─▶ JSON and packed columns ─ zlib, base64 ─▶ inserted at report_data_marker of the viewer (web/report.html)
+
+#include <nlohmann/json_fwd.hpp>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <tl/expected.hpp>
+#include <vector>
+
+#include "stock/cut_result.h"
+#include "view/sheet.h"
+
+namespace kadr {
+
+/// An alarm, warning or note of the run, with its time.
+struct ReportAlarm {
+  AlarmReport report;
+  double at = 0;
+};
+
+/// The remaining stock and the collisions of a cut.
+struct ReportPart {
+  std::string frame;  // the surface as a frame of kind 3 (docs/panel-protocol.md)
+  // mm: cell size of the stock's lattice; deviation of the reduced triangles from the exact surface of that lattice
+  double cell = 0, off = 0;
+  std::string result;  // JSON text from cut_json()
+  struct Hit {
+    CutFinding finding;
+    AlarmReport report;
+  };
+  std::vector<Hit> hits;
+};
+
+struct ReportContent {
+  const ProgramRun& run;     // the run, which must have ended
+  const SourceText& source;  // text of the program
+  std::string file;          // name of the program for display
+  std::string version;       // version of Kadr
+  Lang lang = Lang::en;      // language in which the report is displayed at first
+  std::vector<ReportAlarm> alarms;
+  std::vector<ViewPiece> contour;      // the contour before tool radius compensation, where compensation was in force
+  const ToolLibrary* tools = nullptr;  // shapes of the tools; nullptr: unknown
+  const ReportPart* part = nullptr;    // result of a cut; nullptr: nothing was cut
+  std::string licences;                // licence texts of the viewer's components
+};
+
+/// Creates the report. For a program of up to 100,000 blocks it has at most 5 MB, for a longer one in proportion. If necessary, vertices
+/// of the path are omitted, and the report says so.
+///   viewer   HTML of the viewer, which contains report_data_marker
+///   law      text of the program is inserted only as base64, never as markup
+///   returns  an error sentence if zlib is missing, or the viewer has no report_data_marker
+tl::expected<std::string, std::string> report_html(std::string_view viewer, const ReportContent& content);
+
+inline constexpr std::string_view report_data_marker = "@KADR_REPORT_DATA@";
+
+}  // namespace kadr

@@ -1,0 +1,151 @@
+// Packs the path for a report. Used by view/report/page_report; tested by tests/view/report_path_test.cpp.
+
+#include "view/report/report_path.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
+
+#include "view/report/packed_columns.h"
+
+namespace kadr {
+namespace {
+
+constexpr std::uint32_t piece_of_path = 1;  // code of this kind of data: a piece of path
+constexpr double first_guess = 12;          // bytes per vertex, compressed: the assumption for the first attempt
+constexpr int max_tries = 4;                // number of attempts; more only until one result fits
+
+/// Thinnings from none to a hardly recognisable path. Vertices inside blocks are omitted first, so that each line of the program keeps
+/// its instant.
+constexpr std::array<Thinning, 16> ways = {Thinning{0, 0}, {1, 0}, {2, 0}, {3, 0}, {4, 0}, {5, 0},   {6, 0},   {7, 0},
+                                           {8, 0},         {8, 2}, {8, 4}, {8, 6}, {8, 8}, {10, 10}, {12, 12}, {15, 15}};
+
+using Column = std::vector<std::int32_t>;
+
+std::size_t kept_by(const std::vector<DrawnPiece>& pieces, const Thinning& thinning) {
+  std::size_t kept = 0;
+  for (const DrawnPiece& drawn : pieces)
+    for (std::size_t i = 0; i < drawn.piece->vertices.size(); ++i) kept += is_left_out(*drawn.piece, i, thinning) ? 0 : 1;
+  return kept;
+}
+
+template <class Value>
+void put(PackedColumns& to, const std::vector<const PathVertex*>& kept, Column& column, const Value& value) {
+  column.clear();
+  for (const PathVertex* const v : kept) column.push_back(value(*v));
+  to.put(column);
+}
+
+std::string packed_piece(const DrawnPiece& drawn, const Thinning& thinning, const ReportQuanta& q) {
+  const ViewPiece& piece = *drawn.piece;
+  std::vector<const PathVertex*> kept;
+  std::vector<std::size_t> indices;
+  for (std::size_t i = 0; i < piece.vertices.size(); ++i) {
+    if (is_left_out(piece, i, thinning)) continue;
+    kept.push_back(&piece.vertices[i]);
+    indices.push_back(i);
+  }
+  PackedColumns to;
+  to.put_u32(std::uint32_t(kept.size()));
+  to.put_u32(drawn.which), to.put_u32(0);  // the numbers `which` and channel of the piece
+  to.put_u32((piece.directions.empty() ? 0 : 1) + 2 * std::uint32_t(piece.joints()));
+  to.put_u32(piece.first);
+  to.put_f64(piece.begins);
+  Column column;
+  for (std::size_t axis = 0; axis < 3; ++axis)
+    put(to, kept, column, [&](const PathVertex& v) { return in_steps(double(v.at[axis]), q.length); });
+  put(to, kept, column, [&](const PathVertex& v) { return in_steps(double(v.time), q.time); });
+  put(to, kept, column, [](const PathVertex& v) { return std::int32_t(v.line); });
+  put(to, kept, column, [](const PathVertex& v) { return std::int32_t(v.number); });
+  put(to, kept, column, [&](const PathVertex& v) { return in_steps(double(v.feed), q.feed); });
+  put(to, kept, column, [&](const PathVertex& v) { return in_steps(double(v.speed), q.feed); });
+  put(to, kept, column, [](const PathVertex& v) { return std::int32_t(v.tool); });
+  put(to, kept, column, [](const PathVertex& v) { return std::int32_t(v.file); });
+  put(to, kept, column, [](const PathVertex& v) { return std::int32_t(v.kind); });
+  put(to, kept, column, [](const PathVertex& v) { return std::int32_t(v.level); });
+  for (std::size_t axis = 0; axis < 3 && !piece.directions.empty(); ++axis) {
+    column.clear();
+    for (const std::size_t i : indices) column.push_back(in_steps(double(piece.directions[i][axis]), q.direction));
+    to.put(column);
+  }
+  for (std::size_t joint = 0; joint < piece.joints(); ++joint) {
+    column.clear();
+    for (const std::size_t i : indices) column.push_back(in_steps(double(piece.positions[i * piece.joints() + joint]), q.position));
+    to.put(column);
+  }
+  return to.bytes();
+}
+
+std::string packed_path(const std::vector<DrawnPiece>& pieces, const Thinning& thinning, const ReportQuanta& quanta) {
+  std::string bytes;
+  for (const DrawnPiece& drawn : pieces) {
+    const std::string packed = packed_piece(drawn, thinning, quanta);
+    PackedColumns head;
+    head.put_u32(piece_of_path);
+    head.put_u32(std::uint32_t(packed.size()));
+    bytes += head.bytes() + packed;
+  }
+  return bytes;
+}
+
+}  // namespace
+
+double Thinning::off() const {
+  const int level = std::max(inner, any);
+  return level == 0 ? 0 : finest_level * std::pow(2, level);
+}
+
+bool is_left_out(const ViewPiece& piece, std::size_t i, const Thinning& thinning) {
+  const PathVertex& v = piece.vertices[i];
+  if (i == 0 || i + 1 == piece.vertices.size()) return false;  // the ends of a piece are kept, since pieces join there
+  return v.level < thinning.any || (v.level < thinning.inner && piece.vertices[i + 1].number == v.number);
+}
+
+std::vector<DrawnPiece> drawn_pieces(const PathRecord& path, const std::vector<ViewPiece>& contour) {
+  std::vector<DrawnPiece> pieces;
+  for (const ViewPiece& piece : path.pieces()) pieces.push_back({&piece, 0});
+  for (const ViewPiece& piece : contour) pieces.push_back({&piece, 2});
+  return pieces;
+}
+
+ReportQuanta quanta_of(const std::vector<DrawnPiece>& pieces) {
+  double length = 0, time = 0, feed = 0, position = 0;
+  for (const DrawnPiece& drawn : pieces) {
+    for (const float p : drawn.piece->positions) position = std::max(position, std::abs(double(p)));
+    for (const PathVertex& v : drawn.piece->vertices) {
+      for (const float c : v.at) length = std::max(length, std::abs(double(c)));
+      time = std::max(time, double(v.time));
+      feed = std::max({feed, double(v.feed), double(v.speed)});
+    }
+  }
+  ReportQuanta q;
+  q.length = unit_for(q.length, length), q.time = unit_for(q.time, time), q.feed = unit_for(q.feed, feed);
+  q.position = unit_for(q.position, position);
+  return q;
+}
+
+tl::expected<ReportPath, std::string> report_path(const std::vector<DrawnPiece>& pieces, const ReportQuanta& quanta, double most_packed) {
+  const auto way_for = [&](double by_vertex) {
+    std::size_t way = 0;
+    while (way + 1 < ways.size() && double(kept_by(pieces, ways[way])) * by_vertex > most_packed) ++way;
+    return way;
+  };
+  std::size_t way = way_for(first_guess), too_long = 0;  // the coarsest thinning whose result was too long, plus one
+  std::optional<ReportPath> made;
+  for (int tries = 0; tries < max_tries || !made; ++tries) {
+    ReportPath path{packed_path(pieces, ways[way], quanta), ways[way]};
+    const auto packed = zlib_packed(path.bytes);
+    if (!packed) return tl::unexpected(packed.error());
+    const bool fits = double(packed->size()) <= most_packed || way + 1 == ways.size();
+    if (fits) made = std::move(path);
+    else too_long = way + 1;
+    const std::size_t by_now = way_for(double(packed->size()) / double(std::max<std::size_t>(kept_by(pieces, ways[way]), 1)));
+    const std::size_t next = std::max(by_now, too_long);
+    if (fits && next >= way) break;
+    way = std::min(fits ? next : std::max(next, way + 1), ways.size() - 1);
+  }
+  return std::move(*made);
+}
+
+}  // namespace kadr
