@@ -1,0 +1,88 @@
+#pragma once
+// The texts that people read, by id. texts/en.toml and texts/ru.toml hold them; the build makes a header for each of their sections
+// (dev/embed_texts.cpp), so that a misspelt id and a wrong number of arguments do not compile:
+//
+//   #include "texts/diff.h"
+//   complain(translated(texts::diff::several_channels, name));   // several_channels = "{}: programs of several channels are not compared"
+//   type_out(counted(texts::diff::rows, n));                     // rows = ["{} row", "{} rows"]
+//
+// Texts of alarms and of the control files are not here: controls/*.toml has them. Tested by tests/texts.py and
+// tests/config/texts_test.cpp.
+
+#include <fmt/format.h>
+
+#include <cstdint>
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "config/language.h"
+
+namespace kadr {
+
+/// Names a text that wants `Holes` arguments for its placeholders {}.
+template <std::size_t Holes>
+struct TextId {
+  std::uint16_t section = 0, row = 0;
+};
+
+/// Names a text whose form depends on a number, its first argument; `Holes` further arguments follow.
+template <std::size_t Holes>
+struct PluralId {
+  std::uint16_t section = 0, row = 0;
+};
+
+/// A text without placeholders: for tables of texts.
+using PlainText = TextId<0>;
+
+/// Which form of a text belongs to a number (Unicode CLDR, "Language Plural Rules", whole numbers).
+enum class PluralRule : std::uint8_t {
+  none,       // one form
+  one_other,  // English: 1, others
+  slavic,     // Russian: 1, 21, …; 2 … 4, 22, …; others
+};
+
+/// All texts of one language.
+struct TextLanguage {
+  const char *id, *name;  // "ru", "Русский"
+  PluralRule plurals;
+  const char* const* const* sections;  // forms of a plural stand one after the other, each with a 0 at its end
+};
+
+/// Returns the languages of texts/, English first; Lang is the index.
+std::span<const TextLanguage> text_languages();
+
+/// Returns the text as its file has it, in a language or in that of the thread. It exists as long as the program.
+const char* text_pattern(std::uint16_t section, std::uint16_t row, Lang lang);
+inline const char* plain_text(PlainText id, Lang lang = thread_language()) { return text_pattern(id.section, id.row, lang); }
+
+/// Returns the form of a text for the number `n`.
+const char* plural_pattern(std::uint16_t section, std::uint16_t row, std::uint64_t n, Lang lang);
+
+/// Returns a text with its arguments, in the language `lang`. A text without placeholders is not formatted: its braces are themselves.
+template <std::size_t Holes, typename... Args>
+requires(sizeof...(Args) == Holes) std::string translated_in(Lang lang, TextId<Holes> id, const Args&... args) {
+  const char* const pattern = text_pattern(id.section, id.row, lang);
+  if constexpr (Holes == 0) return pattern;
+  else return fmt::vformat(pattern, fmt::make_format_args(args...));
+}
+
+/// Returns a text with its arguments, in the language of the thread.
+template <std::size_t Holes, typename... Args>
+requires(sizeof...(Args) == Holes) std::string translated(TextId<Holes> id, const Args&... args) {
+  return translated_in(thread_language(), id, args...);
+}
+
+/// Returns a text in the form for the number `n`, which is its first argument, in the language `lang`.
+template <std::size_t Holes, typename... Args>
+requires(sizeof...(Args) == Holes) std::string counted_in(Lang lang, PluralId<Holes> id, std::uint64_t n, const Args&... args) {
+  return fmt::vformat(plural_pattern(id.section, id.row, n, lang), fmt::make_format_args(n, args...));
+}
+
+/// Returns a text in the form for the number `n`, in the language of the thread.
+template <std::size_t Holes, typename... Args>
+requires(sizeof...(Args) == Holes) std::string counted(PluralId<Holes> id, std::uint64_t n, const Args&... args) {
+  return counted_in(thread_language(), id, n, args...);
+}
+
+}  // namespace kadr
