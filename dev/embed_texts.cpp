@@ -67,6 +67,17 @@ std::vector<std::string> placeholders(const std::string& text) {
   return found;
 }
 
+/// Returns true if {fmt} can format the text; each argument is the number or a text.
+template <typename Number>
+bool is_understood(const std::string& text, const std::vector<bool>& is_number, Number number) try {
+  fmt::dynamic_format_arg_store<fmt::format_context> arguments;
+  for (const bool one : is_number) one ? arguments.push_back(number) : arguments.push_back("a");
+  (void)fmt::vformat(text, arguments);
+  return true;
+} catch (const fmt::format_error&) {
+  return false;
+}
+
 /// Returns the number of arguments that a text wants. A text without placeholders is never formatted: its braces are themselves.
 std::size_t holes_of(const std::string& text, const std::string& where) {
   std::size_t next = 0, holes = 0;
@@ -77,23 +88,15 @@ std::size_t holes_of(const std::string& text, const std::string& where) {
     holes = std::max(holes, numbered ? std::stoul(hole.substr(1)) + 1 : ++next);
   }
   if (holes == 0) return 0;
-  // {fmt} itself must understand the text: with numbers, or with texts.
-  for (const bool numbers : {false, true}) try {
-      fmt::dynamic_format_arg_store<fmt::format_context> arguments;
-      for (std::size_t i = 0; i < holes; ++i) numbers ? arguments.push_back(1.5) : arguments.push_back("a");
-      (void)fmt::vformat(text, arguments);
-      return holes;
-    } catch (const fmt::format_error&) {
-    }
-  try {  // "{:.3f}" beside a name: each placeholder alone
-    for (const std::string& hole : found) {
-      fmt::dynamic_format_arg_store<fmt::format_context> arguments;
-      for (std::size_t i = 0; i < holes; ++i) hole.find(':') != std::string::npos ? arguments.push_back(1.5) : arguments.push_back("a");
-      (void)fmt::vformat(hole, arguments);
-    }
-  } catch (const fmt::format_error& error) {
-    fail(where, error.what());
+  // {fmt} itself must understand the text, with a number where a placeholder wants one, as "{:.3f}" does.
+  std::vector<bool> wants_number(holes);
+  for (std::size_t i = 0; i < found.size(); ++i) {
+    const std::size_t nth = next > 0 ? i : std::stoul(found[i].substr(1));
+    const std::size_t colon = found[i].find(':');
+    if (colon != std::string::npos && !is_understood("{" + found[i].substr(colon), {false}, 0)) wants_number[nth] = true;
   }
+  if (!is_understood(text, wants_number, 15) && !is_understood(text, wants_number, 1.5))
+    fail(where, "{fmt} does not understand its braces; one that is no placeholder is doubled");
   return holes;
 }
 

@@ -7,15 +7,6 @@
 namespace kadr {
 namespace {
 
-/// Returns the number of the form, from 0, that a rule gives to `n` (Unicode CLDR, "Language Plural Rules").
-std::size_t plural_form(PluralRule rule, std::uint64_t n) {
-  if (rule == PluralRule::none) return 0;
-  if (rule == PluralRule::one_other) return n == 1 ? 0 : 1;
-  const std::uint64_t ten = n % 10, hundred = n % 100;
-  const bool teen = hundred >= 11 && hundred <= 14;
-  return teen ? 2 : ten == 1 ? 0 : ten >= 2 && ten <= 4 ? 1 : 2;
-}
-
 const TextLanguage& language_of(Lang lang) {
   const std::span<const TextLanguage> all = text_languages();
   const auto nth = static_cast<std::size_t>(lang);
@@ -23,6 +14,14 @@ const TextLanguage& language_of(Lang lang) {
 }
 
 }  // namespace
+
+std::size_t plural_form(PluralRule rule, std::uint64_t n) {
+  if (rule == PluralRule::none) return 0;
+  if (rule == PluralRule::one_other) return n == 1 ? 0 : 1;
+  const std::uint64_t ten = n % 10, hundred = n % 100;
+  const bool teen = hundred >= 11 && hundred <= 14;
+  return teen ? 2 : ten == 1 ? 0 : ten >= 2 && ten <= 4 ? 1 : 2;
+}
 
 const char* text_pattern(std::uint16_t section, std::uint16_t row, Lang lang) { return language_of(lang).sections[section][row]; }
 

@@ -42,6 +42,9 @@ enum class PluralRule : std::uint8_t {
   slavic,     // Russian: 1, 21, …; 2 … 4, 22, …; others
 };
 
+/// Returns the number of the form, from 0, that a rule gives to `n`.
+std::size_t plural_form(PluralRule rule, std::uint64_t n);
+
 /// All texts of one language.
 struct TextLanguage {
   const char *id, *name;  // "ru", "Русский"
