@@ -161,7 +161,7 @@ def by_pkg_config(build, prefix, folder):
 
 def readme():
     """The code that the pages show is the example, word for word."""
-    for name in ('docs/library.md', 'README.ru.md'):
+    for name in ('docs/library.md', 'docs/ru/library.md'):
         shown = re.findall(r'```cpp\n(.*?)```', (ROOT / name).read_text(), re.S)
         yield None if shown == [(EXAMPLES / 'interpret.cpp').read_text()] else f'{name} does not show examples/library/interpret.cpp'
 

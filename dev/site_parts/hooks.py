@@ -21,8 +21,8 @@ ENGLISH = [
     ('Guides', ['docs/setup.md', 'docs/machines.md', 'docs/macros.md', 'docs/own-control.md', 'docs/checklist.md', 'docs/panel.md', 'docs/*.md']),
     ('Library', ['docs/library.md', 'api/cpp.md', 'python/README.md', 'api/python.md']),
     ('Examples', ['examples/README.md', 'examples/files.md']),
-    ('Development', ['CONTRIBUTING.md', 'docs/reading-order.md', 'docs/architecture.md', 'docs/adding-a-control.md', 'docs/panel-protocol.md',
-                     'docs/tests.md', 'docs/benchmarks.md', 'docs/dependencies.md', 'docs/glossary.md', 'docs/design.md', 'docs/style.md']),
+    ('Development', ['CONTRIBUTING.md', 'docs/architecture.md', 'docs/subsystems.md', 'docs/adding-a-control.md', 'docs/panel-protocol.md',
+                     'docs/tests.md', 'docs/benchmarks.md', 'docs/dependencies.md', 'docs/glossary.md']),
 ]
 RUSSIAN = [
     ('Начало', ['README.ru.md']),
