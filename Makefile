@@ -33,6 +33,11 @@ deb:
 	cpack --config build/fast/CPackConfig.cmake -B build/deb
 	lintian --fail-on error,warning --info build/deb/*.deb
 
+dist:
+	@dev/setup deb
+	@dev/setup dist
+	@dev/dist --chroot
+
 site:
 	@dev/setup site
 	@dev/site
@@ -40,4 +45,4 @@ site:
 clean:
 	rm -rf build
 
-.PHONY: all run test check install deb site clean
+.PHONY: all run test check install deb dist site clean
