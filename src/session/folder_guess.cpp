@@ -3,8 +3,6 @@
 
 #include "session/folder_guess.h"
 
-#include <fmt/core.h>
-
 #include <algorithm>
 #include <filesystem>
 #include <system_error>

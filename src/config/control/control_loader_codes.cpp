@@ -5,7 +5,6 @@
 #include <set>
 
 #include "config/control/control_loader.h"
-#include "config/language.h"
 #include "config/setup/parameter_table.h"
 #include "lang/block/format.h"
 #include "texts/control_file.h"

@@ -5,7 +5,6 @@
 
 #include "base/ascii.h"
 #include "config/control/control_loader.h"
-#include "config/language.h"
 #include "lang/block/format.h"
 #include "texts/control_file.h"
 #include "texts/control_file_grammar.h"

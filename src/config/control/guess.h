@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "config/control/guess_rows.h"
+#include "config/language.h"
 
 namespace kadr {
 
