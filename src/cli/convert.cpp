@@ -112,7 +112,7 @@ class ConvertCommand {
     const auto unproven = !made.taken && o_.force ? best_unproven(made) : std::nullopt;
     if (!made.taken && !unproven) return alarms;
     const ConversionTry& one = made.tries[made.taken ? *made.taken : *unproven];
-    if (const std::string why = refused_by_control(beginning_of(one), o_.to, language(o_.run) == Lang::ru); !why.empty()) {
+    if (const std::string why = refused_by_control(beginning_of(one), o_.to, language(o_.run)); !why.empty()) {
       complain(told("not converted: Kadr would not read it as a program of that control",
                     "не переведено: Kadr не прочёл бы это как УП этой системы"));
       say(fmt::format("  {}\n", why));

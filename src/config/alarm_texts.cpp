@@ -9,6 +9,7 @@
 
 #include "config/embedded.h"
 #include "config/packed_toml.h"
+#include "texts/alarm_units.h"
 
 namespace kadr {
 namespace {
@@ -19,22 +20,25 @@ constexpr std::string_view file_name = "controls/alarms.toml";
 
 /// Translates an argument that is a unit, or a number with a unit, into the language of the sentence.
 std::string with_unit(std::string_view text, Lang lang) {
-  constexpr std::pair<std::string_view, std::string_view> units[] = {
-      {"mm/min", "мм/мин"}, {"mm/rev", "мм/об"}, {"1/min", "1/мин"}, {"rev/min", "об/мин"}, {"mm", "мм"}, {"in", "дюйма"}, {"s", "с"}};
-  if (lang == Lang::ru) {
-    const std::size_t space = text.rfind(' ');
-    const std::string_view before = space == std::string_view::npos ? std::string_view() : text.substr(0, space + 1);
-    const bool figure = before.find_first_not_of("+-.0123456789e ") == std::string_view::npos;
-    for (const auto& [en, ru] : units)
-      if (figure && text.substr(before.size()) == en) return std::string(before) + std::string(ru);
-  }
+  constexpr std::pair<std::string_view, PlainText> units[] = {{"mm/min", texts::alarm_units::mm_per_min},
+                                                              {"mm/rev", texts::alarm_units::mm_per_rev},
+                                                              {"1/min", texts::alarm_units::per_min},
+                                                              {"rev/min", texts::alarm_units::rev_per_min},
+                                                              {"mm", texts::alarm_units::mm},
+                                                              {"in", texts::alarm_units::inch},
+                                                              {"s", texts::alarm_units::second}};
+  const std::size_t space = text.rfind(' ');
+  const std::string_view before = space == std::string_view::npos ? std::string_view() : text.substr(0, space + 1);
+  const bool figure = before.find_first_not_of("+-.0123456789e ") == std::string_view::npos;
+  for (const auto& [name, unit] : units)
+    if (figure && text.substr(before.size()) == name) return std::string(before) + plain_text(unit, lang);
   return std::string(text);
 }
 
 /// Formats an argument. A number is shown to 0.001, which suits a shop; a number below 0.01 gets six decimals.
 std::string text_of(const AlarmArg& arg, Lang lang) {
   if (!arg.is_number()) return with_unit(arg.text(), lang);
-  if (std::isnan(arg.number())) return lang == Lang::ru ? "«пусто»" : "(vacant)";  // a macro variable without a value
+  if (std::isnan(arg.number())) return plain_text(texts::alarm_units::vacant, lang);  // a macro variable without a value
   return number_text(arg.number(), std::fabs(arg.number()) >= 0.01 ? 3 : 6);
 }
 

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "config/setup/setup_file.h"
+#include "texts/json_lines.h"
 
 namespace kadr {
 namespace {
@@ -121,14 +122,15 @@ tl::expected<JsonLines, JsonFault> json_with_lines(std::string_view text) {
                                  return true;
                                });
   } catch (const TooDeep&) {
-    return tl::unexpected(JsonFault{line, "tables within tables, too deep", "слишком глубокая вложенность"});
+    constexpr PlainText too_deep = texts::json_lines::too_deep;
+    return tl::unexpected(JsonFault{line, plain_text(too_deep, Lang::en), plain_text(too_deep, Lang::ru)});
   } catch (const Json::exception& error) {
     std::string_view what = error.what();  // for example "[json.exception.parse_error.101] parse error at line 1, column 2: …"
     if (const std::size_t bracket = what.find("] "); bracket != std::string_view::npos) what.remove_prefix(bracket + 2);
     if (const std::size_t colon = what.find(": "); what.starts_with("parse error at") && colon != std::string_view::npos)
       what.remove_prefix(colon + 2);
-    return tl::unexpected(
-        JsonFault{line, fmt::format("the setup is not JSON: {}", what), "это не JSON: нужны пары «\"ключ\": значение» через запятую"});
+    constexpr TextId<1> not_json = texts::json_lines::not_json;
+    return tl::unexpected(JsonFault{line, translated_in(Lang::en, not_json, what), translated_in(Lang::ru, not_json, what)});
   }
   return result;
 }

@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "base/ascii.h"
-#include "config/language.h"
+#include "texts/nearest.h"
 
 namespace kadr {
 std::size_t edits(std::string_view a, std::string_view b) {
@@ -43,7 +43,7 @@ std::optional<std::string> nearest(std::string_view name, const std::vector<std:
 
 std::string did_you_mean(std::string_view name, const std::vector<std::string>& known) {
   const auto near = nearest(name, known);
-  return near ? told("; did you mean '" + *near + "'?", "; возможно, «" + *near + "»?") : "";
+  return near ? translated(texts::nearest::did_you_mean, *near) : "";
 }
 
 bool same_letters(std::string_view a, std::string_view b) {

@@ -4,7 +4,9 @@
 
 #include "config/setup/setup_names.h"
 #include "control/interpreter.h"
+#include "control/start_fault.h"
 #include "lang/block/lexer.h"
+#include "texts/control_start.h"
 
 namespace kadr {
 namespace {
@@ -30,9 +32,7 @@ int zero_number(const std::vector<WorkSystem>& systems, const std::string& name)
 /// file was checked before, key by key (config/setup/setup_check); this function covers a set-up that a calling program has built.
 void Interpreter::check_setup(const Setup& setup) {
   const auto note = [&](const std::string& key) {
-    if (start_fault.empty())
-      start_fault = {key, "setup key '" + key + "': the control " + def.id + " has no such thing",
-                     "ключ «" + key + "» исходного состояния: у УЧПУ " + def.id + " этого нет"};
+    if (start_fault.empty()) start_fault = start_fault_of(key, texts::control_start::no_such_thing, key, def.id);
   };
   const auto axes_known = [&](const std::string& key, const AxisValues& values) {
     for (const auto& [axis, value] : values)
@@ -173,9 +173,7 @@ void Interpreter::start_modal(const Setup& setup) {
   if (!dialect->start(*this, setup)) run_words(words);
   if (const std::string started = dialect->start_words(); !started.empty()) run_words(started);
   for (const std::string& word : setup.modal)
-    if (start_fault.empty() && !starts(word))
-      start_fault = {"modal", "setup key 'modal': the control " + def.id + " has no '" + word + "'",
-                     "ключ «modal» исходного состояния: у УЧПУ " + def.id + " нет «" + word + "»"};
+    if (start_fault.empty() && !starts(word)) start_fault = start_fault_of("modal", texts::control_start::no_modal_word, def.id, word);
   std::string given;
   for (const std::string& word : setup.modal) {
     if (dialect->starts_code_by_code()) run_words(word);

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "config/language.h"
+#include "texts/machine_tree.h"
 
 namespace kadr {
 namespace {
@@ -188,18 +188,17 @@ std::optional<Axes> MachineTree::inverse(const Pose& pose, const Axes& near, dou
 }
 
 tl::expected<FiveAxis, std::string> MachineTree::five_axis() const {
-  const auto no = [](const std::string& en, const std::string& ru) { return tl::unexpected(told(en, ru)); };
+  const auto no = [](auto text, const auto&... args) { return tl::unexpected(translated(text, args...)); };
   const std::vector<const MachineJoint*> rotary = joints(true);
-  if (rotary.size() != 2) return no("it has not two rotary axes", "поворотных осей не две");
-  if (!is_main(tool_direction_)) return no("the tool does not stand along X, Y or Z", "инструмент стоит не вдоль X, Y или Z");
+  if (rotary.size() != 2) return no(texts::machine_tree::not_two_rotary);
+  if (!is_main(tool_direction_)) return no(texts::machine_tree::tool_not_along_axis);
   for (const auto* chain : {&tool_, &part_}) {
     bool turned = false;
     for (const MachineJoint& joint : *chain) {
       turned |= joint.moves.turns;
       if (joint.moves.turns) continue;
-      if (turned) return no("axis " + joint.name + " turns with a rotary axis", "ось " + joint.name + " поворачивается вместе с другой");
-      if (!is_main(joint.moves.direction) || joint.moves.reversed)
-        return no("axis " + joint.name + " does not stand along X, Y or Z", "ось " + joint.name + " стоит не вдоль X, Y или Z");
+      if (turned) return no(texts::machine_tree::axis_turns, joint.name);
+      if (!is_main(joint.moves.direction) || joint.moves.reversed) return no(texts::machine_tree::axis_not_along_main, joint.name);
     }
   }
   FiveAxis five = directions(rotary);

@@ -8,7 +8,7 @@
 #include <optional>
 #include <utility>
 
-#include "config/language.h"
+#include "texts/control_start.h"
 
 namespace kadr {
 namespace {
@@ -90,7 +90,7 @@ Plc::Plc(const std::vector<SetupEvent>& events, bool control_reports_ends) {
     const std::string& word = from.code.empty() ? from.block : from.code;
     const char letter = word.empty() ? '\0' : word[0];
     if (!from.code.empty() && !is_seen(from.code, control_reports_ends))
-      error_ = told("events: the machine's logic does not see ", "events: логика станка не видит ") + from.code;
+      error_ = translated(texts::control_start::event_not_seen, from.code);
     const double number = word.empty() ? 0 : std::strtod(word.c_str() + 1, nullptr);
     events_.push_back({from.when, letter == ':', letter, number, from.count, 0, command_of(from)});
   }

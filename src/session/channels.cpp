@@ -10,7 +10,9 @@
 #include <utility>
 
 #include "control/shared_memory.h"
+#include "control/start_fault.h"
 #include "session/plc_commands.h"
+#include "texts/session.h"
 
 namespace kadr {
 namespace {
@@ -59,11 +61,9 @@ Setup setup_of_channel(const Setup& main, int number) {
 
 tl::expected<std::vector<Channel>, ChannelsFault> open_channels(const ControlDef& def, const Setup& setup, Program program,
                                                                 RunLimits limits) {
-  const auto refused = [](std::string en, std::string ru) { return tl::unexpected(ChannelsFault{{"", std::move(en), std::move(ru)}, 0}); };
-  if (!setup.channels.empty() && !def.machine_axes())
-    return refused(fmt::format("the control {} has no channels", def.id), fmt::format("у системы {} каналов нет", def.id));
-  if (setup.channels.contains(setup.channel))
-    return refused(fmt::format("channel {} is the program's own", setup.channel), fmt::format("канал {} — самой УП", setup.channel));
+  const auto refused = [](TextId<1> why, const auto& what) { return tl::unexpected(ChannelsFault{start_fault_of("", why, what), 0}); };
+  if (!setup.channels.empty() && !def.machine_axes()) return refused(texts::session::no_channels, def.id);
+  if (setup.channels.contains(setup.channel)) return refused(texts::session::own_channel, setup.channel);
   const std::string file = program.file;
   if (!limits.writes_files && limits.files == RunLimits{}.files) limits.files = folder_of(file);  // the caller has not chosen a folder
   const auto shared = setup.channels.empty() ? nullptr : std::make_shared<SharedMemory>();

@@ -3,8 +3,6 @@
 
 #include "session/folder_guess.h"
 
-#include <fmt/core.h>
-
 #include <algorithm>
 #include <filesystem>
 #include <system_error>
@@ -13,6 +11,7 @@
 #include "config/read_file.h"
 #include "config/tools/toml_tools.h"
 #include "session/guess_trial.h"
+#include "texts/guess.h"
 
 namespace kadr {
 namespace {
@@ -171,10 +170,11 @@ Guess with_neighbours(const FolderGuess::Answer& answer) {
   const std::string name = fs::path(file).filename().string();
   guess.control = common.control;
   guess.decisive = false;
-  guess.reason_en =
-      file.empty() ? std::string("like its folder as a whole") : fmt::format("as {} is ({}); nothing of its own decides", name, reason_en);
-  guess.reason_ru =
-      file.empty() ? std::string("как и вся папка") : fmt::format("как и {} ({}); своего решающего признака нет", name, reason_ru);
+  const auto reason = [&, file = file](Lang lang, const std::string& its) {
+    return file.empty() ? translated_in(lang, texts::guess::like_folder) : translated_in(lang, texts::guess::like_neighbour, name, its);
+  };
+  guess.reason_en = reason(Lang::en, reason_en);
+  guess.reason_ru = reason(Lang::ru, reason_ru);
   return guess;
 }
 

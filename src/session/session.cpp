@@ -6,11 +6,13 @@
 #include <algorithm>
 #include <utility>
 
+#include "control/start_fault.h"
 #include "motion/look_ahead/control_speed.h"
 #include "motion/time/estimate.h"
 #include "session/block_search.h"
 #include "session/give_machine.h"
 #include "session/plc_commands.h"
+#include "texts/session.h"
 
 namespace kadr {
 
@@ -30,7 +32,7 @@ tl::expected<std::unique_ptr<Session>, ChannelsFault> Session::open(SessionSpec 
   auto session = std::unique_ptr<Session>(new Session(std::move(spec)));  // the constructor is private
   give_machine(session->spec_.setup, session->spec_.machine, *session->spec_.control);
   if (!session->spec_.setup.search.empty() && !session->spec_.setup.channels.empty())
-    return tl::unexpected(ChannelsFault{{"search", "search: the program has several channels", "search: у УП несколько каналов"}, 0});
+    return tl::unexpected(ChannelsFault{start_fault_of("search", texts::session::search_in_channels), 0});
   auto channels = open_channels(*session->spec_.control, session->spec_.setup, std::move(session->spec_.program), session->spec_.limits);
   if (!channels) return tl::unexpected(std::move(channels.error()));
   session->channels_ = std::move(*channels);

@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <set>
 
-#include "config/language.h"
+#include "texts/session.h"
 
 namespace kadr {
 namespace {
@@ -37,8 +37,9 @@ std::optional<AlarmReport> unstated(const Control& control, const ControlDef& de
     if (is_stated(use, used, stated)) continue;
     if (first == nullptr) first = &use;
     if (!words.insert(used.word).second) continue;  // listed already: D of the 2С42 is both length and radius
-    const std::string vacant = use.kind == UseKind::variable ? told(", vacant", ", не определена") : std::string();
-    list += fmt::format("{}{} ({}{})", list.empty() ? "" : ", ", used.word, use.origin.line, vacant);
+    if (!list.empty()) list += ", ";
+    if (use.kind == UseKind::variable) list += translated(texts::session::variable_vacant, used.word, use.origin.line);
+    else list += fmt::format("{} ({})", used.word, use.origin.line);
   }
   if (first == nullptr) return std::nullopt;
   AlarmReport report;

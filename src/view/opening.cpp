@@ -34,7 +34,7 @@ tl::expected<std::string, std::string> control_for(const OpeningRequest& request
   if (!named.empty()) {
     const auto beginning = request.text ? request.text : beginning_of_program(request.path, opened.encoding, request.door);
     if (!beginning) return wrong(fmt::format("{}: {}", request.path, errno_message(errno)));
-    const std::string why = named.ends_with(".toml") ? "" : refused_by_control(*beginning, named, request.lang == Lang::ru);
+    const std::string why = named.ends_with(".toml") ? "" : refused_by_control(*beginning, named, request.lang);
     return why.empty() ? tl::expected<std::string, std::string>(named) : wrong(fmt::format("{}: {}", request.path, why));
   }
   const auto named_for = [&](const std::string& file) { return remembered.of(file); };

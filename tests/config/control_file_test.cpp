@@ -9,6 +9,7 @@
 #include <fstream>
 #include <set>
 
+#include "config/language.h"
 #include "control/interpreter.h"
 #include "own_place.h"
 
@@ -294,6 +295,18 @@ TEST(errors, of_what_is_missing) {
   EXPECT_NE(none.error().find("mach3"), std::string::npos);  // the message lists the available ones
   EXPECT_FALSE(load_control("alarms"));
   EXPECT_FALSE(load_control("/no/such/file.toml"));
+}
+
+/// lang/block/format gives its reasons in English. Each of them must be a text of texts/en.toml, else it would stay English.
+TEST(errors, of_a_format_are_translated) {
+  set_thread_language(Lang::ru);
+  for (const std::string format : {"X+053 LF Y+053", "0G2", "3", "X+053 X+053", "N043", "X-053", "X+0", "X+0537", "X+00"}) {
+    const std::string said = refusal(head + "format = \"" + format + "\"\n");
+    const std::size_t at = said.find("непонятен: ");
+    ASSERT_NE(at, std::string::npos) << said;
+    EXPECT_NE(said.find_first_of("\xD0\xD1", at + std::string("непонятен: ").size()), std::string::npos) << said;
+  }
+  set_thread_language(Lang::en);
 }
 
 /// A file must not extend itself; a chain that is too long is refused with a message that says so.

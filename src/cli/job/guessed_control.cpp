@@ -98,7 +98,7 @@ void GuessedControls::say(const std::string& file, const FolderGuess::Neighbours
 bool GuessedControls::refuses(const std::string& file, const std::string& control) const {
   if (control.ends_with(".toml")) return false;
   const auto text = beginning_of_program(file, encoding_of(options_));
-  const std::string why = text ? refused_by_control(*text, control, language(options_) == Lang::ru) : std::string();
+  const std::string why = text ? refused_by_control(*text, control, language(options_)) : std::string();
   if (!why.empty()) complain(fmt::format("{}: {}", file, why));
   return !why.empty();
 }

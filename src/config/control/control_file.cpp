@@ -8,17 +8,14 @@
 
 #include "base/file_id.h"
 #include "config/control/control_loader.h"
-#include "config/control/loader_texts.h"
 #include "config/embedded.h"
-#include "config/language.h"
 #include "config/nearest.h"
 #include "config/packed_toml.h"
 #include "config/read_file.h"
 #include "config/setup/parameter_table.h"
+#include "texts/control_file.h"
 
 namespace kadr {
-
-using loader_texts::say;
 
 namespace {
 
@@ -89,8 +86,7 @@ std::optional<std::string> said_again(const toml::table& under, const toml::tabl
       const toml::node* const same = below->get(key.str());
       if (same == nullptr || node.is_table() != rows || same->type() != node.type()) continue;
       const bool is_same = rows ? is_part_of(*node.as_table(), *same->as_table()) : are_equal(node, *same);
-      if (is_same)
-        return toml_tools::place(file, node) + say("[{}] {} has no effect: the control that is extended says the same", name, key.str());
+      if (is_same) return toml_tools::place(file, node) + translated(texts::control_file::repeats_base, name, key.str());
     }
     return std::nullopt;
   };
@@ -142,13 +138,8 @@ Table merged(Table table, const std::string& file, From from, Below& below, cons
   if (!table) return table;
   const auto base = (*table)["extends"].value<std::string>();
   if (!base) return table;
-  if (!table->contains("id")) return Failed(say("{}: id is missing: a file that extends another is a control of its own", file));
-  if (below.lineage.size() == deepest) {
-    const std::string most = std::to_string(deepest);
-    return Failed(file + ": " +
-                  told("extends the " + most + "th control below each other: no more are read",
-                       "extends: это уже " + most + "-я система друг под другом, больше не читается"));
-  }
+  if (!table->contains("id")) return Failed(translated(texts::control_file::extending_needs_id, file));
+  if (below.lineage.size() == deepest) return Failed(translated(texts::control_file::extends_too_deep, file, deepest));
   below.lineage.push_back(*base);
   std::string name = "controls/" + *base + ".toml";
   auto base_table = built_in(name, from);
@@ -156,10 +147,9 @@ Table merged(Table table, const std::string& file, From from, Below& below, cons
     const auto slash = file.rfind('/');
     name = (slash == std::string::npos || base->starts_with('/') ? std::string() : file.substr(0, slash + 1)) + *base;
     const auto text = read_file(name, limits::config_file_bytes, door);
-    if (!text)
-      return Failed(file + ": " + told("extends '" + *base + "': no such control, and ", "extends '" + *base + "': такой системы нет, и ") +
-                    text.error());
-    if (!below.files.insert(file_id_of(name).value_or(FileId{})).second) return Failed(say("{}: extends itself", file));
+    if (!text) return Failed(translated(texts::control_file::extended_not_found, file, *base, text.error()));
+    if (!below.files.insert(file_id_of(name).value_or(FileId{})).second)
+      return Failed(translated(texts::control_file::extends_itself, file));
     base_table = toml_tools::parsed(*text, name);
   }
   auto under = merged(std::move(*base_table), name, from, below, door);
@@ -231,8 +221,7 @@ tl::expected<ControlDef, std::string> load_control(const std::string& name, cons
   if (!table) {
     std::string known;
     for (const std::string& one : built_in_controls()) known += (known.empty() ? "" : ", ") + one;
-    return Failed(say("no control '{}'; there are: {}, or a file of your own (NAME.toml)", name, known) +
-                  did_you_mean(name, control_names()));
+    return Failed(translated(texts::control_file::no_such_control, name, known) + did_you_mean(name, control_names()));
   }
   auto def = load(std::move(*table), file, From::table, door);
   return def ? def : load(*built_in(file, From::text), file, From::text, door);

@@ -9,9 +9,9 @@
 
 #include "config/control/control_def.h"
 #include "config/control/function.h"
-#include "config/control/loader_texts.h"
 #include "config/setup/parameter_table.h"
 #include "config/tools/toml_tools.h"
+#include "texts/control_file.h"
 
 namespace kadr {
 
@@ -23,6 +23,14 @@ using Done = tl::expected<void, std::string>;
   do {                                                                   \
     if (auto done_ = (expression); !done_) return Failed(done_.error()); \
   } while (false)
+
+/// Returns the end of a sentence about an unknown name: the nearest known one, if there is one.
+inline std::string nearest_hint(std::string_view near) {
+  return near.empty() ? std::string() : translated(texts::control_file::nearest, near);
+}
+
+/// Translates an error of lang/block/format, such as `format "3G2X" is not understood: the address stands twice`, or the reason alone.
+std::string format_fault_message(const std::string& fault);
 
 inline constexpr std::uint32_t max_variables = first_unwritten_variable;
 
@@ -37,7 +45,7 @@ class ControlLoader {
   Done known_keys(const toml::table& table, const std::vector<std::string_view>& known) const;
   /// Returns the error for a key that is not in `known`, with the nearest known key.
   tl::unexpected<std::string> unknown_key(const toml::node& node, std::string_view key, const std::vector<std::string_view>& known,
-                                          loader_texts::Sentence what = "unknown key '{}'") const;
+                                          TextId<1> what = texts::control_file::unknown_key) const;
   /// Returns the table of the file under a key. If the key holds anything else, load() fails.
   const toml::table* section(std::string_view key);
   /// Returns the list under a key of a row. If the key holds anything else, load() fails.
@@ -55,7 +63,7 @@ class ControlLoader {
     const toml::node* const node = row.get(key);
     if (node == nullptr) return otherwise;
     if (const auto value = node->value<T>(); value && node->is_boolean() == std::is_same_v<T, bool>) return *value;
-    if (bad_value_.empty()) bad_value_ = toml_tools::place(name_, *node) + loader_texts::say("{} must be true or false", key);
+    if (bad_value_.empty()) bad_value_ = toml_tools::place(name_, *node) + translated(texts::control_file::must_be_flag, key);
     return otherwise;
   }
   /// Reads the number of a key, which must be within the range. If it is not, load() fails.

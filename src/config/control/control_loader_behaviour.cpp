@@ -6,10 +6,11 @@
 #include "config/control/control_loader.h"
 #include "config/machine/machine_axes.h"
 #include "config/range.h"
+#include "texts/control_file.h"
+#include "texts/control_file_behaviour.h"
 
 namespace kadr {
 
-using loader_texts::say;
 using toml_tools::place;
 
 namespace {
@@ -81,7 +82,7 @@ Done ControlLoader::choice(const toml::table& row, std::string_view key, std::in
   }
   std::string list;
   for (const std::string_view word : words) list += (list.empty() ? "" : ", ") + std::string(word);
-  return Failed(place(name_, row, key) + say("{} must be one of {}", key, list));
+  return Failed(place(name_, row, key) + translated(texts::control_file::must_be_one_of, key, list));
 }
 
 Done ControlLoader::choices(const toml::table& t) {
@@ -108,12 +109,11 @@ Done ControlLoader::arc_difference(const toml::table& t) {
     return {};
   }
   double* const to[] = {&b.arc_radius_difference, &b.arc_difference_inch};
-  if (two->size() != std::size(to))
-    return Failed(place(name_, *two) + say("arc_radius_difference: a number, or two of them: while the unit is mm, and inch"));
+  if (two->size() != std::size(to)) return Failed(place(name_, *two) + translated(texts::control_file_behaviour::arc_difference_numbers));
   for (std::size_t i = 0; i < std::size(to); ++i) {
     const auto value = (*two)[i].value<double>();
     if (!value || !is_within(*value, ranges::distance))
-      return Failed(place(name_, *two) + say("arc_radius_difference: a number, or two of them: while the unit is mm, and inch"));
+      return Failed(place(name_, *two) + translated(texts::control_file_behaviour::arc_difference_numbers));
     *to[i] = *value;
   }
   return {};
@@ -184,8 +184,9 @@ Done ControlLoader::behaviour() {
   KADR_LOAD(choices(*t));
   for (const auto& [key, node] : *t)
     if (const std::string_view instead = instead_of(key.str()); !instead.empty())
-      return Failed(place(name_, node) + say("[behaviour] has no key {} any more; instead: {}", key.str(), instead));
-    else if (!known.contains(key.str())) return unknown_key(node, key.str(), {known.begin(), known.end()}, "unknown behaviour '{}'");
+      return Failed(place(name_, node) + translated(texts::control_file_behaviour::key_has_gone, key.str(), instead));
+    else if (!known.contains(key.str()))
+      return unknown_key(node, key.str(), {known.begin(), known.end()}, texts::control_file_behaviour::unknown_key);
   return {};
 }
 

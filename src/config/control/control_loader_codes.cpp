@@ -5,13 +5,14 @@
 #include <set>
 
 #include "config/control/control_loader.h"
-#include "config/language.h"
 #include "config/setup/parameter_table.h"
 #include "lang/block/format.h"
+#include "texts/control_file.h"
+#include "texts/control_file_codes.h"
+#include "texts/control_file_cycles.h"
 
 namespace kadr {
 
-using loader_texts::say;
 using toml_tools::place;
 using toml_tools::text_of;
 
@@ -32,9 +33,10 @@ Done ControlLoader::groups() {
   if (t == nullptr) return {};
   for (const auto& [key, node] : *t) {
     const toml::table* const row = node.as_table();
-    if (row == nullptr) return Failed(place(name_, node) + say("a group is a table"));
+    if (row == nullptr) return Failed(place(name_, node) + translated(texts::control_file_codes::group_is_table));
     KADR_LOAD(known_keys(*row, {"modal", "initial", "en", "ru"}));
-    if (def_.groups.size() == most_groups) return Failed(place(name_, node) + say("at most {} groups", most_groups - 1));
+    if (def_.groups.size() == most_groups)
+      return Failed(place(name_, node) + translated(texts::control_file_codes::too_many_groups, most_groups - 1));
     def_.groups.push_back({std::string(key.str()), typed(*row, "modal", true), -1, text_of(*row)});
     initial_.push_back(text(*row, "initial"));
   }
@@ -64,7 +66,7 @@ std::uint64_t ControlLoader::letters(const toml::table& row, std::string_view ke
   const std::string all = text(row, key);
   for (const char c : all)
     if (letters(std::string(1, c)) == 0 && beside.find(c) == std::string_view::npos && bad_value_.empty())
-      bad_value_ = place(name_, row, key) + say("{}: letters A to Z, or c, r, a for ,C ,R ,A", key);
+      bad_value_ = place(name_, row, key) + translated(texts::control_file_codes::letters_of_code, key);
   return letters(all);
 }
 
@@ -74,7 +76,7 @@ Done ControlLoader::codes(std::string_view key, char letter) {
   std::vector<std::pair<double, const toml::table*>> rows;
   for (const auto& [code, node] : *t) {
     const toml::table* const row = node.as_table();
-    if (row == nullptr) return Failed(place(name_, node) + say("a code is a table"));
+    if (row == nullptr) return Failed(place(name_, node) + translated(texts::control_file_codes::code_is_table));
     if (code.str() == "other") {
       KADR_LOAD(other_codes(*row, letter));
       continue;
@@ -83,9 +85,9 @@ Done ControlLoader::codes(std::string_view key, char letter) {
     const std::string digits(code.str());
     const double number = std::strtod(digits.c_str(), &end);
     if (end == digits.c_str() || *end != '\0' || number < 0 || number * 10 >= ControlDef::max_tenths)
-      return Failed(place(name_, node) + say("'{}' is no code number", digits));
+      return Failed(place(name_, node) + translated(texts::control_file_codes::no_code_number, digits));
     for (const char* const limit : {"from", "to"})
-      if (row->contains(limit)) return Failed(place(name_, *row, limit) + say("{} belongs to [m] \"other\"", limit));
+      if (row->contains(limit)) return Failed(place(name_, *row, limit) + translated(texts::control_file_codes::belongs_to_other, limit));
     rows.emplace_back(number, row);
   }
   std::sort(rows.begin(), rows.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
@@ -106,7 +108,7 @@ Done ControlLoader::code(char letter, double number, const toml::table& row) {
   if (row.contains("group")) {
     const std::string group = text(row, "group");
     const int index = group_named(group);
-    if (index < 0) return Failed(place(name_, row, "group") + say("no group '{}'", group));
+    if (index < 0) return Failed(place(name_, row, "group") + translated(texts::control_file_codes::no_group, group));
     c.group = static_cast<std::uint8_t>(index);
   }
   const auto phase = phase_of(row, *function);
@@ -128,31 +130,32 @@ Done ControlLoader::code(char letter, double number, const toml::table& row) {
       char* end = nullptr;
       const double tenth = code.size() < 2 || code[0] != letter ? -1 : std::strtod(code.c_str() + 1, &end) * 10;
       if (!(tenth >= 0 && tenth < ControlDef::max_tenths) || *end != '\0')
-        return Failed(place(name_, other) + say("with: codes of its group, such as \"{}8\"", letter));
+        return Failed(place(name_, other) + translated(texts::control_file_codes::with_codes_of_group, letter));
       c.with.push_back(static_cast<std::int32_t>(std::lround(tenth)));
     }
   for (int i = 0; i <= comma_vector - 'A'; ++i)
     if ((c.takes >> i & 1u) != 0 && def_.addresses[static_cast<std::size_t>(i)].function == Function::count &&
         !(def_.grammar.zero_between_slashes && i == 0))
-      return Failed(place(name_, row, "takes") + say("takes: no address {}", address_written(static_cast<char>('A' + i))));
+      return Failed(place(name_, row, "takes") +
+                    translated(texts::control_file_codes::takes_no_address, address_written(static_cast<char>('A' + i))));
   KADR_LOAD(check_code(row, c));
   c.text = text_of(row);
   c.manual = text(row, "manual");
   constexpr std::size_t max_rows = 32'000;
-  if (def_.codes.size() == max_rows) return Failed(place(name_, row) + say("at most {} codes", max_rows));
+  if (def_.codes.size() == max_rows) return Failed(place(name_, row) + translated(texts::control_file_codes::too_many_codes, max_rows));
   if (c.function == Function::cycle || c.function == Function::permanent_subprogram) {
     c.cycle = cycle_named(c.code);
-    if (c.cycle == 0) return Failed(place(name_, row) + say("no [cycle.{}]", c.code));
+    if (c.cycle == 0) return Failed(place(name_, row) + translated(texts::control_file_codes::no_cycle, c.code));
     const CycleRow& cycle = def_.cycles[c.cycle - std::size_t{1}];
     if (c.function == Function::cycle && cycle.steps.empty())
-      return Failed(place(name_, row) + say("{}: [cycle.{}] needs steps, not a body", c.code, c.code));
+      return Failed(place(name_, row) + translated(texts::control_file_codes::cycle_needs_steps, c.code, c.code));
     if (c.function == Function::permanent_subprogram && cycle.body.empty())
-      return Failed(place(name_, row) + say("{}: [cycle.{}] needs a body, not steps", c.code, c.code));
+      return Failed(place(name_, row) + translated(texts::control_file_codes::cycle_needs_body, c.code, c.code));
   }
   auto& index = letter == 'G' ? def_.g_rows : def_.m_rows;
   if (index.size() <= static_cast<std::size_t>(c.tenth)) index.resize(static_cast<std::size_t>(c.tenth) + 1, -1);
   if (index[static_cast<std::size_t>(c.tenth)] >= 0)
-    return Failed(place(name_, row) + say("{} has a row already (the same code with other digits)", c.code));
+    return Failed(place(name_, row) + translated(texts::control_file_codes::has_row_already, c.code));
   index[static_cast<std::size_t>(c.tenth)] = static_cast<std::int16_t>(def_.codes.size());
   def_.codes.push_back(std::move(c));
   return {};
@@ -160,12 +163,13 @@ Done ControlLoader::code(char letter, double number, const toml::table& row) {
 
 /// Reads "other": M codes without a row of their own go to the machine.
 Done ControlLoader::other_codes(const toml::table& row, char letter) {
-  if (letter != 'M') return Failed(place(name_, row) + say("only M codes may have 'other'"));
+  if (letter != 'M') return Failed(place(name_, row) + translated(texts::control_file_codes::other_is_for_m));
   constexpr std::uint32_t max_code = 99'999'999;
   const std::uint32_t from = whole(row, "from", 0, max_code);
   const std::uint32_t to = whole(row, "to", max_code, max_code);
-  if (from > to) return Failed(place(name_, row, "from") + say("from must not be more than to"));
-  if (text(row, "does") != "machine_function") return Failed(place(name_, row, "does") + say("other: only 'machine_function'"));
+  if (from > to) return Failed(place(name_, row, "from") + translated(texts::control_file_codes::from_above_to));
+  if (text(row, "does") != "machine_function")
+    return Failed(place(name_, row, "does") + translated(texts::control_file_codes::other_is_machine_function));
   KADR_LOAD(code('M', 0, row));
   CodeRow& c = def_.codes.back();
   c.code = "M" + std::to_string(from) + "…M" + std::to_string(to);
@@ -188,29 +192,29 @@ Done ControlLoader::cycles() {
   if (t == nullptr) return {};
   for (const auto& [key, node] : *t) {
     const toml::table* const row = node.as_table();
-    if (row == nullptr) return Failed(place(name_, node) + say("a cycle is a table"));
+    if (row == nullptr) return Failed(place(name_, node) + translated(texts::control_file_cycles::cycle_is_table));
     KADR_LOAD(known_keys(*row, {"steps", "body", "needs", "left_out", "needs_spindle", "needs_spindle_cw", "needs_override_off", "printed",
                                 "parameters", "en", "ru", "manual"}));
     CycleRow c;
     c.name = std::string(key.str());
     if (c.name.size() < 2 || (c.name[0] != 'G' && c.name[0] != 'M' && c.name[0] != 'L'))
-      return Failed(place(name_, node) + say("a cycle is named by its code, G81, or its call, L81"));
+      return Failed(place(name_, node) + translated(texts::control_file_cycles::cycle_name));
     if (c.name[0] == 'L') c.call_number = static_cast<std::uint32_t>(std::atoi(c.name.c_str() + 1));
     if (const toml::array* const steps = list(*row, "steps"))
       for (const auto& step : *steps) {
         const auto* const found = std::find(std::begin(step_names), std::end(step_names), step.value_or(std::string()));
-        if (found == std::end(step_names)) return Failed(place(name_, step) + say("unknown step"));
+        if (found == std::end(step_names)) return Failed(place(name_, step) + translated(texts::control_file_cycles::unknown_step));
         c.steps.push_back(static_cast<CycleStep>(found - std::begin(step_names)));
       }
     if (const toml::array* const body = list(*row, "body"))
       for (const auto& line : *body) {
-        if (!line.is_string()) return Failed(place(name_, line) + say("body: each block a text"));
+        if (!line.is_string()) return Failed(place(name_, line) + translated(texts::control_file_cycles::body_is_texts));
         c.body += line.value_or(std::string()) + "\n";
       }
     if (const toml::array* const printed = list(*row, "printed"))
       for (const auto& line : *printed) c.printed += line.value_or(std::string()) + "\n";
     if (const toml::table* const to = (*row)["parameters"].as_table()) KADR_LOAD(cycle_parameters(*to, c));
-    if (c.steps.empty() == c.body.empty()) return Failed(place(name_, node) + say("a cycle has steps or a body"));
+    if (c.steps.empty() == c.body.empty()) return Failed(place(name_, node) + translated(texts::control_file_cycles::steps_or_body));
     c.needs = letters(*row, "needs");
     c.left_out = letters(*row, "left_out");
     c.needs_spindle = typed(*row, "needs_spindle", false);
@@ -232,7 +236,7 @@ Done ControlLoader::cycle_parameters(const toml::table& to, CycleRow& cycle) con
     const std::size_t letter = name.empty() ? std::string::npos : letters.find(name[0]);
     const bool digits = name.size() >= 3 && name.size() <= 4 && name.find_first_not_of("0123456789", 1) == std::string::npos;
     if (word.str().size() != 1 || letter == std::string::npos || !digits)
-      return Failed(place(name_, node) + say("parameters: a letter and the formal parameter that it sets, as in { X = \"R01\" }"));
+      return Failed(place(name_, node) + translated(texts::control_file_cycles::parameters_values));
     cycle.parameters.emplace_back(word.str()[0], static_cast<int>(letter) * parameters_a_letter + std::atoi(name.c_str() + 1));
   }
   return {};
@@ -250,7 +254,7 @@ Done ControlLoader::initial_codes() {
     if (code.empty()) continue;
     const std::int32_t row = row_named(code);
     if (row < 0 || def_.codes[static_cast<std::size_t>(row)].group != i)
-      return Failed(say("{}: [groups] \"{}\": initial code {} is not of this group", name_, def_.groups[i].name, code));
+      return Failed(translated(texts::control_file_codes::initial_code_of_other_group, name_, def_.groups[i].name, code));
     def_.groups[i].power_on = row;
   }
   const toml::table* const t = section("defaults");
@@ -259,7 +263,7 @@ Done ControlLoader::initial_codes() {
   if (end == nullptr) return {};
   for (const auto& node : *end) {
     const std::int32_t row = row_named(node.value_or(std::string()));
-    if (row < 0) return Failed(place(name_, node) + say("unknown code"));
+    if (row < 0) return Failed(place(name_, node) + translated(texts::control_file_codes::unknown_code));
     KADR_LOAD(check_end_code(node, def_.codes[static_cast<std::size_t>(row)]));
     def_.end_codes.push_back(row);
   }
@@ -281,7 +285,7 @@ Done ControlLoader::alarms() {
   for (const auto& [key, node] : *t) {
     const toml::table* const row = node.as_table();
     const AlarmId id = alarm_named(key.str());
-    if (row == nullptr || id == no_alarm) return Failed(place(name_, node) + say("unknown alarm '{}'", key.str()));
+    if (row == nullptr || id == no_alarm) return Failed(place(name_, node) + translated(texts::control_file::unknown_alarm, key.str()));
     KADR_LOAD(known_keys(*row, {"number", "en", "ru", "hint_en", "hint_ru"}));
     AlarmText text;
     if (const auto number = (*row)["number"].value_exact<std::int64_t>()) text.number = std::to_string(*number);
@@ -304,7 +308,8 @@ Done ControlLoader::code_table(std::string_view key, std::map<std::int32_t, doub
     if (code.str() == "progression") continue;
     const std::string digits(code.str());
     const bool is_code = !digits.empty() && digits.size() <= max_digits && digits.find_first_not_of("0123456789") == std::string::npos;
-    if (!is_code) return Failed(place(name_, node) + std::string(key) + ": " + say("'{}' is no code number", digits));
+    if (!is_code)
+      return Failed(place(name_, node) + std::string(key) + ": " + translated(texts::control_file_codes::no_code_number, digits));
     ranged(*t, digits, ranges::feed, to[std::stoi(digits)]);
   }
   return {};

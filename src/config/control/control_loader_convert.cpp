@@ -5,10 +5,10 @@
 
 #include "config/control/control_loader.h"
 #include "config/machine/machine_codes.h"
+#include "texts/control_file.h"
 
 namespace kadr {
 
-using loader_texts::say;
 using toml_tools::place;
 
 namespace {
@@ -31,7 +31,7 @@ Done ControlLoader::encoding() {
   const toml::node* const node = file_.get("encoding");
   if (node == nullptr) return {};
   const auto letters = written_letters_named(text(file_, "encoding"));
-  if (!letters) return Failed(place(name_, *node) + say("encoding: ascii, utf-8, cp1251, koi8-r, cp866, iso7 or eia"));
+  if (!letters) return Failed(place(name_, *node) + translated(texts::control_file::unknown_encoding));
   def_.letters = *letters;
   return {};
 }
@@ -44,7 +44,7 @@ Done ControlLoader::machine_codes() {
     const auto code = m_code(key.str());
     const CodeRow* const row = code ? machine_row(def_, *code) : nullptr;
     if (row == nullptr || row->function != Function::machine_function)
-      return Failed(place(name_, node) + say("[convert] {}: no code of this control that does 'machine_function'", key.str()));
+      return Failed(place(name_, node) + translated(texts::control_file::convert_no_machine_function, key.str()));
     if (const toml::table* const by_control = node.as_table()) {
       for (const auto& [control, there] : *by_control) KADR_LOAD(machine_code(*code, std::string(control.str()), there));
     } else {
@@ -56,13 +56,12 @@ Done ControlLoader::machine_codes() {
 
 Done ControlLoader::machine_code(std::uint32_t code, const std::string& control, const toml::node& node) {
   const auto there = m_code(node.value_exact<std::string>().value_or(std::string()));
-  if (!there) return Failed(place(name_, node) + say("[convert] M{}: an M code of the other control, such as \"M8\"", code));
-  if (control == def_.id) return Failed(place(name_, node) + say("[convert] M{}: '{}' is this control itself", code, control));
+  if (!there) return Failed(place(name_, node) + translated(texts::control_file::convert_other_code, code));
+  if (control == def_.id) return Failed(place(name_, node) + translated(texts::control_file::convert_to_itself, code, control));
   const auto twice = std::find_if(def_.machine_codes.begin(), def_.machine_codes.end(),
                                   [&](const MachineCodeRow& one) { return one.control == control && one.there == *there; });
   if (twice != def_.machine_codes.end())
-    return Failed(place(name_, node) +
-                  say("[convert] M{} and M{} are both M{} of '{}': the way back is not known", twice->code, code, *there, control));
+    return Failed(place(name_, node) + translated(texts::control_file::convert_ambiguous, twice->code, code, *there, control));
   def_.machine_codes.push_back({code, control, *there});
   return {};
 }

@@ -5,10 +5,11 @@
 
 #include "base/ascii.h"
 #include "config/control/control_loader.h"
+#include "texts/control_file.h"
+#include "texts/control_file_grammar.h"
 
 namespace kadr {
 
-using loader_texts::say;
 using toml_tools::place;
 
 namespace {
@@ -41,7 +42,7 @@ Done ControlLoader::expressions() {
   const toml::table* const t = section("expressions");
   if (t == nullptr) return {};
   KADR_LOAD(known_keys(*t, {"operators", "functions", "relations"}));
-  if (!def_.grammar.expressions) KADR_LOAD(no_effect(file_, "expressions", say("without [grammar] expressions = true")));
+  if (!def_.grammar.expressions) KADR_LOAD(no_effect(file_, "expressions", translated(texts::control_file_grammar::without_expressions)));
   KADR_LOAD(expression_rows(*t, "operators", def_.grammar.expression.operators));
   KADR_LOAD(expression_rows(*t, "functions", def_.grammar.expression.functions));
   return expression_rows(*t, "relations", def_.grammar.expression.relations);
@@ -50,13 +51,14 @@ Done ControlLoader::expressions() {
 Done ControlLoader::expression_rows(const toml::table& of, std::string_view key, ExpressionRows& to) {
   const toml::node* const node = of.get(key);
   if (node == nullptr) return {};
-  if (!node->is_table()) return Failed(place(name_, *node) + say("{} must be a table", key));
+  if (!node->is_table()) return Failed(place(name_, *node) + translated(texts::control_file::must_be_table, key));
   for (const auto& [text, row] : *node->as_table()) {
-    if (!row.is_table()) return Failed(place(name_, row) + say("{} must be a table", text.str()));
+    if (!row.is_table()) return Failed(place(name_, row) + translated(texts::control_file::must_be_table, text.str()));
     auto read = expression_row(key, text.str(), row);
     if (!read) return Failed(read.error());
-    if (to.has(read->text)) return Failed(place(name_, row) + say("{} stands twice", text.str()));
-    if (to.all().size() == ExpressionRows::most) return Failed(place(name_, row) + say("{}: more than {} rows", key, ExpressionRows::most));
+    if (to.has(read->text)) return Failed(place(name_, row) + translated(texts::control_file_grammar::stands_twice, text.str()));
+    if (to.all().size() == ExpressionRows::most)
+      return Failed(place(name_, row) + translated(texts::control_file_grammar::too_many_rows, key, ExpressionRows::most));
     to.add(std::move(*read));
   }
   return {};
@@ -68,25 +70,27 @@ tl::expected<ExpressionRow, std::string> ControlLoader::expression_row(std::stri
   const bool function = key == "functions", op = key == "operators";
   ExpressionRow read;
   for (const char c : written) read.text += to_upper(c);
-  if (!can_be_written(read.text, function)) return Failed(place(name_, node) + say("'{}': letters A to Z, or of {}", written, signs));
+  if (!can_be_written(read.text, function))
+    return Failed(place(name_, node) + translated(texts::control_file_grammar::operation_letters, written, signs));
   KADR_LOAD(known_keys(row, op         ? std::vector<std::string_view>{"does", "binding"}
                             : function ? std::vector<std::string_view>{"does", "operand", "of_two"}
                                        : std::vector<std::string_view>{"does"}));
   const std::string operand = function && row.contains("operand") ? text(row, "operand") : "bracket";
   if (operand != "bracket" && operand != "value" && operand != "pair")
-    return Failed(place(name_, row, "operand") + say("operand: bracket, value or pair"));
+    return Failed(place(name_, row, "operand") + translated(texts::control_file_grammar::operand_values));
   read.operand = operand == "value" ? Operand::value : operand == "pair" ? Operand::pair : Operand::bracket;
   const int operands = !function || read.operand == Operand::pair ? 2 : 1;
   const std::string does = text(row, "does");
   const auto found = operation_named(does, operands);
   if (!found || (key == "relations" && !is_comparison(*found))) {
-    const std::string_view near = toml_tools::nearest(does, operations(operands));
-    return Failed(place(name_, row, "does") + say("unknown operation '{}'", does) + (near.empty() ? "" : say(", nearest: '{}'", near)));
+    return Failed(place(name_, row, "does") + translated(texts::control_file_grammar::unknown_operation, does) +
+                  nearest_hint(toml_tools::nearest(does, operations(operands))));
   }
   read.op = *found;
   if (const std::string of_two = text(row, "of_two"); !of_two.empty()) {
     const auto pair = operation_named(of_two, 2);
-    if (!pair || read.operand != Operand::value) return Failed(place(name_, row, "of_two") + say("unknown operation '{}'", of_two));
+    if (!pair || read.operand != Operand::value)
+      return Failed(place(name_, row, "of_two") + translated(texts::control_file_grammar::unknown_operation, of_two));
     read.of_two = *pair;
   }
   read.binding = static_cast<std::uint8_t>(whole(row, "binding", 1, most_binding));

@@ -9,10 +9,12 @@
 #include "base/code_literals.h"
 #include "config/control/control_loader.h"
 #include "config/control/drill_steps.h"
+#include "texts/control_file_behaviour.h"
+#include "texts/control_file_codes.h"
+#include "texts/control_file_words.h"
 
 namespace kadr {
 
-using loader_texts::say;
 using toml_tools::place;
 
 namespace {
@@ -137,7 +139,7 @@ std::string quoted(Function function) { return "'" + std::string(traits_of(funct
 
 std::string written(Needs needs) {
   switch (needs) {
-    case Needs::nct: return say("the machine of the NCT: extends = \"nct\" (dialect = \"nct\")");
+    case Needs::nct: return translated(texts::control_file_words::machine_of_nct);
     case Needs::correctors: return "dialect = \"correctors\"";
     case Needs::sections: return "[grammar] section";
     case Needs::rs274: return "dialect = \"linuxcnc\"";
@@ -167,17 +169,16 @@ tl::expected<Function, std::string> ControlLoader::function_of(const toml::table
   const Function function = function_named(name);
   const auto refused = [&](const std::string& why) { return Failed(place(name_, row, "does") + name_of_row + ": " + why); };
   if (function == Function::count) {
-    const std::string near = nearest_function(name, by);
-    return refused(name.empty() ? say("`does` is missing")
-                                : say("unknown function '{}'", name) + (near.empty() ? "" : say(", nearest: '{}'", near)));
+    return refused(name.empty() ? translated(texts::control_file_words::no_function)
+                                : translated(texts::control_file_words::unknown_function, name) + nearest_hint(nearest_function(name, by)));
   }
   if (traits_of(function).by != by)
-    return refused(by == CalledBy::word ? say("{} belongs to a code, [g] or [m]", quoted(function))
-                                        : say("{} belongs to a word, [address]", quoted(function)));
+    return refused(by == CalledBy::word ? translated(texts::control_file_words::belongs_to_code, quoted(function))
+                                        : translated(texts::control_file_words::belongs_to_word, quoted(function)));
   if (has(traits_of(function).needs)) return function;
   if (traits_of(function).needs == Needs::no_nct)
-    return refused(say("{} does not work with the machine of the NCT (dialect = \"nct\")", quoted(function)));
-  return refused(say("{} needs {}", quoted(function), written(traits_of(function).needs)));
+    return refused(translated(texts::control_file_behaviour::does_not_work_with_nct, quoted(function)));
+  return refused(translated(texts::control_file_words::needs, quoted(function), written(traits_of(function).needs)));
 }
 
 std::string ControlLoader::nearest_function(std::string_view name, CalledBy by) const {
@@ -194,36 +195,38 @@ Done ControlLoader::check_address(char letter, const toml::table& row, const Add
   const std::string who = address_written(letter) + ": ";
   for (const LetterRow& fixed : letters_of)
     if (fixed.function == a.function && fixed.letters.find(letter) == std::string_view::npos)
-      return Failed(place(name_, row, "does") + who + say("{} is a word {}", quoted(a.function), fixed.letters));
+      return Failed(place(name_, row, "does") + who + translated(texts::control_file_words::is_word_of, quoted(a.function), fixed.letters));
   const Grammar& g = def_.grammar;
   if (a.function == Function::label && g.label_address != letter)
-    return Failed(place(name_, row, "does") + who + say("[grammar] label is another letter"));
+    return Failed(place(name_, row, "does") + who + translated(texts::control_file_words::label_is_another_letter));
   if (a.function == Function::formal_parameter && g.parameter_address != letter)
-    return Failed(place(name_, row, "does") + who + say("'formal_parameter' needs [grammar] formal_parameter = \"{}\"", letter));
+    return Failed(place(name_, row, "does") + who + translated(texts::control_file_words::formal_parameter_of_grammar, letter));
   const bool has_axis = a.function == Function::axis || a.function == Function::center;
-  if (has_axis && !row.contains("axis")) return Failed(place(name_, row, "does") + who + say("{} needs `axis`", quoted(a.function)));
-  if (!has_axis) KADR_LOAD(no_effect(row, "axis", who + say("`axis` has no effect: {} has none", quoted(a.function))));
+  if (has_axis && !row.contains("axis"))
+    return Failed(place(name_, row, "does") + who + translated(texts::control_file_words::needs_axis, quoted(a.function)));
+  if (!has_axis) KADR_LOAD(no_effect(row, "axis", who + translated(texts::control_file_words::axis_has_no_effect, quoted(a.function))));
   for (const AddressRow& other : def_.addresses) {
     if (!has_axis || &other == &a || other.letter == 0 || other.function != a.function || other.axis != a.axis) continue;
     const toml::table* const second = file_["address"][address_written(other.letter)].as_table();
     const toml::node* const theirs = second == nullptr ? nullptr : second->get("axis");
     const bool blames_other = !is_own(*row.get("axis")) && theirs != nullptr && is_own(*theirs);
     return Failed((blames_other ? place(name_, *theirs) : place(name_, row, "axis")) + who +
-                  say("axis {} has the word {} already", def_.axes[a.axis], address_written(other.letter)));
+                  translated(texts::control_file_words::axis_has_word, def_.axes[a.axis], address_written(other.letter)));
   }
   const bool acts = a.function != Function::word_of_code && a.function != Function::center && a.function != Function::axis;
   const bool is_number = a.function != Function::code && a.function != Function::block_number && a.function != Function::label;
   if (!acts || !is_number)
-    KADR_LOAD(no_effect(row, "phase", who + say("`phase` has no effect: {} does nothing by itself", quoted(a.function))));
-  if (!is_number) KADR_LOAD(no_effect(row, "scale", who + say("`scale` has no effect: {} is no value", quoted(a.function))));
+    KADR_LOAD(no_effect(row, "phase", who + translated(texts::control_file_words::phase_has_no_effect, quoted(a.function))));
+  if (!is_number) KADR_LOAD(no_effect(row, "scale", who + translated(texts::control_file_words::scale_has_no_effect, quoted(a.function))));
   if (a.function != Function::corrector_word && row["second"].value_or(false))
-    return Failed(place(name_, row, "second") + who + say("`second` needs does = \"corrector_word\": nothing else takes a second number"));
+    return Failed(place(name_, row, "second") + who + translated(texts::control_file_words::second_needs_corrector_word));
   const bool of_nct = def_.machine_axes();
   if (!of_nct && (a.function == Function::block_number || a.function == Function::label))
     for (const char* key : {"least", "most", "whole"})
-      KADR_LOAD(no_effect(row, key, who + say("`{}` has no effect: {} is not limited on this control", key, quoted(a.function))));
-  if (!(std::isfinite(a.scale) && a.scale != 0)) return Failed(place(name_, row, "scale") + who + say("scale must be a number, not 0"));
-  if (!(a.least <= a.most)) return Failed(place(name_, row, "least") + who + say("least must not be more than most"));
+      KADR_LOAD(no_effect(row, key, who + translated(texts::control_file_words::limit_has_no_effect, key, quoted(a.function))));
+  if (!(std::isfinite(a.scale) && a.scale != 0))
+    return Failed(place(name_, row, "scale") + who + translated(texts::control_file_words::scale_is_zero));
+  if (!(a.least <= a.most)) return Failed(place(name_, row, "least") + who + translated(texts::control_file_words::least_above_most));
   return {};
 }
 
@@ -232,37 +235,38 @@ Done ControlLoader::check_code(const toml::table& row, const CodeRow& c) const {
   const std::string who = c.code + ": ";
   const auto of_function = [&](const ArgRow& a) { return a.function == c.function; };
   const bool has_arg = std::any_of(std::begin(args), std::end(args), of_function);
-  if (!has_arg) KADR_LOAD(no_effect(row, "arg", who + say("`arg` has no effect: {} has none", quoted(c.function))));
+  if (!has_arg) KADR_LOAD(no_effect(row, "arg", who + translated(texts::control_file_codes::arg_has_no_effect, quoted(c.function))));
   if ((c.takes != 0 || c.takes_all_axes) && std::find(std::begin(wordless), std::end(wordless), c.function) != std::end(wordless))
-    KADR_LOAD(no_effect(row, "takes", who + say("`takes` has no effect: {} uses no words", quoted(c.function))));
+    KADR_LOAD(no_effect(row, "takes", who + translated(texts::control_file_codes::takes_has_no_effect, quoted(c.function))));
   const auto fits = [&](const ArgRow& a) { return of_function(a) && c.arg >= a.least && c.arg <= a.most; };
   if (has_arg && !std::any_of(std::begin(args), std::end(args), fits)) {
     std::string numbers;
     for (const ArgRow& a : args)
       if (of_function(a))
-        numbers += (numbers.empty() ? "" : ", ") + (a.most > a.least ? say("{} to {}", a.least, a.most) : std::to_string(a.least));
-    return Failed(place(name_, row, "arg") + who + say("arg of {} must be {}", quoted(c.function), numbers));
+        numbers += (numbers.empty() ? "" : ", ") +
+                   (a.most > a.least ? translated(texts::control_file_codes::number_to_number, a.least, a.most) : std::to_string(a.least));
+    return Failed(place(name_, row, "arg") + who + translated(texts::control_file_codes::arg_must_be, quoted(c.function), numbers));
   }
   if (c.function == Function::drilling && c.arg == 0 &&
       std::find(std::begin(drilling_tenths), std::end(drilling_tenths), c.letter == 'G' ? c.tenth : 0) == std::end(drilling_tenths))
-    return Failed(place(name_, row, "does") + who + say("'drilling' is G73 to G89, or an `arg` says which of them: 730, 740, 760"));
+    return Failed(place(name_, row, "does") + who + translated(texts::control_file_codes::drilling_codes));
   if (c.function == Function::fixture && c.arg > static_cast<int>(def_.behaviour.fixtures))
-    return Failed(place(name_, row, "arg") + who + say("arg is beyond [behaviour] fixtures"));
+    return Failed(place(name_, row, "arg") + who + translated(texts::control_file_codes::arg_beyond_fixtures));
   if (c.letter == 'M' && traits_of(c.function).takes_axes() && (c.function == Function::rapid || c.function == Function::linear || c.modal))
-    return Failed(place(name_, row, "does") + who + say("{} with a mode of its own is for G codes", quoted(c.function)));
+    return Failed(place(name_, row, "does") + who + translated(texts::control_file_codes::mode_is_for_g, quoted(c.function)));
   if (c.function == Function::machine_function && c.letter != 'M')
-    return Failed(place(name_, row, "does") + who + say("'machine_function' is for M codes"));
+    return Failed(place(name_, row, "does") + who + translated(texts::control_file_codes::machine_function_is_for_m));
   for (std::size_t i = 0; i < max_addresses; ++i) {
     const AddressRow& a = def_.addresses[i];
     const bool needed = (c.needs >> i & 1u) != 0;
     if (needed && a.function == Function::count && !(def_.grammar.zero_between_slashes && i == 0))
       return Failed(place(name_, row, "needs") + who +
-                    say("needs: no address {}", address_written(static_cast<char>('A' + static_cast<int>(i)))));
+                    translated(texts::control_file_codes::needs_no_address, address_written(static_cast<char>('A' + static_cast<int>(i)))));
     if (needed && names_word_of(a.function) && a.function == Function::word_of_code && (c.takes >> i & 1u) == 0)
-      return Failed(place(name_, row, "needs") + who + say("needs {}, which it does not take", address_written(a.letter)));
+      return Failed(place(name_, row, "needs") + who + translated(texts::control_file_codes::needs_not_taken, address_written(a.letter)));
   }
   if (c.function == Function::dwell && (c.takes & ((std::uint64_t{1} << 26) - 1)) == 0)
-    return Failed(place(name_, row, "takes") + who + say("'dwell' must take the word of its time"));
+    return Failed(place(name_, row, "takes") + who + translated(texts::control_file_codes::dwell_takes_time));
   return {};
 }
 

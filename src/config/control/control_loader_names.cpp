@@ -6,10 +6,10 @@
 #include "config/control/control_file.h"
 #include "config/control/control_loader.h"
 #include "config/control/guess_rows.h"
+#include "texts/control_file.h"
 
 namespace kadr {
 
-using loader_texts::say;
 using toml_tools::place;
 
 namespace {
@@ -32,17 +32,17 @@ Done ControlLoader::names() {
   if (const toml::array* const aliases = list(file_, "aliases"); aliases != nullptr)
     for (const toml::node& node : *aliases) {
       const auto alias = node.value_exact<std::string>();
-      if (!alias) return Failed(place(name_, node) + say("aliases: a list of texts"));
-      if (!is_name(*alias)) return Failed(place(name_, node) + say("aliases: '{}' is not a name: small letters, digits, - and .", *alias));
+      if (!alias) return Failed(place(name_, node) + translated(texts::control_file::aliases_list));
+      if (!is_name(*alias)) return Failed(place(name_, node) + translated(texts::control_file::alias_is_no_name, *alias));
       if (std::find(def_.aliases.begin(), def_.aliases.end(), *alias) != def_.aliases.end())
-        return Failed(place(name_, node) + say("aliases: '{}' stands twice", *alias));
+        return Failed(place(name_, node) + translated(texts::control_file::alias_twice, *alias));
       if (node.source().path)  // tests/controls_table.py has checked the packed built-in files, which have no path
         for (const auto& [other, id] : taken_names())
           if (other == *alias && id != def_.id)
-            return Failed(place(name_, node) + say("aliases: '{}' is the name of another control: {}", *alias, id));
+            return Failed(place(name_, node) + translated(texts::control_file::alias_of_another, *alias, id));
       def_.aliases.push_back(*alias);
     }
-  KADR_LOAD(no_effect(file_, "aliases", say("aliases have no effect in a file of your own: it is named by its path")));
+  KADR_LOAD(no_effect(file_, "aliases", translated(texts::control_file::aliases_of_own_file)));
   const toml::table* const guess = section("guess");
   if (guess == nullptr) return {};
   if (const auto rows = guess_rows_of(*guess, name_); !rows) return Failed(rows.error());

@@ -5,10 +5,15 @@
 #include <cmath>
 
 #include "config/control/control_loader.h"
+#include "texts/control_file.h"
+#include "texts/control_file_behaviour.h"
+#include "texts/control_file_codes.h"
+#include "texts/control_file_cycles.h"
+#include "texts/control_file_grammar.h"
+#include "texts/control_file_variables.h"
 
 namespace kadr {
 
-using loader_texts::say;
 using toml_tools::place;
 
 namespace {
@@ -103,25 +108,23 @@ Done ControlLoader::check_machine() {
     return words == nullptr ? name_ + ": " : place(name_, *words, key);
   };
   for (const auto& [key, flag] : nct_grammar)
-    if (g.*flag && !def_.machine_axes())
-      return Failed(at(key) + say("[grammar] {} needs the machine of the NCT: extends = \"nct\" (dialect = \"nct\")", key));
+    if (g.*flag && !def_.machine_axes()) return Failed(at(key) + translated(texts::control_file_behaviour::grammar_needs_nct, key));
   if (!def_.machine_axes()) return {};
   if (!g.custom_macros || !g.expressions)
-    return Failed(at(g.custom_macros ? "expressions" : "macro") + say("dialect = \"nct\" needs [grammar] macro and expressions"));
-  if (file_.get("parameters") == nullptr) return Failed(at("macro") + say("dialect = \"nct\" needs `parameters` = \"nct-parameters\""));
-  if (g.variables < 100'000) return Failed(at("variables") + say("dialect = \"nct\" needs [grammar] variables of 100000 and more"));
-  if (g.label_address != 'O') return Failed(at("label") + say("dialect = \"nct\" needs [grammar] label = \"O\""));
+    return Failed(at(g.custom_macros ? "expressions" : "macro") + translated(texts::control_file_behaviour::nct_needs_macro));
+  if (file_.get("parameters") == nullptr) return Failed(at("macro") + translated(texts::control_file_behaviour::nct_needs_parameters));
+  if (g.variables < 100'000) return Failed(at("variables") + translated(texts::control_file_behaviour::nct_needs_variables));
+  if (g.label_address != 'O') return Failed(at("label") + translated(texts::control_file_behaviour::nct_needs_label));
   for (const auto& [key, on] : {std::pair<std::string_view, bool>{"formal_parameter", g.parameter_address != 0},
                                 {"section", g.section_address != 0},
                                 {"zero_between_slashes", g.zero_between_slashes},
                                 {"block_number_required", g.block_number_required},
                                 {"main_blocks", g.main_blocks}})
-    if (on)
-      return Failed(at(key) + say("{} does not work with the machine of the NCT (dialect = \"nct\")", "[grammar] " + std::string(key)));
+    if (on) return Failed(at(key) + translated(texts::control_file_behaviour::does_not_work_with_nct, "[grammar] " + std::string(key)));
   for (const std::string_view key : not_of_nct)
-    KADR_LOAD(no_effect(*behaves, key, say("{} has no effect with the machine of the NCT (dialect = \"nct\")", key)));
+    KADR_LOAD(no_effect(*behaves, key, translated(texts::control_file_behaviour::no_effect_with_nct, key)));
   // The control's parameters and the set-up say which axes are diameters.
-  KADR_LOAD(no_effect(*section("axes"), "diameter", say("{} has no effect with the machine of the NCT (dialect = \"nct\")", "diameter")));
+  KADR_LOAD(no_effect(*section("axes"), "diameter", translated(texts::control_file_behaviour::no_effect_with_nct, "diameter")));
   return {};
 }
 
@@ -132,32 +135,34 @@ Done ControlLoader::check_grammar() {
   const auto function_at = [&](char letter) { return def_.addresses[static_cast<std::size_t>(letter - 'A')].function; };
   const auto letter_is = [&](char letter, Function function, const char* key) -> Done {
     if (letter == 0 || function_at(letter) == function) return {};
-    return Failed(place(name_, *t, key) + say("{}: [address] {} must be '{}'", key, letter, traits_of(function).name));
+    return Failed(place(name_, *t, key) + translated(texts::control_file_grammar::address_must_do, key, letter, traits_of(function).name));
   };
   KADR_LOAD(letter_is(g.parameter_address, Function::formal_parameter, "formal_parameter"));
   KADR_LOAD(letter_is(g.label_address, Function::label, "label"));
   KADR_LOAD(letter_is(g.section_address, Function::call_word, "section"));
   if (g.expressions && g.parameter_address != 0)
-    return Failed(place(name_, *t, "expressions") + say("expressions and formal_parameter do not work together"));
+    return Failed(place(name_, *t, "expressions") + translated(texts::control_file_grammar::expressions_and_formal_parameter));
   if (g.percent_ignored && g.program_start_required)
-    return Failed(place(name_, *t, "percent_ignored") +
-                  say("percent_ignored: a program could not begin with the % that program_start_required asks for"));
+    return Failed(place(name_, *t, "percent_ignored") + translated(texts::control_file_grammar::percent_ignored_but_required));
   if (g.label_address != 0 && g.section_address != 0)
-    return Failed(place(name_, *t, "label") + say("label and section do not work together"));
-  const auto pointless = [&](bool is_so, std::string_view key, loader_texts::Sentence why) -> Done {
-    return is_so ? no_effect(*t, key, say("{} has no effect {}", key, say(why))) : Done();
+    return Failed(place(name_, *t, "label") + translated(texts::control_file_grammar::label_and_section));
+  const auto pointless = [&](bool is_so, std::string_view key, TextId<1> why) -> Done {
+    return is_so ? no_effect(*t, key, translated(why, key)) : Done();
   };
-  KADR_LOAD(pointless(!g.percent_number || g.percent_ignored, "percent_digits", "without percent_number"));
-  KADR_LOAD(pointless(g.percent_number && g.percent_ignored, "percent_number", "beside percent_ignored"));
-  KADR_LOAD(pointless(g.end_of_block == EndOfBlock::line_only, "mark_everywhere", "with end_of_block = \"line_only\""));
-  KADR_LOAD(pointless(g.parameter_address == 0, "parameters_in", "without formal_parameter"));
-  KADR_LOAD(pointless(!g.expressions && def_.variables.empty() && g.variables != 0, "variables", "without expressions"));
   KADR_LOAD(
-      pointless(g.zero_between_slashes && !does({Function::zero_shift}), "zero_between_slashes", "without a code that does 'zero_shift'"));
+      pointless(!g.percent_number || g.percent_ignored, "percent_digits", texts::control_file_grammar::no_effect_without_percent_number));
+  KADR_LOAD(
+      pointless(g.percent_number && g.percent_ignored, "percent_number", texts::control_file_grammar::no_effect_beside_percent_ignored));
+  KADR_LOAD(pointless(g.end_of_block == EndOfBlock::line_only, "mark_everywhere", texts::control_file_grammar::no_effect_with_line_only));
+  KADR_LOAD(pointless(g.parameter_address == 0, "parameters_in", texts::control_file_grammar::no_effect_without_formal_parameter));
+  KADR_LOAD(pointless(!g.expressions && def_.variables.empty() && g.variables != 0, "variables",
+                      texts::control_file_grammar::no_effect_without_expressions));
+  KADR_LOAD(pointless(g.zero_between_slashes && !does({Function::zero_shift}), "zero_between_slashes",
+                      texts::control_file_grammar::no_effect_without_zero_shift));
   if (const toml::table* const most = (*t)["most_codes"].as_table())
     for (const auto& [letter, node] : *most)
       if (function_at(letter.str()[0]) == Function::count)
-        KADR_LOAD(no_effect(*most, letter.str(), say("most_codes has no effect: no address {}", letter.str())));
+        KADR_LOAD(no_effect(*most, letter.str(), translated(texts::control_file_grammar::most_codes_no_address, letter.str())));
   return {};
 }
 
@@ -169,23 +174,25 @@ Done ControlLoader::check_behaviour() {
       {"arc_radius_difference", b.arc_radius_difference}, {"feed_most", b.feed_most},     {"reference_feed", b.reference_feed},
       {"return_chip_break", b.return_chip_break},         {"return_near", b.return_near}, {"probe_least_distance", b.probe_least_distance}};
   for (const auto& [key, value] : lengths)
-    if (!(value >= 0 && value <= 1e6)) return Failed(place(name_, *t, key) + say("{} must be a number from 0 to 1000000", key));
-  if (!(b.reference_feed > 0)) return Failed(place(name_, *t, "reference_feed") + say("{} must be more than 0", "reference_feed"));
+    if (!(value >= 0 && value <= 1e6)) return Failed(place(name_, *t, key) + translated(texts::control_file::must_be_to_million, key));
+  if (!(b.reference_feed > 0))
+    return Failed(place(name_, *t, "reference_feed") + translated(texts::control_file::must_be_positive, "reference_feed"));
   if (b.call_depth == 0)
-    return Failed(place(name_, *t, "call_depth") + say("{} must be a whole number from {} to {}", "call_depth", 1, 255));
-  if (b.fixtures == 0) return Failed(place(name_, *t, "fixtures") + say("{} must be a whole number from {} to {}", "fixtures", 1, 1000));
+    return Failed(place(name_, *t, "call_depth") + translated(texts::control_file::must_be_whole, "call_depth", 1, 255));
+  if (b.fixtures == 0) return Failed(place(name_, *t, "fixtures") + translated(texts::control_file::must_be_whole, "fixtures", 1, 1000));
   if (def_.has_correctors() && !does({Function::corrector_word}))
-    return Failed(place(name_, file_, "dialect") + say("dialect = \"correctors\": [address] L must be 'corrector_word'"));
+    return Failed(place(name_, file_, "dialect") + translated(texts::control_file_behaviour::correctors_need_l));
   if (def_.machine_axes()) return {};
   for (const std::string_view key : only_of_nct)
-    KADR_LOAD(no_effect(*t, key, say("`{}` has no effect without the machine of the NCT", key)));
+    KADR_LOAD(no_effect(*t, key, translated(texts::control_file_variables::key_needs_nct, key)));
   for (const ReadBy& row : behaviour_of_functions()) {
     const bool looked_at = std::any_of(row.functions.begin(), row.functions.end(), [&](Function f) { return does({f}); });
     if (!looked_at)
-      KADR_LOAD(no_effect(*t, row.key, say("{} has no effect without a row that does '{}'", row.key, traits_of(row.functions[0]).name)));
+      KADR_LOAD(no_effect(*t, row.key,
+                          translated(texts::control_file_behaviour::needs_row_that_does, row.key, traits_of(row.functions[0]).name)));
   }
   if (!def_.grammar.expressions && b.delayed_assignment)
-    KADR_LOAD(no_effect(*t, "delayed_assignment", say("delayed_assignment has no effect without [grammar] expressions")));
+    KADR_LOAD(no_effect(*t, "delayed_assignment", translated(texts::control_file_behaviour::delayed_assignment_needs_expressions)));
   return {};
 }
 
@@ -201,18 +208,17 @@ Done ControlLoader::check_axes() const {
   const toml::table& t = *file_["axes"].as_table();
   const std::uint32_t named = words(Function::axis), centers = words(Function::center);
   for (std::size_t a = 0; a < def_.axes.size(); ++a)
-    if ((named >> a & 1u) == 0) return Failed(place(name_, t, "names") + say("names: axis {} has no word in [address]", def_.axes[a]));
+    if ((named >> a & 1u) == 0) return Failed(place(name_, t, "names") + translated(texts::control_file::axis_without_word, def_.axes[a]));
   const auto in_plane = [&](const CodeRow& row) {
     return std::find(std::begin(plane_functions), std::end(plane_functions), row.function) != std::end(plane_functions);
   };
   if (def_.axes.size() < 3)
     if (const auto row = std::find_if(def_.codes.begin(), def_.codes.end(), in_plane); row != def_.codes.end())
-      return Failed(place(name_, t, "names") + say("{}: '{}' needs three axes", row->code, traits_of(row->function).name));
+      return Failed(place(name_, t, "names") + translated(texts::control_file::needs_three_axes, row->code, traits_of(row->function).name));
   if (def_.axes.size() < 3 && (def_.has_correctors() || def_.has_sections()))
-    return Failed(place(name_, t, "names") + say("dialect = \"correctors\" and [grammar] section need three axes"));
+    return Failed(place(name_, t, "names") + translated(texts::control_file::sections_need_three_axes));
   if (def_.behaviour.helix_by_lead() && (centers & 7u) != 7u)
-    return Failed(place(name_, t, "names") +
-                  say("[behaviour] arc_centers = \"as_distance\" needs a 'center' for each of the first three axes"));
+    return Failed(place(name_, t, "names") + translated(texts::control_file::centers_need_three_axes));
   return {};
 }
 
@@ -226,44 +232,43 @@ Done ControlLoader::check_functions() {
     for (const Stores& s : stores)
       if (s.function == row.function && (s.arg < 0 || s.arg == row.arg) && !kept(s.kind))
         return Failed((codes == nullptr ? name_ + ": " : place(name_, *codes)) +
-                      say("{}: '{}' needs [[variables]] is = \"{}\"", row.code, traits_of(row.function).name, s.name));
+                      translated(texts::control_file_codes::needs_variables, row.code, traits_of(row.function).name, s.name));
   }
   if (def_.machine_axes() && (!def_.feed_codes.empty() || !def_.speed_codes.empty()))
-    return Failed(name_ + ": " + say("[feed_codes] and [speed_codes] do not work with the machine of the NCT (dialect = \"nct\")"));
+    return Failed(name_ + ": " + translated(texts::control_file::coded_tables_of_nct));
   if (!def_.feed_codes.empty() && !does({Function::feed_word}))
-    return Failed(say("{}: [{}] has no effect without an address that does '{}'", name_, "feed_codes", "feed_word"));
+    return Failed(translated(texts::control_file::coded_table_without_address, name_, "feed_codes", "feed_word"));
   if (!def_.speed_codes.empty() && !does({Function::speed_word}))
-    return Failed(say("{}: [{}] has no effect without an address that does '{}'", name_, "speed_codes", "speed_word"));
+    return Failed(translated(texts::control_file::coded_table_without_address, name_, "speed_codes", "speed_word"));
   return {};
 }
 
 /// Rejects a cycle that could never end or never start.
 Done ControlLoader::check_cycle(const toml::table& row, const CycleRow& c) const {
-  const std::string who = say("cycle {}: ", c.name);
+  const std::string who = translated(texts::control_file_cycles::cycle, c.name);
   const auto has = [&](CycleStep step) { return std::find(c.steps.begin(), c.steps.end(), step) != c.steps.end(); };
   const auto needs = [&](char letter) { return (c.needs & letter_bit_of(letter)) != 0; };
   const bool called = c.name[0] == 'L';
   if (has(CycleStep::passes_by_parameter) && !called)
-    return Failed(place(name_, row, "steps") + who + say("passes_by_parameter is for cycles that are called: L83"));
-  if (called && c.call_number == 0) return Failed(place(name_, row) + who + say("a number from 1 must follow L"));
-  if (called && !def_.has_sections()) return Failed(place(name_, row) + who + say("a cycle that is called needs [grammar] section"));
+    return Failed(place(name_, row, "steps") + who + translated(texts::control_file_cycles::by_parameter_is_for_called));
+  if (called && c.call_number == 0) return Failed(place(name_, row) + who + translated(texts::control_file_cycles::number_after_l));
+  if (called && !def_.has_sections()) return Failed(place(name_, row) + who + translated(texts::control_file_cycles::called_needs_section));
   if (called && def_.grammar.parameter_address == 0)
-    return Failed(place(name_, row) + who + say("its words are [grammar] formal_parameter"));
+    return Failed(place(name_, row) + who + translated(texts::control_file_cycles::words_are_formal_parameters));
   if (called && !c.steps.empty() && (c.steps.size() != 1 || c.steps[0] != CycleStep::passes_by_parameter))
-    return Failed(place(name_, row, "steps") + who + say("steps of a cycle that is called: passes_by_parameter alone, else a body"));
+    return Failed(place(name_, row, "steps") + who + translated(texts::control_file_cycles::steps_of_called));
   if (called) {
     for (const char* const key : {"needs", "needs_spindle", "needs_spindle_cw"})
-      KADR_LOAD(no_effect(row, key, who + say("{} has no effect on a cycle that is called", key)));
+      KADR_LOAD(no_effect(row, key, who + translated(texts::control_file_cycles::no_effect_on_called, key)));
     return {};
   }
   if (!c.body.empty() && def_.grammar.long_parameters.empty())
-    return Failed(place(name_, row, "body") + who +
-                  say("a body is for cycles that are called, L81, or where there are [grammar] long_parameters"));
+    return Failed(place(name_, row, "body") + who + translated(texts::control_file_cycles::body_is_for_called));
   if (!c.body.empty()) return {};  // this cycle is a permanent subprogram
-  KADR_LOAD(no_effect(row, "needs_override_off", who + say("needs_override_off has no effect on a cycle that is not called")));
-  if (!needs('Z') || !needs('R')) return Failed(place(name_, row, "needs") + who + say("needs must have Z and R"));
+  KADR_LOAD(no_effect(row, "needs_override_off", who + translated(texts::control_file_cycles::override_off_is_for_called)));
+  if (!needs('Z') || !needs('R')) return Failed(place(name_, row, "needs") + who + translated(texts::control_file_cycles::needs_z_and_r));
   if ((has(CycleStep::peck_full) || has(CycleStep::peck_break)) && !needs('Q'))
-    return Failed(place(name_, row, "needs") + who + say("peck_full and peck_break need Q: the cycle would never end"));
+    return Failed(place(name_, row, "needs") + who + translated(texts::control_file_cycles::pecks_need_q));
   return {};
 }
 
@@ -273,24 +278,28 @@ Done ControlLoader::check_variable(const toml::table& row, const VariableRow& v)
   const std::string kind(row["is"].value_or(std::string()));
   const std::string who = "'" + kind + "': ";
   if (v.kind > VariableKind::fixture || v.kind == VariableKind::free)
-    return Failed(place(name_, row, "is") + who + say("needs the machine of the NCT: extends = \"nct\" (dialect = \"nct\")"));
+    return Failed(place(name_, row, "is") + who + translated(texts::control_file_variables::needs_nct));
   for (const char* const key : {"ranges", "symbol", "first", "arg", "bit", "of", "access", "works"})
-    if (row.contains(key)) return Failed(place(name_, row, key) + who + say("`{}` has no effect without the machine of the NCT", key));
+    if (row.contains(key)) return Failed(place(name_, row, key) + who + translated(texts::control_file_variables::key_needs_nct, key));
   const VariableRange& range = v.ranges.front();
   const std::uint32_t expected = v.kind == VariableKind::fixture_number ? 1 : stored_axes;
-  if (range.count != expected) return Failed(place(name_, row, "count") + who + say("count must be {}", expected));
+  if (range.count != expected)
+    return Failed(place(name_, row, "count") + who + translated(texts::control_file_variables::count_must_be, expected));
   if (v.kind == VariableKind::fixture) {
-    if (range.stride < expected) return Failed(place(name_, row, "stride") + who + say("stride must be at least {}", expected));
+    if (range.stride < expected)
+      return Failed(place(name_, row, "stride") + who + translated(texts::control_file_variables::stride_too_small, expected));
     if (range.repeat < def_.behaviour.fixtures)
-      return Failed(place(name_, row, "repeat") + who + say("repeat must be at least [behaviour] fixtures"));
+      return Failed(place(name_, row, "repeat") + who + translated(texts::control_file_variables::repeat_too_small));
   } else {
-    for (const char* const key : {"stride", "repeat"}) KADR_LOAD(no_effect(row, key, who + say("{} has no effect: there is one", key)));
+    for (const char* const key : {"stride", "repeat"})
+      KADR_LOAD(no_effect(row, key, who + translated(texts::control_file_variables::there_is_one, key)));
   }
   constexpr std::uint32_t first_system_variable = 1000;  // variables with lower numbers are ordinary variables of the program
   const std::uint64_t last = range.from + std::uint64_t{range.stride} * (range.repeat - 1) + range.count - 1;
   if (range.from < first_system_variable || range.repeat == 0)
-    return Failed(place(name_, row, "from") + who + say("from must be 1000 or more"));
-  if (last > def_.grammar.variables) return Failed(place(name_, row, "from") + who + say("#{} is beyond [grammar] variables", last));
+    return Failed(place(name_, row, "from") + who + translated(texts::control_file_variables::from_too_small));
+  if (last > def_.grammar.variables)
+    return Failed(place(name_, row, "from") + who + translated(texts::control_file_variables::beyond_variables, last));
   return {};
 }
 
@@ -303,7 +312,7 @@ Done ControlLoader::check_end_code(const toml::node& node, const CodeRow& c) con
                     c.function == Function::machine_function || c.function == Function::gear_range || c.function == Function::change_tool ||
                     c.function == Function::exchange_tool || c.function == Function::dwell || c.function == Function::dwell_or_turns ||
                     c.function == Function::machine_coordinates || !c.works;
-  if (acts) return Failed(place(name_, node) + say("end: {} is no mode: '{}'", c.code, traits.name));
+  if (acts) return Failed(place(name_, node) + translated(texts::control_file_codes::end_is_no_mode, c.code, traits.name));
   return {};
 }
 

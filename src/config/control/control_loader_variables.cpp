@@ -4,10 +4,10 @@
 
 #include "base/ascii.h"
 #include "config/control/control_loader.h"
+#include "texts/control_file_variables.h"
 
 namespace kadr {
 
-using loader_texts::say;
 using toml_tools::place;
 using toml_tools::text_of;
 
@@ -32,7 +32,7 @@ Done ControlLoader::variables() {
   if (rows == nullptr) return {};
   for (const auto& node : *rows) {
     const toml::table* const row = node.as_table();
-    if (row == nullptr) return Failed(place(name_, node) + say("a variable is a table"));
+    if (row == nullptr) return Failed(place(name_, node) + translated(texts::control_file_variables::variable_is_table));
     KADR_LOAD(variable(*row));
   }
   return {};
@@ -45,31 +45,34 @@ Done ControlLoader::variable(const toml::table& row) {
   const std::string kind = text(row, "is");
   const auto* const found = std::find(std::begin(variable_kinds), std::end(variable_kinds), kind);
   if (found == std::end(variable_kinds)) {
-    const std::string_view near = toml_tools::nearest(kind, {std::begin(variable_kinds), std::end(variable_kinds)});
-    return Failed(place(name_, row, "is") + say("unknown kind '{}'", kind) + (near.empty() ? "" : say(", nearest: '{}'", near)));
+    return Failed(place(name_, row, "is") + translated(texts::control_file_variables::unknown_kind, kind) +
+                  nearest_hint(toml_tools::nearest(kind, {std::begin(variable_kinds), std::end(variable_kinds)})));
   }
   v.kind = static_cast<VariableKind>(found - std::begin(variable_kinds));
   if (row.contains("ranges")) {
     const toml::array* const ranges = row["ranges"].as_array();
-    if (ranges == nullptr || ranges->empty()) return Failed(place(name_, row, "ranges") + say("ranges: a list of ranges"));
+    if (ranges == nullptr || ranges->empty())
+      return Failed(place(name_, row, "ranges") + translated(texts::control_file_variables::ranges_list));
     for (const auto& node : *ranges) {
       const auto range = variable_range(node);
       if (!range) return Failed(range.error());
       v.ranges.push_back(*range);
     }
-    if (row.contains("from")) return Failed(place(name_, row, "from") + say("a variable has `from` or `ranges`"));
+    if (row.contains("from")) return Failed(place(name_, row, "from") + translated(texts::control_file_variables::from_or_ranges));
   } else {
     const auto number = [&](const char* key, std::uint32_t otherwise) { return whole(row, key, otherwise, max_variables); };
     v.ranges.push_back({number("from", 0), number("count", 1), number("stride", 0), number("repeat", 1)});
   }
   v.symbol = text(row, "symbol");
-  if (row.contains("symbol") && !is_symbol(v.symbol)) return Failed(place(name_, row, "symbol") + say("a symbol is of A to Z, 0 to 9, _"));
+  if (row.contains("symbol") && !is_symbol(v.symbol))
+    return Failed(place(name_, row, "symbol") + translated(texts::control_file_variables::symbol_letters));
   v.first_index = whole(row, "first", 1, max_variables);
   v.arg = static_cast<int>(whole(row, "arg", 0, max_variables));
   if (row.contains("bit")) v.bit = static_cast<int>(whole(row, "bit", 0, 31));
   v.of = whole(row, "of", 0, max_number);
   const std::string access = row.contains("access") ? text(row, "access") : "RW";
-  if (access != "R" && access != "W" && access != "RW") return Failed(place(name_, row, "access") + say("access: R, W or RW"));
+  if (access != "R" && access != "W" && access != "RW")
+    return Failed(place(name_, row, "access") + translated(texts::control_file_variables::access_values));
   v.read = access != "W";
   v.write = access != "R";
   v.works = typed(row, "works", true);
@@ -82,7 +85,7 @@ Done ControlLoader::variable(const toml::table& row) {
 
 /// Reads `[from, count]` or `[from, count, stride, repeat]`.
 tl::expected<VariableRange, std::string> ControlLoader::variable_range(const toml::node& node) const {
-  const auto wrong = [&] { return Failed(place(name_, node) + say("a range is [from, count] or [from, count, stride, repeat]")); };
+  const auto wrong = [&] { return Failed(place(name_, node) + translated(texts::control_file_variables::range_values)); };
   const toml::array* const parts = node.as_array();
   if (parts == nullptr || (parts->size() != 2 && parts->size() != 4)) return wrong();
   std::uint32_t numbers[4] = {0, 1, 0, 1};

@@ -5,12 +5,13 @@
 
 #include "base/ascii.h"
 #include "config/control/control_loader.h"
-#include "config/language.h"
 #include "lang/block/format.h"
+#include "texts/control_file.h"
+#include "texts/control_file_grammar.h"
+#include "texts/control_file_words.h"
 
 namespace kadr {
 
-using loader_texts::say;
 using toml_tools::place;
 using toml_tools::text_of;
 
@@ -52,15 +53,6 @@ constexpr std::pair<std::string_view, bool Grammar::*> grammar_flags[] = {
     {"rounds_in_address", &Grammar::rounds_in_address},
 };
 
-/// Translates an error of lang/block/format, such as `format "3G2X" is not understood: the address stands twice`, or the reason alone.
-std::string format_fault_message(const std::string& fault) {
-  constexpr std::string_view begin = "format \"", middle = "\" is not understood: ";
-  const std::size_t at = fault.rfind(middle);
-  if (!fault.starts_with(begin) || at == std::string::npos) return loader_texts::translated_sentence(fault);
-  return say("format \"{}\" is not understood: {}", fault.substr(begin.size(), at - begin.size()),
-             loader_texts::translated_sentence(fault.substr(at + middle.size())));
-}
-
 }  // namespace
 
 tl::expected<ControlDef, std::string> ControlLoader::load() {
@@ -72,7 +64,7 @@ tl::expected<ControlDef, std::string> ControlLoader::load() {
 
 Done ControlLoader::sections() {
   def_.id = text(file_, "id");
-  if (def_.id.empty()) return Failed(say("{}: id is missing", name_));
+  if (def_.id.empty()) return Failed(translated(texts::control_file::no_id, name_));
   if (const toml::table* const name = section("name")) def_.name = text_of(*name);
   def_.spec = text(file_, "spec");
   KADR_LOAD(
@@ -114,8 +106,8 @@ Done ControlLoader::dialect() {
   const std::string name = text(file_, "dialect");
   const auto found = std::find(dialect_names.begin(), dialect_names.end(), name);
   if (found == dialect_names.end()) {
-    const std::string_view near = toml_tools::nearest(name, {dialect_names.begin(), dialect_names.end()});
-    return Failed(place(name_, *node) + say("unknown dialect '{}'", name) + (near.empty() ? "" : say(", nearest: '{}'", near)));
+    return Failed(place(name_, *node) + translated(texts::control_file::unknown_dialect, name) +
+                  nearest_hint(toml_tools::nearest(name, {dialect_names.begin(), dialect_names.end()})));
   }
   def_.dialect = static_cast<DialectId>(found - dialect_names.begin());
   return {};
@@ -126,7 +118,7 @@ std::uint32_t ControlLoader::whole(const toml::table& row, std::string_view key,
   if (node == nullptr) return otherwise;
   const auto number = node->value_exact<std::int64_t>();
   if (number && *number >= 0 && *number <= std::int64_t{most}) return static_cast<std::uint32_t>(*number);
-  if (bad_value_.empty()) bad_value_ = place(name_, *node) + say("{} must be a whole number from {} to {}", key, 0, most);
+  if (bad_value_.empty()) bad_value_ = place(name_, *node) + translated(texts::control_file::must_be_whole, key, 0, most);
   return otherwise;
 }
 
@@ -141,20 +133,21 @@ Done ControlLoader::known_keys(const toml::table& table, const std::vector<std::
 }
 
 tl::unexpected<std::string> ControlLoader::unknown_key(const toml::node& node, std::string_view key,
-                                                       const std::vector<std::string_view>& known, loader_texts::Sentence what) const {
-  const std::string_view near = toml_tools::nearest(key, known);
-  return Failed(place(name_, node) + say(what, key) + (near.empty() ? "" : say(", nearest: '{}'", near)));
+                                                       const std::vector<std::string_view>& known, TextId<1> what) const {
+  return Failed(place(name_, node) + translated(what, key) + nearest_hint(toml_tools::nearest(key, known)));
 }
 
 const toml::table* ControlLoader::section(std::string_view key) {
   const toml::node* const node = file_.get(key);
-  if (node != nullptr && !node->is_table() && bad_value_.empty()) bad_value_ = place(name_, *node) + say("{} must be a table", key);
+  if (node != nullptr && !node->is_table() && bad_value_.empty())
+    bad_value_ = place(name_, *node) + translated(texts::control_file::must_be_table, key);
   return node == nullptr ? nullptr : node->as_table();
 }
 
 const toml::array* ControlLoader::list(const toml::table& row, std::string_view key) {
   const toml::node* const node = row.get(key);
-  if (node != nullptr && !node->is_array() && bad_value_.empty()) bad_value_ = place(name_, *node) + say("{} must be a list", key);
+  if (node != nullptr && !node->is_array() && bad_value_.empty())
+    bad_value_ = place(name_, *node) + translated(texts::control_file::must_be_list, key);
   return node == nullptr ? nullptr : node->as_array();
 }
 
@@ -162,7 +155,7 @@ std::string ControlLoader::text(const toml::table& row, std::string_view key) {
   const toml::node* const node = row.get(key);
   if (node == nullptr) return {};
   if (const auto value = node->value_exact<std::string>()) return *value;
-  if (bad_value_.empty()) bad_value_ = place(name_, *node) + say("{} must be a text", key);
+  if (bad_value_.empty()) bad_value_ = place(name_, *node) + translated(texts::control_file::must_be_text, key);
   return {};
 }
 
@@ -182,7 +175,7 @@ Done ControlLoader::grammar() {
   Grammar& g = def_.grammar;
   if (!def_.descriptor.empty())
     if (auto applied = apply_descriptor(def_.descriptor, g); !applied)
-      return Failed(say("{}: format: {}", name_, format_fault_message(applied.error())));
+      return Failed(translated(texts::control_file_grammar::format_fault, name_, format_fault_message(applied.error())));
   const toml::table* const t = section("grammar");
   if (t == nullptr) return {};
   std::set<std::string_view> known = {
@@ -207,20 +200,23 @@ Done ControlLoader::grammar() {
   g.long_parameters = (*t)["long_parameters"].value_or(g.long_parameters);
   const auto fits = [](char c) { return is_capital(c) || is_parameter_sign(c); };
   if (!std::all_of(g.long_parameters.begin(), g.long_parameters.end(), fits) || g.long_parameters.size() > max_long_parameters)
-    return Failed(place(name_, *t, "long_parameters") + say("long_parameters: letters A to Z and the signs # @ $ &, at most eight"));
+    return Failed(place(name_, *t, "long_parameters") + translated(texts::control_file_grammar::long_parameters_letters));
   g.section_address = first_letter(*t, "section");
   const std::string end = text(*t, "end_of_block");
   if (end == "line_only") g.end_of_block = EndOfBlock::line_only;
-  else if (!end.empty() && end != "line") return Failed(place(name_, *t, "end_of_block") + say("end_of_block: line or line_only"));
+  else if (!end.empty() && end != "line")
+    return Failed(place(name_, *t, "end_of_block") + translated(texts::control_file_grammar::end_of_block_values));
   for (const char letter : text(*t, "parameters_in")) {
-    if (!is_capital(letter)) return Failed(place(name_, *t, "parameters_in") + say("parameters_in: letters A to Z"));
+    if (!is_capital(letter))
+      return Failed(place(name_, *t, "parameters_in") + translated(texts::control_file_grammar::parameters_in_letters));
     g.word(letter).parameter = true;
   }
   if (t->contains("most_codes") && !(*t)["most_codes"].is_table())
-    return Failed(place(name_, *t, "most_codes") + say("most_codes must be a table: { M = 2 }"));
+    return Failed(place(name_, *t, "most_codes") + translated(texts::control_file_grammar::most_codes_is_table));
   if (const toml::table* const most = (*t)["most_codes"].as_table())
     for (const auto& [letter, node] : *most) {
-      if (letter.str().size() != 1 || !is_capital(letter.str()[0])) return Failed(place(name_, node) + say("most_codes: letters A to Z"));
+      if (letter.str().size() != 1 || !is_capital(letter.str()[0]))
+        return Failed(place(name_, node) + translated(texts::control_file_grammar::most_codes_letters));
       most_codes_[letter.str()[0]] = static_cast<std::uint8_t>(whole(*most, letter.str(), 0, limits::block_words));
     }
   return {};
@@ -230,31 +226,31 @@ char ControlLoader::first_letter(const toml::table& t, std::string_view key) {
   const std::string letter = text(t, key);
   if (letter.empty()) return '\0';
   const bool good = letter.size() == 1 && is_capital(letter[0]);
-  if (!good && bad_value_.empty()) bad_value_ = place(name_, t, key) + say("{} must be a letter A to Z", key);
+  if (!good && bad_value_.empty()) bad_value_ = place(name_, t, key) + translated(texts::control_file::must_be_letter, key);
   return good ? letter[0] : '\0';
 }
 
 Done ControlLoader::axes() {
   const toml::table* const t = section("axes");
   const toml::array* const names = t == nullptr ? nullptr : list(*t, "names");
-  if (names == nullptr || names->empty() || names->size() > max_axes) return Failed(say("{}: [axes] names: 1 to 16 axes", name_));
+  if (names == nullptr || names->empty() || names->size() > max_axes) return Failed(translated(texts::control_file::axis_count, name_));
   KADR_LOAD(known_keys(*t, {"names", "rotary", "diameter"}));
   for (const auto& node : *names) {
     const std::string name = node.value_exact<std::string>().value_or(std::string());
-    if (name.empty() || axis_named(name) >= 0) return Failed(place(name_, node) + say("names: each axis a name of its own"));
+    if (name.empty() || axis_named(name) >= 0) return Failed(place(name_, node) + translated(texts::control_file::axis_names_differ));
     def_.axes.push_back(name);
   }
   if (const toml::array* const rotary = list(*t, "rotary"))
     for (const auto& name : *rotary) {
       const int axis = axis_named(name.value_or(std::string()));
-      if (axis < 0) return Failed(place(name_, name) + say("rotary: no such axis"));
+      if (axis < 0) return Failed(place(name_, name) + translated(texts::control_file::no_rotary_axis));
       def_.rotary |= 1u << axis;
     }
   def_.diameter_by_setup = (*t)["diameter"].value_exact<std::string>() == "setup";
   if (const toml::array* const diameter = def_.diameter_by_setup ? nullptr : list(*t, "diameter"))
     for (const auto& name : *diameter) {
       const int axis = axis_named(name.value_or(std::string()));
-      if (axis < 0) return Failed(place(name_, name) + say("diameter: no such axis"));
+      if (axis < 0) return Failed(place(name_, name) + translated(texts::control_file::no_diameter_axis));
       def_.diameter |= 1u << axis;
     }
   return {};
@@ -268,12 +264,13 @@ int ControlLoader::axis_named(const std::string& name) const {
 Done ControlLoader::order() {
   const toml::table* const t = section("order");
   const toml::array* const phases = t == nullptr ? nullptr : list(*t, "phases");
-  if (phases == nullptr) return Failed(say("{}: [order] phases is missing", name_));
+  if (phases == nullptr) return Failed(translated(texts::control_file::no_phases, name_));
   KADR_LOAD(known_keys(*t, {"phases"}));
   for (const auto& node : *phases) {
     const Phase phase = phase_named(node.value_or(std::string()));
-    if (phase == Phase::count) return Failed(place(name_, node) + say("unknown phase '{}'", node.value_or(std::string())));
-    if (def_.order[static_cast<std::size_t>(phase)] != 0) return Failed(place(name_, node) + say("phase twice"));
+    if (phase == Phase::count)
+      return Failed(place(name_, node) + translated(texts::control_file::unknown_phase, node.value_or(std::string())));
+    if (def_.order[static_cast<std::size_t>(phase)] != 0) return Failed(place(name_, node) + translated(texts::control_file::phase_twice));
     def_.order_list.push_back(phase);
     def_.order[static_cast<std::size_t>(phase)] = static_cast<std::uint8_t>(def_.order_list.size());
   }
@@ -284,15 +281,15 @@ Done ControlLoader::order() {
 tl::expected<Phase, std::string> ControlLoader::phase_of(const toml::table& row, Function function) {
   Phase phase = traits_of(function).phase;
   if (row.contains("phase")) phase = phase_named(text(row, "phase"));
-  if (phase == Phase::count) return Failed(place(name_, row, "phase") + say("unknown phase '{}'", text(row, "phase")));
+  if (phase == Phase::count) return Failed(place(name_, row, "phase") + translated(texts::control_file::unknown_phase, text(row, "phase")));
   if (phase != Phase::none && def_.order[static_cast<std::size_t>(phase)] == 0)
-    return Failed(place(name_, row, "phase") + say("phase '{}' is not in [order]", name_of(phase)));
+    return Failed(place(name_, row, "phase") + translated(texts::control_file::phase_not_listed, name_of(phase)));
   return phase;
 }
 
 Done ControlLoader::addresses() {
   const toml::table* const t = section("address");
-  if (t == nullptr) return Failed(say("{}: [address] is missing", name_));
+  if (t == nullptr) return Failed(translated(texts::control_file_words::no_addresses, name_));
   for (const auto& [key, node] : *t) {
     const toml::table* const row = node.as_table();
     const std::string_view text = key.str();
@@ -303,7 +300,7 @@ Done ControlLoader::addresses() {
     }
     const char letter = comma ? comma_address(text[1]) : text.size() == 1 ? text[0] : '\0';
     if (letter == 0 || (!comma && (letter < 'A' || letter > 'Z')) || row == nullptr)
-      return Failed(place(name_, node) + say("an address is a letter A to Z, or ,C ,R ,A, with a table"));
+      return Failed(place(name_, node) + translated(texts::control_file_words::address_is_letter));
     KADR_LOAD(address(letter, *row));
   }
   return {};
@@ -332,16 +329,17 @@ Done ControlLoader::address(char letter, const toml::table& row) {
   if (row.contains("axis")) {
     const std::string axis = text(row, "axis");
     const int index = axis_named(axis);
-    if (index < 0) return Failed(place(name_, row, "axis") + say("no axis '{}'", axis));
+    if (index < 0) return Failed(place(name_, row, "axis") + translated(texts::control_file_words::no_axis, axis));
     a.axis = static_cast<std::uint8_t>(index);
   }
   const std::string unit = text(row, "unit");
-  if (!unit.empty() && unit != "length" && unit != "angle") return Failed(place(name_, row, "unit") + say("unit: length or angle"));
+  if (!unit.empty() && unit != "length" && unit != "angle")
+    return Failed(place(name_, row, "unit") + translated(texts::control_file_words::unit_values));
   a.unit = unit == "length" ? WordUnit::length : unit == "angle" ? WordUnit::angle : WordUnit::none;
   ranged(row, "scale", ranges::scale, a.scale);
   ranged(row, "least", ranges::any, a.least);
   ranged(row, "most", ranges::any, a.most);
-  if (a.least > a.most) return Failed(place(name_, row, "least") + told("least is above most", "least больше, чем most"));
+  if (a.least > a.most) return Failed(place(name_, row, "least") + translated(texts::control_file_words::least_is_above_most));
   a.whole = typed(row, "whole", false);
   a.text = text_of(row);
   a.manual = text(row, "manual");

@@ -18,6 +18,7 @@
 #include "config/control/guess_pattern.h"
 #include "config/text_kind.h"
 #include "lang/text/encoding.h"
+#include "texts/guess.h"
 
 namespace kadr {
 namespace {
@@ -44,8 +45,8 @@ struct Candidate {
 
   void take(std::string_view text, double weight, std::uint32_t number) {
     strongest_mark = std::max(strongest_mark, weight);
-    const std::string where = std::to_string(number), said(text);
-    found.push_back({weight, number, "line " + where + ": " + said, "строка " + where + ": " + said});
+    found.push_back({weight, number, translated_in(Lang::en, texts::guess::line_has, number, text),
+                     translated_in(Lang::ru, texts::guess::line_has, number, text)});
   }
 
   void take_name(std::string_view path) {
@@ -54,14 +55,16 @@ struct Candidate {
         const bool of_folder = pattern.find('/') != std::string::npos;
         const std::size_t last = path.rfind('/');  // the path has the form "/folder/part.nc"
         const std::string name(of_folder ? path.substr(1, last - 1) : path.substr(last + 1));
-        found.push_back({weight, 0, (of_folder ? "its folder: " : "its name: ") + name, (of_folder ? "папка: " : "имя: ") + name});
+        const TextId<1> what = of_folder ? texts::guess::folder_is : texts::guess::name_is;
+        found.push_back({weight, 0, translated_in(Lang::en, what, name), translated_in(Lang::ru, what, name)});
         strongest_mark = std::max(strongest_mark, weight);
       }
   }
 
   void take(const Traits& text) {
     for (const auto& [trait, weight] : rows->traits)
-      if (text.holds(trait)) found.push_back({weight, 0, std::string(text_of(trait).en), std::string(text_of(trait).ru)});
+      if (text.holds(trait))
+        found.push_back({weight, 0, plain_text(text_of(trait).text, Lang::en), plain_text(text_of(trait).text, Lang::ru)});
   }
 
   double score() const {
@@ -168,8 +171,8 @@ Guess guess_of(const std::vector<Candidate>& candidates) {
     guess.scores.emplace_back(c.rows->control, c.score());
     guess.strongest_marks[c.rows->control] = c.strongest_mark;
     const auto strongest = c.strongest();
-    guess.reasons.emplace_back(strongest.empty() ? "the text tells little" : reason_of(strongest, &Found::en),
-                               strongest.empty() ? "по тексту почти ничего не видно" : reason_of(strongest, &Found::ru));
+    guess.reasons.emplace_back(strongest.empty() ? plain_text(texts::guess::tells_little, Lang::en) : reason_of(strongest, &Found::en),
+                               strongest.empty() ? plain_text(texts::guess::tells_little, Lang::ru) : reason_of(strongest, &Found::ru));
   }
   decide(guess);
   return guess;
@@ -195,15 +198,13 @@ Guess of_dialect(const Candidate& dialect) {
 }
 
 Guess unknown(const KindOfText& text) {
-  const std::string line = std::to_string(text.line);
+  const auto reason = [&](Lang lang) {
+    return text.kind == TextKind::prose ? translated_in(lang, texts::guess::few_blocks, text.line, text.found)
+                                        : translated_in(lang, texts::guess::no_text);
+  };
   Guess guess;
   guess.decisive = true;
-  if (text.kind == TextKind::prose) {
-    guess.reason_en = "few lines are blocks, the first that is none is line " + line + ": " + text.found;
-    guess.reason_ru = "кадров мало, первая строка не из них — " + line + ": " + text.found;
-  } else {
-    guess.reason_en = "it is no text", guess.reason_ru = "это не текст";
-  }
+  guess.reason_en = reason(Lang::en), guess.reason_ru = reason(Lang::ru);
   return guess;
 }
 
@@ -268,7 +269,7 @@ Guess guess_among(std::string_view sample, std::string_view path, const std::vec
   return guess;
 }
 
-std::string refused_by_control(std::string_view sample, std::string_view control, bool ru) {
+std::string refused_by_control(std::string_view sample, std::string_view control, Lang lang) {
   std::string id;
   for (const char c : control) id += to_lower(c);
   for (const auto& [alias, meant] : control_aliases())
@@ -278,8 +279,7 @@ std::string refused_by_control(std::string_view sample, std::string_view control
   if (std::none_of(rows.begin(), rows.end(), [&](const GuessRows& of) { return refuses(of.refused_by); })) return {};
   const Guess guess = guess_control(sample);
   if (!refuses(guess.refused_by)) return {};
-  return ru ? guess.reason_ru + "; для " + id + " Kadr читает только программы фрезерных станков"
-            : guess.reason_en + "; of " + id + " Kadr reads milling programs alone";
+  return translated_in(lang, texts::guess::milling_alone, lang == Lang::ru ? guess.reason_ru : guess.reason_en, id);
 }
 
 std::vector<std::string> candidates_of(const Guess& guess) {

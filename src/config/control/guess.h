@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "config/control/guess_rows.h"
+#include "config/language.h"
 
 namespace kadr {
 
@@ -46,7 +47,7 @@ Guess guess_among(std::string_view sample, std::string_view path, const std::vec
 /// control as a mill. A control file of the user's own is never refused.
 ///   control  an id or alias
 ///   returns  an error sentence; empty if the control may be used
-std::string refused_by_control(std::string_view sample, std::string_view control, bool ru);
+std::string refused_by_control(std::string_view sample, std::string_view control, Lang lang);
 
 /// Returns the controls that a weak guess leaves possible, most likely first: each has some evidence, and there are few enough to try
 /// them all.

@@ -8,20 +8,19 @@
 #include <optional>
 
 #include "config/control/control_file.h"
-#include "config/control/loader_texts.h"
 #include "config/tools/toml_tools.h"
+#include "texts/control_file.h"
 
 namespace kadr {
 namespace {
 
-using loader_texts::say;
 using Failed = tl::unexpected<std::string>;
 
 tl::expected<double, std::string> weight_of(const toml::node& node, std::string_view key, const std::string& file) {
   constexpr double most = 20;
   const auto weight = node.value<double>();
   if (weight && !node.is_boolean() && *weight != 0 && std::abs(*weight) <= most) return *weight;
-  return Failed(toml_tools::place(file, node) + say("[guess] {}: a weight is a number other than 0, {} at most", key, most));
+  return Failed(toml_tools::place(file, node) + translated(texts::control_file::bad_weight, key, most));
 }
 
 /// Reads the marks of one table, without its inner tables.
@@ -43,7 +42,8 @@ std::optional<std::string> take_traits(const toml::table& table, const std::stri
     const auto known = std::find(keys.begin(), keys.end(), key.str());
     if (known == keys.end()) {
       const std::string_view near = toml_tools::nearest(key.str(), keys);
-      return toml_tools::place(file, node) + say("unknown key '{}'", key.str()) + (near.empty() ? "" : say(", nearest: '{}'", near));
+      return toml_tools::place(file, node) + translated(texts::control_file::unknown_key, key.str()) +
+             (near.empty() ? "" : translated(texts::control_file::nearest, near));
     }
     const auto weight = weight_of(node, key.str(), file);
     if (!weight) return weight.error();

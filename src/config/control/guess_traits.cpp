@@ -7,27 +7,28 @@
 #include <utility>
 
 #include "base/ascii.h"
+#include "texts/guess.h"
 
 namespace kadr {
 namespace {
 
 constexpr std::array<TraitText, static_cast<std::size_t>(TextTrait::count)> trait_texts = {{
-    {"all_numbered", "all blocks numbered", "все кадры с номерами"},
-    {"few_numbered", "few block numbers", "мало номеров кадров"},
-    {"decimal_points", "decimal points", "десятичные точки"},
-    {"trailing_points", "points at the end of numbers", "точки в конце чисел"},
-    {"long_integers", "numbers without points", "числа без точки"},
-    {"whole_lengths", "short lengths without points", "короткие размеры без точек"},
-    {"plus_signs", "plus signs", "знаки «плюс»"},
-    {"two_digit_codes", "codes of two digits", "коды из двух цифр"},
-    {"program_number", "a program number behind %", "номер программы после %"},
-    {"percent", "% at the beginning", "% в начале"},
-    {"no_percent", "no %", "нет %"},
-    {"no_tools", "no tools", "нет инструментов"},
-    {"without_y", "no Y", "нет Y"},
-    {"u_w_words", "U and W", "U и W"},
-    {"changing_power", "S that changes while it runs", "S меняется на ходу"},
-    {"feed_everywhere", "F in every motion", "F в каждом перемещении"},
+    {"all_numbered", texts::guess::all_numbered},
+    {"few_numbered", texts::guess::few_numbered},
+    {"decimal_points", texts::guess::decimal_points},
+    {"trailing_points", texts::guess::trailing_points},
+    {"long_integers", texts::guess::long_integers},
+    {"whole_lengths", texts::guess::whole_lengths},
+    {"plus_signs", texts::guess::plus_signs},
+    {"two_digit_codes", texts::guess::two_digit_codes},
+    {"program_number", texts::guess::program_number},
+    {"percent", texts::guess::percent},
+    {"no_percent", texts::guess::no_percent},
+    {"no_tools", texts::guess::no_tools},
+    {"without_y", texts::guess::without_y},
+    {"u_w_words", texts::guess::u_w_words},
+    {"changing_power", texts::guess::changing_power},
+    {"feed_everywhere", texts::guess::feed_everywhere},
 }};
 
 bool is_program_number(std::string_view line) {

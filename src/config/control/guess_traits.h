@@ -5,6 +5,8 @@
 #include <string>
 #include <string_view>
 
+#include "config/texts.h"
+
 namespace kadr {
 
 enum class TextTrait : std::uint8_t {
@@ -27,9 +29,10 @@ enum class TextTrait : std::uint8_t {
   count
 };
 
-/// The key of a trait in [guess.text], and its texts for people.
+/// The key of a trait in [guess.text], and its text for people.
 struct TraitText {
-  std::string_view key, en, ru;
+  std::string_view key;
+  PlainText text;
 };
 const TraitText& text_of(TextTrait trait);
 

@@ -10,10 +10,10 @@
 #include <fstream>
 #include <system_error>
 
-#include "config/language.h"
 #include "config/program_names.h"
 #include "config/read_file.h"
 #include "config/tools/toml_tools.h"
+#include "texts/control_file.h"
 
 namespace kadr {
 namespace {
@@ -50,9 +50,7 @@ std::optional<RememberedControls::Remembered> RememberedControls::read(const std
     }
     const toml::table* const patterns = key.str() == "control_for" ? node.as_table() : nullptr;
     if (patterns == nullptr) {
-      complain_(fmt::format("{}{}", toml_tools::place(file, node),
-                            told("'control', a text, and [control_for] are all that may stand there",
-                                 "здесь могут стоять только control — строка — и [control_for]")));
+      complain_(fmt::format("{}{}", toml_tools::place(file, node), plain_text(texts::control_file::remembered_keys)));
       continue;
     }
     for (const auto& [pattern, control] : *patterns) found.patterns.emplace_back(pattern.str(), control.value_or(std::string()));

@@ -8,12 +8,10 @@
 #include <cmath>
 #include <sstream>
 
-#include "config/control/loader_texts.h"
 #include "config/tools/toml_tools.h"
+#include "texts/control_file.h"
 
 namespace kadr {
-
-using loader_texts::say;
 
 namespace {
 
@@ -138,7 +136,7 @@ using Rows = tl::expected<std::vector<ParameterRow>, std::string>;
 Rows rows_of(const toml::table& table, const std::string& file) {
   std::vector<ParameterRow> rows;
   for (const auto& [key, node] : table) {
-    if (!node.is_table()) return Failed(place(file, node) + say("a parameter is a table"));
+    if (!node.is_table()) return Failed(place(file, node) + translated(texts::control_file::parameter_is_table));
     RowReader reader(file, *node.as_table());
     rows.push_back(reader.row(key.str()));
     if (!reader.fault().empty()) return Failed(reader.fault());
@@ -161,7 +159,7 @@ Rows parse_parameters(std::string_view toml, const std::string& file) {
 Rows load_parameters(const std::string& name) {
   const std::string file = "controls/" + name + ".toml";
   const auto text = is_parameter_table(name) ? toml_tools::embedded_text(file) : std::nullopt;
-  if (!text) return Failed(say("no table of parameters '{}'", name));
+  if (!text) return Failed(translated(texts::control_file::no_parameter_table, name));
   auto rows = rows_of(toml_tools::embedded_table(file).value(), file);
   return rows ? rows : parse_parameters(*text, file);  // on failure, the text is parsed again, so that the error has a line number
 }

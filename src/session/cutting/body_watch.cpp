@@ -2,9 +2,9 @@
 
 #include "session/cutting/body_watch.h"
 
-#include "config/language.h"
 #include "session/cutting/named_body.h"
 #include "stock/mesh/mesh_file.h"
+#include "texts/cutting.h"
 
 namespace kadr {
 namespace {
@@ -21,10 +21,7 @@ class BodyFiles {
   /// Reserves memory for the mesh. Returns an error sentence if the limit is exceeded, else an empty string.
   std::string take(const std::string& name, const Mesh& mesh) {
     left_ -= bytes_per_triangle * double(mesh.triangle_count());
-    return left_ >= 0 ? std::string()
-                      : name + ": " +
-                            told("as a body of a moving machine it takes more memory than the material may",
-                                 "как тело движущегося станка занимает больше памяти, чем отведено на материал");
+    return left_ >= 0 ? std::string() : translated(texts::cutting::body_needs_memory, name);
   }
   tl::expected<Mesh, std::string> read(const std::string& path) {
     MeshRules rules;
@@ -46,9 +43,9 @@ class BodyFiles {
 
 std::vector<NamedWork> work_of(const CutJob& cut, const std::string& stock, const std::vector<std::string>& fixtures,
                                const std::vector<std::string>& shown) {
-  std::vector<NamedWork> work{{told("blank", "заготовка"), stock, cut.blank}};
+  std::vector<NamedWork> work{{translated(texts::cutting::blank), stock, cut.blank}};
   for (std::size_t i = 0; i < fixtures.size(); ++i)
-    work.push_back({told("fixture ", "приспособление ") + shown[i], fixtures[i], cut.fixtures[i]});
+    work.push_back({translated(texts::cutting::fixture, shown[i]), fixtures[i], cut.fixtures[i]});
   return work;
 }
 

@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "config/language.h"
 #include "kinematics/five_axis_transform.h"
 #include "session/cutting/axes_path.h"
+#include "texts/cutting.h"
 
 namespace kadr {
 namespace {
@@ -36,13 +36,12 @@ Mat3 turn_of_tool(Vec3 direction) {
 }
 
 std::string tool_in_words(ToolPart part, std::uint32_t tool) {
-  const std::string number = std::to_string(tool);
-  if (part == ToolPart::holder) return told("holder of tool ", "патрон инструмента ") + number;
-  if (part == ToolPart::shank) return told("shank of tool ", "хвостовик инструмента ") + number;
-  return told("tool ", "инструмент ") + number;
+  if (part == ToolPart::holder) return translated(texts::cutting::holder, tool);
+  if (part == ToolPart::shank) return translated(texts::cutting::shank, tool);
+  return translated(texts::cutting::tool, tool);
 }
 
-std::string no_memory() { return told("the bodies of the machine need more memory than there is", "телам станка не хватает памяти"); }
+std::string no_memory() { return translated(texts::cutting::no_memory); }
 
 }  // namespace
 
@@ -65,12 +64,7 @@ tl::expected<std::unique_ptr<MachineWatch>, std::string> MachineWatch::of(const 
                                                                           const CutJob& job, const std::vector<WorkBody>& work,
                                                                           const ReadMesh& read) {
   const KadrBodiesInterface* const door = bodies_library();
-  if (door == nullptr)
-    return tl::unexpected(
-        told("this machine has [[bodies]], and kadr-bodies.so, which finds what they hit, is not there: it is installed with "
-             "Kadr as lib/kadr/modules/kadr-bodies.so and needs the package libfcl0.7",
-             "у станка есть [[bodies]], но нет kadr-bodies.so, который находит их столкновения: он ставится вместе с Kadr "
-             "как lib/kadr/modules/kadr-bodies.so, ему нужен пакет libfcl0.7"));
+  if (door == nullptr) return tl::unexpected(translated(texts::cutting::no_library));
   std::unique_ptr<MachineWatch> watch(new MachineWatch(tree_of(machine, axes), BodyWorld(*door), machine, roles, job));
   if (const auto fault = watch->add_bodies(machine, work, read)) return tl::unexpected(*fault);
   return watch;
@@ -94,8 +88,7 @@ std::optional<std::string> MachineWatch::add_bodies(const MachineProfile& machin
     names_.push_back(body.name);
   }
   for (const auto& [first, second] : bodies_.accept_initial_contacts())
-    as_built_.push_back(told("built so, not looked at: ", "собрано так, не проверяется: ") + names_[first] + ", " + names_[second] +
-                        told(" (they touch where all axes stand at 0)", " (касаются там, где все оси стоят в 0)"));
+    as_built_.push_back(translated(texts::cutting::built_so, names_[first], names_[second]));
   for (const WorkBody& body : work) {
     const auto solid = body.mesh != nullptr ? world.add(*body.mesh) : world.add(body.shape);
     if (!solid) return no_memory();
@@ -148,9 +141,7 @@ void MachineWatch::take_tool(const InForce& in_force, std::vector<std::string>& 
   position_work(is_known ? 0 : length);
   if (is_known || tool == nullptr || length_reported_) return;
   length_reported_ = true;
-  notes.push_back(told("the length of tool ", "длина инструмента ") + std::to_string(in_force.tool) +
-                  told(" is not stated: the work zero counts as set with its tip, the machine's bodies as above it by its stick-out",
-                       " не указана: считается, что нуль детали задан по его вершине, а станок выше неё на вылет инструмента"));
+  notes.push_back(translated(texts::cutting::length_not_stated, in_force.tool));
 }
 
 /// Places blank and fixtures on the link that carries them. `reference`: mm from the gauge point down to the point with which the work

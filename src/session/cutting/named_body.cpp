@@ -8,10 +8,10 @@
 #include <optional>
 #include <vector>
 
-#include "config/language.h"
 #include "config/nearest.h"
 #include "stock/blank/mesh_blank.h"
 #include "stock/mesh/mesh_file.h"
+#include "texts/cutting.h"
 
 namespace kadr {
 namespace {
@@ -75,26 +75,16 @@ tl::expected<NamedBody, std::string> body_of(const std::string& text, double max
     if (shape->form == BodyShape::Form::box) return NamedBody{box_blank({shape->least, shape->most}), {}};
     return NamedBody{cylinder_blank(shape->centre, shape->bottom, shape->top, shape->diameter), {}};
   }
-  if (text.starts_with("box:"))
-    return Failed(text + ": " +
-                  told("want box:X0,Y0,Z0,X1,Y1,Z1, mm up to 100000, the first corner below the second in each axis",
-                       "нужно box:X0,Y0,Z0,X1,Y1,Z1, мм до 100000, первый угол по каждой оси меньше второго"));
-  if (text.starts_with("cylinder:"))
-    return Failed(text + ": " +
-                  told("want cylinder:X,Y,Z0,Z1,D, mm up to 100000: its axis, its bottom, its top above that, its diameter above 0",
-                       "нужно cylinder:X,Y,Z0,Z1,D, мм до 100000: ось, низ, верх выше низа, диаметр больше 0"));
-  return Failed(text + ": " +
-                told("want box:X0,Y0,Z0,X1,Y1,Z1, cylinder:X,Y,Z0,Z1,D or a file .stl, .3mf",
-                     "нужно box:X0,Y0,Z0,X1,Y1,Z1, cylinder:X,Y,Z0,Z1,D или файл .stl, .3mf"));
+  if (text.starts_with("box:")) return Failed(translated(texts::cutting::want_box, text));
+  if (text.starts_with("cylinder:")) return Failed(translated(texts::cutting::want_cylinder, text));
+  return Failed(translated(texts::cutting::want_body, text));
 }
 
 tl::expected<Box3, std::string> window_of(const std::string& text) {
   const auto n = numbers_of(text);
   if (n && n->size() == 6 && (*n)[0] < (*n)[3] && (*n)[1] < (*n)[4] && (*n)[2] < (*n)[5])
     return Box3{{(*n)[0], (*n)[1], (*n)[2]}, {(*n)[3], (*n)[4], (*n)[5]}};
-  return Failed(text + ": " +
-                told("want X0,Y0,Z0,X1,Y1,Z1, mm up to 100000, the first corner below the second in each axis",
-                     "нужно X0,Y0,Z0,X1,Y1,Z1, мм до 100000, первый угол по каждой оси меньше второго"));
+  return Failed(translated(texts::cutting::want_window, text));
 }
 
 }  // namespace kadr

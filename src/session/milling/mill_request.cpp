@@ -181,6 +181,12 @@ std::string_view russian_name(area::Scheme scheme) {
   return {};
 }
 
+std::string_view russian_name(area::Direction direction) {
+  for (const auto& name : directions)
+    if (name.value == direction) return name.source;
+  return {};
+}
+
 std::string_view russian_name(area::Plunge plunge) {
   for (const auto& name : plunges)
     if (name.value == plunge) return name.source;

@@ -33,8 +33,9 @@ std::vector<std::string> scheme_names();
 std::vector<std::string> direction_names();
 std::vector<std::string> plunge_names();
 
-/// Names of schemes and plunges in the Russian source: СПИР, 1 ЗИГЗАГ; СПУСК.
+/// Names of schemes, directions and plunges in the Russian source: СПИР, 1 ЗИГЗАГ; ПЧС; СПУСК.
 std::string_view russian_name(area::Scheme scheme);
+std::string_view russian_name(area::Direction direction);
 std::string_view russian_name(area::Plunge plunge);
 
 }  // namespace kadr

@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include "lang/text/encoding.h"
+#include "texts/milling.h"
 
 namespace kadr {
 namespace {
@@ -25,7 +26,7 @@ std::string text_of_line(std::string_view text, std::uint32_t number) {
 }
 
 std::string scheme_with_direction(const area::Job& job) {
-  return fmt::format("{} {}", russian_name(job.scheme), job.direction == area::Direction::ccw ? "ПЧС" : "ЧС");
+  return fmt::format("{} {}", russian_name(job.scheme), russian_name(job.direction));
 }
 
 std::string hole_place(Vec2 p) { return fmt::format("X{} Y{}", number_text(p.x, 3), number_text(p.y, 3)); }
@@ -37,34 +38,28 @@ class MillSummary {
   std::vector<MillLine> lines() {
     const area::AreaPath& path = milled_.path.path;
     const area::Outcome& o = milled_.path.outcome;
-    line("zone", "зона", zone_text());
-    line("scheme", "схема",
-         fmt::format("{}, {} {} {} ({} %)", scheme_with_direction(job_), word("step", "шаг"), number_text(path.step, 3), mm(),
-                     number_text(50 * path.step / job_.radius, 1)));
-    line("path", "траектория",
-         fmt::format("{} {}, {} × Z, {}: {}", number_text(o.length, 1), mm(), path.layers, word("lifts", "подъёмов"), path.lifts));
+    line(texts::milling::zone, zone_text());
+    line(texts::milling::scheme, text(texts::milling::scheme_and_step, scheme_with_direction(job_), number_text(path.step, 3),
+                                      number_text(50 * path.step / job_.radius, 1)));
+    line(texts::milling::path, text(texts::milling::length_of_path, number_text(o.length, 1), path.layers, path.lifts));
     if (std::isfinite(o.nearest_wall))
-      line("wall", "стенка",
-           fmt::format("{} {} ({} {})", number_text(o.nearest_wall, 3), mm(), word("wanted", "нужно"), number_text(o.wanted, 3)));
-    line("uncut", "не обработано",
-         fmt::format("{0} {3}²; {1} {2} {3}²", number_text(o.uncut, 2), word("out of the tool's reach", "недоступно фрезе"),
-                     number_text(o.out_of_reach, 2), mm()));
-    line("plunge", "врезание", plunge_text(path.plunges));
-    for (const Vec2 hole : path.holes) line("drill before", "засверлить", hole_place(hole));
-    if (path.step < job_.step) line("note", "примечание", word("the step was reduced: sharp corners", "шаг уменьшен: острые углы"));
-    if (path.fields > milled_.shape.zones.size())
-      line("note", "примечание", word("the zone falls apart: places narrower than the tool", "зона распалась: есть места уже фрезы"));
-    line("program", "УП",
-         fmt::format("{} {}, {}", std::count(milled_.program.text.begin(), milled_.program.text.end(), '\n'), word("blocks", "кадров"),
-                     word("read back: the same path", "прочитана обратно: путь тот же")));
+      line(texts::milling::wall, text(texts::milling::nearest_wall, number_text(o.nearest_wall, 3), number_text(o.wanted, 3)));
+    line(texts::milling::uncut, text(texts::milling::uncut_area, number_text(o.uncut, 2), number_text(o.out_of_reach, 2)));
+    line(texts::milling::plunge, plunge_text(path.plunges));
+    for (const Vec2 hole : path.holes) line(texts::milling::drill_before, hole_place(hole));
+    if (path.step < job_.step) line(texts::milling::note, text(texts::milling::step_reduced));
+    if (path.fields > milled_.shape.zones.size()) line(texts::milling::note, text(texts::milling::zone_falls_apart));
+    const auto blocks = std::count(milled_.program.text.begin(), milled_.program.text.end(), '\n');
+    line(texts::milling::program, text(texts::milling::blocks_read_back, blocks));
     return std::move(lines_);
   }
 
  private:
-  bool ru() const { return lang_ == Lang::ru; }
-  const char* word(const char* en, const char* russian) const { return ru() ? russian : en; }
-  const char* mm() const { return word("mm", "мм"); }
-  void line(const char* en, const char* russian, std::string value) { lines_.push_back({word(en, russian), std::move(value)}); }
+  template <std::size_t Holes, typename... Args>
+  std::string text(TextId<Holes> id, const Args&... args) const {
+    return translated_in(lang_, id, args...);
+  }
+  void line(PlainText name, std::string value) { lines_.push_back({text(name), std::move(value)}); }
 
   /// Returns the type of the area. INFERRED, as spec/correctors 4 only names the four types: a half-open area has all its walls in one
   /// segment of the outline; a combined area has walls and open sides alternately, or islands in an outline with open sides.
@@ -81,27 +76,26 @@ class MillSummary {
       }
     }
     const bool one_stretch = stretches <= milled_.shape.zones.size();
-    const char* const kind = open == 0     ? word("closed", "закрытая")
-                             : walls == 0  ? word("open", "открытая")
-                             : one_stretch ? word("half-open", "полуоткрытая")
-                                           : word("combined", "комбинированная");
-    return fmt::format("{}; {}: {}", kind, word("islands", "островков"), islands);
+    const TextId<1> kind = open == 0     ? texts::milling::zone_closed
+                           : walls == 0  ? texts::milling::zone_open
+                           : one_stretch ? texts::milling::zone_half_open
+                                         : texts::milling::zone_combined;
+    return text(kind, islands);
   }
 
   /// Describes how the tool enters uncut material. Straight plunges are mentioned, since not every tool can cut at its centre.
   std::string plunge_text(const area::Plunges& p) const {
-    std::string text;
-    const auto add = [&](std::size_t count, const char* en, const char* russian) {
-      if (count > 0) text += fmt::format("{}{}: {}", text.empty() ? "" : ", ", word(en, russian), count);
+    std::string ways;
+    const auto add = [&](std::size_t count, TextId<1> way) {
+      if (count > 0) ways += (ways.empty() ? "" : ", ") + text(way, count);
     };
-    add(p.ramps, "ramps to and fro", "спуски вперёд и назад");
-    add(p.helices, "ramps round and round", "спуски по замкнутой линии");
-    add(p.straight, "straight down into the material (the tool must cut over its centre)",
-        "отвесно в материал (фреза должна резать центром)");
-    add(p.drilled, "straight down into holes drilled before", "отвесно в засверленные отверстия");
-    if (text.empty()) return word("beside the material", "вне материала");
-    if (p.ramps + p.helices > 0) text += fmt::format("; {}°", number_text(job_.ramp_deg, 3));
-    return fmt::format("{}: {}", russian_name(job_.plunge), text);
+    add(p.ramps, texts::milling::ramps);
+    add(p.helices, texts::milling::helices);
+    add(p.straight, texts::milling::straight);
+    add(p.drilled, texts::milling::drilled);
+    if (ways.empty()) return text(texts::milling::beside_material);
+    if (p.ramps + p.helices > 0) ways += fmt::format("; {}°", number_text(job_.ramp_deg, 3));
+    return fmt::format("{}: {}", russian_name(job_.plunge), ways);
   }
 
   const Milled& milled_;
@@ -119,9 +113,7 @@ std::string warning_of_holes(const Milled& milled, Lang lang) {
   if (path.plunges.no_room == 0) return {};
   std::string holes;
   for (const Vec2 hole : path.holes) holes += (holes.empty() ? "" : "; ") + hole_place(hole);
-  return (lang == Lang::ru ? "спуску нет места, фреза идёт вниз отвесно: засверлить заранее "
-                           : "no room for a ramp, the tool goes straight down: drill before ") +
-         holes;
+  return translated_in(lang, texts::milling::no_room_for_ramp, holes);
 }
 
 AlarmReport report_of(const DrawingFault& fault, std::string_view drawing, const std::string& file) {

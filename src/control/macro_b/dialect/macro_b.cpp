@@ -12,6 +12,8 @@
 #include "control/macro_b/calls/calls.h"
 #include "control/macro_b/calls/interrupt.h"
 #include "control/macro_b/dialect/blocks.h"
+#include "control/start_fault.h"
+#include "texts/control_start.h"
 
 namespace kadr::macro_b {
 namespace {
@@ -44,7 +46,7 @@ MacroB::MacroB(BlockContext& m, const Setup& setup, const RunLimits& limits, std
               .untouched = limits.untouched}) {
   parameters.keep_in(m.journal);
   if (const std::string& error = parameters.error(); !error.empty())
-    m.start_fault = {"parameters", error, "ключ «parameters» исходного состояния: недопустимое значение (" + error + ")"};
+    m.start_fault = start_fault_of("parameters", texts::control_start::parameters_invalid, error);
   if (const std::int32_t row = m.def.row_of('G', 63_g); row >= 0) {
     inhibiting = static_cast<std::int16_t>(row);
     stop_group = m.def.codes[static_cast<std::size_t>(row)].group;
@@ -80,8 +82,7 @@ void MacroB::take_setup(Emitter& m, const Setup& setup) {
     if (name.size() < 2 || name[0] != '#') continue;
     const double number = name[1] == '_' ? number_of_symbol(m, name.substr(2)) : std::strtod(name.c_str() + 1, nullptr);
     if (const Status written = set_start_value(m, number, value ? *value : vacant); !written && m.start_fault.empty())
-      m.start_fault = {"variables." + name, "setup key 'variables." + name + "': no such variable, or not one that can be given",
-                       "ключ «variables." + name + "» исходного состояния: такой переменной нет, или её нельзя задать"};
+      m.start_fault = start_fault_of("variables." + name, texts::control_start::no_variable, name);
   }
 }
 

@@ -9,6 +9,8 @@
 #include "control/emitter.h"
 #include "control/fanuc/words/coordinates.h"
 #include "control/nct/nct.h"
+#include "control/start_fault.h"
+#include "texts/control_start.h"
 
 namespace kadr::nct {
 namespace {
@@ -98,11 +100,8 @@ SetupFault coupling_fault(const BlockContext& m, const std::vector<SetupEvent>& 
     for (const std::string& name : event.what == SetupEvent::Do::synchronise ? event.axes : std::vector<std::string>()) {
       const int axis = axis_named(m, name);
       if (axis < 0 || has_master(m, static_cast<std::size_t>(axis))) continue;
-      if (names_masters)
-        return {"events", "events: N2101." + name + " is not the number of another axis",
-                "events: N2101." + name + " не задаёт номер другой оси"};
-      return {"events", "events: no parameter of this control says which axis " + name + " follows",
-              "events: ни один параметр этого УЧПУ не задаёт, за какой осью следует " + name};
+      const TextId<1> fault = names_masters ? texts::control_start::master_is_no_axis : texts::control_start::no_parameter_of_master;
+      return start_fault_of("events", fault, name);
     }
   return {};
 }
