@@ -24,7 +24,7 @@ void part_options(CLI::App& app, CutOptions& o) {
 }
 
 void window_options(CLI::App& app, CutOptions& o) {
-  takes(app.add_option("--window", o.window, translated(texts::cut_options::window)), "BOX", "ОКНО");
+  takes(app.add_option("--window", o.window, translated(texts::cut_options::window)), translated(texts::cut_options::box));
   number(app.add_option("--max-memory", o.max_memory, translated(texts::cut_options::max_memory)), "MB", "МБ", least_memory, most_memory)
       ->capture_default_str();
   whole_number(app.add_option("--threads", o.threads, translated(texts::cut_options::threads)), 1, max_threads);
@@ -33,9 +33,11 @@ void window_options(CLI::App& app, CutOptions& o) {
 }  // namespace
 
 std::array<CLI::Option*, 2> blank_options(CLI::App& app, CutOptions& o) {
-  CLI::Option* const stock = takes(app.add_option("--stock", o.stock, translated(texts::cut_options::stock)), "BODY", "ТЕЛО");
+  CLI::Option* const stock =
+      takes(app.add_option("--stock", o.stock, translated(texts::cut_options::stock)), translated(texts::cut_options::body));
   CLI::Option* const tools = takes_file(app.add_option("--tools", o.tools, translated(texts::cut_options::tools)));
-  takes(app.add_option("--fixture", o.fixtures, translated(texts::cut_options::fixture))->allow_extra_args(false), "BODY", "ТЕЛО");
+  takes(app.add_option("--fixture", o.fixtures, translated(texts::cut_options::fixture))->allow_extra_args(false),
+        translated(texts::cut_options::body));
   return {stock, tools};
 }
 
@@ -51,7 +53,7 @@ void add_cut(CLI::App& app, Commands& c) {
   part_options(*cut, o);
   cell_option(*cut, o);
   window_options(*cut, o);
-  takes(cut->add_option("--until", o.until, translated(texts::cut_options::until)), "LINE|SECONDSs", "СТРОКА|СЕКУНДЫs")
+  takes(cut->add_option("--until", o.until, translated(texts::cut_options::until)), translated(texts::cut_options::line_or_seconds))
       ->check(
           CLI::Validator([](const std::string& text) { return text.empty() ? translated(texts::cut_options::until_is_empty) : ""; }, ""));
   cut->add_flag("--coolant", o.coolant, translated(texts::cut_options::coolant));

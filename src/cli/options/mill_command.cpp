@@ -12,8 +12,8 @@ namespace kadr::cli {
 namespace {
 
 CLI::Option* millimetres(CLI::Option* option) { return number(option, "MM", "ММ"); }
-CLI::Option* degrees(CLI::Option* option) { return number(option, "DEG", "ГРАД"); }
-CLI::Option* feed(CLI::Option* option) { return number(option, "MM/MIN", "ММ/МИН"); }
+CLI::Option* degrees(CLI::Option* option) { return number(option, translated(texts::mill_options::degrees)); }
+CLI::Option* feed(CLI::Option* option) { return number(option, translated(texts::mill_options::mm_per_minute)); }
 
 /// Options: what is milled, and how deep.
 void zone_options(CLI::App& app, MillOptions& o) {
@@ -27,11 +27,13 @@ void zone_options(CLI::App& app, MillOptions& o) {
 
 /// Options: how the zone is covered.
 void scheme_options(CLI::App& app, MillOptions& o) {
-  known_by(app.add_option("--scheme", o.scheme, translated(texts::mill_options::scheme)), "SCHEME", "СХЕМА", is_scheme, scheme_names());
-  known_by(app.add_option("--direction", o.direction, translated(texts::mill_options::direction)), "ccw|cw", "ПЧС|ЧС", is_direction,
-           direction_names());
-  takes(app.add_option("--stepover", o.stepover, translated(texts::mill_options::stepover)), "MM|N%", "ММ|N%");
-  known_by(app.add_option("--plunge", o.plunge, translated(texts::mill_options::plunge)), "hole|tangential|ramp", "ЗАСВ|КАС|СПУСК",
+  known_by(app.add_option("--scheme", o.scheme, translated(texts::mill_options::scheme)), translated(texts::mill_options::scheme_name),
+           is_scheme, scheme_names());
+  known_by(app.add_option("--direction", o.direction, translated(texts::mill_options::direction)),
+           translated(texts::mill_options::direction_names), is_direction, direction_names());
+  takes(app.add_option("--stepover", o.stepover, translated(texts::mill_options::stepover)),
+        translated(texts::mill_options::mm_or_percent));
+  known_by(app.add_option("--plunge", o.plunge, translated(texts::mill_options::plunge)), translated(texts::mill_options::plunge_names),
            is_plunge, plunge_names())
       ->capture_default_str();
   number(app.add_option("--hole", o.hole, translated(texts::mill_options::hole)), "X Y", "X Y")->expected(2);
@@ -44,7 +46,8 @@ void scheme_options(CLI::App& app, MillOptions& o) {
 void technology_options(CLI::App& app, MillOptions& o) {
   feed(app.add_option("--feed", o.feed, translated(texts::mill_options::feed)))->capture_default_str();
   feed(app.add_option("--plunge-feed", o.plunge_feed, translated(texts::mill_options::plunge_feed)));
-  number(app.add_option("--speed", o.speed, translated(texts::mill_options::speed)), "REV/MIN", "ОБ/МИН");
+  number(app.add_option("--speed", o.speed, translated(texts::mill_options::speed)),
+         translated(texts::mill_options::revolutions_per_minute));
   whole_number(app.add_option("--tool", o.tool, translated(texts::mill_options::tool)), 0, std::numeric_limits<std::uint32_t>::max());
   app.add_flag("--coolant", o.coolant, translated(texts::mill_options::coolant));
 }
