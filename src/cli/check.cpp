@@ -15,12 +15,12 @@
 #include "cli/job/progress.h"
 #include "cli/job/stop_signals.h"
 #include "cli/job/terminal.h"
-#include "config/language.h"
 #include "config/read_file.h"
 #include "lang/text/utf16.h"
 #include "out/text/alarm_print.h"
 #include "out/text/baseline.h"
 #include "session/checklist/program_check.h"
+#include "texts/check_command.h"
 
 namespace kadr::cli {
 namespace {
@@ -120,16 +120,16 @@ Checked check_file(const Options& options, const GuessedControls& controls, cons
 void print_count(const Options& options, std::size_t files, Count count, std::size_t known) {
   if (options.format != "text" || options.quiet) return;
   const auto [faults, warnings, advices] = count;
-  const auto many = [](std::size_t n) { return n == 1 ? "" : "s"; };
-  if (language(options) == Lang::ru) {
-    type_out("Проверено программ: {}. Ошибок: {}, предупреждений: {}", files, faults, warnings);
-    type_out("{}", advices == 0 ? "." : fmt::format(", советов: {}.", advices));
-    if (known != 0) type_out(" Уже известных пропущено: {}.", known);
-  } else {
-    type_out("{} program{} checked: {} error{}, {} warning{}", files, many(files), faults, many(faults), warnings, many(warnings));
-    type_out("{}", advices == 0 ? "." : fmt::format(", {} advice{}.", advices, many(advices)));
-    if (known != 0) type_out(" {} known finding{} left out.", known, many(known));
-  }
+  const Lang lang = language(options);
+  const auto in_words = [lang](PluralId<0> id, std::size_t n) { return counted_in(lang, id, n); };
+  const std::string programs = in_words(texts::check_command::programs_checked, files);
+  const std::string of_faults = in_words(texts::check_command::errors, faults),
+                    of_warnings = in_words(texts::check_command::warnings, warnings);
+  if (advices == 0) type_out("{}", translated_in(lang, texts::check_command::result, programs, of_faults, of_warnings));
+  else
+    type_out("{}", translated_in(lang, texts::check_command::result_with_advices, programs, of_faults, of_warnings,
+                                 in_words(texts::check_command::advices, advices)));
+  if (known != 0) type_out(" {}", in_words(texts::check_command::known_findings, known));
   type_out("\n");
 }
 
@@ -193,7 +193,7 @@ int check(const Options& given) {
   int status = programs.unreadable.empty() ? ok : wrong_usage;
   report.unreadable = std::move(programs.unreadable);
   if (programs.files.empty()) {
-    complain(told("no program to check there", "там нет УП для проверки"));
+    complain(translated(texts::check_command::no_program_there));
     return wrong_usage;
   }
   std::size_t checked = 0;
@@ -205,7 +205,7 @@ int check(const Options& given) {
     checked += result == Checked::clean || result == Checked::faulty;
     if (result == Checked::faulty) status = std::max<int>(status, alarms);
     if (result == Checked::unreadable || (result == Checked::unknown && named)) {  // not every file of a folder is a program
-      report.unreadable.push_back({file, told("cannot be checked", "не может быть проверен")});
+      report.unreadable.push_back({file, translated(texts::check_command::cannot_be_checked)});
       status = wrong_usage;
     }
     if (interrupted()) return interrupted_status();
@@ -213,8 +213,7 @@ int check(const Options& given) {
   }
   if (report.text == nullptr) write_findings(output->get(), options, report, status);
   if (checked == 0 && status == ok) {  // among the files of the folders
-    complain(told("no program of a control that Kadr knows is there: --control says which it is",
-                  "там нет УП известного Kadr УЧПУ: какое оно, скажет --control"));
+    complain(translated(texts::check_command::no_program_of_known_control));
     status = wrong_usage;
   }
   if (checked != 0) print_count(options, checked, report.count, report.baseline ? report.baseline->found() : 0);

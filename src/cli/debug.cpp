@@ -1,5 +1,7 @@
 // kadr debug: executes a program step by step, by commands on standard input, one per line. Tested by tests/debug.py.
 
+#include "texts/debug.h"
+
 #include <fmt/core.h>
 #include <unistd.h>
 
@@ -12,7 +14,6 @@
 #include "cli/job/drive.h"
 #include "cli/job/stop_signals.h"
 #include "cli/job/terminal.h"
-#include "config/language.h"
 #include "lang/expression/expression.h"
 #include "out/text/alarm_print.h"
 #include "out/text/in_force_text.h"
@@ -42,31 +43,7 @@ std::optional<std::uint32_t> count_of(const std::string& text, std::uint32_t oth
   return static_cast<std::uint32_t>(std::stoul(text));
 }
 
-std::string commands_text() {
-  return told(
-      "  step [N]             N blocks, into calls          next [N]     N blocks, over calls\n"
-      "  finish               out of the call               continue, run  to the next breakpoint, or to the end\n"
-      "  until LINE[:PASS]    to a line                     back [N]     N commands of motion back\n"
-      "  break [FILE:]LINE [if CONDITION], break if CONDITION, break call NAME\n"
-      "  breaks               lists them                    delete N     takes one away\n"
-      "  print EXPRESSION     #100, R2, [#1+2]*3            watch EXPRESSION    the same after each stop; unwatch N\n"
-      "  where                the block and its calls       list [N]     N lines around it\n"
-      "  state                what is in force              mdi BLOCK    carries a block out now\n"
-      "  restart [CLEARANCE]  the blocks that bring from the start what is in force here, over a clearance (work coordinate, 100)\n"
-      "  search LINE[:PASS]   to a line as the control's own block search goes there, and what that forgets (nct)\n"
-      "  quit                 ends\n",
-      "  step [N]             N кадров, заходя в вызовы     next [N]     N кадров, не заходя в вызовы\n"
-      "  finish               до выхода из вызова           continue, run  до точки останова или до конца\n"
-      "  until СТРОКА[:ПРОХОД] до строки                    back [N]     на N команд движения назад\n"
-      "  break [ФАЙЛ:]СТРОКА [if УСЛОВИЕ], break if УСЛОВИЕ, break call ИМЯ\n"
-      "  breaks               их перечень                   delete N     убрать точку\n"
-      "  print ВЫРАЖЕНИЕ      #100, R2, [#1+2]*3            watch ВЫРАЖЕНИЕ     то же после каждого останова; unwatch N\n"
-      "  where                кадр и вызовы                 list [N]     N строк вокруг него\n"
-      "  state                что действует                 mdi КАДР     отработать кадр сейчас\n"
-      "  restart [БЕЗОП]      кадры, которые от начала восстановят то, что здесь действует, через плоскость безопасности\n"
-      "  search СТРОКА[:ПРОХОД]  до строки, как ищет кадр сама система, и что при этом теряется (nct)\n"
-      "  quit                 закончить\n");
-}
+std::string commands_text() { return translated(texts::debug::commands); }
 
 class Debugger : public PartOfProgram {
  public:
@@ -120,14 +97,12 @@ class Debugger : public PartOfProgram {
     if (word == "search") return search(rest);
     if (word == "quit" || word == "q") return void(quit_ = true);
     if (word == "help" || word == "h" || word == "?") return type_out("{}", commands_text());
-    type_out("{}: {}\n", word, told("no such command (help lists them)", "такой команды нет (перечень: help)"));
+    type_out("{}\n", translated(texts::debug::no_such_command, word));
   }
 
   bool is_held() const {
     if (state_ == Session::State::held) return true;
-    type_out("{}\n", state_ == Session::State::ended
-                         ? told("the program is over", "УП закончена")
-                         : told("stopped by an alarm: back, mdi or quit", "остановлено ошибкой: back, mdi или quit"));
+    type_out("{}\n", state_ == Session::State::ended ? translated(texts::debug::program_over) : translated(texts::debug::stopped_by_alarm));
     return false;
   }
 
@@ -181,8 +156,7 @@ class Debugger : public PartOfProgram {
   void search(const std::string& rest) {
     const auto target = target_of(rest);
     if (!target || !is_held()) return;
-    if (!session_->control().search_rules())
-      return type_out("{}\n", told("this control has no block search of its own", "у этой системы своего поиска кадра нет"));
+    if (!session_->control().search_rules()) return type_out("{}\n", translated(texts::debug::no_block_search));
     keep();
     if (first_)  // the search starts from the beginning
       if (const Status restored = stepping().restore(*first_); !restored) return tell(restored.error(), "");
@@ -201,7 +175,7 @@ class Debugger : public PartOfProgram {
   void back(const std::string& times) {
     const auto count = count_of(times, 1);
     if (!count || *count == 0) return wrong(times);
-    if (kept_.empty()) return type_out("{}\n", told("nothing to go back to", "возвращаться некуда"));
+    if (kept_.empty()) return type_out("{}\n", translated(texts::debug::nothing_to_go_back_to));
     for (std::uint32_t i = 1; i < *count && kept_.size() > 1; ++i) kept_.pop_back();
     const Status restored = stepping().restore(kept_.back());
     kept_.pop_back();
@@ -230,7 +204,7 @@ class Debugger : public PartOfProgram {
     }
     if (!point.condition.empty())
       if (const auto holds = stepping().holds(point.condition); !holds) return tell(holds.error(), point.condition);
-    type_out("{} {}\n", told("breakpoint", "точка останова"), stepping().add(point));
+    type_out("{}\n", translated(texts::debug::breakpoint, stepping().add(point)));
   }
 
   void list_breaks() const {
@@ -251,7 +225,7 @@ class Debugger : public PartOfProgram {
   void print(const std::string& expression) {
     const auto value = stepping().value(expression);
     if (!value) return tell(value.error(), expression);
-    type_out("{} = {}\n", expression, is_vacant(*value) ? told("vacant", "пусто") : fmt::format("{:.12g}", *value));
+    type_out("{} = {}\n", expression, is_vacant(*value) ? translated(texts::debug::vacant) : fmt::format("{:.12g}", *value));
   }
 
   void watch(const std::string& expression) {
@@ -269,7 +243,7 @@ class Debugger : public PartOfProgram {
     if (stepping().next()) type_out("{}\n", place_text(stepping().line()));
     const auto calls = session_->control().calls();
     for (auto call = calls.rbegin(); call != calls.rend(); ++call)
-      type_out("  {} {} {}\n", call->what, told("called in line", "вызов в строке"), call->line);
+      type_out("  {}\n", translated(texts::debug::called_in_line, call->what, call->line));
   }
 
   void list(const std::string& text) {
@@ -296,17 +270,17 @@ class Debugger : public PartOfProgram {
   /// Prints the position and the watched expressions.
   void show() {
     if (interrupted()) return;
-    if (stepping().hit() != 0) type_out("{} {}\n", told("breakpoint", "точка останова"), stepping().hit());
+    if (stepping().hit() != 0) type_out("{}\n", translated(texts::debug::breakpoint, stepping().hit()));
     if (stepping().next()) type_out("{}\n", place_text(stepping().line()));
-    else if (state_ == Session::State::ended) type_out("{}\n", told("the program is over", "УП закончена"));
+    else if (state_ == Session::State::ended) type_out("{}\n", translated(texts::debug::program_over));
     for (const auto& [number, expression] : watches_) print(expression);
   }
 
-  void wrong(const std::string& text) const { type_out("{}: {}\n", text, told("not understood (help)", "непонятно (help)")); }
+  void wrong(const std::string& text) const { type_out("{}\n", translated(texts::debug::not_understood, text)); }
 
   /// Prints an alarm about the text that the user typed.
   void tell(const Alarm& alarm, const std::string& typed) const {
-    AlarmReport report{alarm, told("command", "команда"), typed, {}, {}, {}};
+    AlarmReport report{alarm, translated(texts::debug::command), typed, {}, {}, {}};
     report.origin.line = 1;
     report.origin.column = alarm.where.begin + 1;
     say(alarm_text(report, job_->texts(), job_->lang, colours()));
@@ -327,8 +301,7 @@ class Debugger : public PartOfProgram {
 
 int debug(const Options& options) {
   if (options.programs.front() == "-") {
-    complain(told("debug: the program cannot come from standard input, the commands do",
-                  "debug: УП не может идти со стандартного ввода: оттуда идут команды"));
+    complain(translated(texts::debug::program_from_standard_input));
     return wrong_usage;
   }
   auto part = part_of(options);

@@ -5,9 +5,9 @@
 #include <fmt/core.h>
 
 #include "cli/job/terminal.h"
-#include "config/language.h"
 #include "out/text/in_force_text.h"
 #include "session/block_search.h"
+#include "texts/debug.h"
 
 namespace kadr::cli {
 namespace {
@@ -19,7 +19,7 @@ void list(const std::string& title, const std::vector<InForce>& things, Lang lan
 void list(const std::string& title, const std::vector<BlockSearch::Code>& codes) {
   if (codes.empty()) return;
   std::string text;
-  for (const auto& code : codes) text += fmt::format(" {} ({} {})", code.text, told("line", "строка"), code.origin.line);
+  for (const auto& code : codes) text += " " + translated(texts::debug::code_in_line, code.text, code.origin.line);
   type_out("{}:{}\n", title, text);
 }
 
@@ -35,18 +35,17 @@ void print_restart(Session& session, const Stepping& stepping, const Restart& be
   const ControlDef& def = session.def();
   const auto way = way_there(begins.stand, *restart, {clearance, above, feed}, session.control().axes().size());
   const auto blocks = restart_blocks(def, wanted, restart->in_force, in_work_coordinates(way, *restart, def));
-  if (!blocks)
-    return type_out("{}\n", told("a value has no room in a word of this control", "значение не помещается в слово этой системы"));
+  if (!blocks) return type_out("{}\n", translated(texts::debug::no_room_in_word));
   for (const std::string& block : blocks->blocks) type_out("{}\n", block);
-  list(told("by hand", "вручную"), blocks->by_hand, lang);
+  list(translated(texts::debug::by_hand), blocks->by_hand, lang);
 }
 
 void print_search(Session& session, Stepping& stepping, const StopPoint& target, Lang lang) {
   const auto search = search_block(session, stepping, target);
   if (!search) return;
-  list(told("carried out at its end", "выполняется в конце поиска"), search->carried_out);
-  list(told("of no group, not known", "вне групп, неизвестно"), search->of_no_group);
-  list(told("forgotten", "не восстанавливается"), search->forgotten, lang);
+  list(translated(texts::debug::carried_out_at_end), search->carried_out);
+  list(translated(texts::debug::of_no_group), search->of_no_group);
+  list(translated(texts::debug::forgotten), search->forgotten, lang);
 }
 
 }  // namespace kadr::cli

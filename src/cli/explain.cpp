@@ -10,6 +10,7 @@
 #include "out/text/explain/asked_code.h"
 #include "out/text/explain/code_page.h"
 #include "out/text/explain/setup_page.h"
+#include "texts/explain_command.h"
 
 namespace kadr::cli {
 namespace {
@@ -44,13 +45,11 @@ std::vector<std::string> controls_with(const std::string& code, const std::strin
 
 /// Returns "no code … 'G5.1'; nct has it; did you mean G4, G9?".
 std::string unknown_code(const ControlDef& def, const std::string& code, Lang lang) {
-  const bool ru = lang == Lang::ru;
-  std::string text = ru ? fmt::format("{}: нет кода, адреса, цикла, параметра, переменной или ошибки '{}'", def.id, code)
-                        : fmt::format("{}: no code, address, cycle, parameter, variable or alarm '{}'", def.id, code);
+  std::string text = translated_in(lang, texts::explain_command::unknown_code, def.id, code);
   if (const auto ids = controls_with(code, def.id, lang); !ids.empty())
-    text += fmt::format("; {}: {}", ru ? "есть у" : "known to", fmt::join(ids, ", "));
+    text += translated_in(lang, texts::explain_command::known_to, fmt::format("{}", fmt::join(ids, ", ")));
   if (const auto names = nearest_to(def, code); !names.empty())
-    text += fmt::format("; {} {}?", ru ? "может быть," : "did you mean", fmt::join(names, ", "));
+    text += translated_in(lang, texts::explain_command::did_you_mean, fmt::format("{}", fmt::join(names, ", ")));
   return text;
 }
 
@@ -127,7 +126,8 @@ int list_controls(const std::string& of, const std::string& lang_name) {
       return wrong_usage;
     }
     type_out("{:<12}{}", id, lang == Lang::ru ? def->name.ru : def->name.en);
-    if (!def->aliases.empty()) type_out(" ({} {})", lang == Lang::ru ? "также" : "also", fmt::join(def->aliases, ", "));
+    if (!def->aliases.empty())
+      type_out(" {}", translated_in(lang, texts::explain_command::aliases, fmt::format("{}", fmt::join(def->aliases, ", "))));
     type_out("\n");
   }
   return ok;

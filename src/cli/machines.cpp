@@ -4,15 +4,15 @@
 
 #include "cli/job/terminal.h"
 #include "cli/options/options.h"
-#include "config/language.h"
 #include "config/machine/machine_profile.h"
 #include "kinematics/machine_tree.h"
 #include "out/text/source_line.h"
+#include "texts/machines_command.h"
 
 namespace kadr::cli {
 namespace {
 
-std::string name_of(const MachineProfile& machine) { return told(machine.name_en, machine.name_ru); }
+std::string name_of(const MachineProfile& machine) { return thread_language() == Lang::ru ? machine.name_ru : machine.name_en; }
 
 /// Pads the text to `width` characters.
 std::string padded(std::string text, std::size_t width) {
@@ -38,8 +38,8 @@ std::string rapids_of(const MachineProfile& machine) {
 
 void print_list() {
   constexpr std::size_t id_width = 15, name_width = 42;
-  type_out("{}{}{}\n", padded(told("id", "обозначение"), id_width), padded(told("machine", "станок"), name_width),
-           told("rapid rates, mm/min, degrees/min", "быстрые ходы, мм/мин, град/мин"));
+  type_out("{}{}{}\n", padded(translated(texts::machines_command::id), id_width),
+           padded(translated(texts::machines_command::machine), name_width), translated(texts::machines_command::rapid_rates));
   for (const std::string& id : built_in_machines()) {
     const auto machine = load_machine(id);
     if (machine) type_out("{}{}{}\n", padded(id, id_width), padded(name_of(*machine), name_width), rapids_of(*machine));
@@ -48,14 +48,14 @@ void print_list() {
 
 std::string planner_of(const MachineProfile& machine) {
   switch (machine.planner) {
-    case PlannerMode::control: return told("as the control makes it with these accelerations", "как её ведёт УЧПУ с этими ускорениями");
-    case PlannerMode::optimal: return told("the least time", "наименьшее время");
-    default: return told("programmed feeds and rapid rates", "программные подачи и быстрые ходы");
+    case PlannerMode::control: return translated(texts::machines_command::as_the_control_makes_it);
+    case PlannerMode::optimal: return translated(texts::machines_command::least_time);
+    default: return translated(texts::machines_command::programmed_feeds);
   }
 }
 
 std::string travel_of(const AxisProfile& axis) {
-  if (axis.least <= AxisProfile{}.least && axis.most >= AxisProfile{}.most) return told("no limits", "без пределов");
+  if (axis.least <= AxisProfile{}.least && axis.most >= AxisProfile{}.most) return translated(texts::machines_command::no_limits);
   const std::string least = axis.least <= AxisProfile{}.least ? "…" : number_of(axis.least);
   return least + " … " + (axis.most >= AxisProfile{}.most ? "" : number_of(axis.most));
 }
@@ -64,44 +64,46 @@ std::string travel_of(const AxisProfile& axis) {
 std::string joint_text(const std::string& name, const AxisJoint& joint) {
   if (!joint.turns) return name;
   const auto vector = [](Vec3 v) { return fmt::format("[{:.12g}, {:.12g}, {:.12g}]", v.x, v.y, v.z); };
-  return fmt::format("{} ({} {}, {} {}{})", name, told("about", "вокруг"), vector(joint.direction), told("through", "через"),
-                     vector(joint.through), joint.reversed ? told(", reversed", ", обратно") : "");
+  const auto turning = joint.reversed ? texts::machines_command::turning_reversed : texts::machines_command::turning;
+  return translated(turning, name, vector(joint.direction), vector(joint.through));
 }
 
 /// Prints the order in which the axes carry each other and, where it applies, why NCT parameters cannot express it.
 void print_chains(const MachineProfile& machine) {
   const auto chain = [&](const std::string& what, const std::vector<std::string>& names) {
-    std::string text = told("bed", "станина");
+    std::string text = translated(texts::machines_command::bed);
     for (const std::string& name : names) text += " → " + joint_text(name, machine.axes.at(name).joint);
     type_out("{}{} → {}\n", padded(what, 20), text, what);
   };
-  chain(told("tool", "инструмент"), machine.chains.tool);
-  chain(told("part", "деталь"), machine.chains.part);
+  chain(translated(texts::machines_command::tool), machine.chains.tool);
+  chain(translated(texts::machines_command::part), machine.chains.part);
   std::vector<std::string> names;
   for (const auto& [name, axis] : machine.axes) names.push_back(name);
   const auto five = MachineTree(machine, names).five_axis();
   if (!five)
-    type_out("{}{}\n", padded(told("N3200 to N3224", "N3200–N3224"), 20), told("do not say it: ", "этого не выражают: ") + five.error());
+    type_out("{}{}\n", padded(translated(texts::machines_command::nct_parameters), 20),
+             translated(texts::machines_command::nct_parameters_cannot, five.error()));
 }
 
 void print_one(const MachineProfile& machine) {
   constexpr std::size_t first = 20, column = 18;
   type_out("{}: {}\n", machine.id, name_of(machine));
   const auto line = [](const std::string& what, const std::string& value) { type_out("{}{}\n", padded(what, first), value); };
-  line(told("speed", "скорость"), planner_of(machine));
-  line(told("tool change", "смена инструмента"), number_of(machine.tool_change_s) + told(" s", " с"));
-  line(told("spindle start", "разгон шпинделя"), number_of(machine.spindle_start_s) + told(" s", " с"));
-  if (machine.most_rpm > 0) line(told("spindle speed", "частота шпинделя"), told("at most ", "не более ") + number_of(machine.most_rpm));
-  line(told("corners within", "допуск на углах"), number_of(machine.tolerance) + told(" mm", " мм"));
-  type_out("{}{}{}{}{}\n", padded(told("axis", "ось"), 5), padded(told("rapid rate /min", "быстрый ход /мин"), column),
-           padded(told("travel", "перемещение"), column), padded(told("acceleration /s²", "ускорение /с²"), column),
-           told("jerk /s³", "рывок /с³"));
+  line(translated(texts::machines_command::speed), planner_of(machine));
+  line(translated(texts::machines_command::tool_change), translated(texts::machines_command::seconds, number_of(machine.tool_change_s)));
+  line(translated(texts::machines_command::spindle_start),
+       translated(texts::machines_command::seconds, number_of(machine.spindle_start_s)));
+  if (machine.most_rpm > 0)
+    line(translated(texts::machines_command::spindle_speed), translated(texts::machines_command::at_most, number_of(machine.most_rpm)));
+  line(translated(texts::machines_command::corners_within), translated(texts::machines_command::millimetres, number_of(machine.tolerance)));
+  type_out("{}{}{}{}{}\n", padded(translated(texts::machines_command::axis), 5),
+           padded(translated(texts::machines_command::rapid_rate), column), padded(translated(texts::machines_command::travel), column),
+           padded(translated(texts::machines_command::acceleration), column), translated(texts::machines_command::jerk));
   for (const auto& [name, axis] : machine.axes)
     type_out("{}{}{}{}{}\n", padded(name, 5), padded(number_of(axis.rapid), column), padded(travel_of(axis), column),
              padded(number_of(axis.acceleration), column), number_of(axis.jerk));
   if (machine.chains.given()) print_chains(machine);
-  type_out("{}\n", told("mm, of rotary axes degrees; travel in machine coordinates",
-                        "мм, у поворотных осей градусы; перемещение в координатах станка"));
+  type_out("{}\n", translated(texts::machines_command::units));
 }
 
 }  // namespace

@@ -13,6 +13,7 @@
 #include "out/text/alarm_print.h"
 #include "out/text/page_file.h"
 #include "session/milling/mill_summary.h"
+#include "texts/mill_command.h"
 
 namespace kadr::cli {
 namespace {
@@ -51,14 +52,11 @@ class MillCommand {
   }
 
  private:
-  bool ru() const { return lang_ == Lang::ru; }
-
   area::Watch watch() {
     progress_.emplace(options_.quiet);
     const auto show = [this](area::Stage stage, double part) {
-      constexpr std::pair<const char*, const char*> names[] = {{"passes", "проходы"}, {"path", "траектория"}, {"verification", "проверка"}};
-      const auto& [en, russian] = names[static_cast<std::size_t>(stage)];
-      if (progress_ && progress_->is_due()) progress_->show(part, ru() ? russian : en);
+      constexpr PlainText names[] = {texts::mill_command::passes, texts::mill_command::path, texts::mill_command::verification};
+      if (progress_ && progress_->is_due()) progress_->show(part, plain_text(names[static_cast<std::size_t>(stage)], lang_));
     };
     return {stop_token(), show};
   }
@@ -66,7 +64,7 @@ class MillCommand {
   /// Prints an alarm of the whole job, not of a line of the drawing.
   void say(const Alarm& alarm) {
     progress_.reset();
-    if (alarm.id == AlarmId::interrupted) return complain(ru() ? "прервано: ничего не записано" : "interrupted: nothing is written");
+    if (alarm.id == AlarmId::interrupted) return complain(translated_in(lang_, texts::mill_command::interrupted));
     complain(fmt::format("{}: {}: {}", options_.contour, name_of(alarm.id), texts_.sentence(alarm, lang_)));
     if (const std::string hint = texts_.hint(alarm, lang_); !hint.empty()) kadr::cli::say("  " + hint + "\n");
   }

@@ -17,7 +17,6 @@
 #include "cli/job/terminal.h"
 #include "cli/job/written_files.h"
 #include "cli/run_view.h"
-#include "config/language.h"
 #include "config/read_file.h"
 #include "config/setup/setup_names.h"
 #include "config/state/state_json.h"
@@ -26,6 +25,7 @@
 #include "out/text/page_file.h"
 #include "out/text/summary_json.h"
 #include "session/unstated.h"
+#include "texts/job.h"
 
 namespace kadr::cli {
 namespace {
@@ -340,7 +340,7 @@ int run_by(const Options& options, Drive& drive) {
   const std::string& file = options.programs.front();
   if (!can_draw("--plot", options.plot) || !can_draw("--plot-speed", options.plot_speed)) return wrong_usage;
   if (!options.colour.empty() && options.plot.empty()) {
-    complain(told("--colour: of the path in --plot FILE, which is missing", "--colour: цвет траектории на --plot ФАЙЛ, а он не указан"));
+    complain(translated(texts::job::colour_without_plot));
     return wrong_usage;
   }
   auto job = make_job(options, file);

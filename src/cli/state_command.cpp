@@ -1,20 +1,17 @@
 // kadr state check|recover: checks the file that --state keeps, and recovers what can be read of it.
 
+#include "texts/state_command.h"
+
 #include <fmt/core.h>
 
 #include <cstdio>
 
 #include "cli/job/terminal.h"
 #include "cli/options/options.h"
-#include "config/language.h"
 #include "config/state/state_check.h"
 
 namespace kadr::cli {
 namespace {
-
-std::string rows_in_words(std::size_t rows) {
-  return told(fmt::format("{} {}", rows, rows == 1 ? "row" : "rows"), count_in_russian(rows, "запись", "записи", "записей"));
-}
 
 /// Prints what was found to standard output.
 int print(const StateOptions& options, const StateReport& report, const std::string& heading) {
@@ -30,14 +27,11 @@ int check_file(const StateOptions& options) {
     complain(report.error());
     return wrong_usage;
   }
-  const std::string control = report->control.empty() ? "?" : report->control, rows = rows_in_words(report->rows);
-  if (!report->faults.empty())
-    return print(options, *report,
-                 told("damaged: control " + control + ", sound: " + rows, "повреждён: система " + control + ", цело: " + rows));
-  const std::string old = report->checked ? ""
-                                          : told("; of an older Kadr, without checksums: whether its values are true cannot be checked",
-                                                 "; от прежней версии Kadr, без контрольных сумм: верны ли значения, проверить нельзя");
-  return print(options, *report, told("sound: control " + control + ", " + rows, "исправен: система " + control + ", " + rows) + old);
+  const std::string control = report->control.empty() ? "?" : report->control, rows = counted(texts::state_command::rows, report->rows);
+  const auto heading = !report->faults.empty() ? texts::state_command::damaged
+                       : report->checked       ? texts::state_command::sound
+                                               : texts::state_command::sound_without_checksums;
+  return print(options, *report, translated(heading, control, rows));
 }
 
 int recover_file(const StateOptions& options) {
@@ -47,12 +41,9 @@ int recover_file(const StateOptions& options) {
     complain(report.error());
     return wrong_usage;
   }
-  const std::string rows = rows_in_words(report->rows);
-  const std::string heading =
-      report->faults.empty() ? told(rows + " written to " + to + ", nothing is lost", rows + " записано в " + to + ", ничего не потеряно")
-                             : told(rows + " written to " + to + "; what was wrong, and is not there:",
-                                    rows + " записано в " + to + "; что было неверно и не вошло:");
-  return print(options, *report, heading);
+  const std::string rows = counted(texts::state_command::rows, report->rows);
+  const auto heading = report->faults.empty() ? texts::state_command::all_recovered : texts::state_command::some_recovered;
+  return print(options, *report, translated(heading, rows, to));
 }
 
 }  // namespace

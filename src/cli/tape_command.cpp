@@ -1,5 +1,7 @@
 // kadr tape decode|encode: punched tape images and text.
 
+#include "texts/tape_command.h"
+
 #include <fmt/core.h>
 
 #include "cli/job/files.h"
@@ -17,29 +19,27 @@ namespace {
 
 constexpr std::size_t longest_tape = 256u << 20;  // bytes: 680 km of tape
 
-int decode(const TapeOptions& options, const std::string& rows, std::string& output, bool ru) {
+int decode(const TapeOptions& options, const std::string& rows, std::string& output, Lang lang) {
   const TapeReading read = read_tape(rows, tape_code_named(options.code));
   const bool lies = read.lie != TapeOrientation::right;
-  const Lang lang = ru ? Lang::ru : Lang::en;
-  if (lies)
-    complain(fmt::format(fmt::runtime(ru ? "{}: лента {}" : "{}: the tape was {}"), options.input, orientation_in_words(read.lie, lang)));
+  if (lies) complain(translated_in(lang, texts::tape_command::tape_was, options.input, orientation_in_words(read.lie, lang)));
   for (const TapeFault& fault : read.faults) complain(fmt::format("{}: {}", options.input, fault_in_words(fault, read.code, lang)));
   output = read.text;
   return read.faults.empty() && !lies ? ok : alarms;
 }
 
-int encode(const TapeOptions& options, const std::string& bytes, std::string& output, bool ru) {
+int encode(const TapeOptions& options, const std::string& bytes, std::string& output, Lang lang) {
   GivenEncoding said;
   if (!read_encoding(options.encoding, said)) {
-    complain(no_encoding(options.encoding, ru));
+    complain(no_encoding(options.encoding, lang));
     return wrong_usage;
   }
   const Encoding encoding = said.encoding ? *said.encoding : detect_encoding(bytes).value_or(Encoding::utf8);
   std::string text;
   if (!append_if_utf16(bytes, said, text))
     if (const Status decoded = append_utf8(bytes, encoding, text); !decoded) {
-      complain(fmt::format(fmt::runtime(ru ? "{}: байт {}: это не текст в кодировке {}" : "{}: byte {}: not text in {}"), options.input,
-                           decoded.error().where.begin + 1, name_of(encoding)));
+      complain(translated_in(lang, texts::tape_command::byte_not_in_encoding, options.input, decoded.error().where.begin + 1,
+                             name_of(encoding)));
       return alarms;
     }
   if (text.starts_with("\xEF\xBB\xBF")) text.erase(0, 3);  // a byte order mark is not a character of the tape
@@ -48,10 +48,8 @@ int encode(const TapeOptions& options, const std::string& bytes, std::string& ou
   const auto rows = encode_tape(text, options.leader, code);
   if (!rows) {
     const Span at = rows.error().where;
-    complain(
-        ru ? fmt::format("{}: символ '{}' (байт {}) не пробить в коде {}", options.input, text.substr(at.begin, at.end - at.begin),
-                         at.begin + 1, name)
-           : fmt::format("{}: '{}' (byte {}) has no {} code", options.input, text.substr(at.begin, at.end - at.begin), at.begin + 1, name));
+    const std::string character = text.substr(at.begin, at.end - at.begin);
+    complain(translated_in(lang, texts::tape_command::character_not_in_code, options.input, character, at.begin + 1, name));
     return alarms;
   }
   output = *rows;
@@ -71,7 +69,7 @@ int tape(const TapeOptions& options) {
   const auto bytes = read_all(options.input, longest_tape);
   if (!bytes) return wrong_usage;
   std::string output;
-  const int status = options.decode ? decode(options, *bytes, output, lang == Lang::ru) : encode(options, *bytes, output, lang == Lang::ru);
+  const int status = options.decode ? decode(options, *bytes, output, lang) : encode(options, *bytes, output, lang);
   if (output.empty() && status != ok) return status;
   if (!outputs.open()) return wrong_usage;
   write_data(outputs.stream("OUTPUT"), output);  // keep() reports whether all was written

@@ -8,9 +8,9 @@
 
 #include "cli/job/stop_signals.h"
 #include "cli/job/terminal.h"
-#include "config/language.h"
 #include "out/text/alarm_print.h"
 #include "out/text/in_force_text.h"
+#include "texts/job.h"
 
 namespace kadr::cli {
 namespace {
@@ -23,8 +23,8 @@ std::optional<std::uint32_t> count_in(std::string_view text) {
   return count;
 }
 
-std::nullopt_t wrong(const char* option, const std::string& text, const char* en, const char* ru) {
-  complain(fmt::format("{}: {}: {}", option, text, told(en, ru)));
+std::nullopt_t wrong(const char* option, const std::string& text, PlainText wanted) {
+  complain(fmt::format("{}: {}: {}", option, text, translated(wanted)));
   return std::nullopt;
 }
 
@@ -38,14 +38,13 @@ std::optional<Part> part_of(const Options& options) {
     const std::size_t colon = options.from.find(':');
     const auto line = count_in(std::string_view(options.from).substr(0, colon));
     const auto pass = colon == std::string::npos ? std::optional(1U) : count_in(std::string_view(options.from).substr(colon + 1));
-    if (!line || !pass)
-      return wrong("--from", options.from, "want LINE or LINE:PASS, both from 1 on", "нужно СТРОКА или СТРОКА:ПРОХОД, то и другое от 1");
+    if (!line || !pass) return wrong("--from", options.from, texts::job::line_or_pass_wanted);
     part.from.line = *line;
     part.from.pass = *pass;
   }
   if (!options.to.empty()) {
     const auto line = count_in(options.to);
-    if (!line) return wrong("--to", options.to, "want a LINE, from 1 on", "нужен номер СТРОКИ, от 1");
+    if (!line) return wrong("--to", options.to, texts::job::line_wanted);
     part.to = *line;
   }
   return part;
@@ -65,7 +64,7 @@ std::string place_text(const AlarmReport::Line& line) {
 
 std::optional<Exit> PartOfProgram::begin(Session& session, const Job& job) {
   if (session.channels().size() > 1 && (from_.line != 0 || to_ != 0)) {
-    complain(told("--from, --to: the program has several channels", "--from, --to: у УП несколько каналов"));
+    complain(translated(texts::job::part_of_several_channels));
     return wrong_usage;
   }
   stepping_ = std::make_unique<Stepping>(session);
@@ -81,22 +80,15 @@ std::optional<Exit> PartOfProgram::go_there(Session& session, const Job& job) {
   };
   const Session::State state = stepping_->go_to(from_);
   if (state == Session::State::held) {
-    const std::string begins = told("the run begins here, with", "прогон начинается здесь, действует");
-    say(fmt::format("{}\n{}:\n{}", place_text(stepping_->line()), begins, in_force_text(session.control().in_force(), job.lang)));
+    const std::string begins = translated(texts::job::run_begins_here);
+    say(fmt::format("{}\n{}\n{}", place_text(stepping_->line()), begins, in_force_text(session.control().in_force(), job.lang)));
     return std::nullopt;
   }
   const std::string place = fmt::format("{}:{}", job.file, from_.line);
   const std::uint32_t passes = stepping_->passes(from_.line);
-  if (state == Session::State::stopped)
-    complain(fmt::format(fmt::runtime(told("--from: {} is not reached: an alarm comes before", "--from: до {} УП не дошла: раньше ошибка")),
-                         place));
-  else if (passes == 0)
-    complain(fmt::format(fmt::runtime(told("--from: {} is not reached: no block there is carried out",
-                                           "--from: до {} УП не дошла: кадр там не отрабатывается")),
-                         place));
-  else
-    complain(fmt::format(fmt::runtime(told("--from: {} comes {} times, not {}", "--from: {} отрабатывается раз: {}, а не {}")), place,
-                         passes, from_.pass));
+  if (state == Session::State::stopped) complain(translated(texts::job::alarm_before_from, place));
+  else if (passes == 0) complain(translated(texts::job::no_block_at_from, place));
+  else complain(translated(texts::job::fewer_passes_of_from, place, passes, from_.pass));
   return state == Session::State::stopped ? alarms : wrong_usage;
 }
 

@@ -7,9 +7,9 @@
 #include <cerrno>
 
 #include "cli/options/options.h"
-#include "config/language.h"
 #include "config/read_file.h"
 #include "lang/text/text_spool.h"
+#include "texts/job.h"
 
 namespace kadr::cli {
 
@@ -25,7 +25,7 @@ std::optional<std::string> read_all(const std::string& name, std::size_t most) {
     return text.size() <= most;
   });
   if (is_whole) return text;
-  complain(told(fmt::format("{}: longer than {} MiB", name, most >> 20), fmt::format("{}: длиннее {} МиБ", name, most >> 20)));
+  complain(translated(texts::job::longer_than_mib, name, most >> 20));
   return std::nullopt;
 }
 

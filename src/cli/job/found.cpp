@@ -7,8 +7,8 @@
 #include <algorithm>
 
 #include "cli/job/terminal.h"
-#include "config/language.h"
 #include "out/text/source_line.h"
+#include "texts/job.h"
 
 namespace kadr::cli {
 namespace {
@@ -41,13 +41,11 @@ void Found::finish() {
     if (seen.more == 0) continue;
     const auto& [file, id] = which;
     const std::size_t named = std::min(seen.lines.size(), max_lines);
-    std::string lines;
-    if (named > 0)
-      lines = fmt::format("{}{}{}", told(", in lines ", ", в строках "),
-                          fmt::join(seen.lines.begin(), seen.lines.begin() + std::ptrdiff_t(named), ", "),
-                          seen.lines.size() > named ? ", …" : "");
-    print(fmt::format("{}: {}: {}{}\n", visible_name(file), name_of(id),
-                      told(fmt::format("{} more like the one above", seen.more), fmt::format("ещё таких же: {}", seen.more)), lines));
+    const std::string lines = fmt::format("{}{}", fmt::join(seen.lines.begin(), seen.lines.begin() + std::ptrdiff_t(named), ", "),
+                                          seen.lines.size() > named ? ", …" : "");
+    const std::string more =
+        named > 0 ? translated(texts::job::more_alike_in_lines, seen.more, lines) : translated(texts::job::more_alike, seen.more);
+    print(fmt::format("{}: {}: {}\n", visible_name(file), name_of(id), more));
   }
   repeated_.clear();
 }

@@ -8,9 +8,9 @@
 #include <filesystem>
 
 #include "config/control/remembered_control.h"
-#include "config/language.h"
 #include "config/program_names.h"
 #include "config/read_file.h"
+#include "texts/job.h"
 
 namespace kadr::cli {
 namespace {
@@ -22,28 +22,20 @@ GivenEncoding encoding_of(const Options& options) {
 }
 
 void say_guess(const Options& options, const std::string& file, const Guess& guess) {
-  const bool ru = language(options) == Lang::ru;
-  if (guess.control.empty())
-    return complain(
-        ru ? fmt::format("{}: УЧПУ неизвестно ({}); если это УП: --control", file, guess.reason_ru)
-           : fmt::format("{}: unknown, no program of a control that Kadr knows ({}); if it is one: --control", file, guess.reason_en));
+  const Lang lang = language(options);
+  const std::string& reason = lang == Lang::ru ? guess.reason_ru : guess.reason_en;
+  if (guess.control.empty()) return complain(translated_in(lang, texts::job::unknown_control, file, reason));
   if (options.guesses_silently) return;
-  if (guess.decisive)
-    return complain(ru ? fmt::format("{}: похоже на {} ({}); иначе: --control", file, guess.control, guess.reason_ru)
-                       : fmt::format("{}: looks like {} ({}); otherwise: --control", file, guess.control, guess.reason_en));
+  if (guess.decisive) return complain(translated_in(lang, texts::job::looks_like, file, guess.control, reason));
   const std::string next = guess.runner_up();
-  const std::string then = next.empty() ? "" : fmt::format(fmt::runtime(ru ? "; затем {}" : "; next comes {}"), next);
-  complain(ru ? fmt::format("{}: может быть, {}: догадка слабая, решающего признака нет ({}){}; иначе: --control", file, guess.control,
-                            guess.reason_ru, then)
-              : fmt::format("{}: perhaps {}: a weak guess, nothing decides ({}){}; otherwise: --control", file, guess.control,
-                            guess.reason_en, then));
+  complain(next.empty() ? translated_in(lang, texts::job::weak_guess, file, guess.control, reason)
+                        : translated_in(lang, texts::job::weak_guess_before, file, guess.control, reason, next));
 }
 
 /// Saves the control for --remember.
 bool remembers(const Options& options, const std::string& file) {
   const bool can = !options.control.empty() && file != "-";
-  const std::string error = can ? save_control_choice(options.control, file)
-                                : std::string(told("--remember: --control says what", "--remember: что запомнить, скажет --control"));
+  const std::string error = can ? save_control_choice(options.control, file) : translated(texts::job::nothing_to_remember);
   if (!error.empty()) complain(error);
   return error.empty();
 }
@@ -77,21 +69,13 @@ GuessedControls::GuessedControls(const Options& options, const std::vector<std::
       guesses_({[&options](const std::string& file) { return named_control(options, file); }, encoding_of(options)}, files) {}
 
 void GuessedControls::say(const std::string& file, const FolderGuess::Neighbours& neighbours) const {
-  const bool ru = language(options_) == Lang::ru;
+  const Lang lang = language(options_);
   const auto& [common, shown_by, reason_en, reason_ru] = neighbours;
-  if (!common.dialect.empty())
-    return complain(ru ? fmt::format("{}: УЧПУ неизвестно ({}, как и {}); если это УП: --control", file, reason_ru, shown_by)
-                       : fmt::format("{}: unknown, no program of a control that Kadr knows ({}, as in {}); if it is one: --control", file,
-                                     reason_en, shown_by));
+  const std::string& reason = lang == Lang::ru ? reason_ru : reason_en;
+  if (!common.dialect.empty()) return complain(translated_in(lang, texts::job::unknown_control_as_in, file, reason, shown_by));
   if (options_.guesses_silently) return;
-  if (shown_by.empty())
-    return complain(
-        ru ? fmt::format("{}: как и вся папка, может быть, {}: догадка слабая; иначе: --control", file, common.control)
-           : fmt::format("{}: perhaps {}, like its folder as a whole: a weak guess; otherwise: --control", file, common.control));
-  complain(ru ? fmt::format("{}: может быть, {}, как и {} ({}); своего решающего признака нет; иначе: --control", file, common.control,
-                            shown_by, reason_ru)
-              : fmt::format("{}: perhaps {}, as {} is ({}); nothing of its own decides; otherwise: --control", file, common.control,
-                            shown_by, reason_en));
+  if (shown_by.empty()) return complain(translated_in(lang, texts::job::like_its_folder, file, common.control));
+  complain(translated_in(lang, texts::job::like_its_neighbour, file, common.control, shown_by, reason));
 }
 
 /// True for a lathe program of a control that Kadr reads as a mill's; prints the reason.

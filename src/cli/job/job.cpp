@@ -15,6 +15,7 @@
 #include "config/control/control_file.h"
 #include "config/read_file.h"
 #include "lang/text/utf16.h"
+#include "texts/job.h"
 
 namespace kadr::cli {
 namespace {
@@ -85,9 +86,8 @@ std::string Job::place_of(const std::string& key) const {
   return line == 0 ? setup_file : fmt::format("{}:{}", setup_file, line);
 }
 
-std::string no_encoding(const std::string& name, bool ru) {
-  return fmt::format(fmt::runtime(ru ? "кодировки «{}» нет; есть: {}" : "no encoding '{}': {}"), name,
-                     "utf-8, cp1251, koi8-r, cp866, utf-16, utf-16le, utf-16be, iso7, eia");
+std::string no_encoding(const std::string& name, Lang lang) {
+  return translated_in(lang, texts::job::no_encoding, name, "utf-8, cp1251, koi8-r, cp866, utf-16, utf-16le, utf-16be, iso7, eia");
 }
 
 std::optional<Job> make_job(const Options& options, const std::string& file) {
@@ -118,7 +118,7 @@ std::optional<Job> make_job(const Options& options, const std::string& file, con
   job.setup.skip.insert(job.setup.skip.end(), options.skip.begin(), options.skip.end());
   job.setup.optional_stop = job.setup.optional_stop || options.optional_stop;
   if (!read_encoding(options.encoding, job.encoding)) {
-    complain(no_encoding(options.encoding, job.lang == Lang::ru));
+    complain(no_encoding(options.encoding, job.lang));
     return std::nullopt;
   }
   return job;
@@ -128,9 +128,10 @@ std::unique_ptr<Session> make_session(const Job& job, Program program, const Run
   auto session = Session::open({job.def, job.profile, job.setup, std::move(program), limits});
   if (session) return std::move(*session);
   const auto& [fault, number] = session.error();
-  const bool ru = job.lang == Lang::ru;
-  const std::string where = number != 0 ? fmt::format("{} {}: ", ru ? "канал" : "channel", number) : std::string();
-  complain(fmt::format("{}: {}{}", job.place_of(fault.key), where, ru ? fault.ru : fault.en));
+  const std::string sentence = job.lang == Lang::ru ? fault.ru : fault.en;
+  const std::string place = job.place_of(fault.key);
+  complain(number != 0 ? translated_in(job.lang, texts::job::fault_of_channel, place, number, sentence)
+                       : fmt::format("{}: {}", place, sentence));
   return nullptr;
 }
 

@@ -35,7 +35,7 @@ struct Job {
 };
 
 /// Returns the error message for an unknown encoding.
-std::string no_encoding(const std::string& name, bool ru);
+std::string no_encoding(const std::string& name, Lang lang);
 
 /// Loads the files that the options name; prints errors to stderr.
 ///   returns  nullopt if something is missing or wrong (exit status 2)

@@ -12,6 +12,7 @@
 #include "config/read_file.h"
 #include "lang/text/several_programs.h"
 #include "lang/text/utf16.h"
+#include "texts/job.h"
 
 namespace kadr::cli {
 namespace {
@@ -74,14 +75,11 @@ std::optional<Program> open_program(const Job& job) {
   if (job.program != 0) {
     index = program_numbered(contents, job.program);
     if (!index) {
-      complain(job.lang == Lang::ru ? fmt::format("{}: программы {} нет; есть: {}", job.file, job.program, numbers_of(contents))
-                                    : fmt::format("{}: no program {}; there are: {}", job.file, job.program, numbers_of(contents)));
+      complain(translated_in(job.lang, texts::job::no_program_on_tape, job.file, job.program, numbers_of(contents)));
       return std::nullopt;
     }
   } else if (contents.programs.size() > 1 && !index) {
-    complain(job.lang == Lang::ru
-                 ? fmt::format("{}: на ленте программы {}; отрабатывается первая, иначе: --program", job.file, numbers_of(contents))
-                 : fmt::format("{}: holds the programs {}; the first is run, otherwise: --program", job.file, numbers_of(contents)));
+    complain(translated_in(job.lang, texts::job::several_programs_on_tape, job.file, numbers_of(contents)));
     index = 0;
   }
   if (index && *index < contents.programs.size()) program.source = only_program(text.source, contents, *index, encoding_of(text));

@@ -12,8 +12,8 @@
 #include <cstring>
 
 #include "cli/options/options.h"
-#include "config/language.h"
 #include "config/read_file.h"
+#include "texts/outputs.h"
 
 namespace kadr::cli {
 namespace {
@@ -36,7 +36,7 @@ FileSet set_of(const std::string& name, int stream) {
 
 bool came_out() {
   const int error = error_of(stdout);
-  if (error != 0) complain_of_writing(told("standard output", "стандартный вывод"), error);
+  if (error != 0) complain_of_writing(translated(texts::outputs::standard_output), error);
   return error == 0;
 }
 
@@ -51,8 +51,8 @@ void Outputs::writes(const std::string& option, const std::string& name, Opened 
     for (const char* const log : {"-wal", "-shm", "-journal"}) reads(name + log);
 }
 
-std::string Outputs::clash(const Output& output, const char* en, const char* ru, const std::string& other) const {
-  return fmt::format("{} {}: {} {}", output.option, output.name, lang_ == Lang::ru ? ru : en, other);
+std::string Outputs::clash(const Output& output, TextId<3> sentence, const std::string& other) const {
+  return translated_in(lang_, sentence, output.option, output.name, other);
 }
 
 /// Returns the reason why the output cannot be written; empty if it can.
@@ -67,15 +67,15 @@ std::string Outputs::fault_of(std::size_t index) const {
     const Output& other = outputs_[i];
     const bool both_standard = output.name == "-" && other.name == "-";
     if (both_standard || same(output.name, other.name, STDOUT_FILENO))
-      return clash(output, "the same file as", "тот же файл, что и", fmt::format("{} {}", other.option, other.name));
+      return clash(output, texts::outputs::same_file, fmt::format("{} {}", other.option, other.name));
   }
   for (const std::string& input : inputs_) {
     if (output.name == "-" || (input != "-" && is_device(input))) continue;
-    if (same(output.name, input, STDIN_FILENO)) return clash(output, "would be written over the input", "затёр бы исходный файл", input);
+    if (same(output.name, input, STDIN_FILENO)) return clash(output, texts::outputs::over_input, input);
   }
   // Standard output goes to the same file: the summary and this output would overwrite each other.
   if (output.name != "-" && !is_device("/dev/stdout") && same(output.name, "-", STDOUT_FILENO))
-    return clash(output, "is what standard output goes to; write", "туда идёт стандартный вывод; укажите", output.option + " -");
+    return clash(output, texts::outputs::standard_output_goes_there, output.option + " -");
   return {};
 }
 
@@ -129,7 +129,7 @@ bool Outputs::keep(const std::vector<std::string>& read) {
   for (const std::string& input : read)
     for (const Output& output : outputs_) {
       if (output.name == "-" || is_device(output.name) || !set_of(output.name, STDOUT_FILENO).has(input)) continue;
-      complain(clash(output, "would be written over the called file", "затёр бы вызванный файл", input));
+      complain(clash(output, texts::outputs::over_called_file, input));
       return false;
     }
   for (Output& output : outputs_) {

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "base/file_id.h"
-#include "config/alarm_texts.h"
+#include "config/texts.h"
 #include "out/trace/result_file.h"
 
 namespace kadr::cli {
@@ -49,7 +49,8 @@ class Outputs {
     std::optional<ResultFile> file;
   };
   std::string fault_of(std::size_t index) const;
-  std::string clash(const Output& output, const char* en, const char* ru, const std::string& other) const;
+  /// Returns the sentence with the option of the output, its name, and the other file.
+  std::string clash(const Output& output, TextId<3> sentence, const std::string& other) const;
 
   Lang lang_;
   std::vector<std::string> inputs_;

@@ -9,8 +9,8 @@
 #include <string>
 
 #include "cli/job/terminal.h"
-#include "config/language.h"
 #include "out/text/source_line.h"
+#include "texts/job.h"
 
 namespace kadr::cli {
 namespace {
@@ -34,8 +34,7 @@ bool Progress::is_due() const {
 
 void Progress::show(const Control& control) {
   if (control.bytes() == 0) return;
-  show(static_cast<double>(control.bytes_read()) / static_cast<double>(control.bytes()),
-       told(fmt::format("{} blocks", control.blocks()), count_in_russian(control.blocks(), "кадр", "кадра", "кадров")));
+  show(static_cast<double>(control.bytes_read()) / static_cast<double>(control.bytes()), counted(texts::job::blocks, control.blocks()));
 }
 
 void Progress::show(double part, const std::string& what) {

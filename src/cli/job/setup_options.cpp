@@ -11,6 +11,7 @@
 
 #include "base/ascii.h"
 #include "config/setup/setup_names.h"
+#include "texts/job.h"
 
 namespace kadr::cli {
 namespace {
@@ -107,29 +108,18 @@ std::optional<Json> corrector(const std::string& text) {
   return Json{{"correctors", {{number, *mm}}}};
 }
 
-std::string not_understood(const char* option, const std::string& text, Lang lang) {
-  const std::string_view name = option;
-  const bool ru = lang == Lang::ru;
-  const char* const form = name == "--tool" ? (ru ? "НОМЕР:r8,l100 (r радиус, l вылет, rw и lw износ, мм; каждый один раз)"
-                                                  : "NUMBER:r8,l100 (r radius, l length, rw and lw wear, mm; each once)")
-                           : name == "--zero" ? (ru ? "G54=X-400,Y-250,Z-300 или НОМЕР=X… (мм, градусы; каждая ось один раз)"
-                                                    : "G54=X-400,Y-250,Z-300, or NUMBER=X… (mm, degrees; each axis once)")
-                                              : (ru ? "НОМЕР=-0.35 (мм)" : "NUMBER=-0.35 (mm)");
-  return ru ? fmt::format("{} {}: нужно {}", option, text, form) : fmt::format("{} {}: want {}", option, text, form);
-}
-
 }  // namespace
 
 tl::expected<std::vector<SetupSource>, std::string> setup_of_options(const Options& options, const ControlDef& def, Lang lang) {
   std::vector<SetupSource> sources;
   std::string wrong;
-  const auto add = [&](const char* option, const std::string& text, const std::optional<Json>& json) {
-    if (!json && wrong.empty()) wrong = not_understood(option, text, lang);
+  const auto add = [&](const char* option, TextId<1> form_wanted, const std::string& text, const std::optional<Json>& json) {
+    if (!json && wrong.empty()) wrong = translated_in(lang, form_wanted, text);
     if (json) sources.push_back({fmt::format("{} {}", option, text), json->dump()});
   };
-  for (const std::string& text : options.tools) add("--tool", text, tool(text));
-  for (const std::string& text : options.zeros) add("--zero", text, zero(text, def));
-  for (const std::string& text : options.correctors) add("--corrector", text, corrector(text));
+  for (const std::string& text : options.tools) add("--tool", texts::job::tool_form_wanted, text, tool(text));
+  for (const std::string& text : options.zeros) add("--zero", texts::job::zero_form_wanted, text, zero(text, def));
+  for (const std::string& text : options.correctors) add("--corrector", texts::job::corrector_form_wanted, text, corrector(text));
   if (!wrong.empty()) return tl::unexpected(wrong);
   return sources;
 }

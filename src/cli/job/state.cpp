@@ -5,8 +5,8 @@
 #include <fmt/core.h>
 
 #include "cli/options/options.h"
-#include "config/language.h"
 #include "config/state/state_check.h"
+#include "texts/job.h"
 
 namespace kadr::cli {
 namespace {
@@ -21,8 +21,7 @@ void under(Map& to, const Map& stored) {
 
 std::optional<StateFile> open_state(const std::string& path, Job& job) {
   if (!job.def->machine_axes()) {
-    complain(told(fmt::format("--state: the control {} keeps no state", job.def->id),
-                  fmt::format("--state: система {} состояния не хранит", job.def->id)));
+    complain(translated(texts::job::control_keeps_no_state, job.def->id));
     return std::nullopt;
   }
   const bool unchecked = state_is_unchecked(path);
@@ -41,10 +40,7 @@ std::optional<StateFile> open_state(const std::string& path, Job& job) {
     complain(fmt::format("{}: {}", path, tables.error()));
     return std::nullopt;
   }
-  if (unchecked)
-    complain(path + ": " +
-             told("written by an older Kadr, without checksums; the first save adds them",
-                  "записан прежней версией Kadr, без контрольных сумм; они добавятся при первой записи"));
+  if (unchecked) complain(translated(texts::job::state_without_checksums, path));
   Setup& setup = job.setup;
   for (const auto& [number, row] : tables->offsets)
     for (const char* const what : {"length", "radius"}) job.stated.insert(fmt::format("offsets.{}.{}", number, what));

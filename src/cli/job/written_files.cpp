@@ -10,6 +10,7 @@
 
 #include "cli/job/terminal.h"
 #include "config/read_file.h"
+#include "texts/job.h"
 
 namespace kadr::cli {
 
@@ -27,14 +28,13 @@ void print_unwritten(const Options& options, const std::vector<Channel>& channel
   for (const Channel& channel : channels)
     for (const auto& [path, bytes] : channel.control->files_written()) files[path] += bytes;
   if (files.empty()) return;
-  const bool ru = language(options) == Lang::ru;
-  complain(ru ? "УП записала бы файлы (с --files ПАПКА запишет их туда):"
-              : "the program would write files (with --files DIR it writes them there):");
+  const Lang lang = language(options);
+  complain(translated_in(lang, texts::job::would_write_files));
   constexpr std::size_t max_shown = 20;
   std::size_t shown = 0;
   for (const auto& [path, bytes] : files) {
     if (++shown > max_shown) break;
-    say(fmt::format("  {:<30} {} {}\n", path, bytes, ru ? "байт" : bytes == 1 ? "byte" : "bytes"));
+    say(fmt::format("  {:<30} {}\n", path, counted_in(lang, texts::job::bytes, bytes)));
   }
   if (files.size() > max_shown) say(fmt::format("  … {}\n", files.size()));
 }

@@ -6,78 +6,56 @@
 #include "cli/options/command_parts.h"
 #include "cli/options/help_text.h"
 #include "cli/options/option_values.h"
-#include "config/language.h"
+#include "texts/mill_options.h"
 
 namespace kadr::cli {
 namespace {
 
 CLI::Option* millimetres(CLI::Option* option) { return number(option, "MM", "ММ"); }
-CLI::Option* degrees(CLI::Option* option) { return number(option, "DEG", "ГРАД"); }
-CLI::Option* feed(CLI::Option* option) { return number(option, "MM/MIN", "ММ/МИН"); }
+CLI::Option* degrees(CLI::Option* option) { return number(option, translated(texts::mill_options::degrees)); }
+CLI::Option* feed(CLI::Option* option) { return number(option, translated(texts::mill_options::mm_per_minute)); }
 
 /// Options: what is milled, and how deep.
 void zone_options(CLI::App& app, MillOptions& o) {
-  app.add_option(told("CONTOUR", "КОНТУР"), o.contour,
-                 told("drawing: DXF, SVG or text (- for standard input)", "чертёж: DXF, SVG или текст (- стандартный ввод)"))
-      ->required();
-  millimetres(app.add_option("--tool-diameter", o.tool_diameter, told("diameter of the tool", "диаметр фрезы")))->required();
-  millimetres(app.add_option("--depth", o.depth, told("below the top", "глубина от верха материала")))->required();
-  millimetres(app.add_option("--pass", o.pass,
-                             told("depth of a layer at most (default: all at once)", "наибольшая глубина слоя (по умолчанию — за один)")));
-  millimetres(app.add_option("--allowance", o.allowance, told("left on walls", "припуск на стенках")))->capture_default_str();
-  millimetres(app.add_option("--top", o.top, told("Z of the material", "уровень верха материала по Z")))->capture_default_str();
+  app.add_option(translated(texts::mill_options::contour_name), o.contour, translated(texts::mill_options::contour))->required();
+  millimetres(app.add_option("--tool-diameter", o.tool_diameter, translated(texts::mill_options::tool_diameter)))->required();
+  millimetres(app.add_option("--depth", o.depth, translated(texts::mill_options::depth)))->required();
+  millimetres(app.add_option("--pass", o.pass, translated(texts::mill_options::pass)));
+  millimetres(app.add_option("--allowance", o.allowance, translated(texts::mill_options::allowance)))->capture_default_str();
+  millimetres(app.add_option("--top", o.top, translated(texts::mill_options::top)))->capture_default_str();
 }
 
 /// Options: how the zone is covered.
 void scheme_options(CLI::App& app, MillOptions& o) {
-  known_by(app.add_option(
-               "--scheme", o.scheme,
-               told("zigzag 1zigzag 2zigzag spiral-out spiral-in comb 1comb 2comb, or ЗИГЗАГ СПИР АСПИР ШТИП …",
-                    "ЗИГЗАГ, «1 ЗИГЗАГ», «2 ЗИГЗАГ», СПИР, АСПИР, ШТИП, «1 ШТИП», «2 ШТИП», также «СПИР ПЧС»; или zigzag, spiral-out …")),
-           "SCHEME", "СХЕМА", is_scheme, scheme_names());
-  known_by(app.add_option("--direction", o.direction,
-                          told("of going round: ccw or cw (default: climb milling)",
-                               "направление обхода: ПЧС (ccw) или ЧС (cw); по умолчанию попутное фрезерование")),
-           "ccw|cw", "ПЧС|ЧС", is_direction, direction_names());
-  takes(app.add_option("--stepover", o.stepover,
-                       told("mm, or % of the diameter (default: 50%, face 70%)",
-                            "шаг между проходами, мм или % диаметра (по умолчанию 50%, для face 70%)")),
-        "MM|N%", "ММ|N%");
-  known_by(app.add_option("--plunge", o.plunge,
-                          told("how the tool goes down: hole, tangential or ramp (ЗАСВ, КАС, СПУСК)",
-                               "врезание: ЗАСВ (hole), КАС (tangential) или СПУСК (ramp)")),
-           "hole|tangential|ramp", "ЗАСВ|КАС|СПУСК", is_plunge, plunge_names())
+  known_by(app.add_option("--scheme", o.scheme, translated(texts::mill_options::scheme)), translated(texts::mill_options::scheme_name),
+           is_scheme, scheme_names());
+  known_by(app.add_option("--direction", o.direction, translated(texts::mill_options::direction)),
+           translated(texts::mill_options::direction_names), is_direction, direction_names());
+  takes(app.add_option("--stepover", o.stepover, translated(texts::mill_options::stepover)),
+        translated(texts::mill_options::mm_or_percent));
+  known_by(app.add_option("--plunge", o.plunge, translated(texts::mill_options::plunge)), translated(texts::mill_options::plunge_names),
+           is_plunge, plunge_names())
       ->capture_default_str();
-  number(app.add_option("--hole", o.hole,
-                        told("of the hole drilled before (default: named by Kadr)",
-                             "заранее засверленное отверстие (по умолчанию точку называет Kadr)")),
-         "X Y", "X Y")
-      ->expected(2);
-  degrees(app.add_option("--ramp-angle", o.ramp_angle, told("of the ramp", "наклон спуска")))->capture_default_str();
-  millimetres(app.add_option("--clearance", o.clearance, told("above the top: free way", "высота над материалом, где путь свободен")))
-      ->capture_default_str();
-  millimetres(app.add_option("--overrun", o.overrun, told("of the tool beyond open sides", "выход фрезы за открытые стороны")))
-      ->capture_default_str();
-  degrees(app.add_option("--angle", o.angle, told("of the rows to X", "угол строк к оси X")))->capture_default_str();
+  number(app.add_option("--hole", o.hole, translated(texts::mill_options::hole)), "X Y", "X Y")->expected(2);
+  degrees(app.add_option("--ramp-angle", o.ramp_angle, translated(texts::mill_options::ramp_angle)))->capture_default_str();
+  millimetres(app.add_option("--clearance", o.clearance, translated(texts::mill_options::clearance)))->capture_default_str();
+  millimetres(app.add_option("--overrun", o.overrun, translated(texts::mill_options::overrun)))->capture_default_str();
+  degrees(app.add_option("--angle", o.angle, translated(texts::mill_options::angle)))->capture_default_str();
 }
 
 void technology_options(CLI::App& app, MillOptions& o) {
-  feed(app.add_option("--feed", o.feed, told("working feed", "рабочая подача")))->capture_default_str();
-  feed(app.add_option("--plunge-feed", o.plunge_feed, told("default: a third of the feed", "подача врезания; по умолчанию треть рабочей")));
-  number(app.add_option("--speed", o.speed,
-                        told("of the spindle (default: not written)", "частота вращения шпинделя (по умолчанию не пишется)")),
-         "REV/MIN", "ОБ/МИН");
-  whole_number(
-      app.add_option("--tool", o.tool, told("number of the tool (default: not called)", "номер инструмента (по умолчанию не вызывается)")),
-      0, std::numeric_limits<std::uint32_t>::max());
-  app.add_flag("--coolant", o.coolant, told("switch the coolant on and off", "включать и выключать охлаждение"));
+  feed(app.add_option("--feed", o.feed, translated(texts::mill_options::feed)))->capture_default_str();
+  feed(app.add_option("--plunge-feed", o.plunge_feed, translated(texts::mill_options::plunge_feed)));
+  number(app.add_option("--speed", o.speed, translated(texts::mill_options::speed)),
+         translated(texts::mill_options::revolutions_per_minute));
+  whole_number(app.add_option("--tool", o.tool, translated(texts::mill_options::tool)), 0, std::numeric_limits<std::uint32_t>::max());
+  app.add_flag("--coolant", o.coolant, translated(texts::mill_options::coolant));
 }
 
 void output_options(CLI::App& app, MillOptions& o) {
-  one_of(app.add_option("--mark", o.mark, told("end of block written out", "записываемый конец кадра")), {"ПС", "LF"});
-  writes_file(app.add_option("--output", o.output, told("the program (default: standard output)", "УП (по умолчанию стандартный вывод)")));
-  writes_file(app.add_option("--plot", o.plot,
-                             told("draw contour and path: a file .svg or .png", "чертёж контура и траектории: файл .svg или .png")));
+  one_of(app.add_option("--mark", o.mark, translated(texts::mill_options::mark)), {"ПС", "LF"});
+  writes_file(app.add_option("--output", o.output, translated(texts::mill_options::output)));
+  writes_file(app.add_option("--plot", o.plot, translated(texts::mill_options::plot)));
   quiet_option(app, o.quiet);
   language_option(app, o.lang);
 }
@@ -86,10 +64,7 @@ void add_task(CLI::App& mill, Commands& c, const char* name, const std::string& 
   CLI::App* const task = mill.add_subcommand(name, what);
   MillOptions& o = c.mill;
   zone_options(*task, o);
-  if (std::string_view(name) == "slot")
-    millimetres(
-        task->add_option("--width", o.width,
-                         told("of the slot along a line (default: that of the tool)", "ширина паза вдоль линии (по умолчанию по фрезе)")));
+  if (std::string_view(name) == "slot") millimetres(task->add_option("--width", o.width, translated(texts::mill_options::width)));
   control_option(*task, o.control);
   scheme_options(*task, o);
   technology_options(*task, o);
@@ -100,15 +75,12 @@ void add_task(CLI::App& mill, Commands& c, const char* name, const std::string& 
 }  // namespace
 
 void add_mill(CLI::App& app, Commands& c) {
-  CLI::App* const mill = app.add_subcommand("mill", told("make a program that mills an area", "составить УП фрезерования зоны"));
+  CLI::App* const mill = app.add_subcommand("mill", translated(texts::mill_options::mill));
   mill->require_subcommand(1);
   language_option(*mill, c.mill.lang);
-  add_task(*mill, c, "pocket",
-           told("a zone within walls, with islands; open sides where the drawing says so",
-                "карман: зона в стенках, с островками; открытые стороны — где указано на чертеже"));
-  add_task(*mill, c, "face",
-           told("a zone without walls: the tool runs over its edges", "плоскость: зона без стенок, фреза выходит за края"));
-  add_task(*mill, c, "slot", told("along a line, or a pocket in the shape of a slot", "паз: вдоль линии или карман в форме паза"));
+  add_task(*mill, c, "pocket", translated(texts::mill_options::pocket));
+  add_task(*mill, c, "face", translated(texts::mill_options::face));
+  add_task(*mill, c, "slot", translated(texts::mill_options::slot));
   mill->footer(mill_examples());
 }
 

@@ -13,6 +13,7 @@
 #include "config/machine/machine_profile.h"
 #include "config/nearest.h"
 #include "lang/text/utf16.h"
+#include "texts/option_values.h"
 
 namespace kadr::cli {
 namespace {
@@ -24,9 +25,7 @@ std::string joined(const std::vector<std::string>& words, const char* between) {
 }
 
 std::string none_of(const std::string& word, const std::vector<std::string>& words) {
-  return told(fmt::format("'{}' is none of {}", word, joined(words, ", ")),
-              fmt::format("значения «{}» нет, есть: {}", word, joined(words, ", "))) +
-         did_you_mean(word, words);
+  return translated(texts::option_values::none_of, word, joined(words, ", ")) + did_you_mean(word, words);
 }
 
 /// Accepts one of the words in any case, and replaces it by the word as listed.
@@ -56,15 +55,16 @@ CLI::Option* id_of(CLI::Option* option, std::vector<std::string> (*ids)(), std::
     }
     return std::string();
   };
-  return takes(option, "ID", "ОБОЗНАЧЕНИЕ")->transform(CLI::Validator(find, ""));
+  return takes(option, translated(texts::option_values::id))->transform(CLI::Validator(find, ""));
 }
 
-/// Returns "from 1 to 9" or "not less than 0"; empty if there are no limits.
-std::string limits_in_words(double least, double most) {
+/// The message for a word that is not a number within the limits.
+std::string number_wanted(const std::string& word, bool whole, double least, double most) {
+  namespace wanted = texts::option_values;
   const auto text = [](double n) { return std::abs(n) < 1e15 ? fmt::format("{:.15g}", n) : fmt::format("{}", n); };
-  if (std::isinf(least) && std::isinf(most)) return {};
-  if (std::isinf(most)) return told(" not less than " + text(least), " не меньше " + text(least));
-  return told(fmt::format(" from {} to {}", text(least), text(most)), fmt::format(" от {} до {}", text(least), text(most)));
+  if (std::isinf(least) && std::isinf(most)) return translated(whole ? wanted::whole_number : wanted::number, word);
+  if (std::isinf(most)) return translated(whole ? wanted::whole_number_from : wanted::number_from, word, text(least));
+  return translated(whole ? wanted::whole_number_between : wanted::number_between, word, text(least), text(most));
 }
 
 CLI::Option* limited(CLI::Option* option, bool whole, double least, double most) {
@@ -74,15 +74,15 @@ CLI::Option* limited(CLI::Option* option, bool whole, double least, double most)
     const bool is_one = end != word.c_str() && *end == '\0' && !std::isnan(value) &&
                         (!whole || word.find_first_not_of("+-0123456789") == std::string::npos);
     if (is_one && value >= least && value <= most) return std::string();
-    return told(fmt::format("'{}': a {}number{} is wanted", word, whole ? "whole " : "", limits_in_words(least, most)),
-                fmt::format("«{}»: нужно {}число{}", word, whole ? "целое " : "", limits_in_words(least, most)));
+    return number_wanted(word, whole, least, most);
   };
   return option->check(CLI::Validator(check, ""));
 }
 
 }  // namespace
 
-CLI::Option* takes(CLI::Option* option, const char* en, const char* ru) { return option->type_name(told(en, ru)); }
+CLI::Option* takes(CLI::Option* option, const std::string& name) { return option->type_name(name); }
+CLI::Option* takes(CLI::Option* option, const char* en, const char* ru) { return takes(option, told(en, ru)); }
 CLI::Option* takes_file(CLI::Option* option) { return takes(option, "FILE", "ФАЙЛ"); }
 
 CLI::Option* writes_file(CLI::Option* option) {
@@ -92,12 +92,8 @@ CLI::Option* writes_file(CLI::Option* option) {
     const bool is_word = std::any_of(words_for_none.begin(), words_for_none.end(), means);
     const bool is_option = name.size() > 1 && name.front() == '-';
     if (!is_word && !is_option) return std::string();
-    const std::string first = is_word ? told(fmt::format("without {} no such file is written", option->get_name()),
-                                             fmt::format("без {} такой файл не пишется", option->get_name()))
-                                      : told("that is how an option begins", "так начинается параметр");
-    return told(
-        fmt::format("'{}' is the name of a file to be written, and {}; if a file shall have this name, write ./{}", name, first, name),
-        fmt::format("«{}» — имя файла для записи, а {}; если файл должен называться так, укажите ./{}", name, first, name));
+    if (is_word) return translated(texts::option_values::no_file_without_option, name, option->get_name());
+    return translated(texts::option_values::file_named_like_option, name);
   };
   return takes_file(option)->check(CLI::Validator(check, ""));
 }
@@ -106,16 +102,25 @@ CLI::Option* one_of(CLI::Option* option, const std::vector<std::string>& words) 
   return option->type_name(joined(words, "|"))->transform(among(words));
 }
 
-CLI::Option* known_by(CLI::Option* option, const char* en, const char* ru, bool (*knows)(std::string_view),
+CLI::Option* known_by(CLI::Option* option, const std::string& name, bool (*knows)(std::string_view),
                       const std::vector<std::string>& words) {
   const auto check = [=](std::string& word) { return knows(word) ? std::string() : none_of(word, words); };
-  return takes(option, en, ru)->check(CLI::Validator(check, ""));
+  return takes(option, name)->check(CLI::Validator(check, ""));
+}
+
+CLI::Option* known_by(CLI::Option* option, const char* en, const char* ru, bool (*knows)(std::string_view),
+                      const std::vector<std::string>& words) {
+  return known_by(option, told(en, ru), knows, words);
 }
 
 bool takes_nothing(const CLI::Option& option) { return option.get_items_expected_max() == 0; }
 
+CLI::Option* number(CLI::Option* option, const std::string& name, double least, double most) {
+  return limited(takes(option, name), false, least, most);
+}
+
 CLI::Option* number(CLI::Option* option, const char* en, const char* ru, double least, double most) {
-  return limited(takes(option, en, ru), false, least, most);
+  return number(option, told(en, ru), least, most);
 }
 
 CLI::Option* whole_number(CLI::Option* option, double least, double most) { return limited(takes(option, "N", "N"), true, least, most); }
@@ -128,11 +133,12 @@ CLI::Option* encoding(CLI::Option* option) {
     GivenEncoding said;
     return read_encoding(word, said);
   };
-  return known_by(option, "NAME", "КОДИРОВКА", knows, encodings());
+  return known_by(option, translated(texts::option_values::encoding_name), knows, encodings());
 }
 
 CLI::Option* written_letters(CLI::Option* option) {
-  return known_by(option, "NAME", "КОДИРОВКА", [](std::string_view word) { return written_letters_named(word).has_value(); },
+  return known_by(option, translated(texts::option_values::encoding_name),
+                  [](std::string_view word) { return written_letters_named(word).has_value(); },
                   {"ascii", "utf-8", "cp1251", "koi8-r", "cp866", "iso7", "eia"});
 }
 

@@ -5,18 +5,15 @@
 #include "cli/options/command_parts.h"
 #include "cli/options/help_text.h"
 #include "cli/options/option_values.h"
-#include "config/language.h"
+#include "texts/report_options.h"
 
 namespace kadr::cli {
 
 void add_report(CLI::App& app, Commands& c) {
   ReportOptions& o = c.report;
-  CLI::App* const report = app.add_subcommand(
-      "report",
-      told("write a report: path, times, tools, alarms, set-up sheet in one page that opens without a server",
-           "записать отчёт: траектория, время, инструменты, ошибки, карта наладки — одна страница, которая открывается без сервера"));
+  CLI::App* const report = app.add_subcommand("report", translated(texts::report_options::report));
   program_argument(*report, o.cut.run);
-  writes_file(report->add_option("--out", o.out, told("the report: a file .html", "отчёт: файл .html"))->required());
+  writes_file(report->add_option("--out", o.out, translated(texts::report_options::out))->required());
   const auto [stock, tools] = blank_options(*report, o.cut);
   stock->needs(tools);
   cell_option(*report, o.cut);

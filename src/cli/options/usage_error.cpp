@@ -10,9 +10,9 @@
 
 #include "cli/options/help_text.h"
 #include "cli/options/option_values.h"
-#include "config/language.h"
 #include "config/nearest.h"
 #include "out/text/source_line.h"
+#include "texts/usage.h"
 
 namespace kadr::cli {
 namespace {
@@ -40,8 +40,8 @@ std::vector<std::string> options_of(const CLI::App& app) {
 std::string no_command(const CLI::App& app, const std::string& word) {
   const auto names = commands_of(app);
   const std::string meant = did_you_mean(word, names);
-  return told("no command '" + word + "'", "команды «" + word + "» нет") +
-         (meant.empty() ? fmt::format("{}{}", told("; there are: ", "; есть: "), fmt::join(names, ", ")) : meant);
+  if (!meant.empty()) return translated(texts::usage::no_command, word) + meant;
+  return translated(texts::usage::no_command_among, word, fmt::format("{}", fmt::join(names, ", ")));
 }
 
 /// Returns the message for the first argument that nothing accepts. Options come first, since the value of an unknown option is left over
@@ -52,23 +52,20 @@ std::optional<std::string> left_over(const CLI::App& app, const CLI::App& comman
   const auto option = std::find_if(words.begin(), words.end(), is_option);
   if (option != words.end()) {
     const std::string name = option->substr(0, option->find('='));
-    return told("no option '" + name + "' of " + whole_name(command), "у " + whole_name(command) + " нет ключа «" + name + "»") +
-           did_you_mean(name, options_of(command));
+    return translated(texts::usage::no_option, name, whole_name(command)) + did_you_mean(name, options_of(command));
   }
   const auto word = std::find_if(words.begin(), words.end(), [](const std::string& w) { return w != "--"; });
   if (word == words.end()) return std::nullopt;
   if (!commands_of(command).empty()) return no_command(command, *word);
-  return told("'" + *word + "' is too many: " + whole_name(command) + " takes no more",
-              "«" + *word + "» — лишнее: " + whole_name(command) + " столько не берёт");
+  return translated(texts::usage::too_many_arguments, *word, whole_name(command));
 }
 
 /// The message for a required option or command that is missing.
 std::string missing(const CLI::App& command) {
   for (const CLI::Option* const option : command.get_options({}))
     if (option->get_required() && option->count() == 0)
-      return told(option->get_name() + " is missing: ", "не указано " + option->get_name() + ": ") + option->get_description();
-  return fmt::format("{}{}", told("a command is missing; there are: ", "не указана команда; есть: "),
-                     fmt::join(commands_of(command), ", "));
+      return translated(texts::usage::option_missing, option->get_name(), option->get_description());
+  return translated(texts::usage::command_missing, fmt::format("{}", fmt::join(commands_of(command), ", ")));
 }
 
 /// Returns the option that CLI11's message is about: the message names it at the beginning, or after the first ": ".
@@ -89,14 +86,11 @@ std::string wrong_count(const CLI::App& command, const std::string& sentence) {
   const CLI::Option* const option = option_of(command, sentence);
   if (option == nullptr) return sentence;
   const std::string name = option->get_name();
-  if (takes_nothing(*option)) return told(name + " takes no value", name + ": значения не имеет");
+  if (takes_nothing(*option)) return translated(texts::usage::takes_no_value, name);
   const int wanted = option->get_items_expected_min();
-  if (static_cast<int>(option->count()) > std::max(wanted, 1))
-    return told(name + " is given more than once", name + ": указано больше одного раза");
-  if (wanted > 1)
-    return told(fmt::format("{} wants {} values: ", name, wanted), fmt::format("{}: нужно значений: {}: ", name, wanted)) +
-           option->get_description();
-  return told(name + ": a value is missing: ", name + ": нет значения: ") + option->get_type_name();
+  if (static_cast<int>(option->count()) > std::max(wanted, 1)) return translated(texts::usage::given_more_than_once, name);
+  if (wanted > 1) return translated(texts::usage::several_values_wanted, name, wanted, option->get_description());
+  return translated(texts::usage::value_missing, name, option->get_type_name());
 }
 
 std::string sentence_of(const CLI::App& app, const CLI::App& command, const CLI::ParseError& error) {
@@ -113,8 +107,8 @@ std::string sentence_of(const CLI::App& app, const CLI::App& command, const CLI:
 
 std::string usage_error(const CLI::App& app, const CLI::ParseError& error) {
   const CLI::App& command = called(app);
-  const std::string help = whole_name(command) + " --help";
-  return fmt::format("kadr: {}\n{}\n", visible(sentence_of(app, command, error)), told("Help: " + help, "Справка: " + help));
+  const std::string help = translated(texts::usage::help, whole_name(command) + " --help");
+  return fmt::format("kadr: {}\n{}\n", visible(sentence_of(app, command, error)), help);
 }
 
 }  // namespace kadr::cli
