@@ -20,39 +20,54 @@
 namespace kadr {
 namespace {
 
-namespace ids = texts::explain_cycle;
+namespace cycle_ids = texts::explain_cycle;
 
 // Texts in the order of the enum CycleStep.
 constexpr std::array<PlainText, static_cast<std::size_t>(CycleStep::count)> step_texts = {
-    ids::feed_to_bottom,   ids::rapid_to_bottom,   ids::rapid_back,       ids::feed_back,          ids::dwell,      ids::spindle_stop,
-    ids::spindle_reversed, ids::spindle_as_before, ids::spindle_oriented, ids::operator_goes_on,   ids::full_pecks, ids::short_pecks,
-    ids::aside_in_plane,   ids::back_over_hole,    ids::up_to_k,          ids::passes_by_parameter};
+    cycle_ids::feed_to_bottom,
+    cycle_ids::rapid_to_bottom,
+    cycle_ids::rapid_back,
+    cycle_ids::feed_back,
+    cycle_ids::dwell,
+    cycle_ids::spindle_stop,
+    cycle_ids::spindle_reversed,
+    cycle_ids::spindle_as_before,
+    cycle_ids::spindle_oriented,
+    cycle_ids::operator_goes_on,
+    cycle_ids::full_pecks,
+    cycle_ids::short_pecks,
+    cycle_ids::aside_in_plane,
+    cycle_ids::back_over_hole,
+    cycle_ids::up_to_k,
+    cycle_ids::passes_by_parameter,
+};
 
 // Texts in the order of the enum DrillStep; `end` and `stop` are not motions.
 constexpr std::array<std::optional<PlainText>, static_cast<std::size_t>(DrillStep::manual) + 1> drill_texts = {
     std::nullopt,
-    ids::to_level,
+    cycle_ids::to_level,
     std::nullopt,
-    ids::feed_to_bottom,
-    ids::feed_to_bottom_fixed,
-    ids::short_pecks_by_e,
-    ids::full_pecks_by_e,
-    ids::tap_down,
-    ids::dwell_p,
-    ids::feed_back_to_r,
-    ids::feed_back_to_r_fixed,
-    ids::tap_up,
-    ids::rapid_back_to_point,
-    ids::initial_point_by_g98,
-    ids::to_initial_point,
-    ids::aside_in_space,
-    ids::back_over_hole,
-    ids::spindle_clockwise,
-    ids::spindle_counter_clockwise,
-    ids::spindle_stop_m5,
-    ids::spindle_oriented_m19,
-    ids::position_loop_closed,
-    ids::withdrawal_by_hand};
+    cycle_ids::feed_to_bottom,
+    cycle_ids::feed_to_bottom_fixed,
+    cycle_ids::short_pecks_by_e,
+    cycle_ids::full_pecks_by_e,
+    cycle_ids::tap_down,
+    cycle_ids::dwell_p,
+    cycle_ids::feed_back_to_r,
+    cycle_ids::feed_back_to_r_fixed,
+    cycle_ids::tap_up,
+    cycle_ids::rapid_back_to_point,
+    cycle_ids::initial_point_by_g98,
+    cycle_ids::to_initial_point,
+    cycle_ids::aside_in_space,
+    cycle_ids::back_over_hole,
+    cycle_ids::spindle_clockwise,
+    cycle_ids::spindle_counter_clockwise,
+    cycle_ids::spindle_stop_m5,
+    cycle_ids::spindle_oriented_m19,
+    cycle_ids::position_loop_closed,
+    cycle_ids::withdrawal_by_hand,
+};
 
 std::string numbered(const std::vector<std::string>& steps, std::string_view head) {
   if (steps.empty()) return {};
@@ -64,12 +79,12 @@ std::string numbered(const std::vector<std::string>& steps, std::string_view hea
 ///   by_e  word E sets how far the tool retracts between pecks; otherwise a parameter of the control does
 std::vector<std::string> drilling_steps(const DrillCycle& cycle, bool by_e, Lang lang) {
   const auto text_for = [&](DrillStep step) -> std::optional<PlainText> {
-    if (!by_e && step == DrillStep::break_chips) return ids::short_pecks;
-    if (!by_e && step == DrillStep::clear_chips) return ids::full_pecks;
+    if (!by_e && step == DrillStep::break_chips) return cycle_ids::short_pecks;
+    if (!by_e && step == DrillStep::clear_chips) return cycle_ids::full_pecks;
     return drill_texts[static_cast<std::size_t>(step)];
   };
   std::vector<std::string> steps;
-  if (cycle.steps[0] == DrillStep::approach || cycle.code == back_boring) steps.emplace_back(plain_text(ids::over_hole, lang));
+  if (cycle.steps[0] == DrillStep::approach || cycle.code == back_boring) steps.emplace_back(plain_text(cycle_ids::over_hole, lang));
   for (const DrillStep step : cycle.steps)
     if (const auto text = text_for(step)) steps.emplace_back(plain_text(*text, lang));
   return steps;
@@ -97,7 +112,7 @@ class BodyTeller {
     }
     if (!axes.empty()) {
       const std::string motion = translated_in(lang_, motion_, axes);
-      add(Phase::motion, feed ? translated_in(lang_, ids::motion_with_feed, motion, *feed) : motion);
+      add(Phase::motion, feed ? translated_in(lang_, cycle_ids::motion_with_feed, motion, *feed) : motion);
     }
     std::stable_sort(pieces_.begin(), pieces_.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
     std::string text;
@@ -113,15 +128,15 @@ class BodyTeller {
     const std::string plain = code_asked(word);
     const auto row = std::find_if(def_.codes.begin(), def_.codes.end(), [&](const CodeRow& one) { return code_asked(one.code) == plain; });
     if (row == def_.codes.end()) return false;
-    if (row->function == Function::rapid) motion_ = ids::rapid_motion;
-    else if (row->function == Function::linear) motion_ = ids::feed_motion;
+    if (row->function == Function::rapid) motion_ = cycle_ids::rapid_motion;
+    else if (row->function == Function::linear) motion_ = cycle_ids::feed_motion;
     else if (row->function != Function::dwell) add(row->phase, fmt::format("{} ({})", in_language(row->text, lang_), plain));
     return true;
   }
 
   const ControlDef& def_;
   Lang lang_;
-  TextId<1> motion_ = ids::other_motion;
+  TextId<1> motion_ = cycle_ids::other_motion;
   std::vector<std::pair<std::uint8_t, std::string>> pieces_;
 };
 
@@ -141,13 +156,13 @@ std::int32_t drill_code(const CodeRow& row) { return row.arg != 0 ? row.arg : ro
 std::string steps_text(const ControlDef& def, const CycleRow& row, Lang lang) {
   std::vector<std::string> steps;
   const bool by_code = row.call_number == 0 && !row.steps.empty();
-  if (by_code) steps = {plain_text(ids::over_hole, lang), plain_text(ids::to_level, lang)};
+  if (by_code) steps = {plain_text(cycle_ids::over_hole, lang), plain_text(cycle_ids::to_level, lang)};
   for (const CycleStep step : row.steps) steps.emplace_back(plain_text(step_texts[static_cast<std::size_t>(step)], lang));
   BodyTeller teller(def, lang);
   std::istringstream body(row.body);
   for (std::string line; std::getline(body, line);)
     if (std::string text = teller.block(line); !text.empty()) steps.push_back(std::move(text));
-  return numbered(steps, plain_text(ids::steps, lang));
+  return numbered(steps, plain_text(cycle_ids::steps, lang));
 }
 
 std::string steps_text(const ControlDef& def, const CodeRow& row, Lang lang) {
@@ -155,11 +170,11 @@ std::string steps_text(const ControlDef& def, const CodeRow& row, Lang lang) {
   const DrillCycle* const cycle = drill_cycle(drill_code(row));
   if (cycle == nullptr) return {};
   const bool by_e = (row.takes & bits("E")) != 0;
-  std::string text = numbered(drilling_steps(*cycle, by_e, lang), plain_text(ids::steps, lang));
+  std::string text = numbered(drilling_steps(*cycle, by_e, lang), plain_text(cycle_ids::steps, lang));
   if (!may_bore_back(*cycle)) return text;
   constexpr std::string_view nct_parameter = "N0607 #1 ORI = 1";
-  const std::string head = def.lineage.empty() ? translated_in(lang, ids::steps_if_oriented_by_parameter, nct_parameter)
-                                               : translated_in(lang, ids::steps_if_oriented);
+  const std::string head = def.lineage.empty() ? translated_in(lang, cycle_ids::steps_if_oriented_by_parameter, nct_parameter)
+                                               : translated_in(lang, cycle_ids::steps_if_oriented);
   return text + numbered(drilling_steps(*drill_cycle(back_boring), by_e, lang), head);
 }
 

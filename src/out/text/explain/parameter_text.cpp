@@ -13,23 +13,25 @@
 namespace kadr {
 namespace {
 
-namespace ids = texts::explain_parameter;
+namespace parameter_ids = texts::explain_parameter;
 
 constexpr double unbounded = 1e299;
 constexpr std::size_t bits_with_number = 8;  // the bits after these have a name only (24.0)
 
 const char* scope_of(const ParameterRow& row, Lang lang) {
-  constexpr std::array<PlainText, 4> scopes = {ids::one_for_control, ids::one_for_channel, ids::one_for_axis, ids::one_for_spindle};
+  constexpr std::array<PlainText, 4> scopes = {parameter_ids::one_for_control, parameter_ids::one_for_channel, parameter_ids::one_for_axis,
+                                               parameter_ids::one_for_spindle};
   return plain_text(scopes[static_cast<std::size_t>(row.scope)], lang);
 }
 
 const char* type_of(const ParameterRow& row, Lang lang) {
-  constexpr std::array<PlainText, 4> types = {ids::type_bits, ids::type_whole, ids::type_real, ids::type_text};
+  constexpr std::array<PlainText, 4> types = {parameter_ids::type_bits, parameter_ids::type_whole, parameter_ids::type_real,
+                                              parameter_ids::type_text};
   return plain_text(types[static_cast<std::size_t>(row.type)], lang);
 }
 
 const char* when_of(const ParameterRow& row, Lang lang) {
-  constexpr std::array<PlainText, 3> times = {ids::at_once, ids::after_power_on, ids::after_emergency_stop};
+  constexpr std::array<PlainText, 3> times = {parameter_ids::at_once, parameter_ids::after_power_on, parameter_ids::after_emergency_stop};
   return plain_text(times[static_cast<std::size_t>(row.when)], lang);
 }
 
@@ -40,8 +42,8 @@ std::string allowed_values(const ParameterRow& row, Lang lang) {
   const bool most = row.most < unbounded;
   const auto figure = [](double value) { return fmt::format("{:.12g}", value); };
   if (least && most) return figure(row.least) + " … " + figure(row.most);
-  if (least) return translated_in(lang, ids::at_least, figure(row.least));
-  if (most) return translated_in(lang, ids::at_most, figure(row.most));
+  if (least) return translated_in(lang, parameter_ids::at_least, figure(row.least));
+  if (most) return translated_in(lang, parameter_ids::at_most, figure(row.most));
   return {};
 }
 
@@ -55,7 +57,7 @@ std::string bits_of(const ParameterRow& row, Lang lang) {
     text += i < bits_with_number ? fmt::format("{} {}", i, row.bits[i]) : row.bits[i];
   }
   if (others.empty()) return known;
-  return fmt::format("{}{}{}", known, known.empty() ? "" : "; ", translated_in(lang, ids::numbers_unknown, others));
+  return fmt::format("{}{}{}", known, known.empty() ? "" : "; ", translated_in(lang, parameter_ids::numbers_unknown, others));
 }
 
 std::string parameter_text(const ControlDef& def, const ParameterRow& row, Lang lang) {
@@ -63,13 +65,13 @@ std::string parameter_text(const ControlDef& def, const ParameterRow& row, Lang 
   std::string text = fmt::format("{} {}{}: {}\n", def.id, row.number < 0 ? "" : "N", row.name, in_language(row.text, lang));
   const auto line = [&](const std::string& words) { text += fmt::format("  {}\n", words); };
   const std::string bits = bits_of(row, lang), values = allowed_values(row, lang);
-  if (russian && !row.text.en.empty()) line(translated_in(lang, ids::manual_name, row.text.en));
-  line(translated_in(lang, ids::type_and_scope, type_of(row, lang), scope_of(row, lang)));
-  if (!bits.empty()) line(translated_in(lang, ids::bits, bits));
-  if (!values.empty()) line(translated_in(lang, ids::values, values));
-  if (row.type != ParameterType::text) line(translated_in(lang, ids::initial, fmt::format("{:.12g}", row.initial)));
-  line(translated_in(lang, ids::takes_effect, when_of(row, lang)));
-  line(plain_text(row.used ? ids::obeyed : ids::without_effect, lang));
+  if (russian && !row.text.en.empty()) line(translated_in(lang, parameter_ids::manual_name, row.text.en));
+  line(translated_in(lang, parameter_ids::type_and_scope, type_of(row, lang), scope_of(row, lang)));
+  if (!bits.empty()) line(translated_in(lang, parameter_ids::bits, bits));
+  if (!values.empty()) line(translated_in(lang, parameter_ids::values, values));
+  if (row.type != ParameterType::text) line(translated_in(lang, parameter_ids::initial, fmt::format("{:.12g}", row.initial)));
+  line(translated_in(lang, parameter_ids::takes_effect, when_of(row, lang)));
+  line(plain_text(row.used ? parameter_ids::obeyed : parameter_ids::without_effect, lang));
   line(translated_in(lang, texts::explain_code::source, def.spec, row.manual));
   return text;
 }

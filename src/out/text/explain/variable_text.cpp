@@ -16,7 +16,7 @@
 namespace kadr {
 namespace {
 
-namespace ids = texts::explain_variable;
+namespace variable_ids = texts::explain_variable;
 
 /// A position in a range of variable numbers: index of the series of numbers, and index within that series.
 struct Place {
@@ -41,12 +41,12 @@ std::string of_many(const VariableRow& row, std::uint32_t family, const std::str
 std::string explained(const ControlDef& def, const VariableRow& row, const std::string& name, Lang lang) {
   std::string text = fmt::format("{} {}: {}\n", def.id, name, in_language(row.text, lang));
   if (const std::string numbers = numbers_of(def, row, lang); !numbers.empty() && numbers != name)
-    text += fmt::format("  {}\n", translated_in(lang, ids::numbers, numbers));
+    text += fmt::format("  {}\n", translated_in(lang, variable_ids::numbers, numbers));
   if (const std::string symbol = symbol_of(row); !symbol.empty() && symbol != name)
-    text += fmt::format("  {}\n", translated_in(lang, ids::symbol, symbol));
-  if (!row.write) text += fmt::format("  {}\n", plain_text(ids::read_only, lang));
-  if (!row.read) text += fmt::format("  {}\n", plain_text(ids::write_only, lang));
-  if (!row.works) text += fmt::format("  {}\n", plain_text(ids::without_effect, lang));
+    text += fmt::format("  {}\n", translated_in(lang, variable_ids::symbol, symbol));
+  if (!row.write) text += fmt::format("  {}\n", plain_text(variable_ids::read_only, lang));
+  if (!row.read) text += fmt::format("  {}\n", plain_text(variable_ids::write_only, lang));
+  if (!row.works) text += fmt::format("  {}\n", plain_text(variable_ids::without_effect, lang));
   return text + fmt::format("  {}\n", translated_in(lang, texts::explain_code::source, def.spec, row.manual));
 }
 
@@ -72,14 +72,14 @@ std::string numbers_of(const ControlDef& def, const VariableRow& row, Lang lang)
     std::string whole = fmt::format("#{}", row.of);
     for (const VariableRow& other : def.variables)
       if (other.bit < 0 && other.ranges.front().from == row.of && row.of > first_unwritten_variable) whole = symbol_of(other);
-    return translated_in(lang, ids::bit_of, row.bit, whole);
+    return translated_in(lang, variable_ids::bit_of, row.bit, whole);
   }
   std::string text;
   for (const VariableRange& range : row.ranges) {
     if (range.from > first_unwritten_variable) continue;
     std::string numbers = fmt::format("#{}", range.from);
     if (range.count > 1) numbers += fmt::format("–#{}", range.from + range.count - 1);
-    if (range.repeat > 1) numbers = translated_in(lang, ids::numbers_repeated, numbers, range.stride, range.repeat);
+    if (range.repeat > 1) numbers = translated_in(lang, variable_ids::numbers_repeated, numbers, range.stride, range.repeat);
     text += (text.empty() ? "" : ", ") + numbers;
   }
   return text;

@@ -16,7 +16,7 @@
 namespace kadr {
 namespace {
 
-namespace ids = texts::explain_words;
+namespace word_ids = texts::explain_words;
 
 /// The meaning of a letter in blocks with one function; for addresses with several meanings.
 struct Meaning {
@@ -28,30 +28,30 @@ struct Meaning {
 
 // nct 18.0: drilling; 15.5.1: radius_side. Mach3 10.7.22 to 10.7.24: cycle.
 constexpr Meaning meanings[] = {
-    {Function::drilling, 'R', WordUnit::length, ids::point_r},
-    {Function::drilling, 'Q', WordUnit::length, ids::peck_depth},
-    {Function::drilling, 'E', WordUnit::length, ids::way_between_pecks},
-    {Function::drilling, 'P', WordUnit::none, ids::dwell_or_revolutions},
-    {Function::drilling, 'L', WordUnit::none, ids::repetitions},
-    {Function::drilling, 'I', WordUnit::length, ids::shift_along_x},
-    {Function::drilling, 'J', WordUnit::length, ids::shift_along_y},
-    {Function::drilling, 'K', WordUnit::length, ids::shift_along_z},
-    {Function::radius_side, 'I', WordUnit::length, ids::way_in_along_x},
-    {Function::radius_side, 'J', WordUnit::length, ids::way_in_along_y},
-    {Function::radius_side, 'K', WordUnit::length, ids::way_in_along_z},
-    {Function::cycle, 'Z', WordUnit::length, ids::bottom_of_hole},
-    {Function::cycle, 'R', WordUnit::length, ids::level_r},
-    {Function::cycle, 'Q', WordUnit::length, ids::peck_depth},
-    {Function::cycle, 'P', WordUnit::none, ids::dwell_at_bottom},
-    {Function::cycle, 'L', WordUnit::none, ids::repetitions},
-    {Function::cycle, 'I', WordUnit::length, ids::shift_along_first_axis},
-    {Function::cycle, 'J', WordUnit::length, ids::shift_along_second_axis},
-    {Function::cycle, 'K', WordUnit::length, ids::end_of_back_boring},
+    {Function::drilling, 'R', WordUnit::length, word_ids::point_r},
+    {Function::drilling, 'Q', WordUnit::length, word_ids::peck_depth},
+    {Function::drilling, 'E', WordUnit::length, word_ids::way_between_pecks},
+    {Function::drilling, 'P', WordUnit::none, word_ids::dwell_or_revolutions},
+    {Function::drilling, 'L', WordUnit::none, word_ids::repetitions},
+    {Function::drilling, 'I', WordUnit::length, word_ids::shift_along_x},
+    {Function::drilling, 'J', WordUnit::length, word_ids::shift_along_y},
+    {Function::drilling, 'K', WordUnit::length, word_ids::shift_along_z},
+    {Function::radius_side, 'I', WordUnit::length, word_ids::way_in_along_x},
+    {Function::radius_side, 'J', WordUnit::length, word_ids::way_in_along_y},
+    {Function::radius_side, 'K', WordUnit::length, word_ids::way_in_along_z},
+    {Function::cycle, 'Z', WordUnit::length, word_ids::bottom_of_hole},
+    {Function::cycle, 'R', WordUnit::length, word_ids::level_r},
+    {Function::cycle, 'Q', WordUnit::length, word_ids::peck_depth},
+    {Function::cycle, 'P', WordUnit::none, word_ids::dwell_at_bottom},
+    {Function::cycle, 'L', WordUnit::none, word_ids::repetitions},
+    {Function::cycle, 'I', WordUnit::length, word_ids::shift_along_first_axis},
+    {Function::cycle, 'J', WordUnit::length, word_ids::shift_along_second_axis},
+    {Function::cycle, 'K', WordUnit::length, word_ids::end_of_back_boring},
 };
 
 std::string with_unit(const std::string& text, WordUnit unit, Lang lang) {
-  if (unit == WordUnit::length) return translated_in(lang, ids::length_in_unit, text);
-  if (unit == WordUnit::angle) return translated_in(lang, ids::angle_in_degrees, text);
+  if (unit == WordUnit::length) return translated_in(lang, word_ids::length_in_unit, text);
+  if (unit == WordUnit::angle) return translated_in(lang, word_ids::angle_in_degrees, text);
   return text;
 }
 
@@ -64,13 +64,13 @@ std::optional<Meaning> drilling_meaning(const ControlDef& def, const CodeRow& co
   using enum WordUnit;
   const std::uint64_t used = words_used(code);
   const bool pecks = (used >> ('Q' - 'A') & 1u) != 0, shifts = (used >> ('K' - 'A') & 1u) != 0;
-  if (letter == 'K' && def.behaviour.repeats_by_k) return Meaning{code.function, letter, none, ids::repetitions};
-  if (letter == 'Q' && shifts && def.behaviour.shifts_by_q()) return Meaning{code.function, letter, length, ids::shift_of_tool};
+  if (letter == 'K' && def.behaviour.repeats_by_k) return Meaning{code.function, letter, none, word_ids::repetitions};
+  if (letter == 'Q' && shifts && def.behaviour.shifts_by_q()) return Meaning{code.function, letter, length, word_ids::shift_of_tool};
   if (!pecks || is_tap(code) || def.behaviour.cycle_words != CycleWords::pecks_by_ijk) return std::nullopt;
   switch (letter) {
-    case 'I': return Meaning{code.function, letter, length, ids::first_peck};
-    case 'J': return Meaning{code.function, letter, length, ids::decrease_of_pecks};
-    case 'K': return Meaning{code.function, letter, length, ids::smallest_peck};
+    case 'I': return Meaning{code.function, letter, length, word_ids::first_peck};
+    case 'J': return Meaning{code.function, letter, length, word_ids::decrease_of_pecks};
+    case 'K': return Meaning{code.function, letter, length, word_ids::smallest_peck};
     default: return std::nullopt;
   }
 }
@@ -109,7 +109,7 @@ std::string meaning_of(const ControlDef& def, const CodeRow& code, char letter, 
 std::string words_text(const ControlDef& def, const CodeRow& row, Lang lang) {
   const bool drills = row.function == Function::drilling;
   std::string text;
-  if (drills) text += fmt::format("    {}\n", plain_text(ids::axes_of_drilling, lang));
+  if (drills) text += fmt::format("    {}\n", plain_text(word_ids::axes_of_drilling, lang));
   const std::uint64_t used = used_letters(def, row);
   std::string idle;
   for (int i = 0; i <= comma_vector - 'A'; ++i) {
@@ -121,7 +121,7 @@ std::string words_text(const ControlDef& def, const CodeRow& row, Lang lang) {
   }
   if ((drills || row.function == Function::cycle) && def.address('F').function != Function::count)  // F belongs to the block, not the code
     text += fmt::format("    {:<3}{}\n", "F", meaning_of(def, row, 'F', lang));
-  if (!idle.empty()) text += fmt::format("    {}\n", translated_in(lang, ids::not_used, idle));
+  if (!idle.empty()) text += fmt::format("    {}\n", translated_in(lang, word_ids::not_used, idle));
   return text;
 }
 
