@@ -8,10 +8,10 @@
 #include <numeric>
 #include <utility>
 
-#include "config/language.h"
 #include "stock/mesh/mesh_edges.h"
 #include "stock/mesh/mesh_index.h"
 #include "stock/mesh/point_weld.h"
+#include "texts/mesh.h"
 
 namespace kadr {
 namespace {
@@ -44,17 +44,12 @@ struct Repair {
 /// Returns a message about a corner with an invalid coordinate or point number, or far beyond any machine; empty if there is none.
 std::string Repair::bad_point_message() const {
   for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
-    const std::string triangle = std::to_string(i / 3 + 1);
-    if (mesh.triangles[i] >= mesh.point_count())
-      return told("triangle " + triangle + ": no point has the number " + std::to_string(mesh.triangles[i]),
-                  "треугольник " + triangle + ": нет точки с номером " + std::to_string(mesh.triangles[i]));
+    const std::size_t triangle = i / 3 + 1;
+    if (mesh.triangles[i] >= mesh.point_count()) return translated(texts::mesh::no_such_point, triangle, mesh.triangles[i]);
     const Vec3 p = mesh.point(mesh.triangles[i]);
     for (const double v : {p.x, p.y, p.z}) {
-      if (!std::isfinite(v))
-        return told("triangle " + triangle + ": a coordinate is no number", "треугольник " + triangle + ": координата не является числом");
-      if (std::fabs(v) > rules.reach)
-        return told("triangle " + triangle + ": " + mm(v) + " mm is beyond any machine: at most " + mm(rules.reach),
-                    "треугольник " + triangle + ": " + mm(v) + " мм дальше любого станка: не более " + mm(rules.reach));
+      if (!std::isfinite(v)) return translated(texts::mesh::coordinate_no_number, triangle);
+      if (std::fabs(v) > rules.reach) return translated(texts::mesh::beyond_any_machine, triangle, mm(v), mm(rules.reach));
     }
   }
   return {};
@@ -93,8 +88,7 @@ bool Repair::turn_to_fit() {
   }
   for (std::size_t t = 0; t < count; ++t)
     if (turned[t] == 1) turn(t), ++turns;
-  notes.push_back(told(std::to_string(turns) + " triangles went round against their neighbours: turned",
-                       count_in_russian(turns, "треугольник", "треугольника", "треугольников") + " с обходом против соседних: повёрнуты"));
+  notes.push_back(counted(texts::mesh::triangles_turned, turns));
   return true;
 }
 
@@ -116,19 +110,15 @@ void Repair::join_near() {
     marked[std::size_t(ways[i].ends >> 32)] = marked[std::size_t(ways[i].ends & 0xffffffffu)] = true;
   }
   if (const std::size_t joined = weld_near(mesh, marked, rules.weld); joined > 0) {
-    notes.push_back(told(
-        std::to_string(joined) + " points at open edges lay within " + mm(rules.weld) + " mm of another: joined",
-        count_in_russian(joined, "точка", "точки", "точек") + " у открытых рёбер не далее " + mm(rules.weld) + " мм от другой: соединены"));
+    notes.push_back(counted(texts::mesh::points_joined, joined, mm(rules.weld)));
     drop_flat(mesh, numbers);
   }
 }
 
 std::string Repair::open_mesh_message() const {
-  if (mesh.triangles.empty()) return told("there is no triangle in it", "в нём нет ни одного треугольника");
+  if (mesh.triangles.empty()) return translated(texts::mesh::no_triangle);
   if (edges.open == 0) return {};
-  const std::string number = std::to_string(numbers[edges.open_triangle] + 1), place = at_point(mesh.corner(edges.open_triangle, 0));
-  return told("not closed: " + std::to_string(edges.open) + " edges are open, the first at triangle " + number + ", " + place,
-              "не замкнуто: открытых рёбер " + std::to_string(edges.open) + ", первое у треугольника " + number + ", " + place);
+  return translated(texts::mesh::not_closed, edges.open, numbers[edges.open_triangle] + 1, at_point(mesh.corner(edges.open_triangle, 0)));
 }
 
 /// Returns for each triangle the lowest point number of the shell (connected surface) that contains the triangle.
@@ -152,7 +142,7 @@ std::vector<std::uint32_t> Repair::shells() const {
 void Repair::turn_shells() {
   if (volume_of(mesh) < 0) {
     for (std::size_t t = 0; t < mesh.triangle_count(); ++t) turn(t);
-    notes.push_back(told("it was inside out: turned", "поверхность была вывернута: повёрнута"));
+    notes.push_back(translated(texts::mesh::inside_out));
   }
   const std::vector<std::uint32_t> shell = shells();
   std::vector<double> volume(mesh.point_count(), 0);
@@ -180,17 +170,14 @@ void Repair::turn_shells() {
   if (turned == 0) return;
   for (std::size_t t = 0; t < mesh.triangle_count(); ++t)
     if (turns[shell[t]]) turn(t);
-  notes.push_back(told(std::to_string(turned) + " of its bodies were inside out: turned",
-                       count_in_russian(turned, "тело было вывернуто", "тела были вывернуты", "тел были вывернуты") + ": повёрнуто"));
+  notes.push_back(counted(texts::mesh::bodies_inside_out, turned));
 }
 
 }  // namespace
 
 std::string too_many_message(std::size_t triangles, const MeshRules& rules) {
   if (triangles <= rules.memory / solid_bytes(1)) return {};
-  const std::string most = std::to_string(rules.memory / solid_bytes(1)), there = std::to_string(triangles);
-  return told(there + " triangles do not fit into the memory allowed: at most " + most,
-              "треугольников " + there + ": не помещаются в отведённую память, не более " + most);
+  return translated(texts::mesh::too_many_triangles, triangles, rules.memory / solid_bytes(1));
 }
 
 tl::expected<SolidMesh, std::string> solid_of(Mesh mesh, const MeshRules& rules) {
@@ -206,7 +193,7 @@ tl::expected<SolidMesh, std::string> solid_of(Mesh mesh, const MeshRules& rules)
   drop_unused(repair.mesh);
   if (std::string wrong = repair.open_mesh_message(); !wrong.empty()) return tl::unexpected(std::move(wrong));
   repair.turn_shells();
-  if (!(volume_of(repair.mesh) > 0)) return tl::unexpected(told("it encloses nothing", "оно ничего не охватывает"));
+  if (!(volume_of(repair.mesh) > 0)) return tl::unexpected(translated(texts::mesh::encloses_nothing));
   return SolidMesh{std::move(repair.mesh), std::move(repair.notes)};
 }
 

@@ -4,10 +4,10 @@
 #include <cmath>
 #include <utility>
 
-#include "config/language.h"
 #include "config/read_file.h"
 #include "stock/mesh/mesh_word_reader.h"
 #include "stock/mesh/stl.h"
+#include "texts/mesh_file.h"
 
 namespace kadr {
 namespace {
@@ -30,15 +30,9 @@ void add_triangle(Mesh& mesh) {
 
 ReadMesh read_binary(std::string_view bytes, const MeshRules& rules, std::vector<std::string>& notes) {
   const std::size_t body = bytes.size() - header_bytes, count = body / record_bytes, said = number_at(bytes, header_bytes - 4);
-  const std::string length = std::to_string(bytes.size()), number = std::to_string(said);
-  if (body % record_bytes != 0)
-    return Failed(
-        told("it ends within triangle " + std::to_string(count + 1) + ": " + length + " bytes, its header says " + number + " triangles",
-             "обрывается в треугольнике " + std::to_string(count + 1) + ": байтов " + length + ", в заголовке треугольников " + number));
+  if (body % record_bytes != 0) return Failed(translated(texts::mesh_file::ends_within_triangle, count + 1, bytes.size(), said));
   if (std::string wrong = too_many_message(count, rules); !wrong.empty()) return Failed(std::move(wrong));
-  if (said != count)
-    notes.push_back(told("its header says " + number + " triangles, it has " + std::to_string(count),
-                         "в заголовке треугольников " + number + ", в файле их " + std::to_string(count)));
+  if (said != count) notes.push_back(translated(texts::mesh_file::other_count_in_header, said, count));
   Mesh mesh;
   mesh.points.reserve(9 * count), mesh.triangles.reserve(3 * count);
   for (std::size_t t = 0; t < count; ++t) {
@@ -48,6 +42,9 @@ ReadMesh read_binary(std::string_view bytes, const MeshRules& rules, std::vector
   }
   return mesh;
 }
+
+/// Returns a word of the file for a message; an empty word is the end of the file.
+std::string word_shown(std::string_view word) { return word.empty() ? translated(texts::mesh_file::end_of_file) : "'" + shown(word) + "'"; }
 
 /// Reads text STL. Format: solid NAME { facet normal x y z outer loop { vertex x y z } x3 endloop endfacet } endsolid NAME, repeated any
 /// number of times.
@@ -71,9 +68,7 @@ class TextStl {
 bool TextStl::expect(std::string_view word) {
   const std::string_view found = words_.next();
   if (equal_ignoring_case(found, word)) return true;
-  const std::string there = found.empty() ? told("the end of the file", "конец файла") : "'" + shown(found) + "'";
-  fault_ = told("'" + std::string(word) + "' is expected here, there is " + there,
-                "здесь должно быть '" + std::string(word) + "', а стоит " + there);
+  fault_ = translated(texts::mesh_file::word_expected, word, word_shown(found));
   return false;
 }
 
@@ -84,8 +79,7 @@ bool TextStl::number(float& value) {
     value = float(read);
     return true;
   }
-  fault_ = told("a coordinate is expected here, there is '" + shown(found) + "'",
-                "здесь должна быть координата, а стоит '" + shown(found) + "'");
+  fault_ = translated(texts::mesh_file::coordinate_expected, shown(found));
   return false;
 }
 
@@ -115,9 +109,7 @@ ReadMesh TextStl::read() {
       const std::string_view word = words_.next();
       if (equal_ignoring_case(word, "endsolid")) break;
       if (!equal_ignoring_case(word, "facet")) {
-        const std::string there = word.empty() ? told("the end of the file", "конец файла") : "'" + shown(word) + "'";
-        fault_ =
-            told("'facet' or 'endsolid' is expected here, there is " + there, "здесь должно быть 'facet' или 'endsolid', а стоит " + there);
+        fault_ = translated(texts::mesh_file::facet_expected, word_shown(word));
         return failed();
       }
       if (!facet()) return failed();
@@ -139,7 +131,7 @@ bool is_binary(std::string_view bytes) {
 tl::expected<SolidMesh, std::string> read_stl(std::string_view bytes, const MeshRules& rules) {
   std::vector<std::string> notes;
   if (!is_binary(bytes) && !equal_ignoring_case(MeshWordReader(bytes).next(), "solid"))
-    return Failed(told("it is no STL file", "это не файл STL"));
+    return Failed(translated(texts::mesh_file::not_stl));
   ReadMesh mesh = is_binary(bytes) ? read_binary(bytes, rules, notes) : TextStl(bytes, rules).read();
   if (!mesh) return Failed(std::move(mesh.error()));
   auto solid = solid_of(std::move(*mesh), rules);

@@ -5,9 +5,9 @@
 #include <charconv>
 #include <cmath>
 
-#include "config/language.h"
 #include "stock/mesh/mesh_word_reader.h"
 #include "stock/mesh/xml_scan.h"
+#include "texts/threemf.h"
 
 namespace kadr {
 namespace {
@@ -38,7 +38,7 @@ class ModelReader {
   bool transform(ModelTransform& matrix);
   bool number(std::string_view name, double& value);
   bool count(std::string_view name, std::uint32_t& value);
-  bool wrong(const std::string& en, const std::string& ru);
+  bool wrong(const std::string& why);
   bool wrong_attribute(std::string_view name);
 
   XmlScan scan_;
@@ -49,17 +49,16 @@ class ModelReader {
   std::string fault_;
 };
 
-bool ModelReader::wrong(const std::string& en, const std::string& ru) {
-  fault_ = scan_.location_here() + told(en, ru);
+bool ModelReader::wrong(const std::string& why) {
+  fault_ = scan_.location_here() + why;
   return false;
 }
 
 bool ModelReader::wrong_attribute(std::string_view name) {
   const std::string* const text = scan_.attribute(name);
-  const std::string key(name), element = shown(scan_.name());
-  if (text == nullptr) return wrong("<" + element + "> has no " + key, "у <" + element + "> нет " + key);
-  return wrong(key + "=\"" + shown(*text) + "\" of <" + element + "> is not what it must be",
-               key + "=\"" + shown(*text) + "\" у <" + element + "> задано неверно");
+  const std::string element = shown(scan_.name());
+  if (text == nullptr) return wrong(translated(texts::threemf::no_attribute, element, name));
+  return wrong(translated(texts::threemf::bad_attribute, name, shown(*text), element));
 }
 
 bool ModelReader::number(std::string_view name, double& value) {
@@ -88,10 +87,9 @@ bool ModelReader::take_root() {
   const std::string_view root = scan_.name();
   const std::size_t colon = root.find(':');
   prefix_ = colon == std::string_view::npos ? "" : root.substr(0, colon + 1);
-  if (root.substr(prefix_.size()) != "model") return wrong("the root is no <model>", "корень не <model>");
+  if (root.substr(prefix_.size()) != "model") return wrong(translated(texts::threemf::root_not_model));
   if (const std::string* const needs = scan_.attribute("requiredextensions"); needs != nullptr && MeshWordReader(*needs).more())
-    return wrong("it needs an extension that is not known: " + shown(*needs),
-                 "нужно расширение, которое не поддерживается: " + shown(*needs));
+    return wrong(translated(texts::threemf::unknown_extension, shown(*needs)));
   const std::string* const name = scan_.attribute("unit");
   if (name == nullptr) return true;
   for (const Unit& unit : units)
@@ -105,24 +103,21 @@ bool ModelReader::take_root() {
 bool ModelReader::take_object() {
   std::uint32_t id = 0;
   if (!count("id", id)) return false;
-  if (model_.objects.size() >= max_objects) return wrong("too many objects", "слишком много объектов");
+  if (model_.objects.size() >= max_objects) return wrong(translated(texts::threemf::too_many_objects));
   const auto [place, is_new] = model_.objects.try_emplace(id);
-  if (!is_new) return wrong("a second object with the id " + std::to_string(id), "второй объект с id " + std::to_string(id));
+  if (!is_new) return wrong(translated(texts::threemf::second_object, id));
   object_ = &place->second;
   const std::string* const type = scan_.attribute("type");
   object_->is_body = type == nullptr || *type == "model" || *type == "solidsupport";
   return true;
 }
 
-bool ModelReader::in_mesh() {
-  return object_ != nullptr || wrong("<" + shown(scan_.name()) + "> is in no object", "<" + shown(scan_.name()) + "> вне объекта");
-}
+bool ModelReader::in_mesh() { return object_ != nullptr || wrong(translated(texts::threemf::in_no_object, shown(scan_.name()))); }
 
 bool ModelReader::take_vertex() {
   double x = 0, y = 0, z = 0;
   if (!in_mesh() || !number("x", x) || !number("y", y) || !number("z", z)) return false;
-  if (object_->mesh.point_count() >= 3 * most_triangles_)
-    return wrong("too many vertices for the memory allowed", "вершин больше, чем вмещает отведённая память");
+  if (object_->mesh.point_count() >= 3 * most_triangles_) return wrong(translated(texts::threemf::too_many_vertices));
   for (const double v : {x, y, z}) object_->mesh.points.push_back(float(v));
   return true;
 }
@@ -130,18 +125,16 @@ bool ModelReader::take_vertex() {
 bool ModelReader::take_triangle() {
   std::uint32_t corner[3];
   if (!in_mesh() || !count("v1", corner[0]) || !count("v2", corner[1]) || !count("v3", corner[2])) return false;
-  if (++triangles_ > most_triangles_)
-    return wrong("more triangles than the memory allowed holds: " + std::to_string(most_triangles_),
-                 "треугольников больше, чем вмещает отведённая память: " + std::to_string(most_triangles_));
+  if (++triangles_ > most_triangles_) return wrong(translated(texts::threemf::too_many_triangles, most_triangles_));
   for (const std::uint32_t c : corner) {
-    if (c >= object_->mesh.point_count()) return wrong("there is no vertex " + std::to_string(c), "нет вершины " + std::to_string(c));
+    if (c >= object_->mesh.point_count()) return wrong(translated(texts::threemf::no_vertex, c));
     object_->mesh.triangles.push_back(c);
   }
   return true;
 }
 
 bool ModelReader::take_item(std::vector<ModelItem>& items) {
-  if (++items_ > max_objects) return wrong("too many parts", "слишком много частей");
+  if (++items_ > max_objects) return wrong(translated(texts::threemf::too_many_parts));
   ModelItem item;
   if (!count("objectid", item.object) || !transform(item.transform)) return false;
   items.push_back(item);

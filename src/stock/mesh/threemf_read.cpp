@@ -3,12 +3,12 @@
 #include <algorithm>
 #include <utility>
 
-#include "config/language.h"
 #include "stock/mesh/mesh_word_reader.h"
 #include "stock/mesh/threemf.h"
 #include "stock/mesh/threemf_model.h"
 #include "stock/mesh/xml_scan.h"
 #include "stock/mesh/zip.h"
+#include "texts/threemf.h"
 
 namespace kadr {
 namespace {
@@ -88,15 +88,13 @@ void Builder::put_mesh(const Mesh& from, const ModelTransform& m) {
 /// added.
 std::string Builder::put(const ModelItem& item, const ModelTransform& outer, int depth) {
   const auto found = model_.objects.find(item.object);
-  const std::string id = std::to_string(item.object);
-  if (found == model_.objects.end()) return told("there is no object " + id, "нет объекта " + id);
-  if (depth > deepest_object) return told("objects too deep in each other: " + id, "слишком глубокая вложенность объектов: " + id);
+  if (found == model_.objects.end()) return translated(texts::threemf::no_object, item.object);
+  if (depth > deepest_object) return translated(texts::threemf::objects_too_deep, item.object);
   const ModelObject& object = found->second;
   if (!object.is_body) return {};
   const bool too_many = ++placed_ > max_placed || object.mesh.triangle_count() > most_triangles_ - mesh.triangle_count() ||
                         object.mesh.point_count() > 3 * most_triangles_ - mesh.point_count();
-  if (too_many)
-    return told("its objects together do not fit into the memory allowed", "его объекты вместе не помещаются в отведённую память");
+  if (too_many) return translated(texts::threemf::objects_too_large);
   const ModelTransform here = after(item.transform, outer);
   put_mesh(object.mesh, here);
   for (const ModelItem& part : object.parts)
@@ -110,7 +108,7 @@ tl::expected<Mesh, std::string> built(std::string_view bytes, const MeshRules& r
   if (!entries) return Failed(entries.error());
   const std::string name = model_name(bytes, *entries);
   const ZipEntry* const entry = entry_of(*entries, name);
-  if (entry == nullptr) return Failed(told("there is no model in it: " + shown(name), "в нём нет модели: " + shown(name)));
+  if (entry == nullptr) return Failed(translated(texts::threemf::no_model, shown(name)));
   const std::size_t max_triangles = rules.memory / solid_bytes(1);
   tl::expected<Model, std::string> model;
   {

@@ -7,10 +7,10 @@
 #include <utility>
 #include <vector>
 
-#include "config/language.h"
 #include "config/read_file.h"
 #include "stock/mesh/expat_library.h"
 #include "stock/mesh/mesh_word_reader.h"
+#include "texts/mesh_xml.h"
 
 namespace kadr {
 namespace {
@@ -21,14 +21,14 @@ constexpr std::size_t longest = 1 << 20;  // limit for a tag or comment, bytes: 
 
 std::string xml_error_message(XML_Error error) {
   switch (error) {
-    case XML_ERROR_TAG_MISMATCH: return told("a tag closes what is not open", "тег закрывает то, что не открыто");
-    case XML_ERROR_NO_ELEMENTS: return told("an element is not closed, or there is none", "элемент не закрыт, или нет ни одного");
+    case XML_ERROR_TAG_MISMATCH: return translated(texts::mesh_xml::tag_mismatch);
+    case XML_ERROR_NO_ELEMENTS: return translated(texts::mesh_xml::not_closed);
     case XML_ERROR_UNCLOSED_TOKEN:
-    case XML_ERROR_UNCLOSED_CDATA_SECTION: return told("a tag or a comment is not whole", "тег или примечание не закончены");
-    case XML_ERROR_DUPLICATE_ATTRIBUTE: return told("an attribute stands twice", "атрибут стоит дважды");
-    case XML_ERROR_JUNK_AFTER_DOC_ELEMENT: return told("a second root", "второй корень");
-    case XML_ERROR_NO_MEMORY: return told("memory runs out", "не хватает памяти");
-    default: return told("this is no XML", "это не XML");
+    case XML_ERROR_UNCLOSED_CDATA_SECTION: return translated(texts::mesh_xml::tag_not_whole);
+    case XML_ERROR_DUPLICATE_ATTRIBUTE: return translated(texts::mesh_xml::attribute_twice);
+    case XML_ERROR_JUNK_AFTER_DOC_ELEMENT: return translated(texts::mesh_xml::second_root);
+    case XML_ERROR_NO_MEMORY: return translated(texts::mesh_xml::no_memory);
+    default: return translated(texts::mesh_xml::not_xml);
   }
 }
 
@@ -59,7 +59,7 @@ struct XmlScan::Parser {
 
   static void opens(void* self, const XML_Char* name, const XML_Char** attributes) {
     Parser& p = *static_cast<Parser*>(self);
-    if (p.open >= deepest) return p.refuse(told("elements too deep in each other", "слишком глубокая вложенность"));
+    if (p.open >= deepest) return p.refuse(translated(texts::mesh_xml::too_deep));
     Element& e = p.waiting.emplace_back(Element{Event::opens, name, {}, p.place(), ++p.open});
     for (; *attributes != nullptr; attributes += 2) e.attributes.emplace_back(attributes[0], attributes[1]);
     p.expat->XML_StopParser(p.parser, XML_TRUE);
@@ -70,8 +70,7 @@ struct XmlScan::Parser {
     p.expat->XML_StopParser(p.parser, XML_TRUE);
   }
   static void has_type(void* self, const XML_Char*, const XML_Char*, const XML_Char*, int) {
-    static_cast<Parser*>(self)->refuse(told("a document type is not taken: it could name other files",
-                                            "тип документа не принимается: он может ссылаться на другие файлы"));
+    static_cast<Parser*>(self)->refuse(translated(texts::mesh_xml::document_type));
   }
   void refuse(std::string why) {
     fault = std::move(why), refused_at = place();
@@ -86,7 +85,7 @@ struct XmlScan::Parser {
     handed += part.size();
     const XML_Status done = expat->XML_Parse(parser, part.data(), int(part.size()), handed == text.size());
     if (done == XML_STATUS_OK && handed - std::min(place(), handed) > longest) {
-      refuse(told("a tag or a comment is too long", "слишком длинный тег или примечание"));
+      refuse(translated(texts::mesh_xml::tag_too_long));
       return XML_STATUS_ERROR;
     }
     return done;
@@ -100,7 +99,7 @@ struct XmlScan::Parser {
   /// Moves to the next element, and stores it in `now`.
   Event next() {
     while (waiting.empty()) {
-      if (parser == nullptr) return failed(0, told("reading it needs the library libexpat", "для чтения нужна библиотека libexpat"));
+      if (parser == nullptr) return failed(0, translated(texts::mesh_xml::no_library));
       if (is_done()) return Event::ends;
       if (go_on() == XML_STATUS_ERROR) {
         if (fault.empty()) return failed(place(), xml_error_message(expat->XML_GetErrorCode(parser)));

@@ -2,10 +2,10 @@
 
 #include <algorithm>
 
-#include "config/language.h"
 #include "stock/mesh/mesh_word_reader.h"
 #include "stock/mesh/zip.h"
 #include "stock/mesh/zlib_library.h"
+#include "texts/zip_file.h"
 
 namespace kadr {
 namespace {
@@ -28,7 +28,7 @@ std::uint64_t le_number(std::string_view bytes, std::size_t at, std::size_t size
   return value;
 }
 
-Failed cut_off() { return Failed(told("the archive is cut off or damaged", "архив оборван или повреждён")); }
+Failed cut_off() { return Failed(translated(texts::zip_file::damaged)); }
 
 /// Returns the position of the archive's end record; npos if there is none.
 std::size_t end_of_directory(std::string_view archive) {
@@ -68,7 +68,7 @@ void take_zip64(std::string_view extra, ZipEntry& entry) {
 /// Unpacks step by step, until the end of the data or until the result exceeds the limit.
 tl::expected<std::string, std::string> inflated(std::string_view packed, std::size_t most, const Failed& too_long) {
   const Zlib* const zlib = zlib_library();
-  if (zlib == nullptr) return Failed(told("zlib is missing (package zlib1g)", "нет библиотеки zlib (пакет zlib1g)"));
+  if (zlib == nullptr) return Failed(translated(texts::zip_file::no_zlib));
   z_stream stream{};
   constexpr int raw_window = -15;  // no zlib header
   if (zlib->inflateInit2_(&stream, raw_window, ZLIB_VERSION, int(sizeof stream)) != Z_OK) return cut_off();
@@ -98,7 +98,7 @@ tl::expected<std::vector<ZipEntry>, std::string> zip_entries(std::string_view ar
   const std::size_t end = end_of_directory(archive);
   if (end == std::string_view::npos) return cut_off();
   const Directory directory = directory_at(archive, end);
-  if (directory.count > max_files) return Failed(told("too many files in the archive", "слишком много файлов в архиве"));
+  if (directory.count > max_files) return Failed(translated(texts::zip_file::too_many_files));
   if (directory.first > end) return cut_off();
   std::vector<ZipEntry> entries;
   std::size_t at = std::size_t(directory.first);
@@ -106,7 +106,7 @@ tl::expected<std::vector<ZipEntry>, std::string> zip_entries(std::string_view ar
     if (at + entry_bytes > end || le_number(archive, at, 4) != entry_mark) return cut_off();
     const std::size_t name = le_number(archive, at + 28, 2), extra = le_number(archive, at + 30, 2), rest = le_number(archive, at + 32, 2);
     if (at + entry_bytes + name + extra + rest > end) return cut_off();
-    if ((le_number(archive, at + 8, 2) & has_password) != 0) return Failed(told("the archive has a password", "архив под паролем"));
+    if ((le_number(archive, at + 8, 2) & has_password) != 0) return Failed(translated(texts::zip_file::has_password));
     ZipEntry entry{archive.substr(at + entry_bytes, name),
                    std::uint16_t(le_number(archive, at + 10, 2)),
                    std::uint32_t(le_number(archive, at + 16, 4)),
@@ -121,9 +121,7 @@ tl::expected<std::vector<ZipEntry>, std::string> zip_entries(std::string_view ar
 }
 
 tl::expected<std::string, std::string> zip_file(std::string_view archive, const ZipEntry& entry, std::size_t most) {
-  const std::string name = shown(entry.name);
-  const Failed too_long(told(name + " in the archive is longer than the memory allowed: more than " + std::to_string(most) + " bytes",
-                             name + " в архиве длиннее отведённой памяти: больше " + std::to_string(most) + " байт"));
+  const Failed too_long(translated(texts::zip_file::file_too_long, shown(entry.name), most));
   if (entry.unpacked > most) return too_long;
   if (archive.size() < local_bytes || entry.local > archive.size() - local_bytes) return cut_off();
   const std::size_t local = std::size_t(entry.local);
@@ -134,9 +132,7 @@ tl::expected<std::string, std::string> zip_file(std::string_view archive, const 
   tl::expected<std::string, std::string> out;
   if (entry.method == deflated) out = inflated(packed, most, too_long);
   else if (entry.method == stored && packed.size() <= most) out = std::string(packed);
-  else
-    return Failed(told("a way of packing that is not known: " + std::to_string(entry.method),
-                       "неизвестный способ сжатия: " + std::to_string(entry.method)));
+  else return Failed(translated(texts::zip_file::unknown_packing, entry.method));
   if (!out) return out;
   const Zlib* const zlib = zlib_library();
   if (zlib != nullptr && zlib->crc32(0, reinterpret_cast<const Bytef*>(out->data()), uInt(out->size())) != entry.crc) return cut_off();

@@ -1,8 +1,8 @@
 // Writes archives file by file. Used by stock/mesh/threemf_write.
 
-#include "config/language.h"
 #include "stock/mesh/zip.h"
 #include "stock/mesh/zlib_library.h"
+#include "texts/zip_file.h"
 
 namespace kadr {
 namespace {
@@ -15,8 +15,6 @@ constexpr int packing_level = 3;  // from 1 to 9: a mesh packed in twice the tim
 void put_le(std::string& out, std::uint32_t value, int bytes) {
   for (int i = 0; i < bytes; ++i) out.push_back(char(value >> (8 * i) & 0xff));
 }
-
-std::string too_long() { return told("more than 4 GB do not fit into a 3MF file", "больше 4 ГБ не помещается в файл 3MF"); }
 
 /// Packs its input, and counts the input's length and checksum.
 class Deflater {
@@ -63,13 +61,13 @@ bool ZipWriter::put(const std::string& bytes) {
 }
 
 std::string ZipWriter::add(const std::string& name, const std::function<bool(const ByteSink&)>& content) {
-  const std::string not_written = told("it cannot be written", "не записывается");
   const Zlib* const zlib = zlib_library();
-  if (zlib == nullptr) return told("zlib is missing (package zlib1g)", "нет библиотеки zlib (пакет zlib1g)");
+  if (zlib == nullptr) return translated(texts::zip_file::no_zlib);
   Deflater deflater(*zlib);
   const bool whole = content([&](std::string_view bytes) { return deflater.take(bytes, Z_NO_FLUSH); }) && deflater.take({}, Z_FINISH);
-  if (written_ + deflater.packed().size() + name.size() > max_bytes || deflater.length() > max_bytes) return too_long();
-  if (!whole) return not_written;
+  if (written_ + deflater.packed().size() + name.size() > max_bytes || deflater.length() > max_bytes)
+    return translated(texts::zip_file::too_long_to_write);
+  if (!whole) return translated(texts::zip_file::not_written);
   std::string sizes;  // fields that both headers of the file contain
   put_le(sizes, 0, 2), put_le(sizes, deflate, 2), put_le(sizes, first_day, 4), put_le(sizes, deflater.crc(), 4);
   put_le(sizes, std::uint32_t(deflater.packed().size()), 4), put_le(sizes, std::uint32_t(deflater.length()), 4);
@@ -82,15 +80,15 @@ std::string ZipWriter::add(const std::string& name, const std::function<bool(con
   ++count_;
   std::string local;
   put_le(local, 0x04034b50, 4), put_le(local, version, 2);
-  return put(local + sizes + name) && put(deflater.packed()) ? std::string() : not_written;
+  return put(local + sizes + name) && put(deflater.packed()) ? std::string() : translated(texts::zip_file::not_written);
 }
 
 std::string ZipWriter::finish() {
-  if (written_ + directory_.size() > max_bytes) return too_long();
+  if (written_ + directory_.size() > max_bytes) return translated(texts::zip_file::too_long_to_write);
   std::string end = directory_;
   put_le(end, 0x06054b50, 4), put_le(end, 0, 4), put_le(end, count_, 2), put_le(end, count_, 2);
   put_le(end, std::uint32_t(directory_.size()), 4), put_le(end, std::uint32_t(written_), 4), put_le(end, 0, 2);
-  return put(end) ? std::string() : told("it cannot be written", "не записывается");
+  return put(end) ? std::string() : translated(texts::zip_file::not_written);
 }
 
 }  // namespace kadr

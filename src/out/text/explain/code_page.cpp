@@ -16,6 +16,7 @@
 #include "out/text/explain/variable_text.h"
 #include "out/text/explain/word_text.h"
 #include "out/text/in_language.h"
+#include "texts/explain_code.h"
 
 namespace kadr {
 namespace {
@@ -32,7 +33,7 @@ bool is_built_in(const ControlDef& def) {
   return std::find(all.begin(), all.end(), def.id) != all.end();
 }
 
-const char* axes_of(const CodeRow& row, Lang lang) { return !row.takes_all_axes ? "" : lang == Lang::ru ? "оси" : "axes"; }
+const char* axes_of(const CodeRow& row, Lang lang) { return row.takes_all_axes ? plain_text(texts::explain_code::axes, lang) : ""; }
 
 }  // namespace
 
@@ -59,32 +60,29 @@ namespace {
 
 /// Returns the manual section of a row; empty if the row comes from the control that this one extends, which has its own manual.
 std::string source_text(const ControlDef& def, const std::string& section, Lang lang) {
-  return section.empty() ? std::string() : fmt::format("  {}: {}, {}\n", lang == Lang::ru ? "источник" : "source", def.spec, section);
+  return section.empty() ? std::string() : fmt::format("  {}\n", translated_in(lang, texts::explain_code::source, def.spec, section));
 }
 
 std::string code_text(const ControlDef& def, const CodeRow& row, Lang lang) {
-  const bool ru = lang == Lang::ru;
+  namespace ids = texts::explain_code;
   std::string text = fmt::format("{} {}: {}\n", def.id, row.code, in_language(row.text, lang));
   const GroupRow& group = def.groups[row.group];
-  if (row.group != 0) text += fmt::format("  {}: {} ({})\n", ru ? "группа" : "group", group.name, in_language(group.text, lang));
-  text += fmt::format("  {}: {}\n", ru ? "действует" : "lasts",
-                      row.modal ? (ru ? "до замены" : "until replaced (modal)") : (ru ? "в одном кадре" : "one block"));
-  if (!initial_mark(def, row).empty()) text += fmt::format("  {}\n", ru ? "исходная функция" : "in force at power-on");
+  if (row.group != 0) text += fmt::format("  {}\n", translated_in(lang, ids::group, group.name, in_language(group.text, lang)));
+  text += fmt::format("  {}\n", plain_text(row.modal ? ids::lasts_until_replaced : ids::lasts_one_block, lang));
+  if (!initial_mark(def, row).empty()) text += fmt::format("  {}\n", plain_text(ids::in_force_at_power_on, lang));
   if (const std::string words = letters_of(row.takes | number_words(def, row), axes_of(row, lang)); !words.empty())
-    text += fmt::format("  {}: {}\n", ru ? "слова" : "words", words) + words_text(def, row, lang);
-  if (row.needs != 0) text += fmt::format("  {}: {}\n", ru ? "обязательны" : "must have", letters_of(row.needs));
+    text += fmt::format("  {}\n", translated_in(lang, ids::words, words)) + words_text(def, row, lang);
+  if (row.needs != 0) text += fmt::format("  {}\n", translated_in(lang, ids::must_have, letters_of(row.needs)));
   text += steps_text(def, row, lang);
-  if (!row.works) text += fmt::format("  {}\n", ru ? "в этой версии Kadr не выполняется" : "not in this version of Kadr");
+  if (!row.works) text += fmt::format("  {}\n", plain_text(ids::not_executed, lang));
   return text + source_text(def, row.manual, lang);
 }
 
 std::string address_text(const ControlDef& def, const AddressRow& row, Lang lang) {
-  const bool ru = lang == Lang::ru;
   std::string text = fmt::format("{} {}: {}\n", def.id, address_written(row.letter), in_language(row.text, lang));
-  text += fmt::format("  {}: {}\n", ru ? "формат" : "format", format_of(def, row));
+  text += fmt::format("  {}\n", translated_in(lang, texts::explain_code::format, format_of(def, row)));
   if (row.unit == WordUnit::length && def.grammar.word(row.letter).implied)
-    text += fmt::format("  {}\n",
-                        ru ? "без точки: в единицах младшего разряда формата" : "without a point: in units of the format's last digit");
+    text += fmt::format("  {}\n", plain_text(texts::explain_code::unit_without_point, lang));
   return text + source_text(def, row.manual, lang);
 }
 
@@ -97,7 +95,7 @@ std::string cycle_text(const ControlDef& def, const CycleRow& row, Lang lang) {
     body.remove_prefix(end + 1);
   }
   text += steps_text(def, row, lang);
-  if (row.needs != 0) text += fmt::format("  {}: {}\n", lang == Lang::ru ? "нужны" : "needs", letters_of(row.needs));
+  if (row.needs != 0) text += fmt::format("  {}\n", translated_in(lang, texts::explain_code::needs, letters_of(row.needs)));
   return text + source_text(def, row.manual, lang);
 }
 
@@ -230,11 +228,12 @@ std::string explain_control(const ControlDef& def, Lang lang) {
   std::string text = fmt::format("{}: {}\n", def.id, in_language(def.name, lang));
   if (!def.lineage.empty() && !is_built_in(def)) text += fmt::format("  extends {}\n", def.lineage.front());
   if (!def.descriptor.empty()) text += fmt::format("  {}\n", def.descriptor);
-  const char* const not_yet = lang == Lang::ru ? " (ещё нет)" : " (not yet)";
-  const char* const in_part = lang == Lang::ru ? " (отчасти)" : " (in part)";
-  for (const CodeRow& row : def.codes)
-    text += fmt::format("  {:<8}{:<2}{}{}\n", row.code, initial_mark(def, row), in_language(row.text, lang),
-                        row.works ? (row.in_part ? in_part : "") : not_yet);
+  for (const CodeRow& row : def.codes) {
+    std::string of_code = in_language(row.text, lang);
+    if (!row.works) of_code = translated_in(lang, texts::explain_code::not_yet, of_code);
+    else if (row.in_part) of_code = translated_in(lang, texts::explain_code::in_part, of_code);
+    text += fmt::format("  {:<8}{:<2}{}\n", row.code, initial_mark(def, row), of_code);
+  }
   for (const CycleRow& row : def.cycles)
     if (!row.body.empty() || row.name[0] == 'L') text += fmt::format("  {:<10}{}\n", row.name, in_language(row.text, lang));
   return text;

@@ -7,9 +7,12 @@
 
 #include "out/text/explain/code_page.h"
 #include "out/text/explain/variable_text.h"
+#include "texts/explain_control.h"
 
 namespace kadr {
 namespace {
+
+namespace heading_ids = texts::explain_control;
 
 std::string escaped(const std::string& text) {
   std::string out;
@@ -18,6 +21,9 @@ std::string escaped(const std::string& text) {
 }
 
 std::string cells(const Text& text) { return fmt::format("{} | {}", escaped(text.en), escaped(text.ru)); }
+
+/// Returns the headings of the two columns that cells() fills: "meaning | значение".
+std::string headings(PlainText text) { return fmt::format("{} | {}", plain_text(text, Lang::en), plain_text(text, Lang::ru)); }
 
 /// Returns the heading row of a Markdown table and the line below it: "| a | b |", "|---|---|".
 std::string table_head(const std::string& columns) {
@@ -28,7 +34,7 @@ std::string table_head(const std::string& columns) {
 }
 
 void address_rows(const ControlDef& def, std::string& page) {
-  page += "\n## Addresses\n\n" + table_head("| address | format | meaning | значение | source |");
+  page += "\n## Addresses\n\n" + table_head(fmt::format("| address | format | {} | source |", headings(heading_ids::meaning)));
   for (const AddressRow& row : def.addresses)
     if (row.function != Function::count)
       page +=
@@ -39,7 +45,8 @@ void code_rows(const ControlDef& def, char letter, std::string& page) {
   // Without unsupported codes a column that says which codes work is left out.
   const bool all_work = std::all_of(def.codes.begin(), def.codes.end(), [](const CodeRow& row) { return row.works && !row.in_part; });
   page += fmt::format("\n## {} codes\n\n", letter);
-  page += table_head(fmt::format("| code | group | lasts | words |{} meaning | значение | source |", all_work ? "" : " works |"));
+  page += table_head(
+      fmt::format("| code | group | lasts | words |{} {} | source |", all_work ? "" : " works |", headings(heading_ids::meaning)));
   for (const CodeRow& row : def.codes) {
     if (row.letter != letter) continue;
     const char* const works = all_work ? "" : !row.works ? " not yet |" : row.in_part ? " in part |" : " yes |";
@@ -53,7 +60,7 @@ void cycle_rows(const ControlDef& def, std::string& page) {
   for (const CycleRow& row : def.cycles) {
     const std::string& printed = row.body.empty() ? row.printed : row.body;
     if (printed.empty()) continue;
-    if (!bodies) page += "\n## Cycles\n\n" + table_head("| cycle | meaning | значение | body |");
+    if (!bodies) page += "\n## Cycles\n\n" + table_head(fmt::format("| cycle | {} | body |", headings(heading_ids::meaning)));
     bodies = true;
     std::string body;
     for (const char c : printed) body += c == '\n' ? std::string("` · `") : std::string(1, c);
@@ -65,7 +72,8 @@ void variable_rows(const ControlDef& def, std::string& page) {
   if (def.variables.empty()) return;
   const bool symbols = std::any_of(def.variables.begin(), def.variables.end(), [](const VariableRow& row) { return !row.symbol.empty(); });
   page += "\n## System variables\n\n";
-  page += table_head(fmt::format("| numbers |{} meaning | значение | source |", symbols ? " symbol | access | works |" : ""));
+  page +=
+      table_head(fmt::format("| numbers |{} {} | source |", symbols ? " symbol | access | works |" : "", headings(heading_ids::meaning)));
   for (const VariableRow& row : def.variables) {
     std::string more;
     if (symbols)
@@ -83,7 +91,8 @@ void parameter_rows(const ControlDef& def, std::string& page) {
               ? "\n## Parameters\n\nNot every one is in the manual of programming: those that its chapters name. `G10 L52` may write all "
                 "but those that need a restart. \"no effect\": kept, read and written by programs, but nothing follows from it in Kadr.\n\n"
               : "\n## Parameters\n\nThe set-up states them. \"no effect\": nothing follows from it in Kadr.\n\n";
-  page += table_head("| number | of | kind | bits | initial | written by G10 | works | meaning | значение | source |");
+  page += table_head(
+      fmt::format("| number | of | kind | bits | initial | written by G10 | works | {} | source |", headings(heading_ids::meaning)));
   for (const ParameterRow& row : def.parameters) {
     std::string bits;
     for (std::size_t i = 0; i < row.bits.size(); ++i)
@@ -106,7 +115,7 @@ void alarm_rows(const ControlDef& def, const AlarmTexts& texts, std::string& pag
   page +=
       "\n## Alarms\n\nThose that have a number or words of the control's own, and those that only some controls give; `{0}` stands for the "
       "figure of the case.\n\n";
-  page += table_head("| number | alarm | text | текст | hint | подсказка |");
+  page += table_head(fmt::format("| number | alarm | {} | {} |", headings(heading_ids::alarm_text), headings(heading_ids::alarm_hint)));
   for (const AlarmId id : ids) {
     const Text text = {texts.pattern(id, Lang::en), texts.pattern(id, Lang::ru)};
     const Text hint = {texts.hint_pattern(id, Lang::en), texts.hint_pattern(id, Lang::ru)};

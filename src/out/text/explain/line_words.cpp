@@ -14,6 +14,7 @@
 #include "out/text/explain/word_text.h"
 #include "out/text/in_language.h"
 #include "out/text/source_line.h"
+#include "texts/explain_words.h"
 
 namespace kadr {
 namespace {
@@ -43,7 +44,7 @@ class LineWords {
   void take(const Block& block, std::size_t begin) {
     block_ = &block;
     if (block.has_number)
-      add(block.number_where, std::string(block.main_block ? ":" : "N"), lang_ == Lang::ru ? "номер кадра" : "number of the block", {});
+      add(block.number_where, std::string(block.main_block ? ":" : "N"), plain_text(texts::explain_words::block_number, lang_), {});
     for (std::uint32_t i = 0; i < block.word_count; ++i) take(block.words[i]);
     take_variables(begin, block.where.end > begin ? block.where.end : line_.size());
   }

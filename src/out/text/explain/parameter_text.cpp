@@ -7,32 +7,32 @@
 #include <array>
 
 #include "out/text/in_language.h"
+#include "texts/explain_code.h"
+#include "texts/explain_parameter.h"
 
 namespace kadr {
 namespace {
 
+namespace parameter_ids = texts::explain_parameter;
+
 constexpr double unbounded = 1e299;
 constexpr std::size_t bits_with_number = 8;  // the bits after these have a name only (24.0)
 
-std::string_view scope_of(const ParameterRow& row, Lang lang) {
-  constexpr std::array<BothLanguages, 4> words = {{{"the control has one", "одно на всё УЧПУ"},
-                                                   {"one for each channel", "своё у каждого канала"},
-                                                   {"one for each axis", "своё у каждой оси"},
-                                                   {"one for each spindle", "своё у каждого шпинделя"}}};
-  return in_language(words[static_cast<std::size_t>(row.scope)], lang);
+const char* scope_of(const ParameterRow& row, Lang lang) {
+  constexpr std::array<PlainText, 4> scopes = {parameter_ids::one_for_control, parameter_ids::one_for_channel, parameter_ids::one_for_axis,
+                                               parameter_ids::one_for_spindle};
+  return plain_text(scopes[static_cast<std::size_t>(row.scope)], lang);
 }
 
-std::string_view type_of(const ParameterRow& row, Lang lang) {
-  constexpr std::array<BothLanguages, 4> words = {
-      {{"bits", "разряды"}, {"whole number", "целое число"}, {"real number", "вещественное число"}, {"text", "текст"}}};
-  return in_language(words[static_cast<std::size_t>(row.type)], lang);
+const char* type_of(const ParameterRow& row, Lang lang) {
+  constexpr std::array<PlainText, 4> types = {parameter_ids::type_bits, parameter_ids::type_whole, parameter_ids::type_real,
+                                              parameter_ids::type_text};
+  return plain_text(types[static_cast<std::size_t>(row.type)], lang);
 }
 
-std::string_view when_of(const ParameterRow& row, Lang lang) {
-  constexpr std::array<BothLanguages, 3> words = {{{"at once", "сразу"},
-                                                   {"after power-on; G10 L52 refuses it", "после включения; G10 L52 его не принимает"},
-                                                   {"after an emergency stop", "после аварийного останова"}}};
-  return in_language(words[static_cast<std::size_t>(row.when)], lang);
+const char* when_of(const ParameterRow& row, Lang lang) {
+  constexpr std::array<PlainText, 3> times = {parameter_ids::at_once, parameter_ids::after_power_on, parameter_ids::after_emergency_stop};
+  return plain_text(times[static_cast<std::size_t>(row.when)], lang);
 }
 
 /// Returns "0 … 100" or "at least 0"; empty for bits and texts, and for a parameter without limits.
@@ -42,8 +42,8 @@ std::string allowed_values(const ParameterRow& row, Lang lang) {
   const bool most = row.most < unbounded;
   const auto figure = [](double value) { return fmt::format("{:.12g}", value); };
   if (least && most) return figure(row.least) + " … " + figure(row.most);
-  if (least) return fmt::format("{} {}", lang == Lang::ru ? "не меньше" : "at least", figure(row.least));
-  if (most) return fmt::format("{} {}", lang == Lang::ru ? "не больше" : "at most", figure(row.most));
+  if (least) return translated_in(lang, parameter_ids::at_least, figure(row.least));
+  if (most) return translated_in(lang, parameter_ids::at_most, figure(row.most));
   return {};
 }
 
@@ -57,26 +57,22 @@ std::string bits_of(const ParameterRow& row, Lang lang) {
     text += i < bits_with_number ? fmt::format("{} {}", i, row.bits[i]) : row.bits[i];
   }
   if (others.empty()) return known;
-  return fmt::format("{}{}{}: {}", known, known.empty() ? "" : "; ", lang == Lang::ru ? "номера неизвестны" : "numbers unknown", others);
+  return fmt::format("{}{}{}", known, known.empty() ? "" : "; ", translated_in(lang, parameter_ids::numbers_unknown, others));
 }
 
 std::string parameter_text(const ControlDef& def, const ParameterRow& row, Lang lang) {
-  const bool ru = lang == Lang::ru;
-  const bool russian = ru && !row.text.ru.empty();
-  std::string text = fmt::format("{} {}{}: {}\n", def.id, row.number < 0 ? "" : "N", row.name, russian ? row.text.ru : row.text.en);
-  const auto line = [&](std::string_view head, std::string_view value) {
-    if (!value.empty()) text += fmt::format("  {}: {}\n", head, value);
-  };
-  if (russian) line("имя в руководстве", row.text.en);
-  line(ru ? "вид" : "type", fmt::format("{}, {}", type_of(row, lang), scope_of(row, lang)));
-  line(ru ? "биты" : "bits", bits_of(row, lang));
-  line(ru ? "пределы" : "values", allowed_values(row, lang));
-  if (row.type != ParameterType::text) line(ru ? "исходное" : "default", fmt::format("{:.12g}", row.initial));
-  line(ru ? "вступает в силу" : "takes effect", when_of(row, lang));
-  text += fmt::format("  {}\n", row.used ? (ru ? "Kadr его учитывает" : "Kadr obeys it")
-                                         : (ru ? "в Kadr не действует: хранится, читается и записывается программой"
-                                               : "without effect in Kadr: kept, read and written by programs"));
-  line(ru ? "источник" : "source", fmt::format("{}, {}", def.spec, row.manual));
+  const bool russian = lang == Lang::ru && !row.text.ru.empty();
+  std::string text = fmt::format("{} {}{}: {}\n", def.id, row.number < 0 ? "" : "N", row.name, in_language(row.text, lang));
+  const auto line = [&](const std::string& words) { text += fmt::format("  {}\n", words); };
+  const std::string bits = bits_of(row, lang), values = allowed_values(row, lang);
+  if (russian && !row.text.en.empty()) line(translated_in(lang, parameter_ids::manual_name, row.text.en));
+  line(translated_in(lang, parameter_ids::type_and_scope, type_of(row, lang), scope_of(row, lang)));
+  if (!bits.empty()) line(translated_in(lang, parameter_ids::bits, bits));
+  if (!values.empty()) line(translated_in(lang, parameter_ids::values, values));
+  if (row.type != ParameterType::text) line(translated_in(lang, parameter_ids::initial, fmt::format("{:.12g}", row.initial)));
+  line(translated_in(lang, parameter_ids::takes_effect, when_of(row, lang)));
+  line(plain_text(row.used ? parameter_ids::obeyed : parameter_ids::without_effect, lang));
+  line(translated_in(lang, texts::explain_code::source, def.spec, row.manual));
   return text;
 }
 

@@ -9,9 +9,14 @@
 #include <cctype>
 
 #include "base/ascii.h"
+#include "out/text/in_language.h"
+#include "texts/explain_code.h"
+#include "texts/explain_variable.h"
 
 namespace kadr {
 namespace {
+
+namespace variable_ids = texts::explain_variable;
 
 /// A position in a range of variable numbers: index of the series of numbers, and index within that series.
 struct Place {
@@ -34,16 +39,15 @@ std::string of_many(const VariableRow& row, std::uint32_t family, const std::str
 }
 
 std::string explained(const ControlDef& def, const VariableRow& row, const std::string& name, Lang lang) {
-  const bool ru = lang == Lang::ru;
-  std::string text = fmt::format("{} {}: {}\n", def.id, name, ru && !row.text.ru.empty() ? row.text.ru : row.text.en);
+  std::string text = fmt::format("{} {}: {}\n", def.id, name, in_language(row.text, lang));
   if (const std::string numbers = numbers_of(def, row, lang); !numbers.empty() && numbers != name)
-    text += fmt::format("  {}: {}\n", ru ? "номера" : "numbers", numbers);
+    text += fmt::format("  {}\n", translated_in(lang, variable_ids::numbers, numbers));
   if (const std::string symbol = symbol_of(row); !symbol.empty() && symbol != name)
-    text += fmt::format("  {}: {}\n", ru ? "имя" : "symbol", symbol);
-  if (!row.write) text += fmt::format("  {}\n", ru ? "только чтение" : "read only");
-  if (!row.read) text += fmt::format("  {}\n", ru ? "только запись" : "write only");
-  if (!row.works) text += fmt::format("  {}\n", ru ? "в этой версии Kadr не действует" : "not in this version of Kadr");
-  return text + fmt::format("  {}: {}, {}\n", ru ? "источник" : "source", def.spec, row.manual);
+    text += fmt::format("  {}\n", translated_in(lang, variable_ids::symbol, symbol));
+  if (!row.write) text += fmt::format("  {}\n", plain_text(variable_ids::read_only, lang));
+  if (!row.read) text += fmt::format("  {}\n", plain_text(variable_ids::write_only, lang));
+  if (!row.works) text += fmt::format("  {}\n", plain_text(variable_ids::without_effect, lang));
+  return text + fmt::format("  {}\n", translated_in(lang, texts::explain_code::source, def.spec, row.manual));
 }
 
 std::optional<std::string> by_number(const ControlDef& def, std::uint32_t number, Lang lang) {
@@ -68,16 +72,15 @@ std::string numbers_of(const ControlDef& def, const VariableRow& row, Lang lang)
     std::string whole = fmt::format("#{}", row.of);
     for (const VariableRow& other : def.variables)
       if (other.bit < 0 && other.ranges.front().from == row.of && row.of > first_unwritten_variable) whole = symbol_of(other);
-    return fmt::format("{} {} {}", lang == Lang::ru ? "разряд" : "bit", row.bit, lang == Lang::ru ? "в " + whole : "of " + whole);
+    return translated_in(lang, variable_ids::bit_of, row.bit, whole);
   }
   std::string text;
   for (const VariableRange& range : row.ranges) {
     if (range.from > first_unwritten_variable) continue;
-    text += fmt::format("{}#{}", text.empty() ? "" : ", ", range.from);
-    if (range.count > 1) text += fmt::format("–#{}", range.from + range.count - 1);
-    if (range.repeat <= 1) continue;
-    text += lang == Lang::ru ? fmt::format(", через {} до {} раз", range.stride, range.repeat)
-                             : fmt::format(", every {} up to {} times", range.stride, range.repeat);
+    std::string numbers = fmt::format("#{}", range.from);
+    if (range.count > 1) numbers += fmt::format("–#{}", range.from + range.count - 1);
+    if (range.repeat > 1) numbers = translated_in(lang, variable_ids::numbers_repeated, numbers, range.stride, range.repeat);
+    text += (text.empty() ? "" : ", ") + numbers;
   }
   return text;
 }

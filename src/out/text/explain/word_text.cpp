@@ -10,56 +10,52 @@
 
 #include "base/code_literals.h"
 #include "out/text/explain/cycle_text.h"
+#include "out/text/in_language.h"
+#include "texts/explain_words.h"
 
 namespace kadr {
 namespace {
+
+namespace word_ids = texts::explain_words;
 
 /// The meaning of a letter in blocks with one function; for addresses with several meanings.
 struct Meaning {
   Function function;
   char letter;
   WordUnit unit;
-  std::string_view en, ru;
+  PlainText text;
 };
 
 // nct 18.0: drilling; 15.5.1: radius_side. Mach3 10.7.22 to 10.7.24: cycle.
 constexpr Meaning meanings[] = {
-    {Function::drilling, 'R', WordUnit::length, "point R: coordinate, in G91 the distance from the initial point",
-     "точка R: координата, в G91 расстояние от исходной точки"},
-    {Function::drilling, 'Q', WordUnit::length, "depth of one peck, positive", "глубина за один проход, положительная"},
-    {Function::drilling, 'E', WordUnit::length, "way back between pecks, clearance before the next one",
-     "отвод между проходами, недоход перед следующим"},
-    {Function::drilling, 'P', WordUnit::none, "dwell at the bottom, s; in G95 revolutions of the spindle",
-     "выдержка на дне, с; в G95 обороты шпинделя"},
-    {Function::drilling, 'L', WordUnit::none, "number of repetitions", "число повторений"},
-    {Function::drilling, 'I', WordUnit::length, "shift of the oriented tool along X, incremental",
-     "смещение ориентированного инструмента по X, в приращениях"},
-    {Function::drilling, 'J', WordUnit::length, "shift of the oriented tool along Y, incremental",
-     "смещение ориентированного инструмента по Y, в приращениях"},
-    {Function::drilling, 'K', WordUnit::length, "shift of the oriented tool along Z, incremental",
-     "смещение ориентированного инструмента по Z, в приращениях"},
-    {Function::radius_side, 'I', WordUnit::length, "direction of the way in, along X", "направление подхода по X"},
-    {Function::radius_side, 'J', WordUnit::length, "direction of the way in, along Y", "направление подхода по Y"},
-    {Function::radius_side, 'K', WordUnit::length, "direction of the way in, along Z", "направление подхода по Z"},
-    {Function::cycle, 'Z', WordUnit::length, "bottom of the hole (G17): coordinate, in G91 the distance from R",
-     "дно отверстия (G17): координата, в G91 расстояние от R"},
-    {Function::cycle, 'R', WordUnit::length, "level R: coordinate, in G91 the distance from where the tool stands",
-     "уровень R: координата, в G91 расстояние от положения инструмента"},
-    {Function::cycle, 'Q', WordUnit::length, "depth of one peck, positive", "глубина за один проход, положительная"},
-    {Function::cycle, 'P', WordUnit::none, "dwell at the bottom, s", "выдержка на дне, с"},
-    {Function::cycle, 'L', WordUnit::none, "number of repetitions", "число повторений"},
-    {Function::cycle, 'I', WordUnit::length, "shift in the plane, first axis", "смещение в плоскости по первой оси"},
-    {Function::cycle, 'J', WordUnit::length, "shift in the plane, second axis", "смещение в плоскости по второй оси"},
-    {Function::cycle, 'K', WordUnit::length, "upper end of the back boring: coordinate, in G91 the distance from the bottom",
-     "верх обратного растачивания: координата, в G91 расстояние от дна"},
+    {Function::drilling, 'R', WordUnit::length, word_ids::point_r},
+    {Function::drilling, 'Q', WordUnit::length, word_ids::peck_depth},
+    {Function::drilling, 'E', WordUnit::length, word_ids::way_between_pecks},
+    {Function::drilling, 'P', WordUnit::none, word_ids::dwell_or_revolutions},
+    {Function::drilling, 'L', WordUnit::none, word_ids::repetitions},
+    {Function::drilling, 'I', WordUnit::length, word_ids::shift_along_x},
+    {Function::drilling, 'J', WordUnit::length, word_ids::shift_along_y},
+    {Function::drilling, 'K', WordUnit::length, word_ids::shift_along_z},
+    {Function::radius_side, 'I', WordUnit::length, word_ids::way_in_along_x},
+    {Function::radius_side, 'J', WordUnit::length, word_ids::way_in_along_y},
+    {Function::radius_side, 'K', WordUnit::length, word_ids::way_in_along_z},
+    {Function::cycle, 'Z', WordUnit::length, word_ids::bottom_of_hole},
+    {Function::cycle, 'R', WordUnit::length, word_ids::level_r},
+    {Function::cycle, 'Q', WordUnit::length, word_ids::peck_depth},
+    {Function::cycle, 'P', WordUnit::none, word_ids::dwell_at_bottom},
+    {Function::cycle, 'L', WordUnit::none, word_ids::repetitions},
+    {Function::cycle, 'I', WordUnit::length, word_ids::shift_along_first_axis},
+    {Function::cycle, 'J', WordUnit::length, word_ids::shift_along_second_axis},
+    {Function::cycle, 'K', WordUnit::length, word_ids::end_of_back_boring},
 };
 
-std::string_view unit_of(WordUnit unit, Lang lang) {
-  const bool ru = lang == Lang::ru;
-  if (unit == WordUnit::length) return ru ? ", мм (дюйм)" : ", mm (inch)";
-  if (unit == WordUnit::angle) return ru ? ", градусы" : ", degrees";
-  return "";
+std::string with_unit(const std::string& text, WordUnit unit, Lang lang) {
+  if (unit == WordUnit::length) return translated_in(lang, word_ids::length_in_unit, text);
+  if (unit == WordUnit::angle) return translated_in(lang, word_ids::angle_in_degrees, text);
+  return text;
 }
+
+std::string meaning_text(const Meaning& meaning, Lang lang) { return with_unit(plain_text(meaning.text, lang), meaning.unit, lang); }
 
 bool is_tap(const CodeRow& code) { return code.arg == 84.2_g || code.arg == 84.3_g; }
 
@@ -68,15 +64,13 @@ std::optional<Meaning> drilling_meaning(const ControlDef& def, const CodeRow& co
   using enum WordUnit;
   const std::uint64_t used = words_used(code);
   const bool pecks = (used >> ('Q' - 'A') & 1u) != 0, shifts = (used >> ('K' - 'A') & 1u) != 0;
-  if (letter == 'K' && def.behaviour.repeats_by_k) return Meaning{code.function, letter, none, "number of repetitions", "число повторений"};
-  if (letter == 'Q' && shifts && def.behaviour.shifts_by_q())
-    return Meaning{code.function, letter, length, "shift of the oriented tool, positive",
-                   "смещение ориентированного инструмента, положительное"};
+  if (letter == 'K' && def.behaviour.repeats_by_k) return Meaning{code.function, letter, none, word_ids::repetitions};
+  if (letter == 'Q' && shifts && def.behaviour.shifts_by_q()) return Meaning{code.function, letter, length, word_ids::shift_of_tool};
   if (!pecks || is_tap(code) || def.behaviour.cycle_words != CycleWords::pecks_by_ijk) return std::nullopt;
   switch (letter) {
-    case 'I': return Meaning{code.function, letter, length, "depth of the first peck, without Q", "глубина первого прохода, без Q"};
-    case 'J': return Meaning{code.function, letter, length, "how much less each next peck is", "на сколько каждый следующий проход меньше"};
-    case 'K': return Meaning{code.function, letter, length, "depth of the smallest peck", "глубина наименьшего прохода"};
+    case 'I': return Meaning{code.function, letter, length, word_ids::first_peck};
+    case 'J': return Meaning{code.function, letter, length, word_ids::decrease_of_pecks};
+    case 'K': return Meaning{code.function, letter, length, word_ids::smallest_peck};
     default: return std::nullopt;
   }
 }
@@ -103,24 +97,19 @@ std::uint64_t number_words(const ControlDef& def, const CodeRow& row) {
 }
 
 std::string meaning_of(const ControlDef& def, const CodeRow& code, char letter, Lang lang) {
-  const bool ru = lang == Lang::ru;
   if (code.function == Function::drilling)
-    if (const auto own = drilling_meaning(def, code, letter)) return fmt::format("{}{}", ru ? own->ru : own->en, unit_of(own->unit, lang));
+    if (const auto own = drilling_meaning(def, code, letter)) return meaning_text(*own, lang);
   const auto* const found = std::find_if(std::begin(meanings), std::end(meanings),
                                          [&](const Meaning& one) { return one.function == code.function && one.letter == letter; });
-  if (found != std::end(meanings)) return fmt::format("{}{}", ru ? found->ru : found->en, unit_of(found->unit, lang));
+  if (found != std::end(meanings)) return meaning_text(*found, lang);
   const AddressRow& row = def.address(letter);
-  return fmt::format("{}{}", ru && !row.text.ru.empty() ? row.text.ru : row.text.en, unit_of(row.unit, lang));
+  return with_unit(in_language(row.text, lang), row.unit, lang);
 }
 
 std::string words_text(const ControlDef& def, const CodeRow& row, Lang lang) {
-  const bool ru = lang == Lang::ru;
   const bool drills = row.function == Function::drilling;
   std::string text;
-  if (drills)
-    text += fmt::format("    {}{}\n", ru ? "оси" : "axes",
-                        ru ? ": отверстие в плоскости; ось сверления: дно, в G91 расстояние от R, мм (дюйм)"
-                           : ": the hole in the plane; the drilling axis: the bottom, in G91 the distance from R, mm (inch)");
+  if (drills) text += fmt::format("    {}\n", plain_text(word_ids::axes_of_drilling, lang));
   const std::uint64_t used = used_letters(def, row);
   std::string idle;
   for (int i = 0; i <= comma_vector - 'A'; ++i) {
@@ -132,7 +121,7 @@ std::string words_text(const ControlDef& def, const CodeRow& row, Lang lang) {
   }
   if ((drills || row.function == Function::cycle) && def.address('F').function != Function::count)  // F belongs to the block, not the code
     text += fmt::format("    {:<3}{}\n", "F", meaning_of(def, row, 'F', lang));
-  if (!idle.empty()) text += fmt::format("    {}: {}\n", ru ? "не используются этим циклом" : "not used by this cycle", idle);
+  if (!idle.empty()) text += fmt::format("    {}\n", translated_in(lang, word_ids::not_used, idle));
   return text;
 }
 
