@@ -22,6 +22,7 @@
 #include "out/program/tools_template.h"
 #include "session/tool_proposals.h"
 #include "session/used_key.h"
+#include "texts/setup_command_notes.h"
 
 namespace kadr::cli {
 namespace {
@@ -40,7 +41,6 @@ class TemplateMaker {
   TemplateMaker(const Job& job, const Control& control, const ExecutedBlocks& done)
       : job_(job),
         control_(control),
-        ru_(job.lang == Lang::ru),
         faults_(done.faults),
         lines_(lines_of(control)),
         proposals_(lines_, comments_in_inches(control, done.moved)) {}
@@ -49,20 +49,25 @@ class TemplateMaker {
     for (const Use& use : control_.use().all()) take(use);
     for (const auto& [tool, use] : tools_)
       if (!told_.contains(tool)) warn_tool(tool, use);
-    if (faults_ != 0)
-      say(fmt::format("the program has faults ({}): what stands behind them may be missing here; kadr check shows them", faults_),
-          fmt::format("в программе есть ошибки ({}): того, что стоит за ними, здесь может не быть; их покажет kadr check", faults_));
+    if (faults_ != 0) note(texts::setup_command_notes::faults, faults_);
     warn_branches();
     return std::move(made_);
   }
 
  private:
-  void say(const std::string& en, const std::string& ru) { made_.notes.push_back(ru_ ? ru : en); }
+  template <std::size_t Holes, typename... Args>
+  void note(TextId<Holes> text, const Args&... args) {
+    made_.notes.push_back(in_words(text, args...));
+  }
+  template <std::size_t Holes, typename... Args>
+  std::string in_words(TextId<Holes> text, const Args&... args) const {
+    return translated_in(job_.lang, text, args...);
+  }
 
   std::string place(const Origin& origin) const {
     const std::string block = origin.has_block ? fmt::format(" N{}", origin.block) : "";
     const std::string file = origin.file == 0 ? "" : control_.file_name(origin.file) + " ";
-    return ru_ ? fmt::format("{}строка {}{}", file, origin.line, block) : fmt::format("{}line {}{}", file, origin.line, block);
+    return file + in_words(texts::setup_command_notes::line, origin.line) + block;
   }
 
   void take(const Use& use) {
@@ -76,18 +81,15 @@ class TemplateMaker {
       case UseKind::variable:
       case UseKind::parameter:
         made_.variables.emplace_back(used.word, std::nullopt);
-        say(fmt::format("{}: read in {}, before the program writes it", used.word, place(use.origin)),
-            fmt::format("{}: {}, читается раньше, чем программа её присваивает", used.word, place(use.origin)));
+        note(texts::setup_command_notes::variable, used.word, place(use.origin));
         break;
       case UseKind::skip_switch:
         made_.has_skip = true;
-        say(fmt::format("skip: {} stands in {}; put {} into the list to skip such blocks", used.word, place(use.origin), use.number),
-            fmt::format("skip: {} есть, {}; чтобы пропускать такие кадры, впишите в список {}", used.word, place(use.origin), use.number));
+        note(texts::setup_command_notes::skip, used.word, place(use.origin), use.number);
         break;
       case UseKind::optional_stop:
         made_.has_optional_stop = true;
-        say(fmt::format("optional_stop: M1 stands in {}; true stops there", place(use.origin)),
-            fmt::format("optional_stop: M1 есть, {}; true — останавливаться", place(use.origin)));
+        note(texts::setup_command_notes::optional_stop, place(use.origin));
         break;
       default: break;
     }
@@ -98,19 +100,15 @@ class TemplateMaker {
     auto row = std::find_if(made_.offsets.begin(), made_.offsets.end(), [&](const SetupTemplate::Row& r) { return r.name == name; });
     if (row == made_.offsets.end()) row = made_.offsets.insert(made_.offsets.end(), {name, {}});
     if (std::any_of(row->cells.begin(), row->cells.end(), [&](const auto& cell) { return cell.first == what; })) return;  // by another tool
-    const std::string tool = use.tool != 0 ? fmt::format("T{}, ", use.tool) : "";
+    const std::string used_at = (use.tool != 0 ? fmt::format("T{}, ", use.tool) : "") + place(use.origin);
     const bool is_radius = std::string_view(what) == "radius";
     const auto proposal = is_radius && use.tool != 0 ? proposal_for(use.tool) : std::nullopt;
     row->cells.emplace_back(what, proposal ? std::optional(*proposal->said.diameter / 2) : std::nullopt);
     if (use.tool != 0 && is_radius) told_.insert(use.tool);
-    if (proposal)
-      say(fmt::format("{}: {}{}; proposed from line {} \"{}\", check it", used.key, tool, place(use.origin), proposal->line,
-                      proposal->text),
-          fmt::format("{}: {}{}; предложено по строке {} «{}», проверьте", used.key, tool, place(use.origin), proposal->line,
-                      proposal->text));
+    if (proposal) note(texts::setup_command_notes::offset_proposed, used.key, used_at, proposal->line, proposal->text);
     else
-      say(fmt::format("{}: {}{} ({}); fill in{}", used.key, tool, place(use.origin), used.word, is_radius ? not_sure(use.tool) : ""),
-          fmt::format("{}: {}{} ({}); впишите{}", used.key, tool, place(use.origin), used.word, is_radius ? not_sure(use.tool) : ""));
+      made_.notes.push_back(
+          with_unsure(in_words(texts::setup_command_notes::offset, used.key, used_at, used.word), is_radius ? use.tool : 0));
     if (proposal && proposal->said.corner && has(*job_.def, SetupNeeds::corner_radius))
       row->cells.emplace_back("corner_radius", proposal->said.corner);
   }
@@ -120,13 +118,12 @@ class TemplateMaker {
     const std::vector<std::string>& axes = control_.axes();
     for (std::size_t a = 0; a < axes.size() && a < 3; ++a) row.cells.emplace_back(axes[a], std::nullopt);
     (used.key.starts_with("zeros") ? made_.zeros : made_.work_offsets).push_back(std::move(row));
-    say(fmt::format("{}: {} in {}; fill in, in machine coordinates", used.key, used.word, place(use.origin)),
-        fmt::format("{}: {}, {}; впишите, в координатах станка", used.key, used.word, place(use.origin)));
+    note(texts::setup_command_notes::zero, used.key, used.word, place(use.origin));
   }
 
   void corrector(const Use& use, const UsedKey& used) {
     made_.correctors.emplace_back(std::to_string(use.number), std::nullopt);
-    say(fmt::format("{}: {}; fill in", used.key, place(use.origin)), fmt::format("{}: {}; впишите", used.key, place(use.origin)));
+    note(texts::setup_command_notes::corrector, used.key, place(use.origin));
   }
 
   /// Returns the line of the block that calls the tool; 0: it is in another file.
@@ -136,24 +133,17 @@ class TemplateMaker {
   }
   std::optional<ToolProposal> proposal_for(std::uint32_t tool) const { return proposals_.of(tool, called_at(tool)); }
 
-  /// Returns, for a tool without a proposed size, the comment that mentions it.
-  std::string not_sure(std::uint32_t tool) const {
+  /// Returns a sentence, followed by the comment that mentions the tool without a size; `tool` 0: none.
+  std::string with_unsure(const std::string& sentence, std::uint32_t tool) const {
     const auto comment = tool == 0 ? std::nullopt : proposals_.unsure(tool, called_at(tool));
-    if (!comment) return {};
-    return ru_ ? fmt::format("; не ясно: строка {} «{}»", comment->line, comment->text)
-               : fmt::format("; not sure: line {} \"{}\"", comment->line, comment->text);
+    return comment ? in_words(texts::setup_command_notes::not_sure, sentence, comment->line, comment->text) : sentence;
   }
 
   void warn_tool(std::uint32_t tool, const Use& use) {
-    const auto proposal = proposal_for(tool);
-    if (proposal)
-      say(fmt::format("T{}: {}; diameter {} by line {} \"{}\"; the program does not use its radius", tool, place(use.origin),
-                      number_text(*proposal->said.diameter), proposal->line, proposal->text),
-          fmt::format("T{}: {}; диаметр {} по строке {} «{}»; программа его радиуса не использует", tool, place(use.origin),
-                      number_text(*proposal->said.diameter), proposal->line, proposal->text));
-    else
-      say(fmt::format("T{}: {}{}", tool, place(use.origin), not_sure(tool)),
-          fmt::format("T{}: {}{}", tool, place(use.origin), not_sure(tool)));
+    if (const auto proposal = proposal_for(tool))
+      note(texts::setup_command_notes::diameter_by_comment, tool, place(use.origin), number_text(*proposal->said.diameter), proposal->line,
+           proposal->text);
+    else made_.notes.push_back(with_unsure(fmt::format("T{}: {}", tool, place(use.origin)), tool));
   }
 
   /// True if the line has a block, and not only the number of the program.
@@ -182,16 +172,11 @@ class TemplateMaker {
       list += fmt::format("{}{}", i == 0 ? "" : ", ", from == to ? fmt::format("{}", from) : fmt::format("{}–{}", from, to));
     }
     if (ranges.size() > max_ranges) list += ", …";
-    say(fmt::format("not carried out (a branch not taken, a subprogram not called, or behind the end): lines {}; what they use is not here",
-                    list),
-        fmt::format("не выполнялись (невыбранная ветвь, невызванная подпрограмма или текст после конца): строки {}; того, что в них нужно, "
-                    "здесь нет",
-                    list));
+    note(texts::setup_command_notes::not_executed, list);
   }
 
   const Job& job_;
   const Control& control_;
-  const bool ru_;
   const std::size_t faults_;
   const ProgramLines lines_;
   const ToolProposals proposals_;

@@ -89,8 +89,8 @@ TEST(setup_keys, each_is_read_with_its_example) {
   for (const SetupKey& row : setup_keys()) {
     const auto setup = read(setup_with(row, nullptr), nullptr);
     EXPECT_TRUE(setup) << row.path << ": " << setup.error();
-    EXPECT_FALSE(row.en.empty()) << row.path;
-    EXPECT_FALSE(row.ru.empty()) << row.path;
+    EXPECT_STRNE(plain_text(row.about, Lang::en), "") << row.path;
+    EXPECT_STRNE(plain_text(row.about, Lang::ru), "") << row.path;
   }
 }
 
@@ -110,7 +110,7 @@ TEST(setup_keys, parameters_are_shown_by_names_of_the_control) {
     EXPECT_EQ(forms.empty(), def.parameters.empty()) << def.id;
     for (const std::string& name : forms) {
       EXPECT_TRUE(names.allows(SetupNames::parameter, name)) << def.id << " " << name;
-      EXPECT_FALSE(names.parameter_fault(name, 1, false)) << def.id << " " << name;
+      EXPECT_FALSE(names.parameter_fault(name, 1, false, Lang::en)) << def.id << " " << name;
     }
   }
 }

@@ -5,7 +5,6 @@
 #include "base/ascii.h"
 #include "config/alarm_texts.h"
 #include "config/json_scan.h"
-#include "config/language.h"
 #include "config/read_file.h"
 #include "config/setup/setup_check.h"
 #include "config/setup/setup_file.h"
@@ -97,21 +96,20 @@ void lay_over(Json& to, const Json& from) {
 }  // namespace
 
 tl::expected<PlacedSetup, std::string> read_setup(const std::vector<SetupSource>& sources, const ControlDef* def, Lang lang) {
-  const auto in_words = [&](const auto& fault) { return lang == Lang::ru ? fault.ru : fault.en; };
   std::vector<JsonLines> parts;
   Json whole = Json::object();
   for (const SetupSource& source : sources) {
     if (std::string fault = json_fault_message(source.json, source.place); !fault.empty()) return tl::unexpected(fault);
     auto part = json_with_lines(source.json);
-    if (!part) return tl::unexpected(placed(source.place, part.error().line, in_words(part.error())));
+    if (!part) return tl::unexpected(placed(source.place, part.error().line, lang == Lang::ru ? part.error().ru : part.error().en));
     if (part->value.is_object()) lay_over(whole, part->value);
     parts.push_back(std::move(*part));
   }
   PlacedSetup result;
   for (std::size_t i = 0; i < sources.size(); ++i) {
     const auto line = [&](const std::string& key) { return line_of(parts[i].lines, key); };
-    if (const auto fault = fault_of(parts[i].value, whole, def))
-      return tl::unexpected(placed(sources[i].place, line(fault->key), in_words(*fault)));
+    if (const auto fault = fault_of(parts[i].value, whole, def, lang))
+      return tl::unexpected(placed(sources[i].place, line(fault->key), fault->sentence));
     try {
       Setup read;
       setup_reader::read_table(parts[i].value, "", setup_reader::readers_of(read));

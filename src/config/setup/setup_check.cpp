@@ -9,16 +9,13 @@
 #include <cmath>
 
 #include "config/nearest.h"
+#include "texts/setup_check.h"
 
 namespace kadr {
 namespace {
 
 using Json = nlohmann::json;
-using Sentence = SetupNamesOf::Words;
-
-struct Wrong {
-  SetupFault fault;
-};
+namespace setup_faults = texts::setup_check;
 
 std::string joined(const std::vector<std::string>& names) {
   constexpr std::size_t most = 16;
@@ -36,28 +33,43 @@ bool is_neutral(const Json& value) {
 
 bool is_unsupported(std::string_view path) { return path == "frame"; }
 
-Sentence range_words(SetupRange range) {
+/// Returns "at most 5", "0 to 9"; empty if the range has no ends.
+std::string range_words(SetupRange range, Lang lang) {
   const bool least = range.least > -1e299, most = range.most < 1e299;
-  if (least && most && range.least == -range.most) return {fmt::format("at most {}", range.most), fmt::format("не более {}", range.most)};
-  if (least && most) return {fmt::format("{} to {}", range.least, range.most), fmt::format("от {} до {}", range.least, range.most)};
-  if (least) return {"zero or above", "не меньше нуля"};
-  return {};
+  if (least && most && range.least == -range.most) return translated_in(lang, setup_faults::at_most, range.most);
+  if (least && most) return translated_in(lang, setup_faults::from_to, range.least, range.most);
+  return least ? plain_text(setup_faults::zero_or_above, lang) : "";
 }
 
-std::string quoted_words(std::string_view words, const char* before_last) {
-  std::string text;
+/// Returns the words, which blanks separate, each in quotes: "cw", "ccw" or "stop".
+std::string quoted_words(std::string_view words, Lang lang) {
+  std::vector<std::string> all;
   while (!words.empty()) {
     const std::size_t blank = std::min(words.find(' '), words.size());
-    const bool last = blank == words.size();
-    text += fmt::format("{}\"{}\"", text.empty() ? "" : last ? before_last : ", ", words.substr(0, blank));
+    all.push_back(fmt::format("\"{}\"", words.substr(0, blank)));
     words.remove_prefix(std::min(blank + 1, words.size()));
   }
-  return text;
+  return alternatives(all, lang);
+}
+
+/// Returns the sentence for a name that is none of its kind: of a key, the name, and what may have been meant.
+TextId<3> no_such(SetupNames kind) {
+  switch (kind) {
+    case SetupNames::axis:
+    case SetupNames::axis_of_any:
+    case SetupNames::axis_or_all:
+    case SetupNames::axis_or_plane: return setup_faults::no_such_axis;
+    case SetupNames::work_offset: return setup_faults::no_such_work_offset;
+    case SetupNames::parameter: return setup_faults::no_such_parameter;
+    case SetupNames::signal: return setup_faults::no_such_signal;
+    case SetupNames::shift: return setup_faults::no_such_shift;
+    default: return setup_faults::no_such_row;
+  }
 }
 
 class Checker {
  public:
-  Checker(const SetupNamesOf& names) : names_(names) {}
+  Checker(const SetupNamesOf& names, Lang lang) : names_(names), lang_(lang) {}
 
   void table(const Json& value, const std::string& path, const std::string& key) {
     const SetupKey* const row = path.empty() ? nullptr : setup_key(path);
@@ -70,11 +82,11 @@ class Checker {
   }
 
  private:
-  [[noreturn]] static void wrong(const std::string& key, Sentence words) { throw Wrong{{key, std::move(words.en), std::move(words.ru)}}; }
-  [[noreturn]] static void must_be(const std::string& key, const Sentence& form) {
-    wrong(key,
-          {fmt::format("setup key '{}' must be {}", key, form.en), fmt::format("ключ «{}» исходного состояния: нужно: {}", key, form.ru)});
+  template <std::size_t Holes, typename... Args>
+  [[noreturn]] void wrong(const std::string& key, TextId<Holes> sentence, const Args&... args) const {
+    throw KeyFault{key, translated_in(lang_, sentence, key, args...)};
   }
+  [[noreturn]] void must_be(const std::string& key, const std::string& form) const { wrong(key, setup_faults::must_be, form); }
 
   void fixed(const std::string& name, const Json& item, const std::string& path, const std::string& key) {
     const SetupKey* const row = name == "*" ? nullptr : setup_key(below(path, name));
@@ -92,59 +104,45 @@ class Checker {
       if (parent == path && names_.knows(row) && !is_unsupported(row.path))
         known.emplace_back(row.path.substr(path.empty() ? 0 : path.size() + 1));
     }
-    const auto near = nearest(name, known);
-    wrong(key,
-          {fmt::format("unknown setup key '{}'; {}", key, near ? fmt::format("did you mean '{}'?", *near) : "here stand " + joined(known)),
-           fmt::format("неизвестный ключ «{}» исходного состояния; {}", key,
-                       near ? fmt::format("возможно, «{}»?", *near) : "здесь могут стоять " + joined(known))});
+    if (const auto near = nearest(name, known)) wrong(key, setup_faults::unknown_key_near_one, *near);
+    wrong(key, setup_faults::unknown_key, joined(known));
   }
 
   [[noreturn]] void not_of_control(const SetupKey& row, const std::string& key) const {
-    const std::string& id = names_.control()->id;
-    Sentence words{fmt::format("setup key '{}': the control {} has no such thing", key, id),
-                   fmt::format("ключ «{}» исходного состояния: у УЧПУ {} этого нет", key, id)};
+    const std::string& control = names_.control()->id;
     const SetupKey* const instead = row.instead.empty() ? nullptr : setup_key(row.instead);
-    if (instead != nullptr && names_.knows(*instead)) {
-      words.en += fmt::format("; did you mean '{}'?", row.instead);
-      words.ru += fmt::format("; возможно, «{}»?", row.instead);
-    }
-    wrong(key, words);
+    if (instead != nullptr && names_.knows(*instead)) wrong(key, setup_faults::control_has_another, control, row.instead);
+    wrong(key, setup_faults::control_has_none, control);
   }
 
   void named(const std::string& name, const Json& item, SetupNames kind, const std::string& path, const std::string& key) {
     check_name(name, kind, key);
     const SetupKey* const row = setup_key(path + ".*");
     if (!names_.knows(*row)) not_of_control(*row, key);
-    if (names_.unsupported(kind, name) && !is_neutral(item))
-      wrong(key, {fmt::format("setup key '{}' is not served by this control yet", key),
-                  fmt::format("ключ «{}» исходного состояния пока не поддерживается", key)});
+    if (names_.unsupported(kind, name) && !is_neutral(item)) wrong(key, setup_faults::not_supported_yet);
     check(item, *row, key);
     if (kind != SetupNames::parameter) return;
-    if (const auto form = names_.parameter_fault(name, item.is_number() ? item.get<double>() : 0, item.is_string())) must_be(key, *form);
+    const double number = item.is_number() ? item.get<double>() : 0;
+    if (const auto form = names_.parameter_fault(name, number, item.is_string(), lang_)) must_be(key, *form);
   }
 
   void check_name(const std::string& name, SetupNames kind, const std::string& key) {
     if (names_.allows(kind, name)) return;
     const std::vector<std::string> all = names_.all(kind);
-    if (all.empty() || (names_.control() == nullptr && kind != SetupNames::signal)) must_be(key, names_.form(kind));
+    if (all.empty() || (names_.control() == nullptr && kind != SetupNames::signal)) must_be(key, names_.form(kind, lang_));
     const auto near = nearest(name, all);
-    const SetupWords what = SetupNamesOf::kind_name(kind);
-    const std::string list = joined(all);
-    wrong(key, {fmt::format("setup key '{}': no {} '{}'; {}", key, what.en, name,
-                            near ? fmt::format("did you mean '{}'?", *near) : fmt::format("there are {}", list)),
-                fmt::format("ключ «{}» исходного состояния: нет {} «{}»; {}", key, what.ru, name,
-                            near ? fmt::format("возможно, «{}»?", *near) : fmt::format("есть {}", list))});
+    wrong(key, no_such(kind), name,
+          near ? translated_in(lang_, setup_faults::did_you_mean, *near) : translated_in(lang_, setup_faults::there_are, joined(all)));
   }
 
   void check(const Json& value, const SetupKey& row, const std::string& key) {
     if (value.is_null() && row.null) return;
     if (is_unsupported(row.path)) {
       if (is_neutral(value)) return;
-      wrong(key, {fmt::format("setup key '{}' is not served by this control yet", key),
-                  fmt::format("ключ «{}» исходного состояния пока не поддерживается", key)});
+      wrong(key, setup_faults::not_supported_yet);
     }
     const SetupRange range = names_.range(row);
-    if (!fits(value, row, range)) must_be(key, form_of(row, range));
+    if (!fits(value, row, range)) must_be(key, form_of(row, range, lang_));
     if (row.form == SetupForm::table) table(value, std::string(row.path), key);
     if (row.form == SetupForm::tables)
       for (std::size_t i = 0; i < value.size(); ++i) table(value[i], std::string(row.path), fmt::format("{}[{}]", key, i));
@@ -198,6 +196,7 @@ class Checker {
   }
 
   const SetupNamesOf& names_;
+  const Lang lang_;
 };
 
 /// Returns the axes that the set-up names, else the axes of the control.
@@ -211,35 +210,33 @@ std::vector<std::string> axes_in(const Json& table, const ControlDef& def) {
 
 }  // namespace
 
-SetupNamesOf::Words form_of(const SetupKey& row, SetupRange range) {
-  const Sentence within = range_words(range);
-  const auto with = [&](const char* en, const char* ru) -> Sentence {
-    if (within.en.empty()) return {en, ru};
-    return {fmt::format("{}, {}", en, within.en), fmt::format("{}, {}", ru, within.ru)};
+std::string form_of(const SetupKey& row, SetupRange range, Lang lang) {
+  const auto plain = [&](PlainText form) { return plain_text(form, lang); };
+  const auto with_range = [&](PlainText form) {
+    const std::string within = range_words(range, lang);
+    return within.empty() ? plain(form) : fmt::format("{}, {}", plain(form), within);
   };
   switch (row.form) {
-    case SetupForm::table: return {"a table { … }", "таблица { … }"};
-    case SetupForm::tables: return {"a list of tables [{ … }]", "список таблиц [{ … }]"};
-    case SetupForm::number: return with("a number", "число");
-    case SetupForm::whole: return with("a whole number", "целое число");
-    case SetupForm::flag: return {"true or false", "true или false"};
-    case SetupForm::text: return {"a text", "текст в кавычках"};
-    case SetupForm::one_of: return {quoted_words(row.words, " or "), quoted_words(row.words, " или ")};
-    case SetupForm::number_or_text: return {"a number or a text", "число или текст в кавычках"};
-    case SetupForm::info:
-      return {"a number, or five letters: U or S, E or D, N or L, C or T, I or V",
-              "число или пять букв: U или S, E или D, N или L, C или T, I или V"};
-    case SetupForm::span: return {"[least, most]", "[наименьшее, наибольшее]"};
-    case SetupForm::numbers: return with("a list of numbers", "список чисел");
-    case SetupForm::wholes: return with("a list of whole numbers", "список целых чисел");
-    case SetupForm::texts: return {"a list of texts [\"…\"]", "список текстов [\"…\"]"};
-    case SetupForm::spans: return {"a list of [least, most]", "список пар [наименьшее, наибольшее]"};
+    case SetupForm::table: return plain(setup_faults::table);
+    case SetupForm::tables: return plain(setup_faults::tables);
+    case SetupForm::number: return with_range(setup_faults::number);
+    case SetupForm::whole: return with_range(setup_faults::whole);
+    case SetupForm::flag: return plain(setup_faults::flag);
+    case SetupForm::text: return plain(setup_faults::text);
+    case SetupForm::one_of: return quoted_words(row.words, lang);
+    case SetupForm::number_or_text: return plain(setup_faults::number_or_text);
+    case SetupForm::info: return plain(setup_faults::info);
+    case SetupForm::span: return plain(setup_faults::span);
+    case SetupForm::numbers: return with_range(setup_faults::numbers);
+    case SetupForm::wholes: return with_range(setup_faults::wholes);
+    case SetupForm::texts: return plain(setup_faults::text_list);
+    case SetupForm::spans: return plain(setup_faults::spans);
   }
   return {};
 }
 
-std::optional<SetupFault> fault_of(const Json& value, const Json& context, const ControlDef* def) {
-  if (!value.is_object()) return SetupFault{"", "setup key 'setup' must be a table { … }", "исходное состояние: нужна таблица { … }"};
+std::optional<KeyFault> fault_of(const Json& value, const Json& context, const ControlDef* def, Lang lang) {
+  if (!value.is_object()) return KeyFault{"", plain_text(setup_faults::must_be_table, lang)};
   std::vector<std::string> axes, all;
   if (def != nullptr) {
     all = axes = axes_in(context, *def);
@@ -250,9 +247,9 @@ std::optional<SetupFault> fault_of(const Json& value, const Json& context, const
   }
   const SetupNamesOf names(def, std::move(axes), std::move(all));
   try {
-    Checker(names).table(value, "", "");
-  } catch (const Wrong& found) {
-    return found.fault;
+    Checker(names, lang).table(value, "", "");
+  } catch (const KeyFault& fault) {
+    return fault;
   }
   return std::nullopt;
 }

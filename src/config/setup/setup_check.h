@@ -6,18 +6,24 @@
 #include <string>
 
 #include "config/json_lines.h"
-#include "config/setup/setup_file.h"
 #include "config/setup/setup_names.h"
 
 namespace kadr {
 
+/// A key that is wrong, and why.
+struct KeyFault {
+  std::string key;  // "work_offsets.G54.x"; empty: the whole set-up
+  std::string sentence;
+};
+
 /// Returns the first fault in the order of the text's keys; nullopt if there is none.
 ///   def      nullptr: accept the keys of every control
 ///   context  the whole set-up, if `value` is one of several sources: its axes count
-std::optional<SetupFault> fault_of(const nlohmann::json& value, const nlohmann::json& context, const ControlDef* def);
+std::optional<KeyFault> fault_of(const nlohmann::json& value, const nlohmann::json& context, const ControlDef* def,
+                                 Lang lang = thread_language());
 
 /// Returns the form that a key needs, in words: "a number, 0 to 1"; «число, от 0 до 1».
-SetupNamesOf::Words form_of(const SetupKey& row, SetupRange range);
+std::string form_of(const SetupKey& row, SetupRange range, Lang lang);
 
 /// Returns the keys of tool offsets, work offsets and correctors that have a value: "offsets.1.length", "work_offsets.G54", "zeros.1",
 /// "correctors.17". A key with null does not count.

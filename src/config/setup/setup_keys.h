@@ -8,6 +8,7 @@
 #include <string_view>
 
 #include "config/setup/setup.h"
+#include "config/texts.h"
 
 namespace kadr {
 
@@ -92,7 +93,7 @@ struct SetupKey {
   std::string_view words;    // the permitted words, separated by blanks; only for one_of
   std::string_view example;  // JSON
   std::string_view instead;  // key that another type of control has for the same purpose
-  std::string_view en, ru;
+  PlainText about;
 };
 
 std::span<const SetupKey> setup_keys();
@@ -102,7 +103,9 @@ const SetupKey* setup_key(std::string_view path);
 
 /// A signal of the machine's logic that has an effect on the control or the machine (nct).
 struct SetupSignal {
-  std::string_view name, en, ru, manual;
+  std::string_view name;
+  PlainText about;
+  std::string_view manual;
   bool of_axis = false;  // each axis has such a signal: AP_SYNCR.Z
 };
 std::span<const SetupSignal> setup_signals();
@@ -114,10 +117,7 @@ struct AxisSignal {
 };
 AxisSignal axis_signal(std::string_view name);
 
-/// A text in both languages.
-struct SetupWords {
-  std::string_view en, ru;
-};
-SetupWords name_of(SetupUnit unit);
+/// Returns "mm/min", «мм/мин»; empty for a number without unit.
+const char* name_of(SetupUnit unit, Lang lang);
 
 }  // namespace kadr

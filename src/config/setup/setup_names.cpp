@@ -12,6 +12,7 @@
 #include "base/code_literals.h"
 #include "config/setup/setup.h"
 #include "lang/block/block.h"
+#include "texts/setup_names.h"
 
 namespace kadr {
 namespace {
@@ -20,16 +21,6 @@ constexpr int max_row = 999'999'999;                               // greatest n
 constexpr int turning_zeros = 9;                                   // number of zeros: G92 /A/ of the 2С42 on turning machines
 constexpr int dynamic_systems = 8;                                 // number of dynamic offsets: G54.2 P1 … P8 (nct 25.4)
 constexpr std::int32_t first_system = 54_g, last_system = 59.3_g;  // codes in tenths: G54 … G59, G59.3
-
-/// Joins names to a text such as "N5114, N5200#1 or N1006.X".
-std::string alternatives(const std::vector<std::string>& all, std::string_view or_word) {
-  std::string text;
-  for (std::size_t i = 0; i < all.size(); ++i) {
-    if (i != 0) text += i + 1 == all.size() ? fmt::format(" {} ", or_word) : ", ";
-    text += all[i];
-  }
-  return text;
-}
 
 /// Returns true for "#100", "#_ALM", "#_FOFS1[1]".
 bool names_macro_variable(std::string_view name) {
@@ -146,6 +137,13 @@ std::vector<std::string> system_names(const ControlDef& def) {
   return names;
 }
 
+std::string alternatives(const std::vector<std::string>& all, Lang lang) {
+  if (all.empty()) return {};
+  std::string text = all.front();
+  for (std::size_t i = 1; i + 1 < all.size(); ++i) text += ", " + all[i];
+  return all.size() == 1 ? text : translated_in(lang, texts::setup_names::one_or_the_last, text, all.back());
+}
+
 SetupNamesOf::SetupNamesOf(const ControlDef* def, std::vector<std::string> axes, std::vector<std::string> all_axes)
     : def_(def), axes_(std::move(axes)), all_axes_(std::move(all_axes)) {
   if (def_ != nullptr && has(*def_, SetupNeeds::work_offsets)) systems_ = work_systems(*def_);
@@ -255,45 +253,26 @@ std::vector<std::string> SetupNamesOf::forms_of_parameters() const {
   return forms;
 }
 
-SetupNamesOf::Words SetupNamesOf::form(SetupNames kind) const {
+std::string SetupNamesOf::form(SetupNames kind, Lang lang) const {
+  namespace id = texts::setup_names;
   switch (kind) {
     case SetupNames::variable: {
       const bool formal = def_ == nullptr || def_->grammar.parameter_address != 0;
       const bool macro = def_ == nullptr || def_->grammar.variables > 0;
-      if (!macro) return {"named R0 to R9", "имя от R0 до R9"};
-      if (!formal && !def_->grammar.has_vacant_variables())
-        return {fmt::format("named #1 to #{}", def_->grammar.variables), fmt::format("имя от #1 до #{}", def_->grammar.variables)};
-      if (!formal) return {"named #n or #_NAME", "имя вида #n или #_NAME"};
-      return {"named #n, #_NAME, or R0 to R9", "имя вида #n, #_NAME или от R0 до R9"};
+      if (!macro) return plain_text(id::formal_parameter, lang);
+      if (!formal && !def_->grammar.has_vacant_variables()) return translated_in(lang, id::variable_up_to, def_->grammar.variables);
+      return plain_text(formal ? id::variable_or_formal_parameter : id::variable, lang);
     }
-    case SetupNames::parameter: {
-      const std::vector<std::string> forms = forms_of_parameters();
-      return {"named " + alternatives(forms, "or"), "имя вида " + alternatives(forms, "или")};
-    }
-    case SetupNames::place: return {"named magazine/pocket, \"10/1\"", "имя вида магазин/гнездо, «10/1»"};
-    case SetupNames::work_offset: return {"named common, G54 or \"G54.1 P2\"", "имя common, G54 или «G54.1 P2»"};
-    case SetupNames::shift: return {"named G92 or G52", "имя G92 или G52"};
+    case SetupNames::parameter: return translated_in(lang, id::parameter, alternatives(forms_of_parameters(), lang));
+    case SetupNames::place: return plain_text(id::place, lang);
+    case SetupNames::work_offset: return plain_text(id::work_offset, lang);
+    case SetupNames::shift: return plain_text(id::shift, lang);
     default: break;
   }
   const auto [least, most] = numbers(kind);
-  if (least == most) return {fmt::format("named {}", most), fmt::format("номер {}", most)};
-  if (most == max_row && least == 0) return {"named by a whole number", "номер — целое число"};
-  if (most == max_row) return {"named by a whole number, 1 or above", "номер — целое число от 1"};
-  return {fmt::format("named by a whole number, {} to {}", least, most), fmt::format("номер — целое число от {} до {}", least, most)};
-}
-
-SetupWords SetupNamesOf::kind_name(SetupNames kind) {
-  switch (kind) {
-    case SetupNames::axis:
-    case SetupNames::axis_of_any:
-    case SetupNames::axis_or_all:
-    case SetupNames::axis_or_plane: return {"axis", "оси"};
-    case SetupNames::work_offset: return {"work offset", "нуля детали"};
-    case SetupNames::parameter: return {"parameter", "параметра"};
-    case SetupNames::signal: return {"signal", "сигнала"};
-    case SetupNames::shift: return {"shift", "смещения"};
-    default: return {"row", "строки"};
-  }
+  if (least == most) return translated_in(lang, id::this_number, most);
+  if (most == max_row) return plain_text(least == 0 ? id::any_number : id::number_from_1, lang);
+  return translated_in(lang, id::number_within, least, most);
 }
 
 bool SetupNamesOf::unsupported(SetupNames kind, std::string_view name) const {
@@ -301,7 +280,8 @@ bool SetupNamesOf::unsupported(SetupNames kind, std::string_view name) const {
          std::any_of(systems_.begin(), systems_.end(), [&](const WorkSystem& system) { return system.name == name && !system.works; });
 }
 
-std::optional<SetupNamesOf::Words> SetupNamesOf::parameter_fault(std::string_view name, double value, bool text) const {
+std::optional<std::string> SetupNamesOf::parameter_fault(std::string_view name, double value, bool text, Lang lang) const {
+  namespace id = texts::setup_names;
   const auto key = parameter_key(name);
   if (!key || def_ == nullptr) return std::nullopt;
   const auto row =
@@ -309,21 +289,19 @@ std::optional<SetupNamesOf::Words> SetupNamesOf::parameter_fault(std::string_vie
   if (row == def_->parameters.end()) return std::nullopt;
   const bool whole = value == std::floor(value);
   if (text) {
-    if (row->type != ParameterType::text) return Words{"a number", "число"};
+    if (row->type != ParameterType::text) return plain_text(id::value_number, lang);
     return std::nullopt;  // the control checks the characters
   }
   if (!key->bit.empty()) {
     const bool number = key->bit.size() == 1 && key->bit[0] >= '0' && key->bit[0] <= '7';
     const bool known = number || std::find(row->bits.begin(), row->bits.end(), key->bit) != row->bits.end();
-    if (row->type != ParameterType::bits || !known) return Words{"named by a bit that it has", "имя с битом, который у него есть"};
-    if (value != 0 && value != 1) return Words{"0 or 1", "0 или 1"};
+    if (row->type != ParameterType::bits || !known) return plain_text(id::known_bit, lang);
+    if (value != 0 && value != 1) return plain_text(id::value_of_bit, lang);
     return std::nullopt;
   }
   const bool counts = row->type == ParameterType::whole || row->type == ParameterType::real;
   if (!counts || (value >= row->least && value <= row->most && (whole || row->type == ParameterType::real))) return std::nullopt;
-  const char* const en = row->type == ParameterType::whole ? "a whole number" : "a number";
-  const char* const ru = row->type == ParameterType::whole ? "целое число" : "число";
-  return Words{fmt::format("{}, {} to {}", en, row->least, row->most), fmt::format("{}, от {} до {}", ru, row->least, row->most)};
+  return translated_in(lang, row->type == ParameterType::whole ? id::value_whole_within : id::value_within, row->least, row->most);
 }
 
 SetupRange SetupNamesOf::range(const SetupKey& row) const {

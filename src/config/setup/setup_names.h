@@ -25,6 +25,9 @@ std::vector<WorkSystem> work_systems(const ControlDef& def);
 /// Returns the names of the work systems by `row`. Name 0 is the code that selects no work system ("G53"), or empty.
 std::vector<std::string> system_names(const ControlDef& def);
 
+/// Joins names to a text such as "N5114, N5200#1 or N1006.X".
+std::string alternatives(const std::vector<std::string>& all, Lang lang);
+
 class SetupNamesOf {
  public:
   /// `def`: nullptr for all controls. `axes`: of the program's channel; `all_axes`: of all channels.
@@ -34,19 +37,14 @@ class SetupNamesOf {
   bool allows(SetupNames kind, std::string_view name) const;
   /// Returns all names of this kind, from which a suggestion is chosen; empty if the names are numbers or have a fixed form.
   std::vector<std::string> all(SetupNames kind) const;
-  /// A text in both languages. form(): "named by a whole number, 1 to 9"; "named common, G54 or …".
-  struct Words {
-    std::string en, ru;
-  };
-  Words form(SetupNames kind) const;
+  /// Returns the form that names of this kind have: "named by a whole number, 1 to 9"; "named common, G54 or …".
+  std::string form(SetupNames kind, Lang lang) const;
   /// Returns one parameter name of each form that the control's table has, for messages and pages: N5114, N5200#1, N1006.X.
   std::vector<std::string> forms_of_parameters() const;
-  /// Returns the word for a name of this kind: "axis", «оси».
-  static SetupWords kind_name(SetupNames kind);
   /// Returns true for a work system that the control has, but that Kadr does not support yet.
   bool unsupported(SetupNames kind, std::string_view name) const;
   /// Returns the form that the value of a parameter needs, if it is not valid. `text`: the value is given as text.
-  std::optional<Words> parameter_fault(std::string_view name, double value, bool text) const;
+  std::optional<std::string> parameter_fault(std::string_view name, double value, bool text, Lang lang) const;
   /// Returns the range that the numbers of this key have on this control.
   SetupRange range(const SetupKey& row) const;
   const ControlDef* control() const { return def_; }

@@ -4,13 +4,11 @@
 
 #include <cmath>
 
-#include "config/language.h"
+#include "texts/setup_check.h"
 
 namespace kadr::setup_reader {
 
-void wrong(const std::string& key, const std::string& form) {
-  throw Wrong{key, told("setup key '" + key + "' must be " + form, "ключ «" + key + "» исходного состояния: нужно: " + form)};
-}
+void wrong(const std::string& key, const std::string& form) { throw Wrong{key, translated(texts::setup_check::must_be, key, form)}; }
 
 double number(const Json& value, const std::string& key) {
   if (!value.is_number() || !std::isfinite(value.get<double>())) wrong(key, "a number");
