@@ -19,6 +19,7 @@
 #include "config/language.h"
 #include "convert/conversion_text.h"
 #include "lang/text/text_spool.h"
+#include "texts/convert_command.h"
 #include "view/source_text.h"
 
 namespace kadr::cli {
@@ -69,7 +70,7 @@ class ConvertCommand {
   ConversionSpec::Opens opens() const {
     return [this](const Setup& setup) -> tl::expected<std::unique_ptr<Session>, std::string> {
       auto program = open_program(*job_);
-      if (!program) return tl::unexpected(told("the program cannot be opened", "программа не открывается"));
+      if (!program) return tl::unexpected(translated(texts::convert_command::not_opened));
       auto opened = Session::open({job_->def, job_->profile, setup, std::move(*program), o_.run.limits});
       if (!opened) return tl::unexpected(opened.error().fault.key + ": " + told(opened.error().fault.en, opened.error().fault.ru));
       return std::move(*opened);
@@ -113,8 +114,7 @@ class ConvertCommand {
     if (!made.taken && !unproven) return alarms;
     const ConversionTry& one = made.tries[made.taken ? *made.taken : *unproven];
     if (const std::string why = refused_by_control(beginning_of(one), o_.to, language(o_.run)); !why.empty()) {
-      complain(told("not converted: Kadr would not read it as a program of that control",
-                    "не переведено: Kadr не прочёл бы это как УП этой системы"));
+      complain(translated(texts::convert_command::not_read_as_program));
       say(fmt::format("  {}\n", why));
       return alarms;
     }
@@ -129,7 +129,8 @@ class ConvertCommand {
     }
     if (!outputs_.keep()) return wrong_usage;
     if (unproven) return alarms;
-    say(fmt::format("{}\n{}: {}\n", summary_of(one.proof, language(o_.run)), told("written", "записано"), method_in_words(one.as)));
+    say(fmt::format("{}\n{}\n", summary_of(one.proof, language(o_.run)),
+                    translated(texts::convert_command::written_as, method_in_words(one.as))));
     for (const std::string& note : notes_on(made, one)) say(fmt::format("  {}\n", note));
     explain(one, sides);
     print_reasons(made, *made.taken, sides);
@@ -173,7 +174,7 @@ class ConvertCommand {
     for (const WrittenOut& out : one.written_out) {
       const std::string lines =
           out.lines.first == out.lines.last ? fmt::format("{}", out.lines.first) : fmt::format("{}-{}", out.lines.first, out.lines.last);
-      say(fmt::format("  {}:{}: {}: {}\n", job_->file, lines, told("written out", "расписано"), why_written_out(out, sides)));
+      say(fmt::format("  {}\n", translated(texts::convert_command::written_out, job_->file, lines, why_written_out(out, sides))));
     }
   }
   /// Prints the reasons why the first `count` ways were not used; ways with the same reason share a line.
@@ -189,19 +190,18 @@ class ConvertCommand {
     for (std::size_t i = 0; i < count; ++i) {
       if (std::any_of(whys.begin(), whys.begin() + std::ptrdiff_t(i), [&](const auto& before) { return is_same(before, whys[i]); }))
         continue;
-      std::string ways = method_in_words(made.tries[i].as);
+      std::string ways = translated(texts::convert_command::not_this_way, method_in_words(made.tries[i].as));
       for (std::size_t k = i + 1; k < count; ++k)
-        if (is_same(whys[i], whys[k])) ways += told(", not ", ", не ") + std::string(method_in_words(made.tries[k].as));
-      say(fmt::format("  {} {}: {}{}\n", told("not", "не"), ways, place_of(whys[i]), whys[i].text));
+        if (is_same(whys[i], whys[k])) ways += ", " + translated(texts::convert_command::not_this_way, method_in_words(made.tries[k].as));
+      say(fmt::format("  {}: {}{}\n", ways, place_of(whys[i]), whys[i].text));
     }
   }
 
   /// Returns "flange.nc:12 | 14: "; the second line number refers to the written text.
   std::string place_of(const ConversionRefusal& why) const {
     if (why.at.line == 0 && why.written_line == 0) return {};
-    if (why.at.line == 0)
-      return fmt::format("{} {}: {}: ", told("line of what was written", "строка записанного"), why.written_line, why.written_text);
-    const std::string file = why.at.file == 0 ? job_->file : why.file.empty() ? told("a called file", "вызванный файл") : why.file;
+    if (why.at.line == 0) return translated(texts::convert_command::line_of_written, why.written_line, why.written_text) + ": ";
+    const std::string file = why.at.file == 0 ? job_->file : why.file.empty() ? translated(texts::convert_command::called_file) : why.file;
     return why.written_line == 0 ? fmt::format("{}:{}: ", file, why.at.line)
                                  : fmt::format("{}:{} | {}: ", file, why.at.line, why.written_line);
   }
@@ -216,30 +216,21 @@ class ConvertCommand {
 }  // namespace
 
 void add_convert(CLI::App& app, Commands& c) {
-  CLI::App* const convert = app.add_subcommand("convert", told("a program of one control as a program of another, proven equal",
-                                                               "перевести УП для другого УЧПУ и доказать, что она делает то же"));
+  CLI::App* const convert = app.add_subcommand("convert", translated(texts::convert_command::about));
   ConvertOptions& o = c.convert;
-  convert->add_option(told("PROGRAM", "УП"), o.program, told("a part program", "управляющая программа"))->required();
-  control_id(
-      convert->add_option("--from", o.from, told("control of the program (default: guessed)", "УЧПУ программы (по умолчанию по тексту)")));
-  control_id(convert->add_option("--to", o.to, told("control that it is to be for", "УЧПУ, для которого перевести")))->required();
-  writes_file(convert->add_option("--out", o.out, told("the program (default: standard output)", "УП (по умолчанию стандартный вывод)")));
-  writes_file(
-      convert->add_option("--setup-out", o.setup_out,
-                          told("set-up that corresponds, for the other control", "соответствующее исходное состояние для другого УЧПУ")));
-  written_letters(convert->add_option(
-      "--encoding-out", o.encoding_out,
-      told("encoding of the program that is written (default: the control's)", "кодировка записанной УП (по умолчанию кодировка УЧПУ)")));
-  convert->add_flag("--flat", o.flat, told("calls, loops and cycles written out", "подпрограммы, циклы и повторения расписать"));
-  convert->add_flag("--explain", o.explain, told("which lines are written out, and why", "какие кадры расписаны и почему"));
-  convert->add_flag("--force", o.force,
-                    told("written even if it is not proven, and says so at its top", "записать и недоказанную, с отметкой в начале"));
-  one_of(convert->add_option("--way", o.way, told("written in this way only", "записать только этим способом")),
-         {ways.begin(), ways.end()});
-  number(convert->add_option("--tolerance", o.tolerance,
-                             told("how far ways may be apart (default: what rounding the words may do)",
-                                  "на сколько пути могут расходиться (по умолчанию сколько даёт округление слов)")),
-         "MM", "ММ", least_apart, most_apart);
+  convert->add_option(translated(texts::convert_command::program_name), o.program, translated(texts::convert_command::program))->required();
+  control_id(convert->add_option("--from", o.from, translated(texts::convert_command::from_control)));
+  control_id(convert->add_option("--to", o.to, translated(texts::convert_command::to_control)))->required();
+  writes_file(convert->add_option("--out", o.out, translated(texts::convert_command::out_file)));
+  writes_file(convert->add_option("--setup-out", o.setup_out, translated(texts::convert_command::setup_out)));
+  written_letters(convert->add_option("--encoding-out", o.encoding_out, translated(texts::convert_command::encoding_out)));
+  convert->add_flag("--flat", o.flat, translated(texts::convert_command::flat));
+  convert->add_flag("--explain", o.explain, translated(texts::convert_command::explain));
+  convert->add_flag("--force", o.force, translated(texts::convert_command::by_force));
+  one_of(convert->add_option("--way", o.way, translated(texts::convert_command::only_way)), {ways.begin(), ways.end()});
+  number(convert->add_option("--tolerance", o.tolerance, translated(texts::convert_command::tolerance)),
+         plain_text(texts::convert_command::millimetres, Lang::en), plain_text(texts::convert_command::millimetres, Lang::ru), least_apart,
+         most_apart);
   program_options(*convert, o.run);
   memory_option(*convert, o.run);
   convert->footer(convert_examples());

@@ -5,7 +5,7 @@
 #include <fmt/core.h>
 
 #include "cli/job/terminal.h"
-#include "config/language.h"
+#include "texts/cut_command.h"
 #include "view/proposals.h"
 #include "view/stock_guess.h"
 
@@ -37,8 +37,8 @@ std::vector<ProposedTool> tools_of(const CutOptions& options, const ProgramRun& 
 bool take_stock(const StockGuess& guess, const ProgramRun& run, const std::vector<ProposedTool>& tools, std::string& stock) {
   const Vec3 zero = run.path().zero();
   stock = guess.text(zero, is_turning(run) && guess.is_flat(zero), radii_of(tools));
-  if (stock.empty()) complain(told("--stock guess: the program cuts nothing", "--stock guess: УП ничего не режет"));
-  else say(fmt::format("--stock {}: {}\n", stock, told("guessed by where the program cuts", "угадана по тому, где режет УП")));
+  if (stock.empty()) complain(translated(texts::cut_command::cuts_nothing));
+  else say(translated(texts::cut_command::stock_guessed, stock) + "\n");
   return !stock.empty();
 }
 
@@ -51,15 +51,9 @@ bool take_tools(const std::vector<ProposedTool>& proposals, ToolLibrary& tools) 
       continue;
     }
     tools.tools.push_back(tool);
-    say(fmt::format("T{}: {}, {:g} {}; {}: {}\n", tool.number, name_of(tool.kind), tool.diameter, told("mm", "мм"),
-                    told("guessed", "угадан"), proposed.from));
+    say(translated(texts::cut_command::tool_guessed, tool.number, name_of(tool.kind), tool.diameter, proposed.from) + "\n");
   }
-  if (!unknown.empty())
-    complain(fmt::format("--tools guess: {}: {}", unknown,
-                         told("neither the program's comments nor the set-up tell its shape; write it to a tools file (kadr setup --tools "
-                              "begins one)",
-                              "ни комментарии УП, ни наладка не говорят о форме; опишите её в файле инструментов (kadr setup --tools его "
-                              "начинает)")));
+  if (!unknown.empty()) complain(translated(texts::cut_command::tools_unknown, unknown));
   return unknown.empty();
 }
 
@@ -69,7 +63,7 @@ bool guess_blank_and_tools(CutOptions& options, const Job& job, ToolLibrary& too
   const bool stock = options.stock == guess_word, shapes = options.tools == guess_word;
   if (!stock && !shapes) return true;
   if (job.file == "-") {
-    complain(told("guess: a program from standard input cannot be read twice", "guess: УП со стандартного ввода нельзя прочитать дважды"));
+    complain(translated(texts::cut_command::guess_from_input));
     return false;
   }
   auto run = ProgramRun::make(opened_of(job, options.run.limits), options.run.limits.stop);

@@ -10,11 +10,11 @@
 
 #include "cli/cut_guess.h"
 #include "cli/job/terminal.h"
-#include "config/language.h"
 #include "config/setup/setup_names.h"
 #include "session/cutting/cut_cells.h"
 #include "session/cutting/named_body.h"
 #include "stock/mesh/mesh_file.h"
+#include "texts/cut_command.h"
 
 namespace kadr::cli {
 namespace {
@@ -53,8 +53,7 @@ bool find_part(const CutOptions& options, std::optional<Mesh>& part) {
                                : !options.deviation.empty()        ? "--deviation"
                                : options.run.colour == "deviation" ? "--colour deviation"
                                                                    : nullptr;
-    if (lonely != nullptr)
-      complain(lonely + std::string(told(": of --part FILE, which is missing", ": нужна --part ФАЙЛ, а она не указана")));
+    if (lonely != nullptr) complain(translated(texts::cut_command::part_missing, lonely));
     return lonely == nullptr;
   }
   MeshRules rules;
@@ -82,11 +81,11 @@ bool find_lattices(const CutOptions& options, const std::optional<Mesh>& part, d
     window = *box;
   }
   if (!find_cells(options.resolution, window, most, job)) {
-    complain("--window " + options.window + told(": beside the blank", ": мимо заготовки"));
+    complain(translated(texts::cut_command::window_beside_blank, options.window));
     return false;
   }
   if (part && !part_meets_window(job, *part)) {
-    complain(told("--window: beside the part", "--window: мимо детали"));
+    complain(translated(texts::cut_command::window_beside_part));
     return false;
   }
   return true;
@@ -97,20 +96,14 @@ bool find_material(const CutOptions& options, const std::optional<Mesh>& part, C
   const double most = options.max_memory * bytes_per_mb;
   job.blank = named_body("--stock", options.stock, most);
   if (!job.blank) return false;
-  if (job.blank->overlaps())
-    say(fmt::format("--stock {}: {}\n", options.stock,
-                    told("its bodies lie partly within each other: the blank is what lies in any of them",
-                         "тела частично лежат друг в друге: заготовка — всё, что лежит хотя бы в одном из них")));
+  if (job.blank->overlaps()) say(translated(texts::cut_command::bodies_overlap, options.stock) + "\n");
   for (const std::string& text : options.fixtures)
     if (!job.fixtures.emplace_back(named_body("--fixture", text, most))) return false;
   if (!find_lattices(options, part, most, job)) return false;
   const double bytes = bytes_of_material(job, nullptr), with_part = bytes_of_material(job, part ? &*part : nullptr);
   if (with_part <= most) return true;
-  const std::string text = bytes > most ? told("at this resolution the material may take more than --max-memory",
-                                               "с таким шагом материал может занять больше, чем --max-memory")
-                                        : told("the material and the part that is wanted may take more than --max-memory",
-                                               "материал вместе с нужной деталью может занять больше, чем --max-memory");
-  complain(fmt::format("{}: {:.0f} MB", text, (bytes > most ? bytes : with_part) / bytes_per_mb));
+  if (bytes > most) complain(translated(texts::cut_command::material_too_large, bytes / bytes_per_mb));
+  else complain(translated(texts::cut_command::material_and_part_too_large, with_part / bytes_per_mb));
   return false;
 }
 
@@ -132,7 +125,7 @@ bool find_tools(const CutOptions& options, CutJob& job) {
 bool find_cut_job(CutOptions& options, CutJob& job, std::optional<Mesh>& part) {
   const auto until = seconds_of(options.until, options.run.to);
   if (!until) {
-    complain("--until " + options.until + told(": want a line, or seconds as in 35.5s", ": нужна строка или секунды, как 35.5s"));
+    complain(translated(texts::cut_command::until_wrong, options.until));
     return false;
   }
   job.until = *until;
@@ -149,8 +142,7 @@ bool find_system(const CutOptions& options, const Job& job, std::optional<std::u
   const std::vector<std::string> names = system_names(*job.def);
   const auto found = std::find(names.begin(), names.end(), options.stock_zero);
   if (found == names.end() || found == names.begin()) {
-    complain(fmt::format("--stock-zero {}: {}", options.stock_zero,
-                         told("this control has no such work system", "у этого УЧПУ нет такой системы координат")));
+    complain(translated(texts::cut_command::no_such_system, options.stock_zero));
     return false;
   }
   system = std::uint16_t(found - names.begin());

@@ -7,7 +7,6 @@
 #include <cerrno>
 #include <cstdio>
 
-#include "config/language.h"
 #include "config/nearest.h"
 #include "config/read_file.h"
 #include "out/picture/deviation_colour.h"
@@ -15,6 +14,7 @@
 #include "stock/mesh/stl.h"
 #include "stock/mesh/threemf.h"
 #include "stock/surface/simplified_surface.h"
+#include "texts/cut_command.h"
 
 namespace kadr::cli {
 namespace {
@@ -41,8 +41,7 @@ bool write_simplified(const CutOptions& options, const Surface& surface, const C
   const std::size_t triangles = surface.triangle_count(), in_window = cutting.window() != nullptr ? cutting.window()->bytes() : 0;
   const double bytes = double(cutting.stock().bytes() + in_window) + double(triangles) * bytes_of_surface + bytes_of_simplifying(triangles);
   if (bytes > options.max_memory * mesh_mb) {
-    complain(fmt::format("--simplify: {}: {:.0f} MB", told("takes more than --max-memory", "нужно больше памяти, чем --max-memory"),
-                         bytes / mesh_mb));
+    complain(translated(texts::cut_command::simplifying_too_large, bytes / mesh_mb));
     return false;
   }
   const SimplifiedSurface simple = simplified_surface(surface, {options.simplify, cutting.stock().threads(), options.run.limits.stop});
@@ -54,15 +53,15 @@ bool write_simplified(const CutOptions& options, const Surface& surface, const C
 
 bool can_write_meshes(const CutOptions& options) {
   if (!options.out.empty() && options.out != "-" && !has_ending(options.out, ".3mf") && !has_ending(options.out, ".stl")) {
-    complain("--out " + options.out + told(": want a file .stl or .3mf", ": нужен файл .stl или .3mf"));
+    complain(translated(texts::cut_command::out_is_no_mesh, options.out));
     return false;
   }
   if (!options.deviation.empty() && options.deviation != "-" && !has_ending(options.deviation, ".ply")) {
-    complain("--deviation " + options.deviation + told(": want a file .ply", ": нужен файл .ply"));
+    complain(translated(texts::cut_command::deviation_is_no_ply, options.deviation));
     return false;
   }
   if (options.simplify > 0 && options.out.empty()) {
-    complain(told("--simplify: of --out FILE, which is missing", "--simplify: нужен --out ФАЙЛ, а он не указан"));
+    complain(translated(texts::cut_command::simplify_without_out));
     return false;
   }
   return true;

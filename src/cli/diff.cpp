@@ -13,11 +13,11 @@
 #include "cli/options/option_values.h"
 #include "compare/comparison_text.h"
 #include "compare/difference_plot.h"
-#include "config/language.h"
 #include "out/program/words.h"
 #include "out/text/alarm_print.h"
 #include "out/text/page_file.h"
 #include "out/text/source_line.h"
+#include "texts/diff_command.h"
 #include "view/source_text.h"
 
 namespace kadr::cli {
@@ -52,7 +52,7 @@ std::unique_ptr<Session> open_side(const Options& options, Side& side) {
   if (!program) return nullptr;
   auto session = make_session(*side.job, std::move(*program), options.limits);
   if (session && session->channels().size() > 1) {
-    complain(side.name + ": " + told("programs of several channels are not compared", "программы нескольких каналов не сравниваются"));
+    complain(translated(texts::diff_command::several_channels, side.name));
     return nullptr;
   }
   return session;
@@ -94,7 +94,7 @@ void show(Side& a, Side& b, const Comparison& c, const Showing& how) {
     show_line(b, d.b, '>');
   }
   if (const std::size_t all = c.differences.size() + c.more; all > count - (count > how.most ? 1 : 0) && all > how.most)
-    type_out("{}", told(fmt::format("… and {} more: --all\n", all - how.most), fmt::format("… и ещё {}: --all\n", all - how.most)));
+    type_out("{}\n", translated(texts::diff_command::and_more, all - how.most));
 }
 
 void print_alarm(const Side& side, const std::optional<AlarmReport>& report, Lang lang) {
@@ -107,7 +107,7 @@ void print_all(const DiffOptions& o, Side& a, Side& b, const Comparison& made) {
   print_alarm(a, made.stopped_a, lang);
   print_alarm(b, made.stopped_b, lang);
   if ((made.stopped_a || made.stopped_b) && made.differences.empty())
-    type_out("{}: {}\n", told("the same up to the alarm", "одинаковы до ошибки"), summary_of(made, lang));
+    type_out("{}\n", translated(texts::diff_command::same_up_to_alarm, summary_of(made, lang)));
   else type_out("{}\n", summary_of(made, lang));
 }
 
@@ -171,34 +171,24 @@ bool draw(const Drawing& to, const Side& a, const Side& b, const Comparison& mad
 }  // namespace
 
 void add_diff(CLI::App& app, Commands& c) {
-  CLI::App* const diff =
-      app.add_subcommand("diff", told("do two programs do the same? the axes' ways, feeds, tools and all between, by their controls",
-                                      "делают ли две УП одно и то же: пути осей, подачи, инструмент и остальное, по их УЧПУ"));
+  CLI::App* const diff = app.add_subcommand("diff", translated(texts::diff_command::about));
   DiffOptions& o = c.diff;
-  diff->add_option("A", o.a, told("a part program", "управляющая программа"))->required();
-  diff->add_option("B", o.b, told("another, or the same for another control", "другая или та же для другого УЧПУ"))->required();
-  number(diff->add_option("--tolerance", o.tolerance,
-                          told("ways that are no farther apart are the same; degrees of rotary axes",
-                               "пути не дальше этого друг от друга одинаковы; для круговых осей — градусы")),
-         "MM", "ММ", least_tolerance, max_tolerance)
+  diff->add_option("A", o.a, translated(texts::diff_command::program_a))->required();
+  diff->add_option("B", o.b, translated(texts::diff_command::program_b))->required();
+  number(diff->add_option("--tolerance", o.tolerance, translated(texts::diff_command::tolerance)),
+         plain_text(texts::diff_command::millimetres, Lang::en), plain_text(texts::diff_command::millimetres, Lang::ru), least_tolerance,
+         max_tolerance)
       ->capture_default_str();
-  diff->add_flag("--all", o.all, told("all differences, not the first twenty", "все различия, а не первые двадцать"));
-  diff->add_flag("--no-messages", o.no_messages, told("what is shown to the operator does not count", "сообщения оператору не сравнивать"));
-  diff->add_flag("--tools-by-hand", o.tools_by_hand, told("a tool change is the same as a stop", "смена инструмента — то же, что останов"));
-  diff->add_flag("--feeds-at-speed", o.feeds_at_speed,
-                 told("a feed per revolution is the same as what it makes per minute",
-                      "подача на оборот — то же, что минутная при этой частоте вращения"));
-  diff->add_flag("--feeds-rounded", o.feeds_rounded,
-                 told("feeds that the F word of B's control cannot tell apart are the same",
-                      "подачи, которых слово F системы B не различает, одинаковы"));
-  writes_file(diff->add_option("--plot", o.plot, told("draw what differs: a file .svg or .png", "чертёж различий: файл .svg или .png")));
-  control_id(
-      diff->add_option("--control-a", o.control_a,
-                       told("control of A (default: --control, else guessed)", "УЧПУ для A (по умолчанию --control или по тексту)")));
-  control_id(diff->add_option("--control-b", o.control_b, told("control of B", "УЧПУ для B")));
-  takes_file(
-      diff->add_option("--setup-a", o.setup_a, told("set-up of A (default: --setup)", "исходное состояние для A (по умолчанию --setup)")));
-  takes_file(diff->add_option("--setup-b", o.setup_b, told("set-up of B", "исходное состояние для B")));
+  diff->add_flag("--all", o.all, translated(texts::diff_command::all_differences));
+  diff->add_flag("--no-messages", o.no_messages, translated(texts::diff_command::no_messages));
+  diff->add_flag("--tools-by-hand", o.tools_by_hand, translated(texts::diff_command::tools_by_hand));
+  diff->add_flag("--feeds-at-speed", o.feeds_at_speed, translated(texts::diff_command::feeds_at_speed));
+  diff->add_flag("--feeds-rounded", o.feeds_rounded, translated(texts::diff_command::feeds_rounded));
+  writes_file(diff->add_option("--plot", o.plot, translated(texts::diff_command::plot)));
+  control_id(diff->add_option("--control-a", o.control_a, translated(texts::diff_command::control_a)));
+  control_id(diff->add_option("--control-b", o.control_b, translated(texts::diff_command::control_b)));
+  takes_file(diff->add_option("--setup-a", o.setup_a, translated(texts::diff_command::setup_a)));
+  takes_file(diff->add_option("--setup-b", o.setup_b, translated(texts::diff_command::setup_b)));
   program_options(*diff, o.both);
   memory_option(*diff, o.both);
   diff->footer(diff_examples());
@@ -207,7 +197,7 @@ void add_diff(CLI::App& app, Commands& c) {
 int diff(const DiffOptions& o) {
   const Lang lang = language(o.both);
   if (o.a == "-" && o.b == "-") {
-    complain(told("only one of the two can be the standard input", "со стандартного ввода читается только одна из двух"));
+    complain(translated(texts::diff_command::both_from_input));
     return wrong_usage;
   }
   if (const std::string fault = o.plot.empty() ? "" : page_fault(o.plot); !fault.empty()) {

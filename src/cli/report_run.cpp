@@ -12,9 +12,9 @@
 #include "cli/job/stop_signals.h"
 #include "cli/job/terminal.h"
 #include "cli/report_files.h"
-#include "config/language.h"
 #include "config/read_file.h"
 #include "out/text/cut_text.h"
+#include "texts/report_command.h"
 #include "view/report/page_report.h"
 #include "view/report/report_part.h"
 
@@ -88,8 +88,7 @@ class ReportRun {
       take(told_report, at);
     };
     run_->on_progress = [this](double part, std::uint64_t blocks, double) {
-      if (progress_.is_due())
-        progress_.show(part, told(fmt::format("{} blocks", blocks), count_in_russian(blocks, "кадр", "кадра", "кадров")));
+      if (progress_.is_due()) progress_.show(part, counted(texts::report_command::blocks, blocks));
     };
     run_->on_contour = [this](const ViewPiece& piece) { contour_.push_back(piece); };
     run_->execute();
@@ -111,7 +110,7 @@ class ReportRun {
       return false;
     }
     (*part)->on_progress = [this](double share) {
-      if (progress_.is_due()) progress_.show(share, told("cutting", "съём материала"));
+      if (progress_.is_due()) progress_.show(share, translated(texts::report_command::cutting));
     };
     (*part)->on_finding = [this](const CutFinding& f, const AlarmReport& report) {
       part_.hits.push_back({f, report});
@@ -168,8 +167,7 @@ int write(const ReportOptions& options, const ReportRun& report, const std::stri
 int report(const ReportOptions& options) {
   const std::string_view viewer = report_file("report.html");
   if (viewer.empty()) {
-    complain(told("built without its page, of which reports are made: install nodejs and npm (dev/setup) and build again",
-                  "собран без страницы, из которой делаются отчёты: установите nodejs и npm (dev/setup) и соберите снова"));
+    complain(translated(texts::report_command::built_without_page));
     return wrong_usage;
   }
   auto job = make_job(options.cut.run, options.cut.run.programs.front());

@@ -12,11 +12,11 @@
 #include "cli/options/command_parts.h"
 #include "cli/options/help_text.h"
 #include "cli/options/option_values.h"
-#include "config/language.h"
 #include "panel/panel_hub.h"
 #include "panel/panel_journal.h"
 #include "server/http_server.h"
 #include "server/page_files.h"
+#include "texts/serve_command.h"
 #include "view/memory_bound.h"
 #include "view/served_folder.h"
 
@@ -43,30 +43,19 @@ void open_browser(const std::string& address) {
 }  // namespace
 
 void add_serve(CLI::App& app, Commands& c) {
-  CLI::App* const serve = app.add_subcommand("serve", told("serve the page: the programs of a folder, their paths and states",
-                                                           "открыть страницу: УП папки, их траектории и состояния"));
+  CLI::App* const serve = app.add_subcommand("serve", translated(texts::serve_command::about));
   ServeOptions& o = c.serve;
-  takes(serve->add_option(told("FOLDER", "ПАПКА"), o.folder,
-                          told("whose programs are shown (default: this one)", "чьи УП показать (по умолчанию эта)")),
-        "FOLDER", "ПАПКА");
-  whole_number(serve->add_option("--port", o.port, told("to listen on; 0: a free one", "порт; 0 — любой свободный")), 0, max_port)
+  takes(serve->add_option(translated(texts::serve_command::folder_name), o.folder, translated(texts::serve_command::folder)),
+        plain_text(texts::serve_command::folder_name, Lang::en), plain_text(texts::serve_command::folder_name, Lang::ru));
+  whole_number(serve->add_option("--port", o.port, translated(texts::serve_command::port)), 0, max_port)->capture_default_str();
+  takes(serve->add_option("--host", o.host, translated(texts::serve_command::host))->capture_default_str(),
+        plain_text(texts::serve_command::address_name, Lang::en), plain_text(texts::serve_command::address_name, Lang::ru));
+  writes_file(serve->add_option("--state", o.state, translated(texts::serve_command::state_folder)));
+  serve->add_flag("--open", o.open, translated(texts::serve_command::open_to_pages));
+  number(serve->add_option("--max-memory", o.max_memory, translated(texts::serve_command::max_memory)),
+         plain_text(texts::serve_command::megabytes, Lang::en), plain_text(texts::serve_command::megabytes, Lang::ru), 100, 1e6)
       ->capture_default_str();
-  takes(serve
-            ->add_option("--host", o.host,
-                         told("address to listen on; any but this machine's own needs the printed token",
-                              "адрес; для любого, кроме адреса этой машины, нужен напечатанный ключ"))
-            ->capture_default_str(),
-        "ADDRESS", "АДРЕС");
-  writes_file(serve->add_option("--state", o.state,
-                                told("what happens at the panels of machines is kept there, at every block",
-                                     "хранить здесь, что происходит у пультов станков, после каждого кадра")));
-  serve->add_flag("--open", o.open,
-                  told("pages of this machine may look without the token of the printed address",
-                       "страницам этой машины смотреть можно и без ключа из напечатанного адреса"));
-  number(serve->add_option("--max-memory", o.max_memory, told("of all pages together, MB", "память всех страниц вместе, МБ")), "MB", "МБ",
-         100, 1e6)
-      ->capture_default_str();
-  serve->add_flag("--no-browser", o.no_browser, told("the browser is not opened", "не открывать браузер"));
+  serve->add_flag("--no-browser", o.no_browser, translated(texts::serve_command::no_browser));
   language_option(*serve, o.lang);
   serve->footer(serve_examples());
 }
@@ -102,9 +91,7 @@ int serve(const ServeOptions& options) {
   const std::string address = fmt::format("http://{}:{}/#token={}", options.host, (*server)->address().port, page.token);
   type_out("kadr serve: {}\n", address);
   if (!came_out()) return wrong_usage;
-  if (page_files().empty())
-    complain(told("built without its page: only the protocol is served (docs/panel-protocol.md)",
-                  "собран без страницы: есть только протокол (docs/panel-protocol.md)"));
+  if (page_files().empty()) complain(translated(texts::serve_command::built_without_page));
   else if (!options.no_browser) open_browser(address);
   (*server)->run();
   return ok;

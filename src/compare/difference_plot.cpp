@@ -7,6 +7,7 @@
 #include <algorithm>
 
 #include "compare/comparison_text.h"
+#include "texts/comparison.h"
 
 namespace kadr {
 namespace {
@@ -47,7 +48,7 @@ std::vector<DifferenceLine> lines_of(const DifferenceTitle& title, const Compari
   std::vector<DifferenceLine> lines;
   for (const std::string& text : title.lines) lines.push_back({lines.size() + 1, text});
   const std::size_t more = made.differences.size() + made.more - title.lines.size();
-  if (more > 0) lines.push_back({0, fmt::format(fmt::runtime(title.lang == Lang::ru ? "… и ещё {}" : "… and {} more"), more)});
+  if (more > 0) lines.push_back({0, translated_in(title.lang, texts::comparison::and_more, more)});
   return lines;
 }
 

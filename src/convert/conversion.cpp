@@ -7,7 +7,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "config/language.h"
 #include "config/machine/machine_codes.h"
 #include "convert/code_match.h"
 #include "convert/flat/flat_program.h"
@@ -16,6 +15,7 @@
 #include "convert/word_by_word.h"
 #include "lang/text/text_spool.h"
 #include "out/program/words.h"
+#include "texts/conversion.h"
 
 namespace kadr {
 namespace {
@@ -163,9 +163,7 @@ tl::expected<void, std::string> write_in_letters(const ConversionSpec& spec, Con
 }
 
 std::string sentence_of(const MachineCodes::Fault& fault) {
-  return fmt::format(fmt::runtime(told("[convert] of {}: M{} = M{}: that is no function of the machine of {}, and no coolant",
-                                       "[convert] системы {}: M{} = M{}: у {} это не функция станка и не охлаждение")),
-                     fault.control, fault.code, fault.there, fault.other);
+  return translated(texts::conversion::no_machine_function, fault.control, fault.code, fault.there, fault.other);
 }
 
 /// True for the code of an exact stop, or of the return to rounding corners: each control with exact stops has its own codes for them.

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "lang/text/line_reader.h"
+#include "texts/conversion.h"
 
 namespace kadr {
 namespace {
@@ -239,7 +240,7 @@ class Rewriter {
     const bool is_long = place.motions > 1 || place.lines.first != place.lines.last;
     if (is_long) {
       std::string_view text = block_.text_of(block_.where);
-      comment((spec_.russian ? "РАСПИСАНО: " : "WRITTEN OUT: ") + std::string(beginning_of(text)));
+      comment(translated_in(spec_.lang, texts::conversion::comment_written_out, beginning_of(text)));
     } else if (block_.statement.kind != StatementKind::message) {
       for (const Span one : block_.comments) comment(std::string(block_.text_of(one)));
     }

@@ -9,6 +9,7 @@
 #include <string_view>
 #include <vector>
 
+#include "config/alarm_texts.h"
 #include "convert/block_rewriter.h"
 #include "convert/flat/flat_ranges.h"
 #include "lang/block/block_reader.h"
@@ -31,7 +32,7 @@ struct RewriteSpec {
   MacroShape macros{};
   StopToken stop{};
   bool ends_early = false;  // stop soon after the last line that cannot be expressed, since the text is written again anyway
-  bool russian = false;     // the comments that are added are in Russian
+  Lang lang = Lang::en;     // of the comments that are added
 };
 
 /// Maps lines of the new text to lines of the source program. Stored as ranges, since most lines follow each other in both.

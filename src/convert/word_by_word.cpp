@@ -84,7 +84,7 @@ class WordByWord {
                                 spec_.to,          &places,
                                 &left_out_,        shape_.variables(),
                                 shape_.macros(),   spec_.stop,
-                                ends_early,        thread_language() == Lang::ru && has_russian(spec_.letters.value_or(spec_.to->letters))};
+                                ends_early,        has_russian(spec_.letters.value_or(spec_.to->letters)) ? thread_language() : Lang::en};
     TextSpool text;
     const auto written = rewrite(rewriting, [&text](std::string_view line) {
       text.append(line);

@@ -2,9 +2,9 @@
 
 #include <algorithm>
 
-#include "config/language.h"
 #include "lang/expression/expression.h"
 #include "panel/panel_machine.h"
+#include "texts/panel.h"
 
 namespace kadr {
 namespace {
@@ -145,10 +145,8 @@ PanelMachine::Answer PanelMachine::may_apply_tables_now() const {
   if (const Answer may = may_begin(); !may) return may;
   const auto is_open = [](const Channel& channel) { return channel.control->in_block(); };
   if ((goes_on_ && !stepping_->next()) || std::any_of(session_->channels().begin(), session_->channels().end(), is_open))
-    return Failed(told("a block is not over: run it to its end first", "кадр не закончен: сначала отработайте его до конца"));
-  if (is_in_contour())
-    return Failed(
-        told("a contour is being compensated: run it to its end first", "идёт контур с коррекцией: сначала отработайте его до конца"));
+    return Failed(translated(texts::panel::run_block_first));
+  if (is_in_contour()) return Failed(translated(texts::panel::run_contour_first));
   return {};
 }
 
@@ -178,13 +176,8 @@ void PanelMachine::apply_edited_tables() {
   const PanelSearch::Answer found = search_->find(*retables_);
   if (!found.ready) return;
   retables_.reset();
-  Answer taken =
-      found.place
-          ? Answer()
-          : Failed(told("with these tables the program does not come here: reset", "с этими таблицами УП сюда не приходит: нужен сброс"));
-  if (taken && !stand_as_in(*found.place))
-    taken = Failed(told("with these tables the other channels would be at other blocks now: reset, then go on in mid program",
-                        "с этими таблицами другие каналы были бы сейчас в других кадрах: сброс, затем продолжить с середины"));
+  Answer taken = found.place ? Answer() : Failed(translated(texts::panel::not_reached_with_tables));
+  if (taken && !stand_as_in(*found.place)) taken = Failed(translated(texts::panel::others_elsewhere_with_tables));
   if (taken) taken = begin_session(start_);
   if (taken) taken = resume_from(*found.place);
   if (!taken) {

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "config/language.h"
+#include "texts/panel.h"
 
 namespace kadr {
 namespace {
@@ -47,7 +48,7 @@ PanelMachine::Answer PanelMachine::ask(std::function<Answer()> what) {
   std::uint64_t number = 0;
   {
     const std::lock_guard hold(lock_);
-    if (ends_) return Failed(told("the machine is off", "станок выключен"));
+    if (ends_) return Failed(translated(texts::panel::off));
     asked_.push_back({[what = std::move(what), lang = thread_language()] {
                         set_thread_language(lang);  // messages of this request are in the caller's language
                         return what();
@@ -60,11 +61,10 @@ PanelMachine::Answer PanelMachine::ask(std::function<Answer()> what) {
   if (answer.wait_for(answers_within) == std::future_status::ready) return answer.get();
   {
     const std::lock_guard hold(lock_);
-    if (std::erase_if(asked_, [&](const Asked& one) { return one.number == number; }) != 0)
-      return Failed(told("the control is busy with a block: not done", "УЧПУ занято кадром: не выполнено"));
+    if (std::erase_if(asked_, [&](const Asked& one) { return one.number == number; }) != 0) return Failed(translated(texts::panel::busy));
   }
   if (answer.wait_for(done_within) == std::future_status::ready) return answer.get();
-  return Failed(told("it has begun and is not over yet", "начато и ещё не закончено"));
+  return Failed(translated(texts::panel::not_over_yet));
 }
 
 void PanelMachine::execute_requests() {
@@ -82,7 +82,7 @@ void PanelMachine::execute_requests() {
       show();
     } catch (const std::bad_alloc&) {
       stop_at_once();
-      answer = Failed(told("out of memory", "не хватает памяти"));
+      answer = Failed(translated(texts::panel::out_of_memory));
     }
     next.answer.set_value(answer);
   }
@@ -188,14 +188,14 @@ PanelState PanelMachine::state() {
 }
 
 PanelMachine::Answer PanelMachine::may_begin() const {
-  if (retables_) return Failed(told("tables are being taken over", "таблицы принимаются"));
+  if (retables_) return Failed(translated(texts::panel::taking_tables));
   switch (kept_.mode) {
     case PanelMode::standing:
     case PanelMode::ended: return {};
     case PanelMode::running:
-    case PanelMode::held: return Failed(told("the machine is running", "станок работает"));
-    case PanelMode::alarm: return Failed(told("an alarm stands: reset first", "стоит ошибка: сначала сброс"));
-    case PanelMode::emergency: return Failed(told("emergency stop: reset first", "аварийный останов: сначала сброс"));
+    case PanelMode::held: return Failed(translated(texts::panel::running));
+    case PanelMode::alarm: return Failed(translated(texts::panel::in_alarm));
+    case PanelMode::emergency: return Failed(translated(texts::panel::in_emergency));
   }
   return {};
 }
@@ -213,7 +213,7 @@ PanelMachine::Answer PanelMachine::run(std::optional<Stepping::How> how) {
       return {};
     }
     if (const Answer may = may_begin(); !may) return may;
-    if (kept_.asks) return Failed(told("the program waits for an answer", "УП ждёт ответа"));
+    if (kept_.asks) return Failed(translated(texts::panel::waits_for_answer));
     if (kept_.mode == PanelMode::ended)
       if (const Answer opened = open(lane_->clock.sample().machine); !opened) return opened;
     kept_.told.clear(), kept_.why.clear();
@@ -228,10 +228,10 @@ PanelMachine::Answer PanelMachine::run(std::optional<Stepping::How> how) {
 }
 
 PanelMachine::Answer PanelMachine::answer(double answer) {
-  if (!(answer >= 0 && answer <= 3)) return Failed(told("answer: want 0 to 3", "ответ: нужно от 0 до 3"));
+  if (!(answer >= 0 && answer <= 3)) return Failed(translated(texts::panel::answer_limits));
   return ask([this, answer]() -> Answer {
     if (const Answer may = may_begin(); !may) return may;
-    if (!kept_.asks) return Failed(told("nothing is asked", "вопроса нет"));
+    if (!kept_.asks) return Failed(translated(texts::panel::nothing_asked));
     asks_->set_answer(answer);
     kept_.asks = false;
     kept_.told.clear(), kept_.why.clear();
@@ -296,7 +296,7 @@ PanelMachine::Answer PanelMachine::set_optional_stop(bool on) {
 }
 
 PanelMachine::Answer PanelMachine::set_skip(int number, bool on) {
-  if (number < 1 || number > 9) return Failed(told("skip: want 1 to 9", "пропуск кадров: нужно от 1 до 9"));
+  if (number < 1 || number > 9) return Failed(translated(texts::panel::skip_limits));
   return ask([this, number, on]() -> Answer {
     if (on) kept_.skip.insert(number);
     else kept_.skip.erase(number);
@@ -308,11 +308,10 @@ PanelMachine::Answer PanelMachine::set_skip(int number, bool on) {
 
 PanelMachine::Answer PanelMachine::set_overrides(const PanelOverrides& shares) {
   const auto is_share = [](double share) { return share >= 0 && share <= 1; };
-  if (!is_share(shares.feed) || !is_share(shares.rapid)) return Failed(told("override: want 0 to 100 %", "коррекция: нужно от 0 до 100 %"));
+  if (!is_share(shares.feed) || !is_share(shares.rapid)) return Failed(translated(texts::panel::override_limits));
   if (!(shares.spindle >= PanelOverrides::least_spindle && shares.spindle <= PanelOverrides::max_spindle))
-    return Failed(told("override of the spindle: want 50 to 120 %", "коррекция шпинделя: нужно от 50 до 120 %"));
-  if (!(shares.dry_feed >= 0 && shares.dry_feed <= 1e5))
-    return Failed(told("dry run: want a feed up to 100000", "пробный прогон: нужна подача до 100000"));
+    return Failed(translated(texts::panel::spindle_limits));
+  if (!(shares.dry_feed >= 0 && shares.dry_feed <= 1e5)) return Failed(translated(texts::panel::dry_run_limits));
   return ask([this, shares]() -> Answer {
     kept_.shares = shares;
     tell("override", fmt::format("F {:.0f} % G0 {:.0f} % S {:.0f} %{}", 100 * shares.feed, 100 * shares.rapid, 100 * shares.spindle,
@@ -324,13 +323,12 @@ PanelMachine::Answer PanelMachine::set_overrides(const PanelOverrides& shares) {
 
 PanelMachine::Answer PanelMachine::enter(const std::string& line) {
   if (line.empty() || line.size() > max_entered || line.find_first_of("\n\r") != std::string::npos)
-    return Failed(told("want one line, not longer than 1000 bytes", "нужна одна строка не длиннее 1000 байт"));
+    return Failed(translated(texts::panel::one_line_wanted));
   return ask([this, line]() -> Answer {
     if (const Answer may = may_begin(); !may) return may;
-    if (session_->control().in_block() || (goes_on_ && !stepping_->next()))
-      return Failed(told("a block is not over: run it to its end first", "кадр не закончен: сначала отработайте его до конца"));
+    if (session_->control().in_block() || (goes_on_ && !stepping_->next())) return Failed(translated(texts::panel::run_block_first));
     auto memory = stepping_->snapshot();
-    if (!memory) return Failed(told("a probe is waited for", "ожидается касание щупа"));
+    if (!memory) return Failed(translated(texts::panel::waits_for_probe));
     if (before_.size() == most_undone) before_.erase(before_.begin());
     before_.push_back({std::move(*memory), lane_->clock.sample().machine, lane_->placement, entered_});
     kept_.told.clear(), kept_.why.clear();
@@ -344,7 +342,7 @@ PanelMachine::Answer PanelMachine::enter(const std::string& line) {
 PanelMachine::Answer PanelMachine::undo() {
   return ask([this]() -> Answer {
     if (const Answer may = may_begin(); !may) return may;
-    if (before_.empty()) return Failed(told("nothing was entered", "ничего не введено"));
+    if (before_.empty()) return Failed(translated(texts::panel::nothing_entered));
     const Before before = std::move(before_.back());
     before_.pop_back();
     const Setup tables = session_->control().tables_now();
@@ -368,7 +366,7 @@ PanelMachine::Answer PanelMachine::jog(const std::string& axis, double way, doub
     if (const Answer may = may_begin(); !may) return may;
     const auto is_it = [&](const auto& lane) { return channel == 0 ? lane.get() == lane_ : lane->number == channel; };
     const auto found = std::find_if(lanes_.begin(), lanes_.end(), is_it);
-    if (found == lanes_.end()) return Failed(told("there is no such channel", "такого канала нет"));
+    if (found == lanes_.end()) return Failed(translated(texts::panel::no_such_channel));
     return move_by_hand(std::size_t(found - lanes_.begin()), axis, way, feed);
   });
 }
@@ -376,11 +374,9 @@ PanelMachine::Answer PanelMachine::jog(const std::string& axis, double way, doub
 tl::expected<std::size_t, std::string> PanelMachine::add_stop(StopPoint point) {
   const auto number = std::make_shared<std::size_t>(0);  // shared: the request may time out before the function runs
   const Answer answer = ask([this, number, point = std::move(point)]() -> Answer {
-    if (kept_.stops.size() == max_stops) return Failed(told("too many stop points", "слишком много точек останова"));
+    if (kept_.stops.size() == max_stops) return Failed(translated(texts::panel::too_many_stops));
     if (!point.condition.empty())
-      if (const auto holds = stepping_->holds(point.condition); !holds)
-        return Failed(
-            told("the condition cannot be understood: want something as #100 > 5", "условие не понято: нужно, например, #100 > 5"));
+      if (const auto holds = stepping_->holds(point.condition); !holds) return Failed(translated(texts::panel::condition_wrong));
     *number = stepping_->add(point);
     kept_.stops.emplace(*number, point);
     return {};
@@ -391,7 +387,7 @@ tl::expected<std::size_t, std::string> PanelMachine::add_stop(StopPoint point) {
 
 PanelMachine::Answer PanelMachine::remove_stop(std::size_t number) {
   return ask([this, number]() -> Answer {
-    if (!stepping_->remove(number)) return Failed(told("there is no stop point of that number", "точки останова с таким номером нет"));
+    if (!stepping_->remove(number)) return Failed(translated(texts::panel::no_such_stop));
     kept_.stops.erase(number);
     return {};
   });

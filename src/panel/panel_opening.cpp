@@ -1,8 +1,8 @@
 // PanelMachine: opens the session of its program at the beginning, and applies the switches. Used by panel/panel_machine; tested by
 // tests/panel/panel_machine_test.cpp, tests/panel/panel_channels_test.cpp.
 
-#include "config/language.h"
 #include "panel/panel_machine.h"
+#include "texts/panel.h"
 
 namespace kadr {
 namespace {
@@ -21,7 +21,7 @@ tl::expected<std::unique_ptr<PanelMachine>, std::string> PanelMachine::make(Sess
     machine->begin_search();
     machine->thread_.begin_or_throw([m = machine.get()] { m->live(); });
   } catch (const NoThread&) {
-    return Failed(told("no more threads are to be had: the machine stays off", "система не даёт потоков: станок не включён"));
+    return Failed(translated(texts::panel::no_threads));
   }
   return machine;
 }
@@ -33,8 +33,7 @@ PanelMachine::Answer PanelMachine::make_lanes() {
     lanes_.push_back(std::make_unique<ChannelAxes>(channels[i].number, control.axes(), AxisRoles::of(control.axes(), control.rotary()),
                                                    rate, session_->stand(i).machine));
   }
-  if (lanes_.size() != channels.size())
-    return Failed(told("another number of channels: switch off and on", "другое число каналов: выключите и включите станок"));
+  if (lanes_.size() != channels.size()) return Failed(translated(texts::panel::other_channels));
   if (lane_ != nullptr) return {};
   own_ = session_->own();
   for (std::size_t i = 0; i < lanes_.size() && stands_.size() == lanes_.size(); ++i)

@@ -7,15 +7,15 @@
 #include <cmath>
 #include <utility>
 
-#include "config/language.h"
 #include "panel/panel_machine.h"
+#include "texts/panel.h"
 
 namespace kadr {
 namespace {
 
 using Failed = tl::unexpected<std::string>;
 
-std::string no_room() { return told("a value has no room in a word of this control", "значение не помещается в слово этой системы"); }
+std::string no_room() { return translated(texts::panel::no_room_in_word); }
 
 constexpr double nowhere = -1e9;   // mm: a clearance so low that the path to the block does not rise
 constexpr double at_place = 1e-3;  // mm, degrees: tolerance, since the user has seen the path rounded to thousandths
@@ -25,8 +25,7 @@ constexpr double at_place = 1e-3;  // mm, degrees: tolerance, since the user has
 PanelMachine::Answer PanelMachine::may_go_there() const {
   if (const Answer may = may_begin(); !may) return may;
   for (const Channel& channel : session_->channels())
-    if (channel.control->in_block() || channel.control->meeting())
-      return Failed(told("a block is not over: reset first", "кадр не закончен: сначала сброс"));
+    if (channel.control->in_block() || channel.control->meeting()) return Failed(translated(texts::panel::reset_block_first));
   return {};
 }
 
@@ -72,9 +71,9 @@ tl::expected<Axes, std::string> PanelMachine::end_of(const PanelPath& way) const
       if ((point.named >> a & 1U) == 0) continue;
       const auto [least, most] = limits_of(session_->machine(), session_->channels()[way.channel].setup, lane.axes[a]);
       at[a] = point.machine[a];
-      if (!(at[a] >= least && at[a] <= most)) return Failed(lane.axes[a] + told(": beyond the end of its way", ": за пределом хода"));
+      if (!(at[a] >= least && at[a] <= most)) return Failed(translated(texts::panel::beyond_end, lane.axes[a]));
     }
-    if (!point.rapid && !(point.feed > 0 && point.feed <= 1e5)) return Failed(told("want a feed up to 100000", "нужна подача до 100000"));
+    if (!point.rapid && !(point.feed > 0 && point.feed <= 1e5)) return Failed(translated(texts::panel::feed_limits));
   }
   return at;
 }
@@ -82,16 +81,14 @@ tl::expected<Axes, std::string> PanelMachine::end_of(const PanelPath& way) const
 PanelMachine::Answer PanelMachine::lead_to(const std::vector<PanelPath>& ways, const RestartPoint& place) const {
   const auto lead_there = [&](std::size_t channel, const Axes& there) -> Answer {
     const auto is_its = [&](const PanelPath& way) { return way.channel == channel; };
-    if (std::count_if(ways.begin(), ways.end(), is_its) > 1)
-      return Failed(told("want one way of each channel", "нужен один путь каждого канала"));
+    if (std::count_if(ways.begin(), ways.end(), is_its) > 1) return Failed(translated(texts::panel::one_way_wanted));
     const auto way = std::find_if(ways.begin(), ways.end(), is_its);
     const auto end = end_of(way == ways.end() ? PanelPath{channel, {}} : *way);
     if (!end) return Failed(end.error());
     const ChannelAxes& lane = *lanes_[channel];
     for (std::size_t a = 0; a < lane.axes.size() && a < max_axes; ++a)
       if (!(std::fabs((*end)[a] - there[a]) <= at_place))
-        return Failed((is_alone() ? "" : fmt::format("{}: ", lane.number)) + lane.axes[a] +
-                      told(": the way does not end where the block begins", ": путь не кончается там, где начинается кадр"));
+        return Failed(translated(texts::panel::way_ends_elsewhere, (is_alone() ? "" : fmt::format("{}: ", lane.number)) + lane.axes[a]));
     return {};
   };
   Answer leads = lead_there(own_, place.restart.stand.machine);
@@ -144,11 +141,10 @@ PanelMachine::Answer PanelMachine::lead(const std::vector<WayPoint>& way) {
   return ask([this, way]() -> Answer {
     if (const Answer may = may_begin(); !may) return may;
     const Control& control = session_->control();
-    if (control.in_block() || control.meeting())
-      return Failed(told("a block is not over: run it to its end first", "кадр не закончен: сначала отработайте его до конца"));
+    if (control.in_block() || control.meeting()) return Failed(translated(texts::panel::run_block_first));
     const PanelPath own{own_, way};
     if (const auto end = end_of(own); !end) return Failed(end.error());
-    if (way.empty()) return Failed(told("want a way", "нужен путь"));
+    if (way.empty()) return Failed(translated(texts::panel::way_wanted));
     match_paths(own);
     return {};
   });
@@ -218,8 +214,7 @@ PanelMachine::Answer PanelMachine::arrive(const RestartPoint& place) {
 
 /// Restores the state of a control that has run to the restart position.
 PanelMachine::Answer PanelMachine::resume_from(const RestartPoint& place) {
-  if (const Status restored = stepping_->restore(place.memory); !restored)
-    return Failed(told("a file that the program had called is not as it was", "файл, который вызывала УП, изменился"));
+  if (const Status restored = stepping_->restore(place.memory); !restored) return Failed(translated(texts::panel::called_file_changed));
   obey_switches();
   before_.clear();  // undo() cannot restore a state before the restart
   entered_ = 0;

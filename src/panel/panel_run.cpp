@@ -5,9 +5,9 @@
 #include <utility>
 
 #include "action/by_kind.h"
-#include "config/language.h"
 #include "motion/time/steps.h"
 #include "panel/panel_machine.h"
+#include "texts/panel.h"
 
 namespace kadr {
 namespace {
@@ -153,12 +153,11 @@ void PanelMachine::end_line() {
 PanelMachine::Answer PanelMachine::move_by_hand(std::size_t channel, const std::string& axis, double way, double feed) {
   ChannelAxes& lane = *lanes_[channel];
   const auto found = std::find(lane.axes.begin(), lane.axes.end(), axis);
-  if (found == lane.axes.end()) return Failed(axis + told(": there is no such axis", ": такой оси нет"));
+  if (found == lane.axes.end()) return Failed(translated(texts::panel::no_such_axis, axis));
   if (!(std::fabs(way) <= farthest) || !(feed >= 0 && feed <= farthest) || way == 0)
-    return Failed(told("want a way and a feed up to 100000", "нужны путь и подача до 100000"));
+    return Failed(translated(texts::panel::way_and_feed_wanted));
   const Channel& its = session_->channels()[channel];
-  if (its.control->in_block() || its.control->meeting())
-    return Failed(told("a block is not over: run it to its end first", "кадр не закончен: сначала отработайте его до конца"));
+  if (its.control->in_block() || its.control->meeting()) return Failed(translated(texts::panel::run_block_first));
   const std::size_t a = std::size_t(found - lane.axes.begin());
   const ToolPosition stand = standing_plainly(channel);
   const auto [least, most] = limits_of(session_->machine(), its.setup, axis);
@@ -169,8 +168,7 @@ PanelMachine::Answer PanelMachine::move_by_hand(std::size_t channel, const std::
   motion.exact = true;
   motion.to = stand.work, motion.machine = stand.machine;
   motion.to[a] += way, motion.machine[a] += way;
-  if (motion.machine[a] < least || motion.machine[a] > most)
-    return Failed(axis + told(": beyond the end of its way", ": за пределом хода"));
+  if (motion.machine[a] < least || motion.machine[a] > most) return Failed(translated(texts::panel::beyond_end, axis));
   begin_by_hand(lane, {motion});
   return {};
 }

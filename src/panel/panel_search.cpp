@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "config/language.h"
+#include "texts/panel.h"
 
 namespace kadr {
 
@@ -212,14 +213,12 @@ PanelSearch::Answer PanelSearch::found(const SearchRequest& request) {
   }
   auto restart = reach(request);
   if (!restart) {
-    answer.error = request.hole != 0
-                       ? told("the block is not reached, or drills not so many holes", "кадр не достигнут или сверлит меньше отверстий")
-                       : told("the block is not reached in this run", "в этом прогоне кадр не достигнут");
+    answer.error = request.hole != 0 ? translated(texts::panel::too_few_holes) : translated(texts::panel::not_reached);
     return answer;
   }
   auto memory = run_.stepping->snapshot();
   if (!memory) {
-    answer.error = told("a probe is waited for there", "там ожидается касание щупа");
+    answer.error = translated(texts::panel::probe_there);
     return answer;
   }
   memory->next = restart->at;

@@ -7,9 +7,9 @@
 #include <new>
 #include <optional>
 
-#include "config/language.h"
 #include "server/connection.h"
 #include "server/page_files.h"
+#include "texts/serve_command.h"
 
 namespace kadr {
 namespace {
@@ -68,9 +68,7 @@ Response answer_to(const PageRequest& request) {
   const EmbeddedFile* const file = file_of(target);
   if (file != nullptr) return answer(request, http::status::ok, content_type(file->name), std::string(file->text));
   if (page_files().empty() && target == "/")
-    return answer(request, http::status::service_unavailable, plain,
-                  told("This kadr was built without its page: there was no npm. Install nodejs and npm (dev/setup does) and build again.\n",
-                       "Этот kadr собран без страницы: не было npm. Поставьте nodejs и npm (dev/setup) и соберите снова.\n"));
+    return answer(request, http::status::service_unavailable, plain, translated(texts::serve_command::no_page) + "\n");
   return answer(request, http::status::not_found, plain, "not found\n");
 }
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "config/language.h"
+#include "texts/view.h"
 
 namespace kadr {
 namespace {
@@ -130,7 +131,7 @@ tl::expected<InstantState, std::string> Instants::complete(InstantState state, s
     const auto made = session(stop);
     if (!made) return tl::unexpected(made.error());
     if (const Status reached = reach(number, state, stop); !reached) return tl::unexpected(std::string(name_of(reached.error().id)));
-    if (stop.asked()) return tl::unexpected(told("interrupted", "прервано"));
+    if (stop.asked()) return tl::unexpected(translated(texts::view::interrupted));
   }
   state.line = run_.control().line_at(state.origin);
   return state;

@@ -8,11 +8,11 @@
 
 #include "config/control/control_file.h"
 #include "config/control/remembered_control.h"
-#include "config/language.h"
 #include "config/read_file.h"
 #include "lang/text/several_programs.h"
 #include "machine/plc.h"
 #include "session/folder_guess.h"
+#include "texts/view.h"
 
 namespace kadr {
 namespace {
@@ -42,10 +42,7 @@ tl::expected<std::string, std::string> control_for(const OpeningRequest& request
   if (!answer) return wrong(fmt::format("{}: {}", request.path, errno_message(errno)));
   opened.guess = with_neighbours(*answer);
   if (!opened.guess->control.empty()) return opened.guess->control;
-  return wrong(fmt::format("{}: {}",
-                           told("no program of a control that Kadr knows; name the control to open it all the same",
-                                "это не УП для известного УЧПУ; назовите УЧПУ, чтобы открыть его всё равно"),
-                           request.lang == Lang::ru ? opened.guess->reason_ru : opened.guess->reason_en));
+  return wrong(translated(texts::view::no_known_control, request.lang == Lang::ru ? opened.guess->reason_ru : opened.guess->reason_en));
 }
 
 tl::expected<Program, std::string> program_in(const OpenedProgram& opened, OpenedText text) {
@@ -58,7 +55,7 @@ tl::expected<Program, std::string> program_in(const OpenedProgram& opened, Opene
   if (count_program_signs(*source, encoding) < 2 && opened.number == 0) return program;
   const TapeContents contents = contents_of(source, opened.def->grammar, encoding);
   const auto index = opened.number == 0 ? std::optional<std::size_t>(0) : program_numbered(contents, opened.number);
-  if (!index) return wrong(fmt::format("{}: {} {}", opened.path, told("there is no program", "нет программы"), opened.number));
+  if (!index) return wrong(translated(texts::view::no_program_numbered, opened.path, opened.number));
   if (contents.programs.size() > 1) program.source = only_program(source, contents, *index, encoding);
   return program;
 }
@@ -72,7 +69,7 @@ tl::expected<PlacedSetup, std::string> read_with_tables(const OpeningRequest& re
     if (!file) return wrong(file.error());
     sources.push_back(std::move(*file));
   }
-  if (!request.tables.empty()) sources.push_back({told("tables", "таблицы"), request.tables});
+  if (!request.tables.empty()) sources.push_back({translated(texts::view::edited_tables), request.tables});
   return read_setup(sources, &def, request.lang);
 }
 

@@ -7,6 +7,7 @@
 #include "config/setup/setup_check.h"
 #include "config/setup/setup_file.h"
 #include "config/state/state_json.h"
+#include "texts/view.h"
 #include "view/source_text.h"
 
 namespace kadr {
@@ -141,7 +142,7 @@ tl::expected<PanelProgram::Tables, std::string> PanelProgram::changed(const Page
   }
   tables.edited.merge_patch(patch);
   const std::string text = dumped(tables.edited);
-  if (!tables.edited.is_object() || text.size() > max_edited) return tl::unexpected(told("these are no tables", "это не таблицы"));
+  if (!tables.edited.is_object() || text.size() > max_edited) return tl::unexpected(translated(texts::view::no_tables));
   OpeningRequest request = request_;
   request.tables = text;
   request.lang = thread_language();

@@ -16,6 +16,7 @@
 #include "session/cutting/cut_setup.h"
 #include "session/cutting/named_body.h"
 #include "stock/size.h"
+#include "texts/part_run.h"
 #include "view/frame_bytes.h"
 
 namespace kadr {
@@ -34,12 +35,7 @@ double longest_side(const Box3& box) {
   return std::max({size.x, size.y, size.z});
 }
 
-std::string memory_full_message(double bytes) {
-  return fmt::format(
-      "{}: {:.0f} MB",
-      told("at this resolution the material may take too much memory", "с таким шагом материал может занять слишком много памяти"),
-      bytes / bytes_per_mb);
-}
+std::string memory_full_message(double bytes) { return translated(texts::part_run::material_too_large, bytes / bytes_per_mb); }
 
 }  // namespace
 
@@ -62,7 +58,7 @@ tl::expected<void, std::string> PartRun::find_material(const PartRequest& reques
     job_.fixtures.push_back(*fixture);
   }
   if (request.resolution != 0 && !(request.resolution >= least_cell && request.resolution <= max_cell))
-    return Failed(told("resolution: want 0.001 to 1000 mm", "resolution: нужно от 0.001 до 1000 мм"));
+    return Failed(translated(texts::part_run::resolution_limits));
   const double for_material = max_bytes * (1 - share_for_past);
   (void)find_cells(request.resolution, std::nullopt, for_material, job_);
   job_.past_bytes = std::size_t(max_bytes * share_for_past / 2);
@@ -115,13 +111,11 @@ void PartRun::report_progress() {
 }
 
 tl::expected<void, std::string> PartRun::fault() const {
-  if (stop_.asked()) return Failed(told("stopped", "остановлено"));
-  if (too_much_)
-    return Failed(told("the cut takes too much memory: a coarser resolution, or a shorter program",
-                       "съём материала занимает слишком много памяти: нужен шаг крупнее или УП короче"));
+  if (stop_.asked()) return Failed(translated(texts::part_run::stopped));
+  if (too_much_) return Failed(translated(texts::part_run::cut_too_large));
   if (const auto& report = run_->without_shape()) {
     const Finding f = finding_of(*report, *opened_.texts, thread_language());
-    return Failed(fmt::format("{} {}: {}", told("line", "строка"), f.line, f.text));
+    return Failed(translated(texts::part_run::line_stops, f.line, f.text));
   }
   return {};
 }

@@ -9,9 +9,9 @@
 #include <functional>
 #include <map>
 
-#include "config/language.h"
 #include "out/program/tools_template.h"
 #include "session/tool_proposals.h"
+#include "texts/view.h"
 #include "view/instant.h"
 
 namespace kadr {
@@ -34,7 +34,7 @@ bool take_setup(const ProgramRun& run, ProposedTool& to) {
   const auto offset = run.opened().setup.offsets.find(int(use->number));
   if (offset == run.opened().setup.offsets.end() || !(offset->second.radius > 0)) return false;
   to.tool.diameter = 2 * offset->second.radius;
-  to.from = fmt::format("{} {}", told("set-up, radius of offset", "наладка, радиус корректора"), use->number);
+  to.from = translated(texts::view::radius_of_offset, use->number);
   return true;
 }
 
@@ -42,7 +42,7 @@ bool take_setup(const ProgramRun& run, ProposedTool& to) {
 bool take_comment(const ToolProposal& proposal, ProposedTool& to) {
   ToolGeometry& t = to.tool;
   const std::string_view kind = kind_word(proposal.said);
-  const std::string place = fmt::format("{} {}: {}", told("line", "строка"), proposal.line, proposal.text);
+  const std::string place = translated(texts::view::tool_in_line, proposal.line, proposal.text);
   to.from = to.from.empty() ? place : to.from + "; " + place;
   if (t.diameter == 0) t.diameter = proposal.said.diameter.value_or(0);
   for (int k = 0; k <= int(ToolKind::turning); ++k)
@@ -63,11 +63,10 @@ ProposedTool by_words(const ProgramRun& run, const ToolProposals& comments, std:
   const auto comment = comments.of(number, called_at);
   const bool has_kind = comment && take_comment(*comment, made);
   if (const auto open = comment ? std::nullopt : comments.unsure(number, called_at))
-    made.from +=
-        fmt::format("{}{} {} \"{}\"", made.from.empty() ? "" : "; ", told("not sure: line", "не ясно: строка"), open->line, open->text);
+    made.from += (made.from.empty() ? "" : "; ") + translated(texts::view::tool_not_sure, open->line, open->text);
   (void)assume_heights(made.tool);
   made.known = has_kind && tool_fault_message(made.tool).empty();
-  if (made.known) made.from += told("; flutes and length as most have them", "; высота зубьев и вылет обычные");
+  if (made.known) made.from += "; " + translated(texts::view::usual_heights);
   return made;
 }
 

@@ -25,10 +25,10 @@
 #include "base/ascii.h"
 #include "config/control/guess.h"
 #include "config/control/remembered_control.h"
-#include "config/language.h"
 #include "config/program_names.h"
 #include "config/read_file.h"
 #include "out/text/source_line.h"
+#include "texts/view.h"
 
 namespace kadr {
 namespace {
@@ -83,9 +83,7 @@ std::string ending_of(std::string_view name) {
   return ending;
 }
 
-std::string refusal(const std::string& file) {
-  return fmt::format("{}: {}", file, told("not a file of this folder", "такого файла в этой папке нет"));
-}
+std::string refusal(const std::string& file) { return translated(texts::view::not_of_folder, file); }
 std::string of_errno(const std::string& file, int error) {
   if (error == EXDEV || error == ELOOP) return refusal(file);
   return fmt::format("{}: {}", file, errno_message(error));
@@ -261,8 +259,7 @@ tl::expected<FileText, std::string> ServedFolder::read(const std::string& file, 
   const auto opened = open_regular(fd_, file);
   if (!opened) return tl::unexpected(opened.error());
   const auto size = std::size_t(opened->stat.st_size);
-  if (size > most)
-    return tl::unexpected(fmt::format("{}: {}", file, fmt::format(fmt::runtime(told("longer than {} MiB", "длиннее {} МиБ")), most >> 20)));
+  if (size > most) return tl::unexpected(translated(texts::view::longer_than, file, most >> 20));
   auto bytes = all_of(opened->file.fd(), size);
   if (!bytes) return tl::unexpected(of_errno(file, bytes.error()));
   FileDigest digest = digest_of(opened->stat, *bytes);
@@ -330,18 +327,13 @@ tl::expected<FileDigest, ServedFolder::Refused> ServedFolder::save(const std::st
   if (is_hidden(file) || !is_plain_name(file)) return tl::unexpected(Refused{refusal(visible_name(file))});
   // a file to be replaced has been read before, and so has passed is_served()
   if (!replaces && kind_of_file(file) == FolderEntry::Kind::other)
-    return tl::unexpected(Refused{fmt::format("{}: {}", file,
-                                              told("not the name of a program or a set-up (part.nc, O1001, part.json)",
-                                                   "не имя программы или исходного состояния (part.nc, O1001, part.json)"))});
-  if (text.size() > max_saved)
-    return tl::unexpected(
-        Refused{fmt::format("{}: {}", file, told("too long to be saved here", "слишком длинный, чтобы сохранить его здесь"))});
+    return tl::unexpected(Refused{translated(texts::view::not_a_name_to_save, file)});
+  if (text.size() > max_saved) return tl::unexpected(Refused{translated(texts::view::too_long_to_save, file)});
   static std::mutex one_at_a_time;  // if two pages save the same file, the second must see what the first has saved
   const std::lock_guard hold(one_at_a_time);
   const auto now = digest(file);
   if (now ? !replaces || *now != *replaces : replaces.has_value())
-    return tl::unexpected(
-        Refused{fmt::format("{}: {}", file, told("has been changed since it was read", "изменён с тех пор, как был прочитан")), true});
+    return tl::unexpected(Refused{translated(texts::view::changed_since, file), true});
   const std::string folder = folder_part(file), last = file.substr(folder.empty() ? 0 : folder.size() + 1);
   const OpenFile beside = open_beneath(fd_, folder, O_RDONLY | O_DIRECTORY);
   if (!beside.is_open()) return tl::unexpected(Refused{of_errno(file, errno)});

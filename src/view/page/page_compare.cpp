@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "compare/comparison_text.h"
+#include "texts/page.h"
 #include "view/page/page_inside.h"
 
 namespace kadr {
@@ -58,7 +59,7 @@ PageSession::Inside::Answer PageSession::Inside::compare(const PageJson& questio
     if (!path) return tl::unexpected(Refusal{path.error()});
     request.path = *path;
   } else if (!request.text) {
-    return tl::unexpected(Refusal{told("compare: neither a file nor a text", "compare: нет ни файла, ни текста")});
+    return tl::unexpected(Refusal{translated(texts::page::nothing_to_compare)});
   }
   auto other = open_for_page(request);
   if (!other) return tl::unexpected(Refusal{other.error()});
@@ -77,9 +78,9 @@ PageSession::Inside::Answer PageSession::Inside::compare(const PageJson& questio
     sides[side] = std::move(*session);
   }
   if (sides[0]->channels().size() > 1 || sides[1]->channels().size() > 1)
-    return tl::unexpected(Refusal{told("programs of several channels are not compared", "программы нескольких каналов не сравниваются")});
+    return tl::unexpected(Refusal{translated(texts::page::channels_not_compared)});
   const Comparison made = compare_sessions(std::move(sides[0]), std::move(sides[1]), rules);
-  if (made.cancelled) return tl::unexpected(Refusal{told("interrupted", "прервано")});
+  if (made.cancelled) return tl::unexpected(Refusal{translated(texts::page::interrupted)});
   auto other_run = ProgramRun::make(*other, token());
   if (!other_run) return tl::unexpected(Refusal{other_run.error()});
   afterwards = [this, its = std::shared_ptr<ProgramRun>(std::move(*other_run))] {

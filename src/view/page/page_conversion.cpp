@@ -9,6 +9,7 @@
 #include "config/control/control_file.h"
 #include "convert/conversion_text.h"
 #include "lang/text/text_spool.h"
+#include "texts/page.h"
 #include "view/page/page_inside.h"
 
 namespace kadr {
@@ -87,7 +88,7 @@ std::string fault_of_request(const PageJson& question) {
   };
   for (const Word& word : words)
     if (question.contains(word.key) && !(question[word.key].*word.is_right)())
-      return fmt::format("convert: {}: {}", word.key, told("not understood", "не понято"));
+      return translated(texts::page::convert_not_understood, word.key);
   return {};
 }
 
@@ -107,10 +108,7 @@ std::string line_of_text(std::string_view text, std::uint32_t line) {
   return clipped(std::string(text.substr(0, text.find('\n'))));
 }
 
-std::string too_long_for_the_page() {
-  return told("the program is too long for the page: kadr convert makes it",
-              "УП слишком длинна для страницы: переведите её командой kadr convert");
-}
+std::string too_long_for_the_page() { return translated(texts::page::too_long_to_convert); }
 
 PageJson refusal_json(const ConversionTry& one, const ConversionRefusal& why, const SourceText& source, const ServedFolder& folder) {
   std::vector<std::string> line = why.at.file == 0 && why.at.line > 0 ? source.from(why.at.line, 1) : std::vector<std::string>();
@@ -159,7 +157,7 @@ PageSession::Inside::Answer PageSession::Inside::convert(const PageJson& questio
   if (!request) return tl::unexpected(request.error());
   std::string name;
   if (const std::string fault = place_of(question, "to", name, true); !fault.empty()) return not_converted(fault);
-  if (name.empty()) return not_converted(told("convert: no control is named", "convert: УЧПУ не названо"));
+  if (name.empty()) return not_converted(translated(texts::page::convert_names_no_control));
   auto to = load_control(name, &server.folder);
   if (!to) return not_converted(to.error());
   const auto opened = open_for_page(*request);
@@ -169,7 +167,7 @@ PageSession::Inside::Answer PageSession::Inside::convert(const PageJson& questio
   if (text.bytes() > max_converted) return not_converted(too_long_for_the_page());
   const PageConversion conversion(*opened, std::make_shared<const ControlDef>(std::move(*to)), token());
   const auto made = conversion.make(text_source(text.whole()), question.value("flat", false));
-  if (stops) return not_converted(told("interrupted", "прервано"));
+  if (stops) return not_converted(translated(texts::page::interrupted));
   if (!made) return not_converted(made.error());
   return conversion_answer(conversion, *made, text, question);
 }

@@ -4,6 +4,7 @@
 
 #include "config/control/control_file.h"
 #include "out/text/base64.h"
+#include "texts/page.h"
 #include "view/page/page_inside.h"
 
 namespace kadr {
@@ -23,9 +24,7 @@ std::optional<std::string> text_to_save(const PageJson& question) {
 
 PageSession::Inside::Answer PageSession::Inside::hello(const PageJson& question) {
   const bool knows = value_in<std::string>(question, "token", "") == server.token;
-  if (server.all_need_token && !knows)
-    return tl::unexpected(Refusal{told("this server is open to its printed address alone, with its token",
-                                       "сервер отвечает только по напечатанному адресу с ключом")});
+  if (server.all_need_token && !knows) return tl::unexpected(Refusal{translated(texts::page::token_wanted)});
   greeted = true;
   may_change = knows;
   speak(question);
@@ -53,7 +52,7 @@ PageSession::Inside::Answer PageSession::Inside::read(const PageJson& question) 
   if (!found) return tl::unexpected(Refusal{found.error()});
   const SourceText source_text(as_text(text_source(found->bytes)));
   std::string text = source_text.whole();
-  if (text.find('\0') != std::string::npos) return tl::unexpected(Refusal{file + ": " + told("is no text", "это не текст")});
+  if (text.find('\0') != std::string::npos) return tl::unexpected(Refusal{translated(texts::page::not_a_text, file)});
   return PageJson{{"text", std::move(text)}, {"digest", found->digest}, {"encoding", name_of(source_text.encoding())}};
 }
 
@@ -69,15 +68,12 @@ std::string PageSession::Inside::free_name(const std::string& like, const std::s
 
 /// Saves a file that this page has opened, or a new file. The contents are a text, or the rows of a tape as base64.
 PageSession::Inside::Answer PageSession::Inside::save(const PageJson& question) {
-  if (!may_change)
-    return tl::unexpected(
-        Refusal{told("open the page by its printed address to save", "чтобы сохранять, откройте страницу по напечатанному адресу")});
+  if (!may_change) return tl::unexpected(Refusal{translated(texts::page::may_not_save)});
   const std::string file = value_in<std::string>(question, "file", "");
   const auto text = text_to_save(question);
-  if (!text) return tl::unexpected(Refusal{told("save: no text", "save: нет текста")});
+  if (!text) return tl::unexpected(Refusal{translated(texts::page::nothing_to_save)});
   const bool replaces = question.contains("digest") && question["digest"].is_string();
-  if (replaces && !opened_names.contains(file))
-    return tl::unexpected(Refusal{file + ": " + told("was not opened here", "здесь не открывался")});
+  if (replaces && !opened_names.contains(file)) return tl::unexpected(Refusal{translated(texts::page::not_opened_here, file)});
   const auto saved = server.folder.save(file, *text, replaces ? std::optional(question["digest"].get<std::string>()) : std::nullopt);
   if (!saved) return tl::unexpected(Refusal{saved.error().text, saved.error().changed});
   opened_names.insert(file);

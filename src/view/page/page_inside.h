@@ -8,9 +8,9 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
-#include "config/language.h"
 #include "lang/text/tape.h"
 #include "panel/panel_hub.h"
+#include "texts/page.h"
 #include "view/page/page_json.h"
 #include "view/page/page_session.h"
 #include "view/part_run.h"
@@ -46,9 +46,7 @@ inline std::uint32_t count_in(const PageJson& question, const char* key, std::ui
 
 using PageAnswer = tl::expected<PageJson, Refusal>;
 
-inline PageAnswer not_served(const std::string& what) {
-  return tl::unexpected(Refusal{what + ": " + told("not served yet", "пока не отвечает")});
-}
+inline PageAnswer not_served(const std::string& what) { return tl::unexpected(Refusal{translated(texts::page::not_served, what)}); }
 
 /// Reads the condition for holding a program from a request.
 StopPoint stop_point_of(const PageJson& question);

@@ -9,6 +9,7 @@
 #include "config/control/control_file.h"
 #include "out/picture/plot/plot_page.h"
 #include "session/milling/mill_summary.h"
+#include "texts/page.h"
 #include "view/page/page_inside.h"
 
 namespace kadr {
@@ -84,10 +85,9 @@ tl::expected<MillRequest, Refusal> mill_request_in(const PageJson& question) {
   MillRequest request;
   for (const auto& [key, value] : question.items())
     if (!is_one_of(of_the_question, key) && !take_word(request, key, value))
-      return tl::unexpected(Refusal{fmt::format("mill: {}: {}", key, told("not understood", "не понято"))});
-  if (!is_one_of(tasks, request.task))
-    return tl::unexpected(Refusal{told("mill: task: pocket, face or slot", "mill: task: pocket, face или slot")});
-  if (!is_one_of(marks, request.mark)) return tl::unexpected(Refusal{told("mill: mark: ПС or LF", "mill: mark: ПС или LF")});
+      return tl::unexpected(Refusal{translated(texts::page::mill_not_understood, key)});
+  if (!is_one_of(tasks, request.task)) return tl::unexpected(Refusal{translated(texts::page::mill_tasks)});
+  if (!is_one_of(marks, request.mark)) return tl::unexpected(Refusal{translated(texts::page::mill_marks, marks[1], marks[2])});
   return request;
 }
 
@@ -116,7 +116,7 @@ PageSession::Inside::Answer PageSession::Inside::mill(const PageJson& question) 
   if (!drawing) return tl::unexpected(Refusal{drawing.error()});
   std::string control;
   if (const std::string fault = place_of(question, "control", control, true); !fault.empty()) return tl::unexpected(Refusal{fault});
-  if (control.empty()) return tl::unexpected(Refusal{told("mill: no control is named", "mill: УЧПУ не названо")});
+  if (control.empty()) return tl::unexpected(Refusal{translated(texts::page::mill_names_no_control)});
   const auto def = load_control(control, &server.folder);
   if (!def) return tl::unexpected(Refusal{def.error()});
   const auto texts = AlarmTexts::load(&*def);
@@ -124,13 +124,11 @@ PageSession::Inside::Answer PageSession::Inside::mill(const PageJson& question) 
   const auto made = milled(*request, drawing->bytes, *def, {token(), {}});
   if (!made) {
     const DrawingFault& fault = made.error();
-    if (fault.alarm.id == AlarmId::interrupted) return tl::unexpected(Refusal{told("interrupted", "прервано")});
+    if (fault.alarm.id == AlarmId::interrupted) return tl::unexpected(Refusal{translated(texts::page::interrupted)});
     const Finding finding = finding_of(report_of(fault, drawing->bytes, file), *texts, lang);
     return PageJson{{"problem", problem_json(finding, 0, std::nullopt)}, {"word", word_of(fault.alarm)}, {"line_text", finding.line_text}};
   }
-  if (made->program.text.size() > max_made_bytes)
-    return tl::unexpected(Refusal{told("the program is too long for the page: kadr mill makes it",
-                                       "УП слишком длинна для страницы: составьте её командой kadr mill")});
+  if (made->program.text.size() > max_made_bytes) return tl::unexpected(Refusal{translated(texts::page::too_long_to_mill)});
   std::string picture = milling_svg(mill_picture(*made, *def, name_of_file(file), lang));
   if (picture.size() > max_made_bytes) picture.clear();
   return PageJson{{"text", made->program.text},

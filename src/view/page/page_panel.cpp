@@ -5,6 +5,7 @@
 
 #include <cmath>
 
+#include "texts/panel_page.h"
 #include "view/page/page_inside.h"
 #include "view/panel_content.h"
 #include "view/panel_json.h"
@@ -88,9 +89,7 @@ PageSession::Inside::Answer PageSession::Inside::machines(const PageJson&) {
 /// Switches a machine on, with its edited tables and with the axes at their last positions.
 tl::expected<std::shared_ptr<PanelHub::HubMachine>, Refusal> PageSession::Inside::switch_on(const std::string& file,
                                                                                             const PageJson& question) {
-  if (!may_change)
-    return refused(
-        told("this page may only look: open the printed address", "эта страница может только смотреть: откройте напечатанный адрес"));
+  if (!may_change) return refused(translated(texts::panel_page::may_only_look));
   PanelJournal& journal = *server.journal;
   PageJson as_kept = PageJson::parse(journal.value("machine", file).value_or("{}"), nullptr, false);
   if (as_kept.is_object()) as_kept.update(question);
@@ -118,7 +117,7 @@ tl::expected<std::shared_ptr<PanelHub::HubMachine>, Refusal> PageSession::Inside
   (void)journal.log(file, log_entry("on", content->program.opened().def->id, 0));
   if (!server.hub->add(place)) {
     place = server.hub->find(file);
-    if (!place) return refused(told("too many machines are on", "включено слишком много станков"));
+    if (!place) return refused(translated(texts::panel_page::too_many_machines));
   }
   return place;
 }
@@ -172,18 +171,15 @@ void PageSession::Inside::leave_machine() {
 
 /// Returns the machine if this page has control of it.
 tl::expected<PanelMachine*, Refusal> PageSession::Inside::held_machine() const {
-  if (!hub_machine) return refused(told("no machine is looked at", "станок не выбран"));
-  if (!may_change)
-    return refused(
-        told("this page may only look: open the printed address", "эта страница может только смотреть: откройте напечатанный адрес"));
-  if (hub_machine->holder != page)
-    return refused(told("another page holds the controls: take them first", "управление у другой страницы: сначала возьмите его"));
+  if (!hub_machine) return refused(translated(texts::panel_page::no_machine));
+  if (!may_change) return refused(translated(texts::panel_page::may_only_look));
+  if (hub_machine->holder != page) return refused(translated(texts::panel_page::held_by_another));
   return hub_machine->machine.get();
 }
 
 PageSession::Inside::Answer PageSession::Inside::panel(const PageJson&) {
   if (hub_machine && server.hub->find(hub_machine->name) != hub_machine) leave_machine();  // another page has switched the machine off
-  if (!hub_machine) return refused(told("no machine is looked at", "станок не выбран"));
+  if (!hub_machine) return refused(translated(texts::panel_page::no_machine));
   const PanelState state = hub_machine->machine->state();
   PageJson json = panel_json(state, hub_machine->machine->axes(), lang);
   const OpenedProgram& opened = content_of(*hub_machine).program.opened();
@@ -198,13 +194,11 @@ PageSession::Inside::Answer PageSession::Inside::panel(const PageJson&) {
 
 /// Returns the program text that the machine runs, which may differ from the file on the disk.
 PageSession::Inside::Answer PageSession::Inside::machine_source(const PageJson&) {
-  if (!hub_machine) return refused(told("no machine is looked at", "станок не выбран"));
+  if (!hub_machine) return refused(translated(texts::panel_page::no_machine));
   const PanelProgram& program = content_of(*hub_machine).program;
   std::string digest = program.digest();
   auto text = program.text();
-  if (!text)
-    return refused(told("the program is too long to be shown as the machine runs it",
-                        "программа слишком длинна, чтобы показать её, как её выполняет станок"));
+  if (!text) return refused(translated(texts::panel_page::too_long_to_show));
   return PageJson{{"text", std::move(*text)}, {"digest", std::move(digest)}};
 }
 
@@ -226,7 +220,7 @@ PageSession::Inside::Answer PageSession::Inside::press(const PageJson& question)
   if (key == "out") return answer_of((*machine)->run(Stepping::How::out));
   if (key == "hold") return answer_of((*machine)->hold());
   if (key == "reset") return answer_of((*machine)->reset());
-  if (key != "off") return refused(key + told(": there is no such key", ": такой клавиши нет"));
+  if (key != "off") return refused(translated(texts::panel_page::no_such_key, key));
   (*machine)->switch_off();  // switches off first, so that nothing is saved after the data are deleted
   note("off", {}, 0);
   const auto forgotten = server.journal->forget(hub_machine->name);
@@ -285,7 +279,7 @@ PageSession::Inside::Answer PageSession::Inside::answer_to_machine(const PageJso
 
 /// Evaluates the expressions that this page watches.
 PageSession::Inside::Answer PageSession::Inside::watch(const PageJson& question) {
-  if (!hub_machine) return refused(told("no machine is looked at", "станок не выбран"));
+  if (!hub_machine) return refused(translated(texts::panel_page::no_machine));
   std::vector<std::string> expressions;
   if (const auto list = question.find("expressions"); list != question.end() && list->is_array())
     for (const PageJson& one : *list)
@@ -305,7 +299,7 @@ PageSession::Inside::Answer PageSession::Inside::stops_at(const PageJson& questi
   if (!machine) return tl::unexpected(machine.error());
   if (question.contains("remove")) return answer_of((*machine)->remove_stop(count_in(question, "remove", 0)));
   StopPoint point = stop_point_of(question);
-  if (point == StopPoint{}) return refused(told("want a line, a call or a condition", "нужна строка, вызов или условие"));
+  if (point == StopPoint{}) return refused(translated(texts::panel_page::stop_point_wanted));
   const auto number = (*machine)->add_stop(std::move(point));
   if (!number) return refused(number.error());
   return PageJson{{"number", *number}};

@@ -5,6 +5,7 @@
 #include "config/tools/tool_list.h"
 #include "out/text/cut_text.h"
 #include "session/cutting/named_body.h"
+#include "texts/part_run.h"
 #include "view/page/page_inside.h"
 #include "view/proposals.h"
 
@@ -27,8 +28,7 @@ tl::expected<std::string, Refusal> placed_body(const ServedFolder& folder, const
 tl::expected<ToolLibrary, Refusal> tools_in(const ServedFolder& folder, const PageJson& question) {
   const auto found = question.find("tools");
   if (found != question.end() && found->is_array()) {
-    if (found->empty())
-      return refused(told("no tool is given: add the one that cuts", "не указан ни один инструмент: добавьте тот, что режет"));
+    if (found->empty()) return refused(translated(texts::part_run::no_tool_given));
     PageJson list = *found;
     for (PageJson& tool : list)
       if (tool.is_object()) tool.erase("from"), tool.erase("known");  // removes the keys that only a proposal has
@@ -36,8 +36,7 @@ tl::expected<ToolLibrary, Refusal> tools_in(const ServedFolder& folder, const Pa
     if (!tools) return refused(tools.error());
     return std::move(*tools);
   }
-  if (found == question.end() || !found->is_string())
-    return refused(told("tools: want a list of tools or a file", "tools: нужен список инструментов или файл"));
+  if (found == question.end() || !found->is_string()) return refused(translated(texts::part_run::tools_wanted));
   const std::string name = found->get<std::string>();
   const auto path = folder.path_of(name);
   if (!path) return refused(path.error());
@@ -51,15 +50,12 @@ tl::expected<PartRequest, Refusal> part_request(const ServedFolder& folder, cons
   auto stock = placed_body(folder, value_in<std::string>(question, "stock", ""));
   if (!stock) return tl::unexpected(stock.error());
   request.stock = *stock;
-  if (request.stock.empty())
-    return refused(
-        told("the blank is not given: a box, a cylinder, a file .stl or .3mf", "не указана заготовка: box, cylinder или файл .stl, .3mf"));
+  if (request.stock.empty()) return refused(translated(texts::part_run::blank_missing));
   const auto fixtures = question.find("fixtures");
   if (fixtures != question.end()) {
-    if (!fixtures->is_array() || fixtures->size() > max_fixtures)
-      return refused(told("fixtures: want a list of bodies, 100 at most", "fixtures: нужен список тел, не более 100"));
+    if (!fixtures->is_array() || fixtures->size() > max_fixtures) return refused(translated(texts::part_run::too_many_fixtures));
     for (const PageJson& text : *fixtures) {
-      if (!text.is_string()) return refused(told("fixtures: want a list of bodies", "fixtures: нужен список тел"));
+      if (!text.is_string()) return refused(translated(texts::part_run::fixtures_wanted));
       auto body = placed_body(folder, text.get<std::string>());
       if (!body) return tl::unexpected(body.error());
       request.fixtures.push_back(*body);
@@ -67,11 +63,9 @@ tl::expected<PartRequest, Refusal> part_request(const ServedFolder& folder, cons
     }
   }
   const auto resolution = question.find("resolution");
-  if (resolution != question.end() && !resolution->is_number())
-    return refused(told("resolution: want a number, mm", "resolution: нужно число, мм"));
+  if (resolution != question.end() && !resolution->is_number()) return refused(translated(texts::part_run::resolution_wanted));
   request.resolution = value_in<double>(question, "resolution", 0);
-  if (resolution != question.end() && !(request.resolution > 0))
-    return refused(told("resolution: want 0.001 to 1000 mm", "resolution: нужно от 0.001 до 1000 мм"));
+  if (resolution != question.end() && !(request.resolution > 0)) return refused(translated(texts::part_run::resolution_limits));
   auto tools = tools_in(folder, question);
   if (!tools) return tl::unexpected(tools.error());
   request.tools = std::move(*tools);
@@ -85,7 +79,7 @@ std::string missing_tools_message(const ProgramRun& run, const ToolLibrary& tool
     if (tools.find(number) != nullptr || (number == 0 && tools.tools.size() == 1)) continue;
     missing += fmt::format("{}T{}", missing.empty() ? "" : ", ", number);
   }
-  return missing.empty() ? missing : told("tools without a shape: ", "инструменты без формы: ") + missing;
+  return missing.empty() ? missing : translated(texts::part_run::tools_without_shape, missing);
 }
 
 /// Returns the names of the tools files next to the program, relative to the served folder.
@@ -161,7 +155,7 @@ void PageSession::Inside::cut_part() {
 }
 
 PageSession::Inside::Answer PageSession::Inside::part(const PageJson& question) {
-  if (!part_run) return refused(told("nothing has been cut", "материал ещё не снимали"));
+  if (!part_run) return refused(translated(texts::part_run::nothing_cut));
   const PartThen then = part_run->at(value_in<double>(question, "at", 0));
   gone = !line.frame(part_run->frame_of(then)) || gone;
   return PageJson{{"stock", then.stock},

@@ -2,6 +2,7 @@
 
 #include <fmt/core.h>
 
+#include "texts/page.h"
 #include "view/page/page_inside.h"
 
 namespace kadr {
@@ -34,7 +35,7 @@ tl::expected<OpeningRequest, Refusal> PageSession::Inside::opening_request_in(co
   for (const std::string& fault : {place_of(question, "file", request.path, false), place_of(question, "control", request.control, true),
                                    place_of(question, "machine", request.machine, true), place_of(question, "setup", request.setup, false)})
     if (!fault.empty()) return tl::unexpected(Refusal{fault});
-  if (request.path.empty()) return tl::unexpected(Refusal{told("open: no file is named", "open: файл не назван")});
+  if (request.path.empty()) return tl::unexpected(Refusal{translated(texts::page::no_file_named)});
   if (question.contains("text") && question["text"].is_string()) request.text = question["text"].get<std::string>();
   if (const auto tables = question.find("tables"); tables != question.end() && tables->is_object() && !tables->empty())
     request.tables = dumped(*tables);
@@ -94,8 +95,7 @@ PageJson PageSession::Inside::problem_of_channel(const AlarmReport& report, int 
   PageJson json = problem_json(finding, 0, std::nullopt);
   json["channel"] = channel;
   json["line"] = 0;
-  json["text"] =
-      fmt::format("{} {}, {}:{}: {}", told("channel", "канал"), channel, server.folder.shown(finding.file), finding.line, finding.text);
+  json["text"] = translated(texts::page::alarm_of_channel, channel, server.folder.shown(finding.file), finding.line, finding.text);
   return json;
 }
 
@@ -128,7 +128,7 @@ PageSession::Inside::Answer PageSession::Inside::source_lines(const PageJson& qu
   auto called = called_sources.find(file);
   if (called == called_sources.end()) {
     auto bytes = run->control().source_of(file);
-    if (!bytes) return tl::unexpected(Refusal{told("no such file", "такого файла нет")});
+    if (!bytes) return tl::unexpected(Refusal{translated(texts::page::no_such_file)});
     called = called_sources.emplace(file, std::make_unique<SourceText>(std::move(bytes), std::nullopt)).first;
   }
   const std::string name = server.folder.shown(run->control().file_name(std::uint16_t(file)));

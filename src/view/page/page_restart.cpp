@@ -4,6 +4,7 @@
 #include <fmt/core.h>
 
 #include "out/text/in_force_text.h"
+#include "texts/panel_page.h"
 #include "view/page/page_inside.h"
 #include "view/panel_json.h"
 
@@ -71,9 +72,7 @@ PageJson way_json(const std::vector<WayPoint>& way, const std::vector<std::strin
   return list;
 }
 
-tl::unexpected<std::string> no_way() {
-  return tl::unexpected(told("way: want motions of axes that there are", "путь: нужны движения имеющихся осей"));
-}
+tl::unexpected<std::string> no_way() { return tl::unexpected(translated(texts::panel_page::way_wanted)); }
 
 /// Reads the motions of a path from a request. Returns an error sentence if they are invalid.
 tl::expected<std::vector<WayPoint>, std::string> way_of(const PageJson& question, const std::vector<std::string>& axes) {
@@ -169,7 +168,7 @@ StopPoint stop_point_of(const PageJson& question) {
 
 tl::expected<PanelSearch::Answer, Refusal> PageSession::Inside::find_place(PanelMachine& machine, const PageJson& question) const {
   const PanelSearch::SearchRequest request = search_request_in(question);
-  if (request.target == StopPoint{}) return refused(told("want a line, a call or a condition", "нужна строка, вызов или условие"));
+  if (request.target == StopPoint{}) return refused(translated(texts::panel_page::stop_point_wanted));
   PanelSearch::Answer found = machine.find(request);
   if (found.ready && !found.place) return refused(found.error);
   return found;
@@ -224,7 +223,7 @@ PageSession::Inside::Answer PageSession::Inside::go_there(const PageJson& questi
   if (!machine) return tl::unexpected(machine.error());
   const auto found = find_place(**machine, question);
   if (!found) return tl::unexpected(found.error());
-  if (!found->ready) return refused(told("the place is still being looked for", "место ещё ищется"));
+  if (!found->ready) return refused(translated(texts::panel_page::still_searching));
   auto ways = ways_of(question, **machine);
   if (!ways) return refused(ways.error());
   std::set<std::string> left;

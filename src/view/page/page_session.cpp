@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "texts/page.h"
 #include "view/memory_bound.h"
 #include "view/page/page_inside.h"
 
@@ -40,16 +41,14 @@ bool PageSession::take(std::string_view message) {
   const auto wrong = [&](const std::string& text) {
     in.say({{"re", id}, {"error", {{"text", text}}}});
     if (++in.mistakes < max_mistakes) return true;
-    in.say({{"event", "closed"}, {"text", told("too many messages are no questions", "слишком много сообщений — не вопросы")}});
+    in.say({{"event", "closed"}, {"text", translated(texts::page::too_many_mistakes)}});
     return false;
   };
-  if (!question.is_object() || id.is_null())
-    return wrong(told("no question: an object with `id` and `do` is wanted", "это не вопрос: нужен объект с `id` и `do`"));
+  if (!question.is_object() || id.is_null()) return wrong(translated(texts::page::no_question));
   const std::string what = value_in<std::string>(question, "do", "");
-  if (!in.greeted && what != "hello") return wrong(told("the first question is hello", "первый вопрос — hello"));
+  if (!in.greeted && what != "hello") return wrong(translated(texts::page::hello_first));
   Inside::Answer answer = in.answer(what, question);
-  if (!answer && answer.error().text.empty())
-    return wrong(fmt::format("{}: {}", what, told("nothing of that name is known", "такого вопроса нет")));
+  if (!answer && answer.error().text.empty()) return wrong(translated(texts::page::unknown_question, what));
   PageJson json = {{"re", id}};
   if (answer) json.update(*answer);
   else json["error"] = {{"text", answer.error().text}};
@@ -109,17 +108,14 @@ PageSession::Inside::Answer PageSession::Inside::answer(const std::string& what,
   };
   const auto* const known = std::find_if(std::begin(all), std::end(all), [&](const Known& k) { return k.name == what; });
   if (known == std::end(all)) return tl::unexpected(Refusal{});
-  if (known->of_program && !run) return tl::unexpected(Refusal{told("no program is open", "программа не открыта")});
+  if (known->of_program && !run) return tl::unexpected(Refusal{translated(texts::page::no_program_open)});
   if (known->heavy && is_memory_full()) return tl::unexpected(Refusal{memory_full_message()});
   return (this->*known->answer)(question);
 }
 
 bool PageSession::Inside::is_memory_full() const { return server.memory != nullptr && server.memory->is_full(); }
 
-std::string PageSession::Inside::memory_full_message() {
-  return told("the pages of this server hold all the memory that it may have: close one of them, or kadr serve --max-memory",
-              "страницы этого сервера заняли всю отведённую ему память: закройте одну из них или задайте kadr serve --max-memory");
-}
+std::string PageSession::Inside::memory_full_message() { return translated(texts::page::memory_full); }
 
 void PageSession::Inside::end_if_memory_is_full() {
   if (gone || !is_memory_full()) return;

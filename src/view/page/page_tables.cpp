@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "config/state/state_json.h"
+#include "texts/panel_page.h"
 #include "view/page/page_inside.h"
 #include "view/panel_content.h"
 
@@ -34,7 +35,7 @@ PageJson tables_of(const std::optional<RunState>& state) {
 }  // namespace
 
 PageSession::Inside::Answer PageSession::Inside::tables(const PageJson&) {
-  if (!hub_machine) return refused(told("no machine is looked at", "станок не выбран"));
+  if (!hub_machine) return refused(translated(texts::panel_page::no_machine));
   const PanelProgram& program = content_of(*hub_machine).program;
   const auto file = program.of_file();
   if (!file) return refused(file.error());
@@ -58,13 +59,13 @@ PageSession::Inside::Answer PageSession::Inside::edit(const PageJson& question) 
   const auto machine = held_machine();
   if (!machine) return tl::unexpected(machine.error());
   const auto patch = question.find("tables");
-  if (patch == question.end() || !patch->is_object()) return refused(told("want tables", "нужны таблицы"));
+  if (patch == question.end() || !patch->is_object()) return refused(translated(texts::panel_page::tables_wanted));
   PanelProgram& program = content_of(*hub_machine).program;
   const std::lock_guard one_at_a_time(content_of(*hub_machine).edits);
   const auto sections = program.sections();
   for (const auto& [name, rows] : patch->items())
     if (std::find(sections.begin(), sections.end(), name) == sections.end())
-      return refused(name + told(": there is no such table here", ": здесь нет такой таблицы"));
+      return refused(translated(texts::panel_page::no_such_table, name));
   auto changed = program.changed(*patch);
   if (!changed) return refused(changed.error());
   if (const std::string fault = program.refusal(*changed); !fault.empty()) return refused(fault);
@@ -72,7 +73,7 @@ PageSession::Inside::Answer PageSession::Inside::edit(const PageJson& question) 
   if (const std::string fault = keep("tables", dumped(changed->edited)); !fault.empty()) return refused(fault);
   if (!program.take(std::move(*changed))) {
     (void)keep("tables", dumped(program.edited()));
-    return refused(told("a line has changed tables meanwhile: once more", "тем временем строка изменила таблицы: повторите"));
+    return refused(translated(texts::panel_page::tables_changed_meanwhile));
   }
   note("edit", dumped(*patch), 0);
   const auto taken = (*machine)->take_tables();
@@ -86,7 +87,7 @@ PageSession::Inside::Answer PageSession::Inside::keep_tables(const PageJson& que
   if (!machine) return tl::unexpected(machine.error());
   const PanelProgram& program = content_of(*hub_machine).program;
   const std::string file = value_in<std::string>(question, "setup", "");
-  if (!file.ends_with(".json")) return refused(told("want the name of a set-up file: NAME.json", "нужно имя файла наладки: ИМЯ.json"));
+  if (!file.ends_with(".json")) return refused(translated(texts::panel_page::setup_name_wanted));
   const bool is_own = !program.setup_file().empty() && file == server.folder.shown(program.setup_file());
   auto whole = is_own ? program.of_file() : PageJson::object();
   if (!whole) return refused(whole.error());
@@ -106,7 +107,7 @@ PageSession::Inside::Answer PageSession::Inside::keep_tables(const PageJson& que
 /// Returns the log of the machine, oldest entry first.
 PageSession::Inside::Answer PageSession::Inside::shift(const PageJson& question) {
   const std::string name = value_in<std::string>(question, "file", hub_machine ? hub_machine->name : "");
-  if (server.journal == nullptr || name.empty()) return refused(told("no machine is looked at", "станок не выбран"));
+  if (server.journal == nullptr || name.empty()) return refused(translated(texts::panel_page::no_machine));
   const std::vector<std::string> log = server.journal->log_of(name);
   const std::size_t most = std::max<std::uint32_t>(1, count_in(question, "count", 10'000));
   PageJson list = PageJson::array();

@@ -8,6 +8,7 @@
 #include "lang/text/tape_reading.h"
 #include "out/text/base64.h"
 #include "out/text/tape_text.h"
+#include "texts/page.h"
 #include "view/page/page_inside.h"
 
 namespace kadr {
@@ -22,8 +23,7 @@ tl::unexpected<Refusal> no_tape(std::string text) { return tl::unexpected(Refusa
 /// Returns the error sentence for a character that the tape code lacks, with the line and the character.
 std::string not_punched(const std::string& file, const std::string& text, Span at, TapeCode code, Lang lang) {
   const auto line = 1 + std::count(text.begin(), text.begin() + std::min<std::ptrdiff_t>(at.begin, std::ssize(text)), '\n');
-  return fmt::format(fmt::runtime(lang == Lang::ru ? "{}:{}: символ '{}' не пробить в коде {}" : "{}:{}: '{}' has no {} code"), file, line,
-                     text.substr(at.begin, at.end - at.begin), name_for_people(code));
+  return translated_in(lang, texts::page::no_code_on_tape, file, line, text.substr(at.begin, at.end - at.begin), name_for_people(code));
 }
 
 }  // namespace
@@ -31,10 +31,10 @@ std::string not_punched(const std::string& file, const std::string& text, Span a
 PageSession::Inside::Answer PageSession::Inside::tape(const PageJson& question) {
   const std::string way = value_in<std::string>(question, "way", ""), said = value_in<std::string>(question, "code", "");
   const auto code = tape_code_named(said);
-  if (question.contains("code") && !code) return no_tape(told("tape: code: iso or eia", "tape: code: iso или eia"));
+  if (question.contains("code") && !code) return no_tape(translated(texts::page::tape_codes));
   if (way == "out") return punch(question, code);
   if (way == "in") return read_punched(value_in<std::string>(question, "file", ""), code);
-  return no_tape(told("tape: way: in or out", "tape: way: in или out"));
+  return no_tape(translated(texts::page::tape_ways));
 }
 
 /// Punches the text of the editor, or of the file.
@@ -44,13 +44,13 @@ PageSession::Inside::Answer PageSession::Inside::punch(const PageJson& question,
   if (!found) return no_tape(found.error());
   const bool is_edited = question.contains("text") && question["text"].is_string();
   const std::string text = is_edited ? question["text"].get<std::string>() : SourceText(as_text(text_source(found->bytes))).whole();
-  if (text.find_first_not_of(" \t\r\n") == std::string::npos) return no_tape(file + ": " + told("is empty", "пуст"));
+  if (text.find_first_not_of(" \t\r\n") == std::string::npos) return no_tape(translated(texts::page::empty_for_tape, file));
   const TapeCode code = said.value_or(TapeCode::iso);
   constexpr std::uint32_t usual_leader = 100;  // rows of leader before and after the program
   const std::size_t leader = std::min<std::size_t>(count_in(question, "leader", usual_leader), max_leader);
   const auto rows = encode_tape(text, leader, code);
   if (!rows) return no_tape(not_punched(file, text, rows.error().where, code, lang));
-  if (rows->size() > max_rows) return no_tape(file + ": " + told("too long for a tape here", "слишком длинен для ленты здесь"));
+  if (rows->size() > max_rows) return no_tape(translated(texts::page::too_long_for_tape, file));
   return PageJson{{"bytes", base64_of(*rows)}, {"rows", rows->size()}, {"name", free_name(file, ".tape")}};
 }
 
@@ -58,14 +58,14 @@ PageSession::Inside::Answer PageSession::Inside::read_punched(const std::string&
   const auto found = server.folder.read(file, max_rows);
   if (!found) return no_tape(found.error());
   const TapeReading read = read_tape(found->bytes, said);
-  if (!read.looks_like_tape && !said) return no_tape(file + ": " + told("is no image of a punched tape", "не образ перфоленты"));
+  if (!read.looks_like_tape && !said) return no_tape(translated(texts::page::not_a_tape, file));
   PageJson faults = PageJson::array();
   for (std::size_t i = 0; i < std::min(read.faults.size(), max_faults_reported); ++i)
     faults.push_back(fault_in_words(read.faults[i], read.code, lang));
   const bool lies = read.lie != TapeOrientation::right;
   return PageJson{{"text", read.text},
                   {"code", read.code == TapeCode::eia ? "eia" : "iso"},
-                  {"lies", lies ? told("the tape was ", "лента ") + orientation_in_words(read.lie, lang) : std::string()},
+                  {"lies", lies ? translated(texts::page::tape_was, orientation_in_words(read.lie, lang)) : std::string()},
                   {"faults", std::move(faults)},
                   {"more", read.faults.size() - std::min(read.faults.size(), max_faults_reported)},
                   {"name", free_name(file, ".nc")}};

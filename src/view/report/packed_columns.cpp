@@ -6,8 +6,8 @@
 #include <cmath>
 #include <cstring>
 
-#include "config/language.h"
 #include "stock/mesh/zlib_library.h"
+#include "texts/view.h"
 
 namespace kadr {
 namespace {
@@ -52,7 +52,7 @@ tl::expected<std::string, std::string> zlib_packed(std::string_view bytes) {
   z_stream stream{};
   if (zlib == nullptr ||
       zlib->deflateInit2_(&stream, packing_level, Z_DEFLATED, 15, 9, Z_DEFAULT_STRATEGY, ZLIB_VERSION, int(sizeof stream)) != Z_OK)
-    return tl::unexpected(std::string(told("zlib is missing (package zlib1g)", "нет библиотеки zlib (пакет zlib1g)")));
+    return tl::unexpected(translated(texts::view::zlib_missing));
   std::string packed;
   bool good = true;
   while (good) {
@@ -71,7 +71,7 @@ tl::expected<std::string, std::string> zlib_packed(std::string_view bytes) {
     if (bytes.empty()) break;
   }
   zlib->deflateEnd(&stream);
-  if (!good) return tl::unexpected(std::string(told("zlib cannot pack it", "zlib не может это упаковать")));
+  if (!good) return tl::unexpected(translated(texts::view::zlib_fails));
   return packed;
 }
 
