@@ -242,7 +242,7 @@ void add_convert(CLI::App& app, Commands& c) {
          "MM", "ММ", least_apart, most_apart);
   program_options(*convert, o.run);
   memory_option(*convert, o.run);
-  convert->footer(convert_examples());
+  convert->footer(plain_text(texts::help_examples::convert));
 }
 
 int convert(const ConvertOptions& options) { return ConvertCommand(options).run(); }

@@ -201,7 +201,7 @@ void add_diff(CLI::App& app, Commands& c) {
   takes_file(diff->add_option("--setup-b", o.setup_b, told("set-up of B", "исходное состояние для B")));
   program_options(*diff, o.both);
   memory_option(*diff, o.both);
-  diff->footer(diff_examples());
+  diff->footer(plain_text(texts::help_examples::diff));
 }
 
 int diff(const DiffOptions& o) {

@@ -68,7 +68,7 @@ void add_serve(CLI::App& app, Commands& c) {
       ->capture_default_str();
   serve->add_flag("--no-browser", o.no_browser, told("the browser is not opened", "не открывать браузер"));
   language_option(*serve, o.lang);
-  serve->footer(serve_examples());
+  serve->footer(plain_text(texts::help_examples::serve));
 }
 
 int serve(const ServeOptions& options) {

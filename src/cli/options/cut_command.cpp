@@ -121,7 +121,7 @@ void add_cut(CLI::App& app, Commands& c) {
                                    "что снимает каждый кадр, по строке на кадр: файл .csv или - на стандартный вывод")));
   program_options(*cut, o.run);
   memory_option(*cut, o.run);
-  cut->footer(cut_examples());
+  cut->footer(plain_text(texts::help_examples::cut));
 }
 
 }  // namespace kadr::cli

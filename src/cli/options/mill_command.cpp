@@ -94,7 +94,7 @@ void add_task(CLI::App& mill, Commands& c, const char* name, const std::string& 
   scheme_options(*task, o);
   technology_options(*task, o);
   output_options(*task, o);
-  task->footer(mill_examples());
+  task->footer(plain_text(texts::help_examples::mill));
 }
 
 }  // namespace
@@ -109,7 +109,7 @@ void add_mill(CLI::App& app, Commands& c) {
   add_task(*mill, c, "face",
            told("a zone without walls: the tool runs over its edges", "плоскость: зона без стенок, фреза выходит за края"));
   add_task(*mill, c, "slot", told("along a line, or a pocket in the shape of a slot", "паз: вдоль линии или карман в форме паза"));
-  mill->footer(mill_examples());
+  mill->footer(plain_text(texts::help_examples::mill));
 }
 
 }  // namespace kadr::cli

@@ -82,7 +82,8 @@ CLI::Option* limited(CLI::Option* option, bool whole, double least, double most)
 
 }  // namespace
 
-CLI::Option* takes(CLI::Option* option, const char* en, const char* ru) { return option->type_name(told(en, ru)); }
+CLI::Option* takes(CLI::Option* option, const std::string& name) { return option->type_name(name); }
+CLI::Option* takes(CLI::Option* option, const char* en, const char* ru) { return takes(option, told(en, ru)); }
 CLI::Option* takes_file(CLI::Option* option) { return takes(option, "FILE", "ФАЙЛ"); }
 
 CLI::Option* writes_file(CLI::Option* option) {
@@ -106,16 +107,25 @@ CLI::Option* one_of(CLI::Option* option, const std::vector<std::string>& words) 
   return option->type_name(joined(words, "|"))->transform(among(words));
 }
 
-CLI::Option* known_by(CLI::Option* option, const char* en, const char* ru, bool (*knows)(std::string_view),
+CLI::Option* known_by(CLI::Option* option, const std::string& name, bool (*knows)(std::string_view),
                       const std::vector<std::string>& words) {
   const auto check = [=](std::string& word) { return knows(word) ? std::string() : none_of(word, words); };
-  return takes(option, en, ru)->check(CLI::Validator(check, ""));
+  return takes(option, name)->check(CLI::Validator(check, ""));
+}
+
+CLI::Option* known_by(CLI::Option* option, const char* en, const char* ru, bool (*knows)(std::string_view),
+                      const std::vector<std::string>& words) {
+  return known_by(option, told(en, ru), knows, words);
 }
 
 bool takes_nothing(const CLI::Option& option) { return option.get_items_expected_max() == 0; }
 
+CLI::Option* number(CLI::Option* option, const std::string& name, double least, double most) {
+  return limited(takes(option, name), false, least, most);
+}
+
 CLI::Option* number(CLI::Option* option, const char* en, const char* ru, double least, double most) {
-  return limited(takes(option, en, ru), false, least, most);
+  return number(option, told(en, ru), least, most);
 }
 
 CLI::Option* whole_number(CLI::Option* option, double least, double most) { return limited(takes(option, "N", "N"), true, least, most); }
