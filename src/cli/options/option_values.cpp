@@ -124,7 +124,7 @@ CLI::Option* number(CLI::Option* option, const std::string& name, double least, 
   return limited(takes(option, name), false, least, most);
 }
 
-CLI::Option* number(CLI::Option* option, const char* en, const char* ru, double least, double most) {
+CLI::Option* number(CLI::Option* option, const std::string& en, const std::string& ru, double least, double most) {
   return number(option, told(en, ru), least, most);
 }
 

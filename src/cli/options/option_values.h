@@ -36,7 +36,9 @@ bool takes_nothing(const CLI::Option& option);
 /// The value is a number (or a whole number) within limits.
 constexpr double any_number = std::numeric_limits<double>::infinity();
 CLI::Option* number(CLI::Option* option, const std::string& name, double least = -any_number, double most = any_number);
-CLI::Option* number(CLI::Option* option, const char* en, const char* ru, double least = -any_number, double most = any_number);
+/// `ru` is no const char*, which would take the limit 0 of the function above.
+CLI::Option* number(CLI::Option* option, const std::string& en, const std::string& ru, double least = -any_number,
+                    double most = any_number);
 CLI::Option* whole_number(CLI::Option* option, double least, double most);
 
 CLI::Option* control_id(CLI::Option* option);
