@@ -20,6 +20,7 @@
 #include "convert/conversion_text.h"
 #include "lang/text/text_spool.h"
 #include "texts/convert_command.h"
+#include "texts/values.h"
 #include "view/source_text.h"
 
 namespace kadr::cli {
@@ -228,12 +229,11 @@ void add_convert(CLI::App& app, Commands& c) {
   convert->add_flag("--explain", o.explain, translated(texts::convert_command::explain));
   convert->add_flag("--force", o.force, translated(texts::convert_command::by_force));
   one_of(convert->add_option("--way", o.way, translated(texts::convert_command::only_way)), {ways.begin(), ways.end()});
-  number(convert->add_option("--tolerance", o.tolerance, translated(texts::convert_command::tolerance)),
-         plain_text(texts::convert_command::millimetres, Lang::en), plain_text(texts::convert_command::millimetres, Lang::ru), least_apart,
-         most_apart);
+  number(convert->add_option("--tolerance", o.tolerance, translated(texts::convert_command::tolerance)), plain_text(texts::values::mm),
+         least_apart, most_apart);
   program_options(*convert, o.run);
   memory_option(*convert, o.run);
-  convert->footer(convert_examples());
+  convert->footer(plain_text(texts::help_examples::convert));
 }
 
 int convert(const ConvertOptions& options) { return ConvertCommand(options).run(); }

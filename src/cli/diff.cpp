@@ -18,6 +18,7 @@
 #include "out/text/page_file.h"
 #include "out/text/source_line.h"
 #include "texts/diff_command.h"
+#include "texts/values.h"
 #include "view/source_text.h"
 
 namespace kadr::cli {
@@ -175,9 +176,8 @@ void add_diff(CLI::App& app, Commands& c) {
   DiffOptions& o = c.diff;
   diff->add_option("A", o.a, translated(texts::diff_command::program_a))->required();
   diff->add_option("B", o.b, translated(texts::diff_command::program_b))->required();
-  number(diff->add_option("--tolerance", o.tolerance, translated(texts::diff_command::tolerance)),
-         plain_text(texts::diff_command::millimetres, Lang::en), plain_text(texts::diff_command::millimetres, Lang::ru), least_tolerance,
-         max_tolerance)
+  number(diff->add_option("--tolerance", o.tolerance, translated(texts::diff_command::tolerance)), plain_text(texts::values::mm),
+         least_tolerance, max_tolerance)
       ->capture_default_str();
   diff->add_flag("--all", o.all, translated(texts::diff_command::all_differences));
   diff->add_flag("--no-messages", o.no_messages, translated(texts::diff_command::no_messages));
@@ -191,7 +191,7 @@ void add_diff(CLI::App& app, Commands& c) {
   takes_file(diff->add_option("--setup-b", o.setup_b, translated(texts::diff_command::setup_b)));
   program_options(*diff, o.both);
   memory_option(*diff, o.both);
-  diff->footer(diff_examples());
+  diff->footer(plain_text(texts::help_examples::diff));
 }
 
 int diff(const DiffOptions& o) {

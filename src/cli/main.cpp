@@ -12,6 +12,7 @@
 #include "cli/options/command_line.h"
 #include "cli/options/usage_error.h"
 #include "config/language.h"
+#include "texts/command_line.h"
 
 namespace kadr::cli {
 
@@ -102,7 +103,7 @@ int main(int argc, char** argv) {
   try {
     return printed(perform(*app, commands));
   } catch (const std::bad_alloc&) {
-    complain(kadr::told("out of memory", "не хватает памяти"));
+    complain(kadr::plain_text(kadr::texts::command_line::out_of_memory));
   } catch (const std::exception& error) {  // thrown by a library: a bug of Kadr, but reported in a sentence
     complain(error.what());
   }

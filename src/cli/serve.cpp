@@ -17,6 +17,7 @@
 #include "server/http_server.h"
 #include "server/page_files.h"
 #include "texts/serve_command.h"
+#include "texts/values.h"
 #include "view/memory_bound.h"
 #include "view/served_folder.h"
 
@@ -46,18 +47,18 @@ void add_serve(CLI::App& app, Commands& c) {
   CLI::App* const serve = app.add_subcommand("serve", translated(texts::serve_command::about));
   ServeOptions& o = c.serve;
   takes(serve->add_option(translated(texts::serve_command::folder_name), o.folder, translated(texts::serve_command::folder)),
-        plain_text(texts::serve_command::folder_name, Lang::en), plain_text(texts::serve_command::folder_name, Lang::ru));
+        plain_text(texts::serve_command::folder_name));
   whole_number(serve->add_option("--port", o.port, translated(texts::serve_command::port)), 0, max_port)->capture_default_str();
   takes(serve->add_option("--host", o.host, translated(texts::serve_command::host))->capture_default_str(),
-        plain_text(texts::serve_command::address_name, Lang::en), plain_text(texts::serve_command::address_name, Lang::ru));
+        plain_text(texts::serve_command::address_name));
   writes_file(serve->add_option("--state", o.state, translated(texts::serve_command::state_folder)));
   serve->add_flag("--open", o.open, translated(texts::serve_command::open_to_pages));
   number(serve->add_option("--max-memory", o.max_memory, translated(texts::serve_command::max_memory)),
-         plain_text(texts::serve_command::megabytes, Lang::en), plain_text(texts::serve_command::megabytes, Lang::ru), 100, 1e6)
+         plain_text(texts::values::megabytes), 100, 1e6)
       ->capture_default_str();
   serve->add_flag("--no-browser", o.no_browser, translated(texts::serve_command::no_browser));
   language_option(*serve, o.lang);
-  serve->footer(serve_examples());
+  serve->footer(plain_text(texts::help_examples::serve));
 }
 
 int serve(const ServeOptions& options) {

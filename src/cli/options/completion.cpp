@@ -8,6 +8,7 @@
 #include "cli/options/option_values.h"
 #include "config/control/control_file.h"
 #include "config/machine/machine_profile.h"
+#include "texts/values.h"
 
 namespace kadr::cli {
 namespace {
@@ -44,7 +45,7 @@ Values values_of(const std::string& name, const CLI::Option& option) {
   if (name == "--plot" || name == "--plot-speed") return {"", "@(svg|png)", false};
   if (name == "--files") return {"", "", true};
   std::string words = option.get_type_name();
-  if (words == "FILE" || words == "ФАЙЛ") return {"", "", false, true};
+  if (words == plain_text(texts::values::file)) return {"", "", false, true};
   if (words.find('|') == std::string::npos || words.find('%') != std::string::npos) return {};
   for (char& c : words)
     if (c == '|') c = ' ';

@@ -6,6 +6,7 @@
 #include "cli/options/help_text.h"
 #include "cli/options/option_values.h"
 #include "texts/cut_options.h"
+#include "texts/values.h"
 
 namespace kadr::cli {
 namespace {
@@ -17,15 +18,17 @@ constexpr double max_threads = 256;
 constexpr double least_simplify = 1e-4;  // mm: the points of the mesh are not more exact
 
 void part_options(CLI::App& app, CutOptions& o) {
-  takes(app.add_option("--stock-zero", o.stock_zero, translated(texts::cut_options::stock_zero)), "NAME", "ИМЯ");
+  takes(app.add_option("--stock-zero", o.stock_zero, translated(texts::cut_options::stock_zero)), plain_text(texts::values::name));
   takes_file(app.add_option("--part", o.part, translated(texts::cut_options::part)));
-  number(app.add_option("--allow", o.allow, translated(texts::cut_options::allow)), "MM", "ММ", 0, max_allowed);
-  number(app.add_option("--allow-left", o.allow_left, translated(texts::cut_options::allow_left)), "MM", "ММ", 0, max_allowed);
+  number(app.add_option("--allow", o.allow, translated(texts::cut_options::allow)), plain_text(texts::values::mm), 0, max_allowed);
+  number(app.add_option("--allow-left", o.allow_left, translated(texts::cut_options::allow_left)), plain_text(texts::values::mm), 0,
+         max_allowed);
 }
 
 void window_options(CLI::App& app, CutOptions& o) {
   takes(app.add_option("--window", o.window, translated(texts::cut_options::window)), translated(texts::cut_options::box));
-  number(app.add_option("--max-memory", o.max_memory, translated(texts::cut_options::max_memory)), "MB", "МБ", least_memory, most_memory)
+  number(app.add_option("--max-memory", o.max_memory, translated(texts::cut_options::max_memory)), plain_text(texts::values::megabytes),
+         least_memory, most_memory)
       ->capture_default_str();
   whole_number(app.add_option("--threads", o.threads, translated(texts::cut_options::threads)), 1, max_threads);
 }
@@ -42,7 +45,8 @@ std::array<CLI::Option*, 2> blank_options(CLI::App& app, CutOptions& o) {
 }
 
 void cell_option(CLI::App& app, CutOptions& o) {
-  number(app.add_option("--resolution", o.resolution, translated(texts::cut_options::resolution)), "MM", "ММ", least_cell, max_cell);
+  number(app.add_option("--resolution", o.resolution, translated(texts::cut_options::resolution)), plain_text(texts::values::mm),
+         least_cell, max_cell);
 }
 
 void add_cut(CLI::App& app, Commands& c) {
@@ -60,13 +64,14 @@ void add_cut(CLI::App& app, Commands& c) {
   writes_file(cut->add_option("--plot", o.run.plot, translated(texts::cut_options::plot)));
   one_of(cut->add_option("--colour,--color", o.run.colour, translated(texts::cut_options::colour)), {"tool", "age", "deviation", "load"});
   writes_file(cut->add_option("--out", o.out, translated(texts::cut_options::out)));
-  number(cut->add_option("--simplify", o.simplify, translated(texts::cut_options::simplify)), "MM", "ММ", least_simplify, max_allowed);
+  number(cut->add_option("--simplify", o.simplify, translated(texts::cut_options::simplify)), plain_text(texts::values::mm), least_simplify,
+         max_allowed);
   writes_file(cut->add_option("--deviation", o.deviation, translated(texts::cut_options::deviation)));
   writes_file(cut->add_option("--json", o.json, translated(texts::cut_options::json)));
   writes_file(cut->add_option("--blocks", o.blocks, translated(texts::cut_options::blocks)));
   program_options(*cut, o.run);
   memory_option(*cut, o.run);
-  cut->footer(cut_examples());
+  cut->footer(plain_text(texts::help_examples::cut));
 }
 
 }  // namespace kadr::cli

@@ -7,8 +7,9 @@
 
 #include "cli/options/help_text.h"
 #include "cli/options/option_values.h"
-#include "config/language.h"
 #include "out/text/source_line.h"
+#include "texts/help.h"
+#include "texts/values.h"
 
 namespace kadr::cli {
 namespace {
@@ -40,15 +41,16 @@ std::string two_columns(const std::string& name, const std::string& description)
 class HelpFormatter : public CLI::Formatter {
  public:
   std::string make_usage(const CLI::App* app, std::string) const override {
-    std::string usage = told("Usage: ", "Вызов: ") + whole_name(*app) + told(" [OPTIONS]", " [КЛЮЧИ]");
+    std::string usage = translated(texts::help::usage, whole_name(*app));
     for (const CLI::Option* const option : app->get_options([](const CLI::Option* o) { return o->get_positional(); }))
       usage += " " + make_option_usage(option);
-    if (!app->get_subcommands([](const CLI::App*) { return true; }).empty()) usage += told(" COMMAND", " КОМАНДА");
+    if (!app->get_subcommands([](const CLI::App*) { return true; }).empty())
+      usage += fmt::format(" {}", plain_text(texts::values::command));
     return usage + "\n";
   }
 
   std::string make_group(std::string, bool is_positional, std::vector<const CLI::Option*> options) const override {
-    std::string page = "\n" + (is_positional ? told("Arguments:", "Что указать:") : told("Options:", "Ключи:")) + "\n";
+    std::string page = fmt::format("\n{}\n", plain_text(is_positional ? texts::help::arguments : texts::help::options));
     for (const CLI::Option* const option : options) page += make_option(option, is_positional);
     return page;
   }
@@ -57,7 +59,7 @@ class HelpFormatter : public CLI::Formatter {
     std::string page;
     for (const CLI::App* const sub : app->get_subcommands([](const CLI::App*) { return true; }))
       page += two_columns(sub->get_name(), sub->get_description());
-    return page.empty() ? page : "\n" + told("Commands:", "Команды:") + "\n" + page;
+    return page.empty() ? page : fmt::format("\n{}\n{}", plain_text(texts::help::commands), page);
   }
 
   std::string make_option(const CLI::Option* option, bool is_positional) const override {
@@ -66,8 +68,8 @@ class HelpFormatter : public CLI::Formatter {
     if (!is_positional && takes_value) name += " " + option->get_type_name();
     std::string description = option->get_description();
     if (takes_value && !option->get_default_str().empty())
-      description += fmt::format("{}{})", told(" (default: ", " (по умолчанию "), option->get_default_str());
-    if (takes_value && !is_positional && option->get_required()) description += told(" (required)", " (обязательно)");
+      description = translated(texts::help::with_default, description, option->get_default_str());
+    if (takes_value && !is_positional && option->get_required()) description = translated(texts::help::is_required, description);
     return two_columns(name, description);
   }
 

@@ -7,7 +7,9 @@
 #include "cli/options/command_line.h"
 #include "cli/options/help_text.h"
 #include "cli/options/option_values.h"
-#include "config/language.h"
+#include "texts/help.h"
+#include "texts/manual_page.h"
+#include "texts/values.h"
 
 namespace kadr::cli {
 namespace {
@@ -43,7 +45,7 @@ void options_of(const CLI::App& app, std::string& page) {
     if (option->get_group().empty()) continue;
     std::string text = option->get_description();
     if (!takes_nothing(*option) && !option->get_default_str().empty())
-      text += told(" (default: ", " (по умолчанию ") + option->get_default_str() + ")";
+      text = translated(texts::help::with_default, text, option->get_default_str());
     page += fmt::format(".TP\n{}\n{}\n", tag_of(*option), roff(text));
   }
 }
@@ -57,8 +59,8 @@ void command_of(const CLI::App& app, std::string& page) {
   if (!app.get_footer().empty() && !told_above) page += fmt::format(".PP\n.nf\n{}\n.fi\n", roff(app.get_footer()));
 }
 
-void section(const char* en, const char* ru, const std::string& text, std::string& page) {
-  page += fmt::format(".SH \"{}\"\n{}", told(en, ru), text);
+void section(PlainText heading, const std::string& text, std::string& page) {
+  page += fmt::format(".SH \"{}\"\n{}", plain_text(heading), text);
 }
 
 /// Returns a list of items with their meanings.
@@ -69,60 +71,43 @@ std::string list(std::initializer_list<std::pair<std::string, std::string>> item
 }
 
 std::string exit_statuses() {
-  return list(
-      {{"0", told("All well: ran to its end, no error, written.", "Без ошибок: УП дошла до конца, ошибок нет, записано.")},
-       {"1", told("Stopped by an alarm, or errors found, or what was to be written is faulty.",
-                  "Остановлено ошибкой УП, найдены ошибки или записать нечего из-за ошибки.")},
-       {"2", told("Wrong usage, an unreadable file, or an output that could not be written whole.",
-                  "Неверная команда, файл не читается или вывод не записан целиком.")},
-       {"129, 130, 131, 143",
-        told("Ended by SIGHUP, Ctrl-C, SIGQUIT, SIGTERM: within 0.2 s; what is not complete is removed.",
-             "Прервано сигналом SIGHUP, клавишами Ctrl-C, сигналом SIGQUIT, SIGTERM: не позже чем через 0,2 с; недописанное удаляется.")}});
+  return list({{"0", plain_text(texts::manual_page::status_well)},
+               {"1", plain_text(texts::manual_page::status_fault)},
+               {"2", plain_text(texts::manual_page::status_wrong_usage)},
+               {"129, 130, 131, 143", plain_text(texts::manual_page::status_interrupted)}});
 }
 
 std::string files() {
-  return list({{italic(told("NAME.toml", "ИМЯ.toml")), told("A control or a machine of one's own, for --control and --machine.",
-                                                            "Своё УЧПУ или свой станок: для --control и --machine.")},
-               {italic(told("SETUP.json", "СОСТОЯНИЕ.json")),
-                told("State before the start; `kadr setup` writes one to be filled in, `kadr explain ID setup` names its keys.",
-                     "Исходное состояние; бланк выдаёт `kadr setup`, ключи называет `kadr explain ОБОЗНАЧЕНИЕ setup`.")},
-               {told("The controls and machines that Kadr knows", "УЧПУ и станки, которые знает Kadr"),
-                told("are a part of the program: `kadr controls`, `kadr machines`.",
-                     "входят в саму программу: `kadr controls`, `kadr machines`.")}});
+  return list({{italic(plain_text(texts::manual_page::own_file_name)), plain_text(texts::manual_page::own_file)},
+               {italic(plain_text(texts::manual_page::setup_file_name)), plain_text(texts::manual_page::setup_file)},
+               {plain_text(texts::manual_page::built_in_files_name), plain_text(texts::manual_page::built_in_files)}});
 }
 
 std::string environment() {
-  return list({{bold("LC_ALL") + ", " + bold("LC_MESSAGES") + ", " + bold("LANG"),
-                told("Language of help and messages, where --lang does not say: Russian, if the first of them that is set begins with ru.",
-                     "Язык справки и сообщений, если его не указывает --lang: русский, если первая из заданных начинается с ru.")},
-               {bold("NO_COLOR"), told("If set and not empty: no colours. There are none, either, beside a terminal or where TERM is dumb.",
-                                       "Если задана и не пуста — без цвета. Без цвета и не на терминале или при TERM=dumb.")},
-               {bold("TERM"), told("Kind of the terminal.", "Вид терминала.")}});
+  return list({{bold("LC_ALL") + ", " + bold("LC_MESSAGES") + ", " + bold("LANG"), plain_text(texts::manual_page::language_variable)},
+               {bold("NO_COLOR"), plain_text(texts::manual_page::no_color_variable)},
+               {bold("TERM"), plain_text(texts::manual_page::term_variable)}});
 }
 
 }  // namespace
 
 std::string manual_page(const CLI::App& app) {
-  std::string page = fmt::format(".TH KADR 1 \"\" \"kadr {}\" \"{}\"\n", KADR_VERSION, told("User Commands", "Команды пользователя"));
-  section("NAME", "ИМЯ",
-          "kadr \\- " + told("reads part programs as a given control would", "читает управляющие программы, как их прочло бы УЧПУ") + "\n",
+  std::string page = fmt::format(".TH KADR 1 \"\" \"kadr {}\" \"{}\"\n", KADR_VERSION, plain_text(texts::manual_page::user_commands));
+  section(texts::manual_page::name_heading, fmt::format("kadr \\- {}\n", plain_text(texts::manual_page::about_kadr)), page);
+  section(texts::manual_page::synopsis_heading,
+          fmt::format("{} {} [{}]\n.br\n{} {} {}\n", bold("kadr"), italic(plain_text(texts::values::command)),
+                      italic(plain_text(texts::values::options)), bold("kadr"), italic(plain_text(texts::values::command)), bold("--help")),
           page);
-  section("SYNOPSIS", "ВЫЗОВ",
-          fmt::format("{} {} [{}]\n.br\n{} {} {}\n", bold("kadr"), italic(told("COMMAND", "КОМАНДА")), italic(told("OPTIONS", "КЛЮЧИ")),
-                      bold("kadr"), italic(told("COMMAND", "КОМАНДА")), bold("--help")),
-          page);
-  section("DESCRIPTION", "ОПИСАНИЕ", roff(app.get_description()) + "\n", page);
-  section("OPTIONS", "ОБЩИЕ КЛЮЧИ", "", page);
+  section(texts::manual_page::description_heading, roff(app.get_description()) + "\n", page);
+  section(texts::manual_page::options_heading, "", page);
   options_of(app, page);
-  section("COMMANDS", "КОМАНДЫ", "", page);
+  section(texts::manual_page::commands_heading, "", page);
   for (const CLI::App* const sub : app.get_subcommands([](const CLI::App*) { return true; })) command_of(*sub, page);
-  section("EXIT STATUS", "КОД ВОЗВРАТА", exit_statuses(), page);
-  section("FILES", "ФАЙЛЫ", files(), page);
-  section("ENVIRONMENT", "ПЕРЕМЕННЫЕ СРЕДЫ", environment(), page);
-  section("SEE ALSO", "СМ. ТАКЖЕ",
-          bold("kadr") + " " + italic(told("COMMAND", "КОМАНДА")) + " " + bold("--help") +
-              told(", and the pages of docs/ of the project: commands, controls, set-up.",
-                   ", а также страницы docs/ru/ проекта: команды, УЧПУ, исходное состояние.") +
+  section(texts::manual_page::exit_status_heading, exit_statuses(), page);
+  section(texts::manual_page::files_heading, files(), page);
+  section(texts::manual_page::environment_heading, environment(), page);
+  section(texts::manual_page::see_also_heading,
+          translated(texts::manual_page::see_also, bold("kadr") + " " + italic(plain_text(texts::values::command)) + " " + bold("--help")) +
               "\n",
           page);
   return page;

@@ -6,12 +6,14 @@
 #include "cli/options/command_parts.h"
 #include "cli/options/help_text.h"
 #include "cli/options/option_values.h"
+#include "texts/help_examples.h"
 #include "texts/mill_options.h"
+#include "texts/values.h"
 
 namespace kadr::cli {
 namespace {
 
-CLI::Option* millimetres(CLI::Option* option) { return number(option, "MM", "ММ"); }
+CLI::Option* millimetres(CLI::Option* option) { return number(option, plain_text(texts::values::mm)); }
 CLI::Option* degrees(CLI::Option* option) { return number(option, translated(texts::mill_options::degrees)); }
 CLI::Option* feed(CLI::Option* option) { return number(option, translated(texts::mill_options::mm_per_minute)); }
 
@@ -69,7 +71,7 @@ void add_task(CLI::App& mill, Commands& c, const char* name, const std::string& 
   scheme_options(*task, o);
   technology_options(*task, o);
   output_options(*task, o);
-  task->footer(mill_examples());
+  task->footer(plain_text(texts::help_examples::mill));
 }
 
 }  // namespace
@@ -81,7 +83,7 @@ void add_mill(CLI::App& app, Commands& c) {
   add_task(*mill, c, "pocket", translated(texts::mill_options::pocket));
   add_task(*mill, c, "face", translated(texts::mill_options::face));
   add_task(*mill, c, "slot", translated(texts::mill_options::slot));
-  mill->footer(mill_examples());
+  mill->footer(plain_text(texts::help_examples::mill));
 }
 
 }  // namespace kadr::cli

@@ -9,11 +9,11 @@
 #include <cmath>
 
 #include "config/control/control_file.h"
-#include "config/language.h"
 #include "config/machine/machine_profile.h"
 #include "config/nearest.h"
 #include "lang/text/utf16.h"
 #include "texts/option_values.h"
+#include "texts/values.h"
 
 namespace kadr::cli {
 namespace {
@@ -82,8 +82,7 @@ CLI::Option* limited(CLI::Option* option, bool whole, double least, double most)
 }  // namespace
 
 CLI::Option* takes(CLI::Option* option, const std::string& name) { return option->type_name(name); }
-CLI::Option* takes(CLI::Option* option, const char* en, const char* ru) { return takes(option, told(en, ru)); }
-CLI::Option* takes_file(CLI::Option* option) { return takes(option, "FILE", "ФАЙЛ"); }
+CLI::Option* takes_file(CLI::Option* option) { return takes(option, plain_text(texts::values::file)); }
 
 CLI::Option* writes_file(CLI::Option* option) {
   const auto check = [option](std::string& name) {
@@ -108,22 +107,13 @@ CLI::Option* known_by(CLI::Option* option, const std::string& name, bool (*knows
   return takes(option, name)->check(CLI::Validator(check, ""));
 }
 
-CLI::Option* known_by(CLI::Option* option, const char* en, const char* ru, bool (*knows)(std::string_view),
-                      const std::vector<std::string>& words) {
-  return known_by(option, told(en, ru), knows, words);
-}
-
 bool takes_nothing(const CLI::Option& option) { return option.get_items_expected_max() == 0; }
 
 CLI::Option* number(CLI::Option* option, const std::string& name, double least, double most) {
   return limited(takes(option, name), false, least, most);
 }
 
-CLI::Option* number(CLI::Option* option, const char* en, const char* ru, double least, double most) {
-  return number(option, told(en, ru), least, most);
-}
-
-CLI::Option* whole_number(CLI::Option* option, double least, double most) { return limited(takes(option, "N", "N"), true, least, most); }
+CLI::Option* whole_number(CLI::Option* option, double least, double most) { return limited(takes(option, "N"), true, least, most); }
 
 CLI::Option* control_id(CLI::Option* option) { return id_of(option, built_in_controls, control_names); }
 CLI::Option* machine_id(CLI::Option* option) { return id_of(option, built_in_machines, nullptr); }

@@ -15,7 +15,6 @@ namespace kadr::cli {
 /// Sets the name of the option's value in the help: `--trace FILE`, in Russian `--trace ФАЙЛ`. `name` is in the language of the thread
 /// (texts::values), here and below.
 CLI::Option* takes(CLI::Option* option, const std::string& name);
-CLI::Option* takes(CLI::Option* option, const char* en, const char* ru);
 CLI::Option* takes_file(CLI::Option* option);
 
 /// The value is the name of an output file. Words that mean "none" (`off`, `no`, `none`, `false`) and values that look like an option
@@ -27,8 +26,6 @@ CLI::Option* one_of(CLI::Option* option, const std::vector<std::string>& words);
 
 /// The value is a word for which `knows` returns true; the error message lists `words`.
 CLI::Option* known_by(CLI::Option* option, const std::string& name, bool (*knows)(std::string_view), const std::vector<std::string>& words);
-CLI::Option* known_by(CLI::Option* option, const char* en, const char* ru, bool (*knows)(std::string_view),
-                      const std::vector<std::string>& words);
 
 /// Returns true if the option is a flag, that is, has no value.
 bool takes_nothing(const CLI::Option& option);
@@ -36,7 +33,6 @@ bool takes_nothing(const CLI::Option& option);
 /// The value is a number (or a whole number) within limits.
 constexpr double any_number = std::numeric_limits<double>::infinity();
 CLI::Option* number(CLI::Option* option, const std::string& name, double least = -any_number, double most = any_number);
-CLI::Option* number(CLI::Option* option, const char* en, const char* ru, double least = -any_number, double most = any_number);
 CLI::Option* whole_number(CLI::Option* option, double least, double most);
 
 CLI::Option* control_id(CLI::Option* option);

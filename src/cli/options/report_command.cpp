@@ -20,7 +20,7 @@ void add_report(CLI::App& app, Commands& c) {
   for (const char* const option : {"--fixture", "--resolution"}) report->get_option(option)->needs(stock);
   program_options(*report, o.cut.run);
   memory_option(*report, o.cut.run);
-  report->footer(report_examples());
+  report->footer(plain_text(texts::help_examples::report));
 }
 
 }  // namespace kadr::cli
