@@ -7,6 +7,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "texts/picture.h"
+
 namespace kadr {
 namespace {
 
@@ -38,7 +40,6 @@ std::uint32_t deviation_colour(double deviation, const DeviationScale& scale) {
 }
 
 void draw_deviation_key(Canvas& canvas, const Area& area, const DeviationScale& scale, Lang lang) {
-  const bool ru = lang == Lang::ru;
   const double left = area.x + beside, width = area.width - 2 * beside, step = width / scale_steps;
   for (int i = 0; i < scale_steps; ++i)
     canvas.fill({left + i * step, area.y, step, area.height},
@@ -47,8 +48,8 @@ void draw_deviation_key(Canvas& canvas, const Area& area, const DeviationScale& 
     canvas.text({x, y}, words, {13, colour(0x20262E), align, false});
   };
   const double base = area.y + area.height - 2, below = area.y + area.height + 15;
-  text(left - 8, base, fmt::format("{} {:.3f}", ru ? "зарез" : "gouged", scale.most), Align::right);
-  text(left + width + 8, base, fmt::format("{:.3f} {} {}", scale.most, ru ? "мм" : "mm", ru ? "недобор" : "left on"), Align::left);
+  text(left - 8, base, translated_in(lang, texts::picture::gouged, scale.most), Align::right);
+  text(left + width + 8, base, translated_in(lang, texts::picture::left_on, scale.most), Align::left);
   text(left + width / 2, below, fmt::format("±{:g}", scale.within), Align::centre);
 }
 

@@ -2,14 +2,14 @@
 
 #include "out/picture/difference_page.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 
 #include "out/picture/legend_row.h"
 #include "out/picture/text_width.h"
 #include "out/text/page_file.h"
 #include "out/text/source_line.h"
+#include "texts/difference_page.h"
+#include "texts/picture.h"
 
 namespace kadr {
 namespace {
@@ -22,35 +22,7 @@ constexpr std::size_t few_lines = 5;               // up to this number of lines
 constexpr std::size_t max_line_length = 300;
 constexpr Colour faint = colour(0x5B6775), fine = colour(0x1A7F37), warns = colour(0xB04A00);
 
-struct PageWords {
-  const char *control, *nothing, *both, *changed, *acts, *rapid, *zero, *start, *end, *stop, *thinned, *told;
-};
-constexpr PageWords page_english = {"control",
-                                    "no motion",
-                                    "both",
-                                    "both, with another feed, tool, spindle or coolant",
-                                    "done between motions",
-                                    "rapid",
-                                    "work zero",
-                                    "start",
-                                    "end",
-                                    "stopped by an alarm: {}:{}",
-                                    "thinned: points closer than {} mm are left out",
-                                    "Strokes have the line of their program (data-line; data-file: the second program, or a called file)."};
-constexpr PageWords page_russian = {"УЧПУ",
-                                    "нет движений",
-                                    "обе",
-                                    "обе, но с другой подачей, инструментом, шпинделем или охлаждением",
-                                    "делается между движениями",
-                                    "быстрый ход",
-                                    "нуль детали",
-                                    "начало",
-                                    "конец",
-                                    "останов по ошибке: {}:{}",
-                                    "прорежено: не показаны точки, что ближе {} мм",
-                                    "У линий есть номер строки их программы (data-line; data-file — вторая программа или вызванный файл)."};
-
-const PageWords& words_of(const DifferencePage& page) { return page.scene.title.lang == Lang::ru ? page_russian : page_english; }
+std::string said_on(const DifferencePage& page, PlainText text) { return translated_in(page.scene.title.lang, text); }
 
 std::size_t rows_of(const DifferencePage& page) { return page.lines.size() <= few_lines ? page.lines.size() : (page.lines.size() + 1) / 2; }
 
@@ -74,13 +46,12 @@ void draw_head(Canvas& canvas, const DifferencePage& page) {
   const double room = page_wide - 2 * edge_room - 90;
   canvas.text({edge_room, 42}, fitting(title.file, room, 24 * bold), {24, colour(0x20262E), Align::left, true});
   canvas.text({page_wide - edge_room, 42}, "Kadr", {20, colour(0xA9B4C0), Align::right, true});
-  const std::string control = fmt::format("{}: {}", words_of(page).control, title.control);
+  const std::string control = translated_in(title.lang, texts::picture::control, title.control);
   canvas.text({edge_room, 64}, page.summary, {14, page.equal ? fine : warns, Align::left, true});
   canvas.text({page_wide - edge_room, 64}, control, {14, faint, Align::right, false});
 }
 
 void draw_key(Canvas& canvas, const DifferencePage& page, double y) {
-  const PageWords& w = words_of(page);
   const PlotScene& scene = page.scene;
   canvas.begin("legend");
   LegendRow strokes(canvas, edge_room + 4, y - key_row);
@@ -88,22 +59,25 @@ void draw_key(Canvas& canvas, const DifferencePage& page, double y) {
     strokes.sample(way_of_a, fitting(page.a, max_name, line_size));
     strokes.sample({way_of_b.ink, 2}, fitting(page.b, max_name, line_size));
   }
-  strokes.sample({same_way.ink, 1.4}, w.both);
-  if (!scene.differences->changed.points().empty()) strokes.sample(changed_way, w.changed);
+  strokes.sample({same_way.ink, 1.4}, said_on(page, texts::difference_page::both));
+  if (!scene.differences->changed.points().empty()) strokes.sample(changed_way, said_on(page, texts::difference_page::both_changed));
   LegendRow signs(canvas, edge_room + 4, y);
   canvas.dashes(5, 4);
-  signs.sample({same_way.ink, 1.2}, w.rapid);
+  signs.sample({same_way.ink, 1.2}, said_on(page, texts::picture::rapid));
   canvas.solid();
-  if (!scene.zeros.empty()) signs.zero(w.zero);
+  if (!scene.zeros.empty()) signs.zero(said_on(page, texts::picture::work_zero));
   for (const PlotMark& mark : scene.marks) {
     if (mark.what == PlotMark::What::stop)
-      signs.mark(mark.what, fmt::format(fmt::runtime(w.stop), scene.title.file_of(mark.line), mark.line.line));
-    else signs.mark(mark.what, mark.what == PlotMark::What::start ? w.start : w.end);
+      signs.mark(mark.what,
+                 translated_in(scene.title.lang, texts::difference_page::stopped, scene.title.file_of(mark.line), mark.line.line));
+    else signs.mark(mark.what, said_on(page, mark.what == PlotMark::What::start ? texts::picture::start : texts::picture::end));
   }
   const auto stands = [](const PlotNumber& number) { return number.stands; };
-  if (const auto& numbers = scene.differences->numbers; std::any_of(numbers.begin(), numbers.end(), stands)) signs.ring(number_ink, w.acts);
+  if (const auto& numbers = scene.differences->numbers; std::any_of(numbers.begin(), numbers.end(), stands))
+    signs.ring(number_ink, said_on(page, texts::difference_page::between_motions));
   if (const double tolerance = scene.path.tolerance(); tolerance > 0)
-    canvas.text({page_wide - edge_room, y}, fmt::format(fmt::runtime(w.thinned), length_text(tolerance, LengthUnit::mm)),
+    canvas.text({page_wide - edge_room, y},
+                translated_in(scene.title.lang, texts::difference_page::thinned, length_text(tolerance, LengthUnit::mm)),
                 {13, warns, Align::right, false});
   canvas.end();
 }
@@ -148,7 +122,7 @@ void draw_both(Canvas& canvas, const DifferencePage& page) {
   draw_head(canvas, page);
   draw_lines_of(canvas, page);
   if (page.scene.path.box().empty)
-    return canvas.text({page_wide / 2, views_height / 2}, words_of(page).nothing, {22, faint, Align::centre, false});
+    return canvas.text({page_wide / 2, views_height / 2}, said_on(page, texts::picture::no_motion), {22, faint, Align::centre, false});
   draw_key(canvas, page, views_height - edge_room / 2 - 6);
   const double top = head_height + 12, bottom = views_height - edge_room - key_height + 8;
   const Area large{edge_room, top, page_wide - 2 * edge_room - room_between - right_width, bottom - top};
@@ -159,7 +133,8 @@ void draw_both(Canvas& canvas, const DifferencePage& page) {
 }  // namespace
 
 tl::expected<void, std::string> draw_difference_page(const ResultFile& file, const DifferencePage& page) {
-  const PageText says{page.scene.title.file, page.summary + ". " + words_of(page).told, page.scene.title.lang};
+  const PageText says{page.scene.title.file, page.summary + ". " + said_on(page, texts::difference_page::strokes_have_lines),
+                      page.scene.title.lang};
   return write_page(file, page_wide, height_of(page), says, [&](Canvas& canvas) { draw_both(canvas, page); });
 }
 

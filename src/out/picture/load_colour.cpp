@@ -2,12 +2,11 @@
 
 #include "out/picture/load_colour.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 
 #include "out/picture/deviation_colour.h"
+#include "texts/picture.h"
 
 namespace kadr {
 namespace {
@@ -39,12 +38,11 @@ std::uint32_t load_colour(std::int32_t sweep, const SweepRates& rates, double gr
 }
 
 void draw_load_key(Canvas& canvas, const Area& area, double greatest, Lang lang) {
-  const bool ru = lang == Lang::ru;
   const double left = area.x + beside_load_key, width = area.width - 4 * beside_load_key, step = width / load_steps;
   for (int i = 0; i < load_steps; ++i) canvas.fill({left + i * step, area.y, step, area.height}, colour(shade_of((i + 0.5) / load_steps)));
   const double base = area.y + area.height - 2;
   canvas.text({left - 8, base}, "0", {13, colour(0x20262E), Align::right, false});
-  canvas.text({left + width + 8, base}, fmt::format("{:.1f} {}", greatest, ru ? "мм³/с" : "mm³/s"),
+  canvas.text({left + width + 8, base}, translated_in(lang, texts::picture::removal_rate, greatest),
               {13, colour(0x20262E), Align::left, false});
 }
 

@@ -11,6 +11,7 @@
 #include "out/picture/text_width.h"
 #include "out/text/page_file.h"
 #include "path/pocketing/polygon.h"
+#include "texts/picture.h"
 
 namespace kadr {
 namespace {
@@ -20,12 +21,6 @@ constexpr double mill_page_width = 1000, mill_page_margin = 30, mill_title_heigh
 constexpr double mill_chord = 0.05;  // units of the page: greatest distance between an arc and the lines that draw it
 constexpr Colour contour = colour(0x20262E), open_side = colour(0xB04A00), cutting = colour(0x1F6FEB), swept_ink = colour(0xE2ECFB),
                  plunging = colour(0x1A9850), rapid = colour(0x8A949F);
-
-struct MillWords {
-  const char *wall, *open, *feed, *plunge, *rapid;
-};
-constexpr MillWords english_mill = {"wall", "open side", "feed", "plunge, ramp", "rapid"};
-constexpr MillWords russian_mill = {"стенка", "открытая сторона", "рабочая подача", "врезание", "быстрый ход"};
 
 class Drawing {
  public:
@@ -129,10 +124,10 @@ class Drawing {
   }
 
   void legend(Canvas& canvas) const {
-    const MillWords& w = picture_.lang == Lang::ru ? russian_mill : english_mill;
     const double y = height_ - 16;
     double x = mill_page_margin;
-    const auto entry = [&](Colour ink, double width, bool dashed, const char* name) {
+    const auto entry = [&](Colour ink, double width, bool dashed, PlainText id) {
+      const char* const name = plain_text(id, picture_.lang);
       if (dashed) canvas.dashes(6, 4);
       canvas.line({x, y - 4}, {x + 32, y - 4}, ink, width);
       canvas.solid();
@@ -140,11 +135,11 @@ class Drawing {
       canvas.text({x + 40, y}, name, style);
       x += 40 + text_width(name, style.size) + 26;
     };
-    entry(contour, 2.2, false, w.wall);
-    entry(open_side, 2.2, true, w.open);
-    entry(cutting, 1.4, false, w.feed);
-    entry(plunging, 1.6, false, w.plunge);
-    entry(rapid, 1, true, w.rapid);
+    entry(contour, 2.2, false, texts::picture::wall);
+    entry(open_side, 2.2, true, texts::picture::open_side);
+    entry(cutting, 1.4, false, texts::picture::feed);
+    entry(plunging, 1.6, false, texts::picture::plunge_or_ramp);
+    entry(rapid, 1, true, texts::picture::rapid);
   }
 
   const MillPicture& picture_;

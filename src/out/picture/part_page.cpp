@@ -2,8 +2,6 @@
 
 #include "out/picture/part_page.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -13,6 +11,7 @@
 #include "out/picture/part_view.h"
 #include "out/picture/plot/plot_page.h"
 #include "out/text/page_file.h"
+#include "texts/picture.h"
 
 namespace kadr {
 namespace {
@@ -28,14 +27,8 @@ constexpr std::uint32_t blank_colour = 0xC9CED6;
 constexpr std::uint32_t collision_colour = 0xC00000;
 constexpr std::uint32_t oldest = 0x3B5B92, newest = 0xF2A65A;
 
-struct PartWords {
-  std::array<const char*, 6> sides;
-  const char *control, *uncut, *by_age, *first, *last;
-};
-constexpr PartWords part_english = {
-    {"from above", "front", "right", "from below", "back", "left"}, "control", "uncut", "by age", "first", "last"};
-constexpr PartWords part_russian = {
-    {"сверху", "спереди", "справа", "снизу", "сзади", "слева"}, "УЧПУ", "не снято", "по времени", "раньше", "позже"};
+constexpr std::array<PlainText, 6> side_names = {texts::picture::from_above, texts::picture::from_front,  texts::picture::from_right,
+                                                 texts::picture::from_below, texts::picture::from_behind, texts::picture::from_left};
 
 ViewDirection seen_from(Vec3 towards, Vec3 up) { return {cross(up, towards), up, towards}; }
 
@@ -112,23 +105,23 @@ void draw_marks(Canvas& canvas, const PartScene& scene, const ViewDirection& vie
   draw_load_marks(canvas, marks);
 }
 
-void draw_key(Canvas& canvas, const PartScene& scene, const PartWords& w) {
+void draw_key(Canvas& canvas, const PartScene& scene) {
+  const Lang lang = scene.title.lang;
   const double y = part_page_height - 24;
   double x = part_margin;
   if (scene.colour == PartColour::deviation)
     return draw_deviation_key(canvas, {x, y - 11, part_page_width / 2, 14},
-                              deviation_scale(scene.deviation.of_point, scene.deviation.within), scene.title.lang);
-  if (scene.colour == PartColour::load)
-    return draw_load_key(canvas, {x, y - 11, part_page_width / 2, 14}, scales_of(scene).rate, scene.title.lang);
+                              deviation_scale(scene.deviation.of_point, scene.deviation.within), lang);
+  if (scene.colour == PartColour::load) return draw_load_key(canvas, {x, y - 11, part_page_width / 2, 14}, scales_of(scene).rate, lang);
   const auto entry = [&](std::uint32_t rgb, const std::string& text) {
     canvas.fill({x, y - 11, 14, 14}, colour(rgb));
     canvas.text({x + 20, y + 1}, text, {13, colour(0x20262E), Align::left, false});
     x += 40 + 9.0 * double(text.size());
   };
-  entry(blank_colour, w.uncut);
+  entry(blank_colour, plain_text(texts::picture::uncut, lang));
   if (scene.colour == PartColour::age) {
-    entry(oldest, fmt::format("{}: {}", w.by_age, w.first));
-    entry(newest, w.last);
+    entry(oldest, plain_text(texts::picture::by_age_first, lang));
+    entry(newest, plain_text(texts::picture::by_age_last, lang));
     return;
   }
   for (std::size_t i = 0; i < scene.title.legend.size() && x < part_page_width - 120; ++i)
@@ -136,10 +129,10 @@ void draw_key(Canvas& canvas, const PartScene& scene, const PartWords& w) {
 }
 
 void draw_page(Canvas& canvas, const PartScene& scene) {
-  const PartWords& w = scene.title.lang == Lang::ru ? part_russian : part_english;
   canvas.fill({0, 0, part_page_width, part_page_height}, colour(0xFFFFFF));
   canvas.text({part_margin, 42}, name_of_file(scene.title.file), {24, colour(0x20262E), Align::left, true});
-  canvas.text({part_margin, 66}, fmt::format("{}: {}     {}", w.control, scene.title.control, scene.title.caption),
+  canvas.text({part_margin, 66},
+              translated_in(scene.title.lang, texts::picture::control, scene.title.control) + "     " + scene.title.caption,
               {14, colour(0x5B6775), Align::left, false});
   canvas.text({part_page_width - part_margin, 42}, "Kadr", {20, colour(0xA9B4C0), Align::right, true});
   const double bottom = part_page_height - caption_height;
@@ -155,9 +148,9 @@ void draw_page(Canvas& canvas, const PartScene& scene) {
   for (std::size_t i = 0; i < directions.size(); ++i) {
     const Area area{part_margin + large_width + part_gap + double(i / 3) * (width + part_gap),
                     heading + double(i % 3) * (height + part_gap), width, height};
-    draw_view(canvas, scene, directions[i], area, scale, w.sides[i]);
+    draw_view(canvas, scene, directions[i], area, scale, plain_text(side_names[i], scene.title.lang));
   }
-  draw_key(canvas, scene, w);
+  draw_key(canvas, scene);
 }
 
 }  // namespace

@@ -15,6 +15,8 @@
 #include "out/picture/text_width.h"
 #include "out/text/page_file.h"
 #include "out/text/summary.h"
+#include "texts/picture.h"
+#include "texts/speed_page.h"
 
 namespace kadr {
 namespace {
@@ -29,38 +31,9 @@ constexpr Colour feed_ink = colour(0xE69F00);
 constexpr std::array<unsigned, 4> inks_of_time = {0x0072B2, 0x7A8794, 0xF0C93A, 0xCC79A7};
 constexpr std::array<unsigned, 6> inks_of_axes = {0xD55E00, 0x009E73, 0x6A3D9A, 0x56B4E9, 0xB2182B, 0x8C6D31};
 
-struct SpeedWords {
-  const char *control, *time, *by, *nothing, *speed, *acceleration, *jerk, *feed, *line, *seconds, *minutes, *nearest, *beyond;
-  std::array<const char*, 4> spent;  // texts by the enum Spent::On
-};
-constexpr SpeedWords english_speeds = {"control",
-                                       "least time",
-                                       "by Kadr's planner, within speed, acceleration and jerk of the axes",
-                                       "no motion",
-                                       "speed along the path, {}",
-                                       "acceleration, % of the limit of the axis nearest to it",
-                                       "jerk, % of the limit of the axis nearest to it",
-                                       "programmed feed",
-                                       "line",
-                                       "s",
-                                       "min:s",
-                                       "nearest axis:",
-                                       "{}: beyond the picture, up to {} {}",
-                                       {"cutting", "rapid", "dwell", "tool change"}};
-constexpr SpeedWords russian_speeds = {"УЧПУ",
-                                       "мин. время",
-                                       "по планировщику Kadr, в пределах скорости, ускорения и рывка осей",
-                                       "нет движений",
-                                       "скорость по контуру, {}",
-                                       "ускорение, % предела той оси, что ближе всех к нему",
-                                       "рывок, % предела той оси, что ближе всех к нему",
-                                       "программная подача",
-                                       "строка",
-                                       "с",
-                                       "мин:с",
-                                       "ближайшая ось:",
-                                       "{}: за пределами рисунка, до {} {}",
-                                       {"резание", "быстрый ход", "выдержка", "смена инструмента"}};
+/// Texts by the enum Spent::On.
+constexpr std::array<PlainText, 4> names_of_time = {texts::speed_page::cutting, texts::picture::rapid, texts::speed_page::dwell,
+                                                    texts::speed_page::tool_change};
 
 Colour ink_of(On on) { return colour(inks_of_time[static_cast<std::size_t>(on)]); }
 Colour ink_of_axis(std::size_t axis) { return colour(inks_of_axes[axis % inks_of_axes.size()]); }
@@ -68,12 +41,7 @@ Colour ink_of_axis(std::size_t axis) { return colour(inks_of_axes[axis % inks_of
 class SpeedPage {
  public:
   SpeedPage(const SpeedRecord& record, const std::vector<std::string>& axes, const PlotTitle& title)
-      : record_(record),
-        columns_(record.columns()),
-        axes_(axes),
-        title_(title),
-        per_minute_(60 / mm_of(title.unit)),
-        words_(title.lang == Lang::ru ? russian_speeds : english_speeds) {
+      : record_(record), columns_(record.columns()), axes_(axes), title_(title), per_minute_(60 / mm_of(title.unit)) {
     find_top_speed();
   }
 
@@ -83,11 +51,12 @@ class SpeedPage {
     canvas.fill({0, 0, speed_page_width, speed_page_height}, colour(0xFFFFFF));
     draw_title(canvas);
     if (!(record_.seconds() > 0))
-      return canvas.text({speed_page_width / 2, speed_page_height / 2}, words_.nothing, {22, faint_ink, Align::centre, false});
+      return canvas.text({speed_page_width / 2, speed_page_height / 2}, said(texts::picture::no_motion),
+                         {22, faint_ink, Align::centre, false});
     draw_speed(canvas, {left, top, width, speed_height});
     const double second = top + speed_height + speed_gap, third = second + share_height + speed_gap, ribbon = third + share_height + 10;
-    draw_shares(canvas, {left, second, width, share_height}, words_.acceleration, &Column::acceleration);
-    draw_shares(canvas, {left, third, width, share_height}, words_.jerk, &Column::jerk);
+    draw_shares(canvas, {left, second, width, share_height}, said(texts::speed_page::acceleration), &Column::acceleration);
+    draw_shares(canvas, {left, third, width, share_height}, said(texts::speed_page::jerk), &Column::jerk);
     draw_ribbon(canvas, {left, ribbon, width, ribbon_height});
     draw_time(canvas, ribbon + ribbon_height);
     draw_legend(canvas, speed_page_height - 20);
@@ -95,6 +64,9 @@ class SpeedPage {
 
  private:
   static constexpr double width = speed_page_width - left - speed_page_margin;
+
+  const char* said(PlainText text) const { return plain_text(text, title_.lang); }
+  const char* name_of(On on) const { return said(names_of_time[static_cast<std::size_t>(on)]); }
 
   double x_of(double seconds) const { return left + width * std::min(1.0, seconds / record_.seconds()); }
   double x_of_column(std::size_t i) const { return x_of(static_cast<double>(i) * record_.width()); }
@@ -110,10 +82,13 @@ class SpeedPage {
     if (!(top_speed_ > 0)) top_speed_ = 1;
   }
 
-  std::string speed_heading() const { return fmt::format(fmt::runtime(words_.speed), speed_unit_name(title_.unit, title_.lang)); }
+  std::string speed_heading() const {
+    return translated_in(title_.lang, texts::speed_page::speed, speed_unit_name(title_.unit, title_.lang));
+  }
 
   std::string subtitle() const {
-    return fmt::format("{}: {}     {}: {} ({})", words_.control, title_.control, words_.time, duration_text(record_.seconds()), words_.by);
+    return translated_in(title_.lang, texts::picture::control, title_.control) + "     " +
+           translated_in(title_.lang, texts::speed_page::least_time, duration_text(record_.seconds()));
   }
 
   void draw_title(Canvas& canvas) const {
@@ -192,11 +167,11 @@ class SpeedPage {
     const auto note = [&](const char* name, double speed) {
       if (speed * per_minute_ <= top_speed_) return;
       beyond += beyond.empty() ? "" : "     ";
-      beyond += fmt::format(fmt::runtime(words_.beyond), name, number_text(speed * per_minute_, per_minute_ < 60 ? 1 : 0),
-                            speed_unit_name(title_.unit, title_.lang));
+      beyond += translated_in(title_.lang, texts::speed_page::beyond_picture, name,
+                              number_text(speed * per_minute_, per_minute_ < 60 ? 1 : 0), speed_unit_name(title_.unit, title_.lang));
     };
-    note(words_.spent[static_cast<std::size_t>(On::rapid)], record_.rapid());
-    note(words_.feed, feed_);
+    note(name_of(On::rapid), record_.rapid());
+    note(said(texts::speed_page::programmed_feed), feed_);
     canvas.text({area.right(), area.y - 9}, beyond, {13, colour(0xB04A00), Align::right, false});
   }
 
@@ -238,9 +213,11 @@ class SpeedPage {
       canvas.text({x, y + 20}, minutes ? clock_text(t) : number_text(t, 3), {12, faint_ink, Align::centre, false});
       const auto i = std::min(columns_.size() - 1, static_cast<std::size_t>(t / record_.width()));
       if (columns_[i].seen)
-        canvas.text({x, y + 37}, fmt::format("{} {}", words_.line, columns_[i].line), {11, faint_ink, Align::centre, false});
+        canvas.text({x, y + 37}, translated_in(title_.lang, texts::speed_page::line, columns_[i].line),
+                    {11, faint_ink, Align::centre, false});
     }
-    canvas.text({left - 28, y + 20}, minutes ? words_.minutes : words_.seconds, {12, ink, Align::right, true});
+    canvas.text({left - 28, y + 20}, said(minutes ? texts::speed_page::minutes_and_seconds : texts::speed_page::seconds),
+                {12, ink, Align::right, true});
   }
 
   static double round_minutes(double least) {
@@ -263,12 +240,12 @@ class SpeedPage {
       canvas.text({x + 30, y}, name, style);
       x += 30 + text_width(name, style.size) + 24;
     };
-    for (const On on : {On::cutting, On::rapid, On::dwell, On::tool_change})
-      entry(ink_of(on), words_.spent[static_cast<std::size_t>(on)], 11);
-    entry(feed_ink, words_.feed, 3);
+    for (const On on : {On::cutting, On::rapid, On::dwell, On::tool_change}) entry(ink_of(on), name_of(on), 11);
+    entry(feed_ink, said(texts::speed_page::programmed_feed), 3);
     x += 30;
-    canvas.text({x, y}, words_.nearest, style);
-    x += text_width(words_.nearest, style.size) + 14;
+    const char* const nearest = said(texts::speed_page::nearest_axis);
+    canvas.text({x, y}, nearest, style);
+    x += text_width(nearest, style.size) + 14;
     for (std::size_t axis = 0; axis < axes_.size(); ++axis)
       if (moves(axis)) entry(ink_of_axis(axis), axes_[axis], 11);
   }
@@ -285,9 +262,8 @@ class SpeedPage {
   const std::vector<std::string>& axes_;
   const PlotTitle& title_;
   const double per_minute_;  // factor from mm/s to the page's unit of speed
-  const SpeedWords& words_;
-  double feed_ = 0;       // the greatest commanded feed, mm/s
-  double top_speed_ = 1;  // upper end of the speed scale, mm/min or in/min
+  double feed_ = 0;          // the greatest commanded feed, mm/s
+  double top_speed_ = 1;     // upper end of the speed scale, mm/min or in/min
 };
 
 }  // namespace

@@ -4,6 +4,8 @@
 
 #include <fmt/core.h>
 
+#include "texts/tools_template.h"
+
 namespace kadr {
 namespace {
 
@@ -18,43 +20,43 @@ std::string one_line(std::string text) {
 
 class RowText {
  public:
-  RowText(const ToolsTemplate::Row& row, bool ru) : row_(row), ru_(ru) {}
+  RowText(const ToolsTemplate::Row& row, Lang lang) : row_(row), lang_(lang) {}
 
   std::string text() {
     text_ = "\n[[tool]]\n";
-    std::string at = (ru_ ? "строка " : "line ") + std::to_string(row_.called.line);
-    if (!row_.why.empty()) at += (ru_ ? "; предложено по строке " : "; proposed from line ") + one_line(row_.why);
-    if (!row_.not_sure.empty()) at += (ru_ ? "; не ясно: строка " : "; not sure: line ") + one_line(row_.not_sure);
+    std::string at = translated_in(lang_, texts::tools_template::line, row_.called.line);
+    if (!row_.why.empty()) at += "; " + translated_in(lang_, texts::tools_template::proposed_from, one_line(row_.why));
+    if (!row_.not_sure.empty()) at += "; " + translated_in(lang_, texts::tools_template::not_sure, one_line(row_.not_sure));
     line(fmt::format("number = {}", row_.number), at);
     const ToolComment said = row_.said.value_or(ToolComment{});
     const std::string_view kind = kind_word(said);
-    if (kind.empty())
-      wanted("kind = \"\"", "flat, ball, bull, drill, taper, chamfer, tslot, form", "flat, ball, bull, drill, taper, chamfer, tslot, form");
+    if (kind.empty()) wanted("kind = \"\"", "flat, ball, bull, drill, taper, chamfer, tslot, form");
     else line(fmt::format("kind = \"{}\"", kind));
-    number("diameter", said.diameter, "mm", "мм");
-    if (kind == "bull") number("corner", said.corner, "", "");
-    if (kind == "drill" || kind == "chamfer") number("angle", said.angle, "of the whole point, degrees", "полный при вершине, градусы");
-    if (kind == "taper") number("angle", half(said.angle), "half of the cone's, degrees", "половина угла конуса, градусы");
-    wanted("flute_length = ", "how high above its tip it cuts, mm", "на какую высоту от вершины режет, мм");
-    wanted("length = ", "stick-out: from the tip to the holder, mm", "вылет: от вершины до оправки, мм");
-    wanted("holder = [[32, 0], [40, 45]]", "diameter and height above its face, mm", "диаметр и высота над его торцом, мм");
+    number("diameter", said.diameter, in_words(texts::tools_template::diameter));
+    if (kind == "bull") number("corner", said.corner, "");
+    if (kind == "drill" || kind == "chamfer") number("angle", said.angle, in_words(texts::tools_template::whole_angle));
+    if (kind == "taper") number("angle", half(said.angle), in_words(texts::tools_template::half_angle));
+    wanted("flute_length = ", in_words(texts::tools_template::flute_length));
+    wanted("length = ", in_words(texts::tools_template::stick_out));
+    wanted("holder = [[32, 0], [40, 45]]", in_words(texts::tools_template::holder));
     return std::move(text_);
   }
 
  private:
   static std::optional<double> half(std::optional<double> whole) { return whole ? std::optional(*whole / 2) : std::nullopt; }
 
+  const char* in_words(PlainText text) const { return plain_text(text, lang_); }
   void line(const std::string& what, const std::string& comment = {}) {
     text_ += comment.empty() ? what + "\n" : fmt::format("{:<{}} # {}\n", what, comments_at, comment);
   }
-  void wanted(const std::string& what, const char* en, const char* ru) { line("# " + what, ru_ ? ru : en); }
-  void number(const char* key, std::optional<double> value, const char* en, const char* ru) {
+  void wanted(const std::string& what, const char* comment) { line("# " + what, comment); }
+  void number(const char* key, std::optional<double> value, const char* comment) {
     if (value) line(fmt::format("{} = {}", key, number_text(*value)));
-    else wanted(fmt::format("{} = ", key), en, ru);
+    else wanted(fmt::format("{} = ", key), comment);
   }
 
   const ToolsTemplate::Row& row_;
-  bool ru_;
+  Lang lang_;
   std::string text_;
 };
 
@@ -75,14 +77,9 @@ const char* kind_word(const ToolComment& said) {
 }
 
 std::string tools_template_text(const ToolsTemplate& made) {
-  const bool ru = made.lang == Lang::ru;
-  const std::string program = one_line(made.program);
-  std::string text =
-      ru ? fmt::format("# Инструменты программы {} для kadr cut --tools. Размеры из её комментариев проверьте; строки с «#» допишите.\n",
-                       program)
-         : fmt::format("# Tools of {} for kadr cut --tools. Check what its comments propose; fill in the lines with `#`.\n", program);
-  for (const ToolsTemplate::Row& row : made.rows) text += RowText(row, ru).text();
-  if (made.rows.empty()) text += ru ? "# Программа не вызывает ни одного инструмента.\n" : "# The program calls no tool.\n";
+  std::string text = "# " + translated_in(made.lang, texts::tools_template::heading, one_line(made.program)) + "\n";
+  for (const ToolsTemplate::Row& row : made.rows) text += RowText(row, made.lang).text();
+  if (made.rows.empty()) text += "# " + translated_in(made.lang, texts::tools_template::no_tool) + "\n";
   return text;
 }
 

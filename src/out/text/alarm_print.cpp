@@ -11,17 +11,17 @@
 
 #include "base/ascii.h"
 #include "out/text/source_line.h"
+#include "texts/alarm_print.h"
 
 namespace kadr {
 namespace {
 
 using Json = nlohmann::ordered_json;
 
-std::string_view severity_word(Severity severity, Lang lang) {
-  if (lang == Lang::en) return name_of(severity);
-  if (severity == Severity::note) return "примечание";
-  if (severity == Severity::advice) return "совет";
-  return severity == Severity::warning ? "предупреждение" : "ошибка";
+PlainText severity_word(Severity severity) {
+  if (severity == Severity::note) return texts::alarm_print::note;
+  if (severity == Severity::advice) return texts::alarm_print::advice;
+  return severity == Severity::warning ? texts::alarm_print::warning : texts::alarm_print::alarm;
 }
 
 /// Returns the level of SARIF 2.1.0, 3.27.10; SARIF has no level for advice.
@@ -51,10 +51,9 @@ std::string marked(std::string_view line, Span place, Colours colours) {
 }
 
 std::string call_text(const AlarmReport::Call& call, Lang lang) {
-  std::string block = call.has_block ? fmt::format(" N{}", call.block) : "";
-  if (!call.file.empty()) block += (lang == Lang::ru ? " файла " : " of ") + call.file;
-  return lang == Lang::ru ? fmt::format("вызов {} в строке {}{}", call.what, call.line, block)
-                          : fmt::format("called {} in line {}{}", call.what, call.line, block);
+  const std::string line = fmt::format("{}", call.line) + (call.has_block ? fmt::format(" N{}", call.block) : "");
+  return call.file.empty() ? translated_in(lang, texts::alarm_print::called, call.what, line)
+                           : translated_in(lang, texts::alarm_print::called_in_file, call.what, line, call.file);
 }
 
 std::string dumped(const Json& json) { return json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n"; }
@@ -100,8 +99,10 @@ Json result_json(const Finding& finding, std::size_t rule) {
 std::string other_place(const Finding& finding, Lang lang, Colours colours) {
   const AlarmReport::Line& other = finding.other;
   if (other.number == 0) return {};
-  const std::string file = other.file == finding.file ? "" : other.file + ", ";
-  std::string text = fmt::format(fmt::runtime(lang == Lang::ru ? "  см. {}строку {}:\n" : "  see {}line {}:\n"), file, other.number);
+  const std::string place = other.file == finding.file
+                                ? translated_in(lang, texts::alarm_print::see_line, other.number)
+                                : translated_in(lang, texts::alarm_print::see_line_of_file, other.file, other.number);
+  std::string text = "  " + place + "\n";
   if (!other.text.empty()) text += marked(other.text, other.where, colours);
   return text;
 }
@@ -152,13 +153,13 @@ Finding finding_of(const AlarmReport& report, const AlarmTexts& texts, Lang lang
 
 std::string alarm_text(const AlarmReport& report, const AlarmTexts& texts, Lang lang, Colours colours) {
   const Finding f = shown(finding_of(report, texts, lang));
-  const std::string word = coloured(std::string(severity_word(f.severity, lang)), colour_of(f.severity), colours);
+  const std::string word = coloured(plain_text(severity_word(f.severity), lang), colour_of(f.severity), colours);
   std::string text = fmt::format("{}:{}:{}: {} {}: {}", f.file, f.line, f.column, word, name_of(f.id), f.text);
   if (!f.number.empty()) text += fmt::format(" [{}]", f.number);
   text += '\n';
   if (!f.line_text.empty()) text += marked(f.line_text, report.alarm.where, colours);
   text += other_place(f, lang, colours);
-  if (!f.hint.empty()) text += fmt::format("  {}: {}\n", lang == Lang::ru ? "подсказка" : "hint", f.hint);
+  if (!f.hint.empty()) text += fmt::format("  {}: {}\n", plain_text(texts::alarm_print::hint, lang), f.hint);
   for (auto call = f.calls.rbegin(); call != f.calls.rend(); ++call) text += fmt::format("  {}\n", *call);
   return text;
 }

@@ -4,7 +4,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "config/language.h"
+#include "texts/baseline.h"
 
 namespace kadr {
 namespace {
@@ -20,17 +20,14 @@ std::string key_of(const std::string& file, std::string_view id, const std::stri
 
 tl::expected<Baseline, std::string> Baseline::read(std::string_view json) {
   const auto list = nlohmann::json::parse(json, nullptr, false);
-  if (!list.is_array())
-    return tl::unexpected(told("no list of findings, as `kadr check --format json` writes it",
-                               "это не список сообщений, какой выдаёт `kadr check --format json`"));
+  if (!list.is_array()) return tl::unexpected(translated(texts::baseline::not_a_list));
   Baseline baseline;
   for (const auto& entry : list) {
     const auto text = [&](const char* key) {
       const auto found = entry.is_object() ? entry.find(key) : entry.end();
       return entry.is_object() && found != entry.end() && found->is_string() ? found->get<std::string>() : std::string();
     };
-    if (text("id").empty() || text("file").empty())
-      return tl::unexpected(told("an entry without \"file\" and \"id\"", "запись без \"file\" и \"id\""));
+    if (text("id").empty() || text("file").empty()) return tl::unexpected(translated(texts::baseline::incomplete_entry));
     ++baseline.known_[key_of(text("file"), text("id"), text("line_text"))];
   }
   return baseline;

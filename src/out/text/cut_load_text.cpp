@@ -9,20 +9,12 @@
 
 #include "out/text/alarm_print.h"
 #include "out/text/summary.h"
+#include "texts/cut_summary.h"
 
 namespace kadr {
 namespace {
 
 using nlohmann::ordered_json;
-
-/// The words of one language.
-struct LoadWords {
-  const char *line, *of, *rate, *tooth, *size;
-};
-constexpr LoadWords load_english = {"line", " of ", "{:.1f} mm³/s", ", {:.4f} mm/tooth", ", {:.2f} × {:.2f} mm, {:.0f}°"};
-constexpr LoadWords load_russian = {"строка", " файла ", "{:.1f} мм³/с", ", {:.4f} мм/зуб", ", {:.2f} × {:.2f} мм, {:.0f}°"};
-
-const LoadWords& words_in(Lang lang) { return lang == Lang::ru ? load_russian : load_english; }
 
 constexpr int decimals_of_mm = 3, decimals_of_tooth = 5;  // decimals of values in mm and units derived from mm; of mm per tooth
 
@@ -67,9 +59,8 @@ ordered_json load_json(const BlockLoad& load) {
 }  // namespace
 
 std::string line_words(const Origin& origin, const std::string& program, Lang lang) {
-  const LoadWords& w = words_in(lang);
-  std::string text = fmt::format("{} {}", w.line, origin.line);
-  if (!program.empty()) text += w.of + program;
+  const std::string text = program.empty() ? translated_in(lang, texts::cut_summary::line, origin.line)
+                                           : translated_in(lang, texts::cut_summary::line_of_file, origin.line, program);
   const std::string block = block_text(origin);
   return block.empty() ? text : text + ' ' + block;
 }
@@ -93,11 +84,10 @@ ordered_json calls_json(const std::vector<AlarmReport::Call>& calls) {
 }
 
 std::string load_words(const BlockLoad& load, Lang lang) {
-  const LoadWords& w = words_in(lang);
   std::string text = fmt::format("{} T{}: ", line_words(load.origin, load.program, lang), load.tool);
-  text += fmt::format(fmt::runtime(w.rate), load.rate.value_or(0));
-  if (load.feed_per_tooth) text += fmt::format(fmt::runtime(w.tooth), *load.feed_per_tooth);
-  if (load.width) text += fmt::format(fmt::runtime(w.size), *load.width, *load.depth, *load.angle);
+  text += translated_in(lang, texts::cut_summary::removal_rate, load.rate.value_or(0));
+  if (load.feed_per_tooth) text += ", " + translated_in(lang, texts::cut_summary::feed_per_tooth, *load.feed_per_tooth);
+  if (load.width) text += ", " + translated_in(lang, texts::cut_summary::engagement, *load.width, *load.depth, *load.angle);
   return text;
 }
 

@@ -9,65 +9,12 @@
 
 #include "out/text/cut_load_text.h"
 #include "out/text/summary.h"
+#include "texts/cut_summary.h"
 
 namespace kadr {
 namespace {
 
 using nlohmann::ordered_json;
-
-/// The words of the summary in one language.
-struct CutWords {
-  const char *cell, *blank, *left, *removed, *tools, *none, *rate, *collisions, *further, *left_on, *gouged, *deepest, *line, *heaviest,
-      *in_air, *window, *in_window, *simplified, *triangles, *threads, *thread, *lead, *no_crest, *crest;
-};
-constexpr CutWords cut_english = {"cell",
-                                  "blank",
-                                  "left",
-                                  "removed",
-                                  "tools",
-                                  "none",
-                                  "{} at feed, at most {:.1f} mm³/s",
-                                  "collisions",
-                                  "and {} more",
-                                  "left on",
-                                  "gouged",
-                                  "{:.1f} {}, {:.3f} {} deep at X{:.2f} Y{:.2f} Z{:.2f}",
-                                  ", line {}",
-                                  "heaviest",
-                                  "in the air",
-                                  "window",
-                                  "cell {:g} {}; of {:.1f} {} left {:.1f} ± {:.1f}, removed {:.1f} ± {:.1f}",
-                                  "simplified",
-                                  "{} of {} triangles, {:.4f} {} off at most",
-                                  "threads",
-                                  "T{}, line {}: Ø{:.3f} Z{:.3f} to Ø{:.3f} Z{:.3f} mm, passes: {}",
-                                  ", lead {:g} mm",
-                                  "; no material is there",
-                                  "; {:.3f} mm deep in Ø{:.3f} mm, which the part keeps"};
-constexpr CutWords cut_russian = {"шаг сетки",
-                                  "заготовка",
-                                  "осталось",
-                                  "снято",
-                                  "инструменты",
-                                  "нет",
-                                  "{} на подаче, не более {:.1f} мм³/с",
-                                  "столкновений",
-                                  "и ещё {}",
-                                  "недобор",
-                                  "зарез",
-                                  "{:.1f} {}, {:.3f} {} в точке X{:.2f} Y{:.2f} Z{:.2f}",
-                                  ", строка {}",
-                                  "нагрузка",
-                                  "в воздухе",
-                                  "окно",
-                                  "шаг {:g} {}; из {:.1f} {} осталось {:.1f} ± {:.1f}, снято {:.1f} ± {:.1f}",
-                                  "упрощено",
-                                  "{} треугольников из {}, отклонение не более {:.4f} {}",
-                                  "резьбы",
-                                  "T{}, строка {}: Ø{:.3f} Z{:.3f} до Ø{:.3f} Z{:.3f} мм, проходов: {}",
-                                  ", ход {:g} мм",
-                                  "; материала там нет",
-                                  "; глубина {:.3f} мм от Ø{:.3f} мм, который у детали остаётся"};
 
 constexpr double told_from = 0.05;  // s in the air, from which on the time is printed: less would be rounded to 0.0
 
@@ -104,23 +51,25 @@ ordered_json difference_json(const PartDifference& d) {
   return json;
 }
 
-std::string difference_row(const CutWords& w, const char* name, const PartDifference& d, Lang lang) {
-  const bool ru = lang == Lang::ru;
-  if (!(d.deepest > 0)) return summary_row(name, w.none);
-  std::string text =
-      fmt::format(fmt::runtime(w.deepest), d.volume, ru ? "мм³" : "mm³", d.deepest, ru ? "мм" : "mm", d.at.x, d.at.y, d.at.z);
-  if (d.line != 0) text += fmt::format(fmt::runtime(w.line), d.line) + (d.program.empty() ? "" : (ru ? " файла " : " of ") + d.program);
-  return summary_row(name, text);
+std::string difference_row(PlainText name, const PartDifference& d, Lang lang) {
+  if (!(d.deepest > 0)) return summary_row(plain_text(name, lang), plain_text(texts::cut_summary::none, lang));
+  std::string text = translated_in(lang, texts::cut_summary::difference, d.volume, d.deepest, d.at.x, d.at.y, d.at.z);
+  Origin last_cut;
+  last_cut.line = d.line;
+  if (d.line != 0) text += ", " + line_words(last_cut, d.program, lang);
+  return summary_row(plain_text(name, lang), text);
 }
 
 /// Returns the depth of the thread below its crest; negative if the tip of the insert has not reached the crest.
 double thread_depth(const ThreadCut& t) { return (t.is_outer ? 1 : -1) * (*t.crest_radius - t.middle_radius()); }
 
-std::string thread_words(const CutWords& w, const ThreadCut& t) {
-  std::string text =
-      fmt::format(fmt::runtime(w.thread), t.tool, t.origin.line, 2 * t.from_radius, t.from_z, 2 * t.to_radius, t.to_z, t.passes);
-  if (t.lead != 0) text += fmt::format(fmt::runtime(w.lead), t.lead);
-  return text + (t.crest_radius ? fmt::format(fmt::runtime(w.crest), thread_depth(t), 2 * *t.crest_radius) : std::string(w.no_crest));
+std::string thread_words(const ThreadCut& t, Lang lang) {
+  std::string text = translated_in(lang, texts::cut_summary::thread, t.tool, t.origin.line, 2 * t.from_radius, t.from_z, 2 * t.to_radius,
+                                   t.to_z, t.passes);
+  if (t.lead != 0) text += ", " + translated_in(lang, texts::cut_summary::thread_lead, t.lead);
+  text += "; ";
+  return text + (t.crest_radius ? translated_in(lang, texts::cut_summary::thread_depth, thread_depth(t), 2 * *t.crest_radius)
+                                : translated_in(lang, texts::cut_summary::no_material_there));
 }
 
 ordered_json thread_json(const ThreadCut& t) {
@@ -148,42 +97,41 @@ Alarm alarm_of(const CutFinding& f) {
 }
 
 std::string cut_caption(const CutResult& r, Lang lang) {
-  const bool ru = lang == Lang::ru;
   const double removed = r.window ? r.window->stock - r.window->left : r.stock - r.left, cell = r.window ? r.window->cell : r.cell;
-  return fmt::format("{} {:.1f} {}, {} {:g} {}", ru ? "снято" : "removed", removed, ru ? "мм³" : "mm³", ru ? "шаг сетки" : "cell", cell,
-                     ru ? "мм" : "mm");
+  return translated_in(lang, texts::cut_summary::removed_with_cell, removed, cell);
 }
 
 std::string cut_summary(const CutResult& r, Lang lang) {
-  const CutWords& w = lang == Lang::ru ? cut_russian : cut_english;
-  const char* const mm = lang == Lang::ru ? "мм" : "mm";
-  const char* const mm3 = lang == Lang::ru ? "мм³" : "mm³";
-  const auto volume = [&](double v) { return fmt::format("{:.1f} {}", v, mm3); };
-  std::string text = summary_row(w.cell, fmt::format("{:g} {}", r.cell, mm)) + summary_row(w.blank, volume(r.stock)) +
-                     summary_row(w.left, fmt::format("{:.1f} ± {:.1f} {}", r.left, r.error_bound, mm3)) +
-                     summary_row(w.removed, fmt::format("{:.1f} ± {:.1f} {}", r.stock - r.left, r.error_bound, mm3));
+  const auto row = [&](PlainText name, const std::string& says) { return summary_row(plain_text(name, lang), says); };
+  const auto volume = [&](double v) { return translated_in(lang, texts::cut_summary::volume_within, v, r.error_bound); };
+  std::string text = row(texts::cut_summary::cell, translated_in(lang, texts::cut_summary::length, r.cell)) +
+                     row(texts::cut_summary::blank, translated_in(lang, texts::cut_summary::volume, r.stock)) +
+                     row(texts::cut_summary::left, volume(r.left)) + row(texts::cut_summary::removed, volume(r.stock - r.left));
   if (const auto& in = r.window)
-    text += summary_row(w.window, fmt::format(fmt::runtime(w.in_window), in->cell, mm, in->stock, mm3, in->left, in->error_bound,
-                                              in->stock - in->left, in->error_bound));
-  const char* name = w.tools;
-  for (const ToolRemoval& t : r.tools) {
-    text += summary_row(name, fmt::format("T{}: {}, ", t.tool, volume(t.removed)) +
-                                  fmt::format(fmt::runtime(w.rate), duration_text(t.seconds), t.greatest_rate));
+    text += row(texts::cut_summary::window, translated_in(lang, texts::cut_summary::window_volumes, in->cell, in->stock, in->left,
+                                                          in->error_bound, in->stock - in->left, in->error_bound));
+  const char* name = plain_text(texts::cut_summary::tools, lang);
+  const auto next_of_list = [&](const std::string& says) {
+    text += summary_row(name, says);
     name = "";
-  }
-  name = w.threads;
-  for (const ThreadCut& t : r.threads) text += summary_row(name, thread_words(w, t)), name = "";
-  name = w.heaviest;
-  for (const BlockLoad& load : r.heaviest) text += summary_row(name, load_words(load, lang)), name = "";
-  name = w.in_air;
+  };
+  for (const ToolRemoval& t : r.tools)
+    next_of_list(translated_in(lang, texts::cut_summary::tool_removal, t.tool, t.removed, duration_text(t.seconds), t.greatest_rate));
+  name = plain_text(texts::cut_summary::threads, lang);
+  for (const ThreadCut& t : r.threads) next_of_list(thread_words(t, lang));
+  name = plain_text(texts::cut_summary::heaviest, lang);
+  for (const BlockLoad& load : r.heaviest) next_of_list(load_words(load, lang));
+  name = plain_text(texts::cut_summary::in_the_air, lang);
   for (const AirCut& air : r.emptiest)
-    if (air.seconds >= told_from) text += summary_row(name, air_words(air, lang)), name = "";
+    if (air.seconds >= told_from) next_of_list(air_words(air, lang));
   const std::size_t count = r.collisions.size() + r.not_listed;
-  if (r.part) text += difference_row(w, w.left_on, r.part->left_on, lang) + difference_row(w, w.gouged, r.part->gouged, lang);
+  if (r.part)
+    text += difference_row(texts::cut_summary::left_on, r.part->left_on, lang) +
+            difference_row(texts::cut_summary::gouged, r.part->gouged, lang);
   if (r.simplified)
-    text += summary_row(w.simplified,
-                        fmt::format(fmt::runtime(w.triangles), r.simplified->triangles, r.simplified->exact, r.simplified->off, mm));
-  return text + summary_row(w.collisions, count == 0 ? std::string(w.none) : std::to_string(count));
+    text += row(texts::cut_summary::simplified,
+                translated_in(lang, texts::cut_summary::fewer_triangles, r.simplified->triangles, r.simplified->exact, r.simplified->off));
+  return text + row(texts::cut_summary::collisions, count == 0 ? translated_in(lang, texts::cut_summary::none) : std::to_string(count));
 }
 
 std::string too_coarse_message(const CutResult& r, Lang lang) {
@@ -191,14 +139,7 @@ std::string too_coarse_message(const CutResult& r, Lang lang) {
   std::string tools;
   for (const std::uint32_t number : r.finer_than_cell) tools += fmt::format("{}T{}", tools.empty() ? "" : ", ", number);
   const double cell = r.window ? r.window->cell : r.cell;
-  return lang == Lang::ru ? fmt::format(
-                                "{} тоньше двух шагов сетки ({:g} мм): снятое ими почти не видно и не измерено; поможет меньший "
-                                "--resolution или --window",
-                                tools, cell)
-                          : fmt::format(
-                                "{}: thinner than two cells ({:g} mm): what they cut is hardly seen, and not measured; a smaller "
-                                "--resolution, or --window, shows it",
-                                tools, cell);
+  return translated_in(lang, texts::cut_summary::tools_too_thin, tools, cell);
 }
 
 ordered_json cut_json(const CutResult& r, std::size_t alarms, std::size_t warnings) {

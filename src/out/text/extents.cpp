@@ -7,6 +7,7 @@
 
 #include "base/extremes.h"
 #include "kinematics/chain.h"
+#include "texts/out_units.h"
 
 namespace kadr {
 namespace {
@@ -18,13 +19,11 @@ std::string range_text(const std::string& axis, double least, double most, Lengt
 }  // namespace
 
 const char* unit_name(LengthUnit unit, Lang lang) {
-  if (unit == LengthUnit::inch) return lang == Lang::ru ? "дюймы" : "in";
-  return lang == Lang::ru ? "мм" : "mm";
+  return plain_text(unit == LengthUnit::inch ? texts::out_units::inches : texts::out_units::mm, lang);
 }
 
 const char* speed_unit_name(LengthUnit unit, Lang lang) {
-  if (unit == LengthUnit::inch) return lang == Lang::ru ? "дюйм/мин" : "in/min";
-  return lang == Lang::ru ? "мм/мин" : "mm/min";
+  return plain_text(unit == LengthUnit::inch ? texts::out_units::inches_per_minute : texts::out_units::mm_per_minute, lang);
 }
 
 std::string length_text(double mm, LengthUnit unit) { return number_text(mm / mm_of(unit), unit == LengthUnit::inch ? 4 : 3); }

@@ -40,7 +40,7 @@ inline bool cuts(const Motion& motion) {
 enum class LengthUnit : std::uint8_t { mm, inch, mixed };  // mixed: both occur; shown in mm
 /// mm per unit.
 inline double mm_of(LengthUnit unit) { return unit == LengthUnit::inch ? mm_per_inch : 1; }
-/// "mm", "in"; «мм», «дюймы».
+/// "mm", "in".
 const char* unit_name(LengthUnit unit, Lang lang);
 /// "mm/min", "in/min".
 const char* speed_unit_name(LengthUnit unit, Lang lang);

@@ -7,6 +7,7 @@
 #include <algorithm>
 
 #include "out/text/source_line.h"
+#include "texts/in_force.h"
 
 namespace kadr {
 namespace {
@@ -14,20 +15,20 @@ namespace {
 using Kind = InForce::Kind;
 
 struct InForceRow {
-  const char *en, *ru;
+  PlainText name;
   std::vector<Kind> kinds;
 };
 
 const std::vector<InForceRow>& rows() {
-  static const std::vector<InForceRow> all = {{"position", "положение", {Kind::position}},
-                                              {"machine", "в станке", {Kind::machine}},
-                                              {"codes", "коды", {Kind::code, Kind::feed, Kind::speed, Kind::spindle, Kind::coolant}},
-                                              {"tool", "инструмент", {Kind::tool, Kind::selected, Kind::offset, Kind::length_offset}},
-                                              {"length", "вылет", {Kind::length}},
-                                              {"zero", "нуль детали", {Kind::origin}},
-                                              {"rotation", "поворот", {Kind::rotation}},
-                                              {"scale", "масштаб", {Kind::scale}},
-                                              {"variables", "переменные", {Kind::variable}}};
+  static const std::vector<InForceRow> all = {{texts::in_force::position, {Kind::position}},
+                                              {texts::in_force::machine, {Kind::machine}},
+                                              {texts::in_force::codes, {Kind::code, Kind::feed, Kind::speed, Kind::spindle, Kind::coolant}},
+                                              {texts::in_force::tool, {Kind::tool, Kind::selected, Kind::offset, Kind::length_offset}},
+                                              {texts::in_force::tool_length, {Kind::length}},
+                                              {texts::in_force::work_zero, {Kind::origin}},
+                                              {texts::in_force::rotation, {Kind::rotation}},
+                                              {texts::in_force::scale, {Kind::scale}},
+                                              {texts::in_force::variables, {Kind::variable}}};
   return all;
 }
 
@@ -62,10 +63,10 @@ std::string written(const InForce& one) {
 
 std::string in_force_text(const std::vector<InForce>& all, Lang lang, const std::string& indent, std::size_t most) {
   std::size_t widest = 0;
-  for (const InForceRow& row : rows()) widest = std::max(widest, width(lang == Lang::ru ? row.ru : row.en));
+  for (const InForceRow& row : rows()) widest = std::max(widest, width(plain_text(row.name, lang)));
   std::string text;
   for (const InForceRow& row : rows()) {
-    const std::string name = lang == Lang::ru ? row.ru : row.en;
+    const std::string name = plain_text(row.name, lang);
     std::string line;
     std::size_t count = 0;
     const auto belongs = [&](const InForce& one) { return std::find(row.kinds.begin(), row.kinds.end(), one.kind) != row.kinds.end(); };

@@ -4,31 +4,27 @@
 
 #include <array>
 
+#include "texts/speed_limit_text.h"
+
 namespace kadr {
 namespace {
 
-struct LimitNames {
-  const char *en, *ru;
-};
 /// Names in the order of the enum Limit.
-constexpr std::array<LimitNames, limit_count> limit_names = {{{"programmed feed", "программная подача"},
-                                                              {"corner", "угол"},
-                                                              {"curve", "кривизна"},
-                                                              {"axis speed", "скорость оси"},
-                                                              {"acceleration", "ускорение"},
-                                                              {"jerk", "рывок"},
-                                                              {"pause", "пауза"}}};
-constexpr LimitNames rapid_rate = {"rapid rate", "быстрый ход"};
-
-const char* in(const LimitNames& name, Lang lang) { return lang == Lang::ru ? name.ru : name.en; }
+constexpr std::array<PlainText, limit_count> limit_names = {texts::speed_limit_text::programmed_feed,
+                                                            texts::speed_limit_text::corner,
+                                                            texts::speed_limit_text::curve,
+                                                            texts::speed_limit_text::axis_speed,
+                                                            texts::speed_limit_text::acceleration,
+                                                            texts::speed_limit_text::jerk,
+                                                            texts::speed_limit_text::pause};
 
 }  // namespace
 
-const char* limit_name(Limit limit, Lang lang) { return in(limit_names[static_cast<std::size_t>(limit)], lang); }
+const char* limit_name(Limit limit, Lang lang) { return plain_text(limit_names[static_cast<std::size_t>(limit)], lang); }
 
 std::string limit_text(LimitedBy by, bool rapid, const std::vector<std::string>& axes, Lang lang) {
-  if (by.limit == Limit::feed) return in(rapid ? rapid_rate : limit_names[0], lang);
-  const bool has_axis = by.limit != Limit::pause && by.axis < axes.size();
+  if (by.limit == Limit::feed && rapid) return plain_text(texts::speed_limit_text::rapid_rate, lang);
+  const bool has_axis = by.limit != Limit::feed && by.limit != Limit::pause && by.axis < axes.size();
   return limit_name(by.limit, lang) + (has_axis ? ", " + axes[by.axis] : std::string());
 }
 

@@ -7,9 +7,9 @@
 #include <cstdlib>
 #include <memory>
 
-#include "config/language.h"
 #include "config/read_file.h"
 #include "out/picture/cairo_canvas.h"
+#include "texts/picture.h"
 
 namespace kadr {
 namespace {
@@ -46,7 +46,10 @@ tl::expected<void, std::string> write_png(const ResultFile& file, double width, 
   if (status == CAIRO_STATUS_SUCCESS) status = cairo->surface_status(surface.get());
   if (status == CAIRO_STATUS_SUCCESS) status = cairo->surface_write_to_png_stream(surface.get(), write_bytes, file.get());
   if (status == CAIRO_STATUS_SUCCESS) return {};
-  return tl::unexpected(file.name() + ": " + told(cairo->status_to_string(status), "картинка не записана"));
+  // Cairo itself speaks English only.
+  const Lang lang = thread_language();
+  return tl::unexpected(file.name() + ": " +
+                        (lang == Lang::en ? cairo->status_to_string(status) : plain_text(texts::picture::not_written)));
 }
 
 }  // namespace
@@ -70,10 +73,8 @@ std::string svg_page(double width, double height, const PageText& says, const st
 bool is_page_name(const std::string& file) { return is_svg(file) || is_png(file); }
 
 std::string page_fault(const std::string& file) {
-  if (!is_page_name(file)) return file + told(": a plot is .svg or .png", ": картинка — файл .svg или .png");
-  if (is_png(file) && cairo_library() == nullptr)
-    return file + told(": pictures in pixels need the library libcairo.so.2; this machine has none",
-                       ": для растровых картинок нужна библиотека libcairo.so.2, а её здесь нет");
+  if (!is_page_name(file)) return translated(texts::picture::not_svg_or_png, file);
+  if (is_png(file) && cairo_library() == nullptr) return translated(texts::picture::no_cairo, file);
   return {};
 }
 

@@ -7,6 +7,7 @@
 #include <algorithm>
 
 #include "out/text/source_line.h"
+#include "texts/quick_fix.h"
 
 namespace kadr {
 namespace {
@@ -34,7 +35,6 @@ Span with_a_blank(std::string_view line, Span word) {
 }  // namespace
 
 std::optional<QuickFix> quick_fix(const AlarmReport& report, Lang lang) {
-  const bool ru = lang == Lang::ru;
   const std::string& line = report.line_text;
   const Span where = report.alarm.where;
   if (line.empty() || where.end > line.size() || where.begin > where.end) return std::nullopt;
@@ -43,12 +43,11 @@ std::optional<QuickFix> quick_fix(const AlarmReport& report, Lang lang) {
   };
   const auto at_end = [&](const char* insert) {
     const auto end = std::uint32_t(without_trailing_blanks(line));
-    return change({end, end}, insert,
-                  fmt::format(fmt::runtime(ru ? "Поставить «{}» в конце строки" : "Write '{}' at the end of the line"), insert));
+    return change({end, end}, insert, translated_in(lang, texts::quick_fix::write_at_end, insert));
   };
   const std::string marked = line.substr(where.begin, where.end - where.begin);
   const auto instead = [&](const std::string& insert) {
-    return change(where, insert, fmt::format(fmt::runtime(ru ? "Заменить на {}" : "Replace it by {}"), insert));
+    return change(where, insert, translated_in(lang, texts::quick_fix::replace_by, insert));
   };
   const auto instead_of_arc = [&](std::string_view code) -> std::optional<QuickFix> {
     const bool is_arc = marked == "G2" || marked == "G02" || marked == "G3" || marked == "G03";
@@ -62,7 +61,7 @@ std::optional<QuickFix> quick_fix(const AlarmReport& report, Lang lang) {
     case AlarmId::look_alike_letter: {
       const std::string latin(report.alarm.args[1].text());
       if (latin.size() != 1) return std::nullopt;
-      return change(where, latin, fmt::format(fmt::runtime(ru ? "Заменить на латинскую {}" : "Replace it by the Latin {}"), latin));
+      return change(where, latin, translated_in(lang, texts::quick_fix::replace_by_latin, latin));
     }
     case AlarmId::comment_not_closed: return at_end(")");
     case AlarmId::bracket_not_closed: return at_end("]");
@@ -71,9 +70,9 @@ std::optional<QuickFix> quick_fix(const AlarmReport& report, Lang lang) {
     case AlarmId::address_twice:
       if (const Span word = whole_word(line, where.begin); word.end > word.begin)
         return change(with_a_blank(line, word), "",
-                      fmt::format(fmt::runtime(ru ? "Удалить {}" : "Remove {}"), line.substr(word.begin, word.end - word.begin)));
+                      translated_in(lang, texts::quick_fix::remove_word, line.substr(word.begin, word.end - word.begin)));
       return std::nullopt;
-    case AlarmId::point_forgotten: return change({where.end, where.end}, ".", ru ? "Поставить точку" : "Write the point");
+    case AlarmId::point_forgotten: return change({where.end, where.end}, ".", plain_text(texts::quick_fix::write_point, lang));
     case AlarmId::arc_against_neighbours: return instead_of_arc(report.alarm.args[0].text());
     case AlarmId::length_of_other:
     case AlarmId::radius_of_other:

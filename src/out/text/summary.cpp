@@ -9,71 +9,14 @@
 #include <array>
 #include <cmath>
 
+#include "texts/summary.h"
+
 namespace kadr {
 namespace {
 
-/// The words of the summary in one language.
-struct SummaryWords {
-  const char *blocks, *motions, *rapids, *feeds, *arcs, *other;
-  const char *units, *mixed, *path, *cutting, *rapid, *all;
-  const char *time, *dwell, *tool_change, *unknown;
-  std::array<const char*, 3> basis;  // texts by the enum TimeBasis
-  const char *least_time, *least_basis, *speeding_up, *slowing_down;
-  const char *tools, *alarms, *warnings;
-};
-
-constexpr SummaryWords english_summary = {
-    "blocks",
-    "motions",
-    "rapid",
-    "feed",
-    "arcs",
-    "other",
-    "units",
-    "mm; the program cuts both in inches and in millimetres",
-    "path",
-    "cutting",
-    "rapid",
-    "all",
-    "time",
-    "dwell",
-    "tool change",
-    "motions without a time (no feed, or the spindle stands)",
-    {"from programmed feeds and rapid rates, without acceleration", "as the control limits the speed, without acceleration",
-     "as the control limits the speed, with acceleration"},
-    "least time",
-    "by Kadr's planner, within speed, acceleration and jerk of the axes",
-    "speeding up",
-    "slowing down",
-    "tools",
-    "alarms",
-    "warnings"};
-constexpr SummaryWords russian_summary = {
-    "кадров",
-    "движений",
-    "ускоренных",
-    "на подаче",
-    "дуг",
-    "прочих",
-    "единицы",
-    "мм; УП режет и в дюймах, и в миллиметрах",
-    "путь",
-    "резание",
-    "быстрый ход",
-    "всё",
-    "время",
-    "выдержка",
-    "смена инструмента",
-    "движений без времени (нет подачи или шпиндель стоит)",
-    {"по программным подачам и быстрым ходам станка, без разгонов", "с ограничениями скорости устройства ЧПУ, без разгонов",
-     "с ограничениями скорости устройства ЧПУ, с разгонами"},
-    "мин. время",
-    "по планировщику Kadr, в пределах скорости, ускорения и рывка осей",
-    "разгон",
-    "торможение",
-    "инструменты",
-    "ошибок",
-    "предупреждений"};
+/// Texts by the enum TimeBasis.
+constexpr std::array<PlainText, 3> basis_texts = {texts::summary::by_programmed_feeds, texts::summary::by_limited_speed,
+                                                  texts::summary::by_acceleration};
 
 std::size_t character_count(std::string_view text) {
   return static_cast<std::size_t>(
@@ -93,20 +36,18 @@ std::string lines(std::string_view name, const std::vector<std::string>& values)
   return text;
 }
 
-std::string split_text(const SummaryWords& w, double cutting, double rapid, double dwell, double tool_change) {
-  return fmt::format("{} ({} {}, {} {}, {} {}, {} {})", duration_text(cutting + rapid + dwell + tool_change), w.cutting,
-                     duration_text(cutting), w.rapid, duration_text(rapid), w.dwell, duration_text(dwell), w.tool_change,
-                     duration_text(tool_change));
+std::string split_text(double cutting, double rapid, double dwell, double tool_change, Lang lang) {
+  return translated_in(lang, texts::summary::time_by_use, duration_text(cutting + rapid + dwell + tool_change), duration_text(cutting),
+                       duration_text(rapid), duration_text(dwell), duration_text(tool_change));
 }
 
 /// Returns the time by the planner of least time (docs/planner.md).
-std::string planned_text(const SummaryWords& w, const char* heading, const PlannedTime& t) {
-  const auto ramps = [&](const char* name, const PlannedTime::Share& share) {
-    return fmt::format("{} {} {}, {} {}", name, w.speeding_up, duration_text(share.speeding_up), w.slowing_down,
-                       duration_text(share.slowing_down));
-  };
-  return line(heading, split_text(w, t.cutting.all, t.rapid.all, t.dwell, t.tool_change)) + line("", w.least_basis) +
-         line("", ramps(w.cutting, t.cutting) + "; " + ramps(w.rapid, t.rapid));
+std::string planned_text(PlainText heading, const PlannedTime& t, Lang lang) {
+  const std::string ramps =
+      translated_in(lang, texts::summary::speeding_and_slowing, duration_text(t.cutting.speeding_up), duration_text(t.cutting.slowing_down),
+                    duration_text(t.rapid.speeding_up), duration_text(t.rapid.slowing_down));
+  return line(plain_text(heading, lang), split_text(t.cutting.all, t.rapid.all, t.dwell, t.tool_change, lang)) +
+         line("", plain_text(texts::summary::by_planner, lang)) + line("", ramps);
 }
 
 }  // namespace
@@ -155,58 +96,56 @@ void Statistics::lengthen(const Motion& motion, double longer) {
 
 std::string Statistics::caption(Lang lang) const {
   constexpr std::size_t most = 2;  // greatest number of work systems in one line
-  const std::vector<std::string> texts = extents_.texts(RunExtents::Of::cutting, system_names_);
+  const std::vector<std::string> ranges = extents_.texts(RunExtents::Of::cutting, system_names_);
   std::string caption;
-  for (std::size_t i = 0; i < std::min(most, texts.size()); ++i) caption += (i == 0 ? "" : ";   ") + texts[i];
-  if (texts.size() > most) caption += fmt::format(";   … (+{})", texts.size() - most);
+  for (std::size_t i = 0; i < std::min(most, ranges.size()); ++i) caption += (i == 0 ? "" : ";   ") + ranges[i];
+  if (ranges.size() > most) caption += fmt::format(";   … (+{})", ranges.size() - most);
   if (caption.empty()) return caption;
-  return fmt::format("{}, {}:  {}", (lang == Lang::ru ? russian_summary : english_summary).cutting, unit_name(extents_.unit(), lang),
-                     caption);
+  return translated_in(lang, texts::summary::cutting_range, unit_name(extents_.unit(), lang), caption);
 }
 
 std::string Statistics::text(std::uint64_t blocks, Lang lang, const PlannedTime* planned, PlannerMode counts) const {
-  const SummaryWords& w = lang == Lang::ru ? russian_summary : english_summary;
+  const auto named = [&](PlainText name, const std::string& value) { return line(plain_text(name, lang), value); };
   const TimeSplit& t = estimate_.split();
-  std::string text = line(w.blocks, fmt::format("{}", blocks));
-  std::string motions =
-      fmt::format("{} ({} {}, {} {}, {} {}", rapids_ + feeds_ + arcs_ + others_, w.rapids, rapids_, w.feeds, feeds_, w.arcs, arcs_);
-  if (others_ > 0) motions += fmt::format(", {} {}", w.other, others_);
-  text += line(w.motions, motions + ")");
+  const std::uint64_t all = rapids_ + feeds_ + arcs_ + others_;
+  std::string text = named(texts::summary::blocks, fmt::format("{}", blocks));
+  text += named(texts::summary::motions,
+                others_ > 0 ? translated_in(lang, texts::summary::motions_by_kind_and_other, all, rapids_, feeds_, arcs_, others_)
+                            : translated_in(lang, texts::summary::motions_by_kind, all, rapids_, feeds_, arcs_));
   const LengthUnit unit = extents_.unit();
-  const auto in_unit = [&](const char* name) { return fmt::format("{}, {}", name, unit_name(unit, lang)); };
-  if (unit == LengthUnit::mixed) text += line(w.units, w.mixed);
-  text +=
-      line(in_unit(w.path), fmt::format("{} {}, {} {}", w.cutting, length_text(cutting_mm_, unit), w.rapid, length_text(rapid_mm_, unit)));
-  text += lines(in_unit(w.cutting), extents_.texts(RunExtents::Of::cutting, system_names_));
-  text += lines(in_unit(w.all), extents_.texts(RunExtents::Of::all, system_names_));
+  const auto in_unit = [&](TextId<1> name) { return translated_in(lang, name, unit_name(unit, lang)); };
+  if (unit == LengthUnit::mixed) text += named(texts::summary::units, plain_text(texts::summary::both_units, lang));
+  text += line(in_unit(texts::summary::path),
+               translated_in(lang, texts::summary::path_lengths, length_text(cutting_mm_, unit), length_text(rapid_mm_, unit)));
+  text += lines(in_unit(texts::summary::cutting), extents_.texts(RunExtents::Of::cutting, system_names_));
+  text += lines(in_unit(texts::summary::all), extents_.texts(RunExtents::Of::all, system_names_));
   const bool planned_counts = planned != nullptr && counts == PlannerMode::optimal;
   if (!planned_counts) {
-    text += line(w.time, split_text(w, t.cutting, t.rapid, t.dwell, t.tool_change));
-    text += line("", w.basis[static_cast<std::size_t>(basis_)]);
+    text += named(texts::summary::time, split_text(t.cutting, t.rapid, t.dwell, t.tool_change, lang));
+    text += line("", plain_text(basis_texts[static_cast<std::size_t>(basis_)], lang));
   }
-  if (planned != nullptr) text += planned_text(w, planned_counts ? w.time : w.least_time, *planned);
-  if (t.unknown > 0) text += line("", fmt::format("{}: {}", w.unknown, t.unknown));
+  if (planned != nullptr) text += planned_text(planned_counts ? texts::summary::time : texts::summary::least_time, *planned, lang);
+  if (t.unknown > 0) text += line("", translated_in(lang, texts::summary::motions_without_time, t.unknown));
   if (!tools_.empty()) {
     std::string tools;
     for (const ToolUse& use : tools_)
-      tools += fmt::format("{}T{} ({} {})", tools.empty() ? "" : ", ", use.tool, w.cutting, duration_text(use.cutting_s));
-    text += line(w.tools, tools);
+      tools += (tools.empty() ? "" : ", ") + translated_in(lang, texts::summary::tool_cutting_time, use.tool, duration_text(use.cutting_s));
+    text += named(texts::summary::tools, tools);
   }
-  return text + line(w.alarms, fmt::format("{}, {} {}", alarms_, w.warnings, warnings_));
+  return text + named(texts::summary::alarms, translated_in(lang, texts::summary::alarms_and_warnings, alarms_, warnings_));
 }
 
-std::string channel_heading(int channel, Lang lang) { return fmt::format("{} {}\n", lang == Lang::ru ? "канал" : "channel", channel); }
+std::string channel_heading(int channel, Lang lang) { return translated_in(lang, texts::summary::channel, channel) + "\n"; }
 
 std::string channels_text(const std::vector<ChannelTime>& times, Lang lang) {
-  const bool ru = lang == Lang::ru;
   double longest = 0;
   std::string all;
   for (const ChannelTime& t : times) {
     longest = std::max(longest, t.busy + t.waited);
-    all += fmt::format("{}{} {} {}", all.empty() ? "" : ", ", ru ? "канал" : "channel", t.channel, duration_text(t.busy + t.waited));
-    if (t.waited > 0) all += fmt::format(" ({} {})", ru ? "ожидание" : "waiting", duration_text(t.waited));
+    all += (all.empty() ? "" : ", ") + translated_in(lang, texts::summary::channel_time, t.channel, duration_text(t.busy + t.waited));
+    if (t.waited > 0) all += " (" + translated_in(lang, texts::summary::waiting, duration_text(t.waited)) + ")";
   }
-  return line(ru ? "время обработки" : "machining time", fmt::format("{}: {}", duration_text(longest), all));
+  return line(plain_text(texts::summary::machining_time, lang), fmt::format("{}: {}", duration_text(longest), all));
 }
 
 std::string duration_text(double seconds) {

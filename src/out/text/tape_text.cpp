@@ -6,26 +6,23 @@
 #include <fmt/core.h>
 
 #include "lang/text/eia.h"
+#include "texts/tape_text.h"
 
 namespace kadr {
 
 std::string orientation_in_words(TapeOrientation lie, Lang lang) {
-  const bool ru = lang == Lang::ru;
   switch (lie) {
-    case TapeOrientation::wrong_end: return ru ? "считана с конца: образ перевёрнут" : "read from its wrong end: turned";
-    case TapeOrientation::wrong_side: return ru ? "считана не той стороной: дорожки переставлены" : "read from its wrong side: turned over";
-    default: return ru ? "считана с конца и не той стороной: образ перевёрнут" : "read from its wrong end and side: turned";
+    case TapeOrientation::wrong_end: return plain_text(texts::tape_text::from_wrong_end, lang);
+    case TapeOrientation::wrong_side: return plain_text(texts::tape_text::from_wrong_side, lang);
+    default: return plain_text(texts::tape_text::from_wrong_end_and_side, lang);
   }
 }
 
 std::string fault_in_words(const TapeFault& fault, TapeCode code, Lang lang) {
-  const bool ru = lang == Lang::ru, odd = code == TapeCode::eia;
+  const bool odd = code == TapeCode::eia;
   const bool parity = odd != has_odd_parity(fault.byte);
-  const char* const what = !parity ? (ru ? "нет такого кода EIA" : "no code of EIA")
-                           : !ru   ? "parity error"
-                           : odd   ? "чётное число отверстий"
-                                   : "нечётное число отверстий";
-  return fmt::format(fmt::runtime(ru ? "строка {}: {} (байт {:03o})" : "row {}: {} (byte {:03o})"), fault.row, what, fault.byte);
+  const PlainText what = !parity ? texts::tape_text::no_such_code : odd ? texts::tape_text::even_holes : texts::tape_text::odd_holes;
+  return translated_in(lang, texts::tape_text::row_fault, fault.row, plain_text(what, lang), fmt::format("{:03o}", fault.byte));
 }
 
 std::string_view name_for_people(TapeCode code) { return code == TapeCode::eia ? "EIA" : "ISO-7"; }

@@ -2,53 +2,14 @@
 
 #include "out/picture/plot/plot_legend.h"
 
-#include <fmt/format.h>
-
 #include "out/picture/legend_row.h"
 #include "out/picture/plot/plot_view.h"
 #include "out/text/limit_text.h"
+#include "texts/picture.h"
+#include "texts/plot_legend.h"
 
 namespace kadr {
 namespace {
-
-struct LegendWords {
-  const char *rapid, *feed, *arc, *plunge, *contour, *beside, *zero, *start, *end, *stop, *stop_line, *stop_file, *thinned, *cropped, *tool;
-  const char *speed, *limits;
-};
-constexpr LegendWords english_legend = {"rapid",
-                                        "feed",
-                                        "arc",
-                                        "plunge",
-                                        "contour as programmed",
-                                        "(the tool's path: with its radius compensated)",
-                                        "work zero",
-                                        "start",
-                                        "end",
-                                        "stopped",
-                                        "stopped by an alarm: line {}",
-                                        "stopped by an alarm: line {} of {}",
-                                        "thinned: of {} points, those closer than {} {} are left out",
-                                        "rapid motion goes on beyond the picture",
-                                        "tool",
-                                        "speed (least time), {}:",
-                                        "limited (least time) by"};
-constexpr LegendWords russian_legend = {"быстрый ход",
-                                        "рабочая подача",
-                                        "дуга",
-                                        "врезание",
-                                        "контур по УП",
-                                        "(траектория инструмента: с коррекцией на радиус)",
-                                        "нуль детали",
-                                        "начало",
-                                        "конец",
-                                        "останов",
-                                        "останов по ошибке: строка {}",
-                                        "останов по ошибке: строка {} файла {}",
-                                        "прорежено: из {} точек не показаны те, что ближе {} {}",
-                                        "быстрый ход продолжается за пределами рисунка",
-                                        "инструмент",
-                                        "скорость (мин. время), {}:",
-                                        "ограничение (мин. время):"};
 
 /// A legend row that also shows the strokes of a path.
 class Row : public LegendRow {
@@ -76,51 +37,53 @@ class Row : public LegendRow {
   }
 };
 
-void draw_strokes_row(Row& row, const PlotScene& scene, const LegendWords& w) {
+void draw_strokes_row(Row& row, const PlotScene& scene) {
+  const Lang lang = scene.title.lang;
   const ShadeScale& shades = scene.shades;
-  row.stroke(Stroke::rapid, w.rapid);
+  row.stroke(Stroke::rapid, plain_text(texts::picture::rapid, lang));
   if (shades.by() == PlotColour::stroke) {
-    row.stroke(Stroke::feed, w.feed);
-    row.stroke(Stroke::arc, w.arc);
-    row.stroke(Stroke::plunge, w.plunge);
+    row.stroke(Stroke::feed, plain_text(texts::picture::feed, lang));
+    row.stroke(Stroke::arc, plain_text(texts::plot_legend::arc, lang));
+    row.stroke(Stroke::plunge, plain_text(texts::plot_legend::plunge, lang));
   } else if (shades.by() == PlotColour::limit) {
-    row.words(w.limits, 16);
+    row.words(plain_text(texts::plot_legend::limited_by, lang), 16);
     for (std::size_t step = 0; step < shades.steps(); ++step)
-      if (shades.occurs(step)) row.sample(shades.ink(step), limit_name(static_cast<Limit>(step), scene.title.lang));
+      if (shades.occurs(step)) row.sample(shades.ink(step), limit_name(static_cast<Limit>(step), lang));
   } else {
-    row.words(fmt::format(fmt::runtime(w.speed), speed_unit_name(scene.title.unit, scene.title.lang)), 22);
+    row.words(translated_in(lang, texts::plot_legend::speed, speed_unit_name(scene.title.unit, lang)), 22);
     row.speeds(shades, mm_of(scene.title.unit));
   }
-  if (!scene.tools.empty()) row.sample(tool_ink, w.tool);
+  if (!scene.tools.empty()) row.sample(tool_ink, plain_text(texts::plot_legend::tool, lang));
   if (scene.contour.points().empty()) return;
-  row.stroke(Stroke::contour, w.contour, Row::after_swatch);
-  if (shades.by() == PlotColour::stroke) row.words(w.beside);
+  row.stroke(Stroke::contour, plain_text(texts::plot_legend::programmed_contour, lang), Row::after_swatch);
+  if (shades.by() == PlotColour::stroke) row.words(plain_text(texts::plot_legend::path_with_compensation, lang));
 }
 
-std::string stop_text(const PlotScene& scene, const ProgramLine& line, const LegendWords& w) {
-  if (line.line == 0) return w.stop;
-  if (line.file == 0) return fmt::format(fmt::runtime(w.stop_line), line.line);
-  return fmt::format(fmt::runtime(w.stop_file), line.line, scene.title.file_of(line));
+std::string stop_text(const PlotScene& scene, const ProgramLine& line) {
+  const Lang lang = scene.title.lang;
+  if (line.line == 0) return plain_text(texts::plot_legend::stopped, lang);
+  if (line.file == 0) return translated_in(lang, texts::plot_legend::stopped_in_line, line.line);
+  return translated_in(lang, texts::plot_legend::stopped_in_line_of_file, line.line, scene.title.file_of(line));
 }
 
 }  // namespace
 
 void draw_legend(Canvas& canvas, const PlotScene& scene, double left, double right, double y, bool cropped) {
-  const LegendWords& w = scene.title.lang == Lang::ru ? russian_legend : english_legend;
+  const Lang lang = scene.title.lang;
   canvas.begin("legend");
   Row strokes(canvas, left, y - legend_row_height);
-  draw_strokes_row(strokes, scene, w);
+  draw_strokes_row(strokes, scene);
   Row signs(canvas, left, y);
-  if (!scene.zeros.empty()) signs.zero(w.zero);
+  if (!scene.zeros.empty()) signs.zero(plain_text(texts::picture::work_zero, lang));
   for (const PlotMark& mark : scene.marks) {
-    if (mark.what == PlotMark::What::stop) signs.mark(mark.what, stop_text(scene, mark.line, w));
-    else signs.mark(mark.what, mark.what == PlotMark::What::start ? w.start : w.end);
+    if (mark.what == PlotMark::What::stop) signs.mark(mark.what, stop_text(scene, mark.line));
+    else signs.mark(mark.what, plain_text(mark.what == PlotMark::What::start ? texts::picture::start : texts::picture::end, lang));
   }
-  std::string note = cropped ? w.cropped : "";
+  std::string note = cropped ? plain_text(texts::plot_legend::rapid_goes_on, lang) : "";
   if (const double tolerance = scene.path.tolerance(); tolerance > 0) {
     if (cropped) note += ";  ";
-    note += fmt::format(fmt::runtime(w.thinned), scene.path.seen(), length_text(tolerance, scene.title.unit),
-                        unit_name(scene.title.unit, scene.title.lang));
+    note += translated_in(lang, texts::plot_legend::thinned, scene.path.seen(), length_text(tolerance, scene.title.unit),
+                          unit_name(scene.title.unit, lang));
   }
   canvas.text({right, y}, note, {13, colour(0xB04A00), Align::right, false});
   canvas.end();

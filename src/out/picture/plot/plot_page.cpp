@@ -11,6 +11,8 @@
 #include "out/picture/plot/plot_strokes.h"
 #include "out/picture/plot/plot_view.h"
 #include "out/text/page_file.h"
+#include "texts/picture.h"
+#include "texts/plot_legend.h"
 
 namespace kadr {
 namespace {
@@ -24,20 +26,7 @@ constexpr double least_size = 1;     // mm, least size of the box
 // small.
 constexpr double max_isometric = 4, most_plane = 1.5;
 
-struct PlotWords {
-  const char *control, *nothing, *told, *untold;
-};
-constexpr PlotWords english_plot = {
-    "control", "no motion",
-    "Strokes have the line of the program (data-line; data-file of a called one); the first one of line 12 has the id l12.",
-    "There are too many strokes to tell the line of each."};
-constexpr PlotWords russian_plot = {
-    "УЧПУ", "нет движений", "У линий есть номер строки программы (data-line; data-file вызванной); первая линия строки 12 имеет id l12.",
-    "Линий слишком много, чтобы указать строку каждой."};
-
-const PlotWords& plot_words(Lang lang) { return lang == Lang::ru ? russian_plot : english_plot; }
-
-std::string control_line(const PlotTitle& title) { return fmt::format("{}: {}", plot_words(title.lang).control, title.control); }
+std::string control_line(const PlotTitle& title) { return translated_in(title.lang, texts::picture::control, title.control); }
 
 void draw_title(Canvas& canvas, const PlotScene& scene) {
   const PlotTitle& title = scene.title;
@@ -61,7 +50,8 @@ void draw_all(Canvas& canvas, const PlotScene& scene) {
   const double top = title_height + 12, bottom = page_height - margin - legend_height + 8;
   const Area large{margin, top, page_width - 2 * margin - gap - planes_width, bottom - top};
   if (!moves) {
-    canvas.text({page_width / 2, page_height / 2}, plot_words(scene.title.lang).nothing, {22, colour(0x5B6775), Align::centre, false});
+    canvas.text({page_width / 2, page_height / 2}, plain_text(texts::picture::no_motion, scene.title.lang),
+                {22, colour(0x5B6775), Align::centre, false});
     return;
   }
   draw_isometric(canvas, large, scene, whole);
@@ -113,11 +103,11 @@ Box shown_box(const PlotScene& scene, double max_times) {
 }
 
 tl::expected<void, std::string> draw_page(const ResultFile& file, const PlotScene& scene) {
-  const PlotWords& w = plot_words(scene.title.lang);
   const PlotTitle& title = scene.title;
   const std::string extents = title.extents.empty() ? "" : title.extents + ". ";
-  const PageText says{name_of_file(title.file),
-                      fmt::format("{}. {}{}", control_line(title), extents, lines_are_tagged(scene) ? w.told : w.untold), title.lang};
+  const PlainText about_lines = lines_are_tagged(scene) ? texts::plot_legend::strokes_have_lines : texts::plot_legend::too_many_strokes;
+  const PageText says{name_of_file(title.file), fmt::format("{}. {}{}", control_line(title), extents, plain_text(about_lines, title.lang)),
+                      title.lang};
   return write_page(file, page_width, page_height, says, [&](Canvas& canvas) { draw_all(canvas, scene); });
 }
 
