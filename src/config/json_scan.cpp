@@ -10,9 +10,9 @@
 #include <set>
 
 #include "base/ascii.h"
-#include "config/language.h"
 #include "config/read_file.h"
 #include "lang/text/encoding.h"
+#include "texts/json_faults.h"
 
 namespace kadr {
 namespace {
@@ -36,29 +36,29 @@ class JsonScan {
   std::string run() {
     if (value()) {
       blanks();
-      if (at_ < text_.size()) fault("something stands after the end: " + here(), "после конца стоит что-то ещё: " + here());
+      if (at_ < text_.size()) fault(translated(texts::json_faults::behind_end, here()));
     }
     return fault_;
   }
 
  private:
-  bool fault_at(std::size_t at, const std::string& en, const std::string& ru) {
-    if (fault_.empty()) fault_ = location_prefix(file_, text_, at) + told(en, ru);
+  bool fault_at(std::size_t at, const std::string& sentence) {
+    if (fault_.empty()) fault_ = location_prefix(file_, text_, at) + sentence;
     return false;
   }
-  bool fault(const std::string& en, const std::string& ru) { return fault_at(at_, en, ru); }
+  bool fault(const std::string& sentence) { return fault_at(at_, sentence); }
 
-  bool missing(const std::string& en, const std::string& ru) {
-    if (at_ >= text_.size()) return fault("the text ends where " + en + " must stand", "текст обрывается там, где должно стоять: " + ru);
-    if (text_[at_] == '/' || text_[at_] == '#') return fault("JSON has no comments", "в JSON нет комментариев");
-    return fault(here() + " where " + en + " must stand", here() + " вместо: " + ru);
+  bool missing(PlainText what) {
+    if (at_ >= text_.size()) return fault(translated(texts::json_faults::ends_early, plain_text(what)));
+    if (text_[at_] == '/' || text_[at_] == '#') return fault(translated(texts::json_faults::no_comments));
+    return fault(translated(texts::json_faults::other_character, here(), plain_text(what)));
   }
 
   /// Returns the current character, for messages.
   std::string here() const {
     const std::string_view rest = text_.substr(at_);
     const std::size_t size = rest.empty() ? 0 : first_character(rest).size;
-    if (size == 0 || static_cast<unsigned char>(rest[0]) < ' ') return told("a control character", "управляющий знак");
+    if (size == 0 || static_cast<unsigned char>(rest[0]) < ' ') return translated(texts::json_faults::a_control_character);
     return "'" + std::string(rest.substr(0, size)) + "'";
   }
 
@@ -71,23 +71,19 @@ class JsonScan {
 
   bool value() {
     blanks();
-    if (++values_ > limits::json_values)
-      return fault("more than " + std::to_string(limits::json_values) + " values",
-                   "более " + std::to_string(limits::json_values) + " значений");
+    if (++values_ > limits::json_values) return fault(translated(texts::json_faults::too_many_values, limits::json_values));
     const char c = at_ < text_.size() ? text_[at_] : '\0';
     if (c == '{') return within(&JsonScan::table);
     if (c == '[') return within(&JsonScan::list);
     if (c == '"') return string().has_value();
     if (is_digit(c) || c == '-' || c == '+' || c == '.') return number();
     if (is_letter(c)) return word();
-    if (c == '\'') return fault("a text stands in double quotes", "текст заключается в двойные кавычки");
-    return missing("a value", "значение");
+    if (c == '\'') return fault(translated(texts::json_faults::text_in_double_quotes));
+    return missing(texts::json_faults::a_value);
   }
 
   bool within(bool (JsonScan::*read)()) {
-    if (depth_ == limits::json_depth)
-      return fault("more than " + std::to_string(limits::json_depth) + " brackets in brackets",
-                   "скобки вложены более чем на " + count_in_russian(limits::json_depth, "уровень", "уровня", "уровней"));
+    if (depth_ == limits::json_depth) return fault(counted(texts::json_faults::too_deep, limits::json_depth));
     ++depth_, ++at_;
     const bool read_well = (this->*read)();
     --depth_;
@@ -100,25 +96,24 @@ class JsonScan {
     do {
       blanks();
       const std::size_t at = at_;
-      if (next_is('}')) return fault("a comma before '}'", "запятая перед '}'");
-      if (!next_is('"')) return missing("a key in double quotes", "ключ в двойных кавычках");
+      if (next_is('}')) return fault(translated(texts::json_faults::comma_before_brace));
+      if (!next_is('"')) return missing(texts::json_faults::a_key);
       const auto key = string();
       if (!key) return false;
-      if (!keys.insert(*key).second)
-        return fault_at(at, "the key '" + *key + "' stands twice in one table", "ключ «" + *key + "» дважды в одной таблице");
-      if (!taken(':')) return missing("':' behind a key", "':' после ключа");
+      if (!keys.insert(*key).second) return fault_at(at, translated(texts::json_faults::key_twice, *key));
+      if (!taken(':')) return missing(texts::json_faults::colon_behind_key);
       if (!value()) return false;
     } while (taken(','));
-    return taken('}') || missing("',' or '}'", "',' или '}'");
+    return taken('}') || missing(texts::json_faults::comma_or_brace);
   }
 
   bool list() {
     if (taken(']')) return true;
     do {
-      if (next_is(']')) return fault("a comma before ']'", "запятая перед ']'");
+      if (next_is(']')) return fault(translated(texts::json_faults::comma_before_bracket));
       if (!value()) return false;
     } while (taken(','));
-    return taken(']') || missing("',' or ']'", "',' или ']'");
+    return taken(']') || missing(texts::json_faults::comma_or_bracket);
   }
 
   bool word() {
@@ -127,13 +122,9 @@ class JsonScan {
     constexpr std::size_t longest = 40;
     const std::string word(text_.substr(begin, std::min(at_ - begin, longest)));
     if (word == "true" || word == "false" || word == "null") return true;
-    if (word == "NaN" || word == "nan" || word == "Infinity" || word == "inf") return no_number(begin, word);
-    return fault_at(begin, "'" + word + "' is no value: a text stands in double quotes",
-                    "«" + word + "» — не значение: текст заключается в двойные кавычки");
-  }
-
-  bool no_number(std::size_t at, const std::string& word) {
-    return fault_at(at, "'" + word + "' is no number", "«" + word + "» — не число");
+    if (word == "NaN" || word == "nan" || word == "Infinity" || word == "inf")
+      return fault_at(begin, translated(texts::json_faults::no_number, word));
+    return fault_at(begin, translated(texts::json_faults::no_value, word));
   }
 
   bool digits() {
@@ -150,8 +141,7 @@ class JsonScan {
         ++at_;
       constexpr std::size_t longest = 40;
       const std::string written(text_.substr(begin, std::min(at_ - begin, longest)));
-      return fault_at(begin, "'" + written + "' is no number: write 12, -0.5 or 1e3",
-                      "«" + written + "» — не число: пишется 12, -0.5 или 1e3");
+      return fault_at(begin, translated(texts::json_faults::number_form, written));
     };
     if (text_[at_] == '-') ++at_;
     const std::size_t first = at_;
@@ -169,7 +159,7 @@ class JsonScan {
     if (read.ec == std::errc() || tiny) return true;
     constexpr std::size_t longest = 40;
     const std::string written(text_.substr(begin, std::min(at_ - begin, longest)));
-    return fault_at(begin, written + " is too great for a number", written + ": слишком большое число");
+    return fault_at(begin, translated(texts::json_faults::number_too_great, written));
   }
 
   /// Returns the characters of a string, with escapes decoded.
@@ -183,7 +173,7 @@ class JsonScan {
         return content;
       }
       if (static_cast<unsigned char>(c) < ' ') {
-        fault("a line end or control character within a text: \\n, \\t", "конец строки или управляющий знак внутри текста: \\n, \\t");
+        fault(translated(texts::json_faults::control_character_in_text));
         return std::nullopt;
       }
       if (c == '\\') {
@@ -192,13 +182,13 @@ class JsonScan {
       }
       const std::size_t size = first_character(text_.substr(at_)).size;
       if (size == 0) {
-        fault("bytes that are no UTF-8", "байты не в UTF-8");
+        fault(translated(texts::json_faults::no_utf_8));
         return std::nullopt;
       }
       content += text_.substr(at_, size);
       at_ += size;
     }
-    fault_at(begin, "a text without its closing quote", "у текста нет закрывающей кавычки");
+    fault_at(begin, translated(texts::json_faults::no_closing_quote));
     return std::nullopt;
   }
 
@@ -215,8 +205,7 @@ class JsonScan {
     const bool high = first >= 0xD800 && first < 0xDC00, low = first >= 0xDC00 && first < 0xE000;
     const int second = high ? unit() : 0;
     if (first < 0 || low || (high && (second < 0xDC00 || second >= 0xE000)))
-      return fault_at(begin, "an unknown \\ in a text; there are \\\" \\\\ \\/ \\b \\f \\n \\r \\t \\u0416",
-                      "неизвестное \\ в тексте; бывают \\\" \\\\ \\/ \\b \\f \\n \\r \\t \\u0416");
+      return fault_at(begin, translated(texts::json_faults::unknown_escape));
     append(high ? 0x10000U + (static_cast<unsigned>(first - 0xD800) << 10) + static_cast<unsigned>(second - 0xDC00)
                 : static_cast<unsigned>(first),
            content);

@@ -2,28 +2,30 @@
 // Permitted ranges of numbers in files: one range for each quantity, the same for set-ups, machine files and control files. A range
 // prevents a slip (a minus sign, 1e-300, NaN) from becoming a motion that never ends. The limits are far beyond any machine.
 
+#include <optional>
 #include <string>
+
+#include "texts/ranges.h"
 
 namespace kadr {
 
 struct NumberRange {
   double least, most;
-  const char* unit_en = "";
-  const char* unit_ru = "";
+  std::optional<PlainText> unit = std::nullopt;
 };
 
 namespace ranges {
-inline constexpr NumberRange position = {-1e7, 1e7, "mm or degrees", "мм или градусов"};  // 10 km, as for positions in a program
-inline constexpr NumberRange distance = {0, 1e7, "mm", "мм"};
-inline constexpr NumberRange diameter = {1e-6, 1e7, "mm", "мм"};
-inline constexpr NumberRange rate = {1e-3, 1e9, "mm/min or degrees/min", "мм/мин или град/мин"};  // a rapid rate is never zero
-inline constexpr NumberRange feed = {0, 1e9, "mm/min", "мм/мин"};
-inline constexpr NumberRange acceleration = {1e-3, 1e9, "mm/s² or degrees/s²", "мм/с² или град/с²"};
-inline constexpr NumberRange jerk = {1e-3, 1e12, "mm/s³ or degrees/s³", "мм/с³ или град/с³"};
-inline constexpr NumberRange seconds = {0, 86400, "s", "с"};  // up to a day
-inline constexpr NumberRange speed = {0, 1e6, "rev/min", "об/мин"};
-inline constexpr NumberRange singular = {0, 5, "degrees", "градусов"};  // permitted deviation of a direction (KinematicsSetup::singular)
-inline constexpr NumberRange percent = {0, 1000, "%", "%"};
+inline constexpr NumberRange position = {-1e7, 1e7, texts::ranges::mm_or_degrees};  // 10 km, as for positions in a program
+inline constexpr NumberRange distance = {0, 1e7, texts::ranges::mm};
+inline constexpr NumberRange diameter = {1e-6, 1e7, texts::ranges::mm};
+inline constexpr NumberRange rate = {1e-3, 1e9, texts::ranges::rate};  // a rapid rate is never zero
+inline constexpr NumberRange feed = {0, 1e9, texts::ranges::feed};
+inline constexpr NumberRange acceleration = {1e-3, 1e9, texts::ranges::acceleration};
+inline constexpr NumberRange jerk = {1e-3, 1e12, texts::ranges::jerk};
+inline constexpr NumberRange seconds = {0, 86400, texts::ranges::seconds};  // up to a day
+inline constexpr NumberRange speed = {0, 1e6, texts::ranges::speed};
+inline constexpr NumberRange singular = {0, 5, texts::ranges::degrees};  // permitted deviation of a direction (KinematicsSetup::singular)
+inline constexpr NumberRange percent = {0, 1000, texts::ranges::percent};
 inline constexpr NumberRange scale = {1e-9, 1e9};
 inline constexpr NumberRange any = {-1e300, 1e300};
 }  // namespace ranges

@@ -10,8 +10,8 @@
 #include <cerrno>
 #include <cstring>
 
-#include "config/language.h"
 #include "lang/text/text_spool.h"
+#include "texts/reading.h"
 
 namespace kadr {
 namespace {
@@ -28,19 +28,16 @@ struct Descriptor {
 
 std::string file_type_in_words(mode_t mode) {
   if (S_ISREG(mode)) return {};
-  if (S_ISDIR(mode)) return told("a directory", "каталог");
-  if (S_ISFIFO(mode)) return told("a pipe", "канал (FIFO)");
-  if (S_ISSOCK(mode)) return told("a socket", "сокет");
-  return told("a device", "устройство");
+  if (S_ISDIR(mode)) return translated(texts::reading::a_directory);
+  if (S_ISFIFO(mode)) return translated(texts::reading::a_pipe);
+  if (S_ISSOCK(mode)) return translated(texts::reading::a_socket);
+  return translated(texts::reading::a_device);
 }
 
-tl::unexpected<std::string> failed(const std::string& path, const std::string& en, const std::string& ru) {
-  return tl::unexpected(path + ": " + told(en, ru));
-}
+tl::unexpected<std::string> failed(const std::string& path, const std::string& why) { return tl::unexpected(path + ": " + why); }
 
 tl::unexpected<std::string> unreadable(const std::string& path, int error) {
-  const std::string why = errno_message(error);
-  return failed(path, "cannot be read: " + why, "не читается: " + why);
+  return failed(path, translated(texts::reading::cannot_be_read, errno_message(error)));
 }
 
 }  // namespace
@@ -52,30 +49,26 @@ std::string file_type_in_words(const std::string& path) {
 
 std::string errno_message(int error) {
   switch (error) {
-    case ENOENT: return told("there is no such file", "такого файла нет");
-    case ENOTDIR: return told("there is no such directory", "такого каталога нет");
+    case ENOENT: return translated(texts::reading::no_such_file);
+    case ENOTDIR: return translated(texts::reading::no_such_directory);
     case EACCES:
-    case EPERM: return told("permission denied", "нет прав доступа");
-    case ELOOP: return told("its links go in a circle", "ссылки замкнуты в кольцо");
-    case ENAMETOOLONG: return told("the name is too long", "слишком длинное имя");
-    case EIO: return told("the disk fails", "ошибка диска");
-    case EISDIR: return told("it is a directory", "это каталог");
-    case EFBIG: return told("it is too large", "слишком велик");
-    case ENOSPC: return told("the disk is full", "на диске нет места");
-    case EROFS: return told("the file system is read-only", "файловая система только для чтения");
-    case EPIPE: return told("its reader has gone", "читающая программа завершилась");
-    case EEXIST: return told("it is there already", "такой файл уже есть");
-    case EMSGSIZE: {
-      const std::string pipe = std::to_string(limits::piped_bytes >> 20), device = std::to_string(limits::device_bytes >> 20);
-      return told("it gives too much: a pipe may give " + pipe + " MiB, a device " + device + " MiB; put it into a file",
-                  "слишком много: канал может дать " + pipe + " МиБ, устройство " + device + " МиБ; сохраните в файл");
-    }
-    case EBADF: return told("it is not open", "не открыт");
+    case EPERM: return translated(texts::reading::permission_denied);
+    case ELOOP: return translated(texts::reading::links_in_a_circle);
+    case ENAMETOOLONG: return translated(texts::reading::name_too_long);
+    case EIO: return translated(texts::reading::disk_fails);
+    case EISDIR: return translated(texts::reading::is_a_directory);
+    case EFBIG: return translated(texts::reading::too_large);
+    case ENOSPC: return translated(texts::reading::disk_full);
+    case EROFS: return translated(texts::reading::read_only_file_system);
+    case EPIPE: return translated(texts::reading::reader_gone);
+    case EEXIST: return translated(texts::reading::there_already);
+    case EMSGSIZE: return translated(texts::reading::gives_too_much, limits::piped_bytes >> 20, limits::device_bytes >> 20);
+    case EBADF: return translated(texts::reading::not_open);
     case EMFILE:
-    case ENFILE: return told("too many files are open", "открыто слишком много файлов");
-    case ENOMEM: return told("out of memory", "не хватает памяти");
-    case ENXIO: return told("nobody is at its other end", "с другой стороны никого нет");
-    default: return told(std::strerror(error), "ошибка системы " + std::to_string(error));
+    case ENFILE: return translated(texts::reading::too_many_open_files);
+    case ENOMEM: return translated(texts::reading::out_of_memory);
+    case ENXIO: return translated(texts::reading::nobody_at_other_end);
+    default: return thread_language() == Lang::en ? std::strerror(error) : translated(texts::reading::system_error, error);
   }
 }
 
@@ -87,16 +80,12 @@ tl::expected<std::string, std::string> read_file(const std::string& path, std::s
   if (file.number < 0 || ::fstat(file.number, &there) != 0) {
     const int error = errno;
     if (const std::string kind = door == nullptr ? file_type_in_words(path) : std::string(); !kind.empty())
-      return failed(path, "is " + kind + ", not a file", "это " + kind + ", а не файл");
+      return failed(path, translated(texts::reading::is_not_a_file, kind));
     return unreadable(path, error);
   }
   if (const std::string kind = file_type_in_words(there.st_mode); !kind.empty())
-    return failed(path, "is " + kind + ", not a file", "это " + kind + ", а не файл");
-  const std::string mebibytes = std::to_string(most >> 20);
-  const auto too_long = [&] {
-    return failed(path, "is longer than " + mebibytes + " MiB, the most that such a file may have",
-                  "длиннее " + mebibytes + " МиБ, больше для таких файлов не допускается");
-  };
+    return failed(path, translated(texts::reading::is_not_a_file, kind));
+  const auto too_long = [&] { return failed(path, translated(texts::reading::too_long, most >> 20)); };
   if (static_cast<std::uintmax_t>(there.st_size) > most) return too_long();
   std::string text;
   text.reserve(static_cast<std::size_t>(there.st_size));
@@ -112,17 +101,15 @@ tl::expected<std::string, std::string> read_file(const std::string& path, std::s
 }
 
 std::string no_text_message(std::string_view text, const std::string& file) {
-  if (text.starts_with("\xFF\xFE") || text.starts_with("\xFE\xFF"))
-    return location_prefix(file, 1, 1) + told("the file is UTF-16; save it as UTF-8", "файл в кодировке UTF-16, сохраните его в UTF-8");
+  if (text.starts_with("\xFF\xFE") || text.starts_with("\xFE\xFF")) return location_prefix(file, 1, 1) + translated(texts::reading::utf_16);
   const std::size_t nul = text.find('\0');
   if (nul == std::string_view::npos) return {};
-  return location_prefix(file, text, nul) + told("a NUL byte: this is no text", "нулевой байт: это не текст");
+  return location_prefix(file, text, nul) + translated(texts::reading::nul_byte);
 }
 
 std::string location_prefix(const std::string& file, std::size_t line, std::size_t column) {
-  const std::string l = std::to_string(line), c = std::to_string(column);
-  if (file.empty()) return told("line " + l + ", column " + c + ": ", "строка " + l + ", позиция " + c + ": ");
-  return file + ":" + l + ":" + c + ": ";
+  if (file.empty()) return translated(texts::reading::position, line, column);
+  return file + ":" + std::to_string(line) + ":" + std::to_string(column) + ": ";
 }
 
 std::string location_prefix(const std::string& file, std::string_view text, std::size_t at) {

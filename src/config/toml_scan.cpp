@@ -4,8 +4,8 @@
 
 #include <algorithm>
 
-#include "config/language.h"
 #include "config/read_file.h"
+#include "texts/toml_faults.h"
 
 namespace kadr {
 namespace {
@@ -44,23 +44,17 @@ class TomlScan {
       parts_ = 1;
       if (at_ + 1 < text_.size() && text_[at_ + 1] == '[') ++at_, ++depth_;
     }
-    if (++depth_ > limits::toml_depth)
-      fault(told("more than " + std::to_string(limits::toml_depth) + " brackets in brackets",
-                 "скобки вложены более чем на " + count_in_russian(limits::toml_depth, "уровень", "уровня", "уровней")));
+    if (++depth_ > limits::toml_depth) fault(counted(texts::toml_faults::too_deep, limits::toml_depth));
   }
 
   /// Counts one part of a dotted key. Decimal points in numbers are counted as well, which does no harm.
   void part() {
     value();
-    if (++parts_ > limits::toml_key_parts)
-      fault(told("a key of more than " + std::to_string(limits::toml_key_parts) + " parts",
-                 "ключ более чем из " + std::to_string(limits::toml_key_parts) + " частей"));
+    if (++parts_ > limits::toml_key_parts) fault(translated(texts::toml_faults::too_many_key_parts, limits::toml_key_parts));
   }
 
   void value() {
-    if (++values_ > limits::toml_values)
-      fault(told("more than " + std::to_string(limits::toml_values) + " values",
-                 "более " + std::to_string(limits::toml_values) + " значений"));
+    if (++values_ > limits::toml_values) fault(translated(texts::toml_faults::too_many_values, limits::toml_values));
   }
 
   /// Skips a string, also one of several lines. A single-line string that does not end in its line is left to the parser to reject.

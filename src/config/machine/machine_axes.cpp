@@ -5,8 +5,8 @@
 
 #include <algorithm>
 
-#include "config/language.h"
 #include "lang/block/block.h"
+#include "texts/machine_file.h"
 
 namespace kadr {
 namespace {
@@ -90,7 +90,7 @@ class Fitter {
       if (row.text == name) return row.address;
     const auto next = static_cast<std::size_t>(first_name - 'A') + def_.grammar.names.size();
     if (next >= max_addresses) {
-      error_ = told("too many names: ", "слишком много имён: ") + name;
+      error_ = translated(texts::machine_file::too_many_names, name);
       return 'X';
     }
     const char code = static_cast<char>('A' + static_cast<int>(next));
@@ -101,7 +101,7 @@ class Fitter {
 
   void axes() {
     if (!setup_.axes.empty()) def_.axes = setup_.axes;
-    if (def_.axes.size() > max_axes) error_ = told("axes: at most ", "axes: осей не более ") + std::to_string(max_axes);
+    if (def_.axes.size() > max_axes) error_ = translated(texts::machine_file::too_many_axes, max_axes);
     def_.axes.resize(std::min(def_.axes.size(), max_axes));
     std::size_t number = 1;
     for (const auto& [channel, other] : setup_.channels)
@@ -117,13 +117,12 @@ class Fitter {
 
   void axis(std::size_t a, const std::string& name) {
     if (name.empty() || axis_letters.find(name[0]) == std::string_view::npos || name.size() > 3) {
-      error_ = told("axes: '" + name + "' is no name of an axis: one of X Y Z U V W A B C and at most two characters more",
-                    "axes: «" + name + "» — не имя оси: это одна из букв X Y Z U V W A B C и ещё до двух знаков");
+      error_ = translated(texts::machine_file::no_axis_name, name);
       return;
     }
     const char code = address_of(name);
     AddressRow& row = address(code);
-    if (row.function == Function::axis) error_ = "axes: " + name + told(" twice", " указана дважды");
+    if (row.function == Function::axis) error_ = translated(texts::machine_file::axis_given_twice, name);
     row.letter = code;
     row.function = Function::axis;
     row.axis = static_cast<std::uint8_t>(a);
@@ -187,7 +186,7 @@ class Fitter {
   void spindle_address(const std::string& name, int number, Function function, Phase phase) {
     const char code = address_of(name);
     AddressRow& row = address(code);
-    if (row.function == Function::axis) error_ = told("spindle: " + name + " is an axis", "spindle: " + name + " — ось");
+    if (row.function == Function::axis) error_ = translated(texts::machine_file::spindle_is_axis, name);
     row.letter = code;
     row.function = function;
     row.phase = phase;

@@ -2,14 +2,17 @@
 
 #include "config/machine/machine_bodies_file.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <filesystem>
 #include <optional>
 
-#include "config/language.h"
 #include "config/nearest.h"
 #include "config/range.h"
 #include "config/tools/toml_tools.h"
+#include "texts/machine_bodies.h"
+#include "texts/machine_file.h"
 
 namespace kadr {
 namespace {
@@ -39,10 +42,7 @@ std::optional<std::vector<double>> numbers_of_list(const toml::node& node, std::
 Done box_of_body(const std::string& file, const toml::node& node, BodyShape& shape) {
   const auto n = numbers_of_list(node, 6);
   if (!n || !((*n)[0] < (*n)[3] && (*n)[1] < (*n)[4] && (*n)[2] < (*n)[5]))
-    return Failed(place(file, node) +
-                  told("box must be [X0, Y0, Z0, X1, Y1, Z1], the first corner below the second in each axis, each ",
-                       "box: [X0, Y0, Z0, X1, Y1, Z1], первый угол по каждой оси меньше второго, каждое ") +
-                  told(ranges::position));
+    return Failed(place(file, node) + translated(texts::machine_bodies::box_form, told(ranges::position)));
   shape.form = BodyShape::Form::box;
   shape.least = {(*n)[0], (*n)[1], (*n)[2]};
   shape.most = {(*n)[3], (*n)[4], (*n)[5]};
@@ -52,10 +52,7 @@ Done box_of_body(const std::string& file, const toml::node& node, BodyShape& sha
 Done cylinder_of_body(const std::string& file, const toml::node& node, BodyShape& shape) {
   const auto n = numbers_of_list(node, 5);
   if (!n || !((*n)[2] < (*n)[3] && (*n)[4] > 0))
-    return Failed(place(file, node) +
-                  told("cylinder must be [X, Y, Z0, Z1, D]: its axis, its bottom, its top above that, its diameter above 0, each ",
-                       "cylinder: [X, Y, Z0, Z1, D], ось, низ, верх выше низа, диаметр больше 0, каждое ") +
-                  told(ranges::position));
+    return Failed(place(file, node) + translated(texts::machine_bodies::cylinder_form, told(ranges::position)));
   shape.form = BodyShape::Form::cylinder;
   shape.centre = {(*n)[0], (*n)[1]};
   shape.bottom = (*n)[2], shape.top = (*n)[3], shape.diameter = (*n)[4];
@@ -66,8 +63,7 @@ Done cylinder_of_body(const std::string& file, const toml::node& node, BodyShape
 Done file_of_body(const std::string& file, const toml::node& node, BodyShape& shape) {
   const std::string name = node.value_or(std::string());
   const std::string small = in_small_letters(name);
-  if (!small.ends_with(".stl") && !small.ends_with(".3mf"))
-    return Failed(place(file, node) + told("file must be the name of a file .stl or .3mf", "file: имя файла .stl или .3mf"));
+  if (!small.ends_with(".stl") && !small.ends_with(".3mf")) return Failed(place(file, node) + translated(texts::machine_bodies::file_form));
   shape.form = BodyShape::Form::file;
   const std::filesystem::path path(name);
   shape.file = path.is_absolute() ? name : (std::filesystem::path(file).parent_path() / path).string();
@@ -76,9 +72,7 @@ Done file_of_body(const std::string& file, const toml::node& node, BodyShape& sh
 
 Done shape_of_body(const std::string& file, const toml::table& row, BodyShape& shape) {
   const auto forms = std::count_if(std::begin(body_forms), std::end(body_forms), [&](std::string_view key) { return row.contains(key); });
-  if (forms != 1)
-    return Failed(place(file, row) + told("a body is one of box = […], cylinder = […], file = \"….stl\"",
-                                          "тело задаётся одним из: box = […], cylinder = […], file = \"….stl\""));
+  if (forms != 1) return Failed(place(file, row) + translated(texts::machine_bodies::one_form));
   if (const toml::node* const box = row.get("box")) return box_of_body(file, *box, shape);
   if (const toml::node* const cylinder = row.get("cylinder")) return cylinder_of_body(file, *cylinder, shape);
   return file_of_body(file, *row.get("file"), shape);
@@ -98,25 +92,19 @@ Done carrier_of(const std::string& file, const toml::table& row, const MachinePr
   const std::vector<std::string> known = carriers_of(profile);
   on = word;
   if (std::find(known.begin(), known.end(), word) != known.end()) return {};
-  std::string list;
-  for (const std::string& axis : known) list += ", " + axis;
-  return Failed(place(file, row, "on") +
-                told("'on' must be \"bed\" or an axis that carries the tool or the part: bed",
-                     "on: \"bed\" или ось, несущая инструмент или деталь: bed") +
-                list);
+  return Failed(place(file, row, "on") + translated(texts::machine_bodies::carrier_form, fmt::format("{}", fmt::join(known, ", "))));
 }
 
 tl::expected<MachineBody, std::string> body_of_row(const std::string& file, const toml::node& node, const MachineProfile& profile) {
   const toml::table* const row = node.as_table();
-  if (row == nullptr) return Failed(place(file, node) + told("a body is a table: [[bodies]]", "тело задаётся таблицей: [[bodies]]"));
+  if (row == nullptr) return Failed(place(file, node) + translated(texts::machine_bodies::body_form));
   for (const auto& [key, value] : *row)
     if (std::find(std::begin(body_keys), std::end(body_keys), key.str()) == std::end(body_keys))
-      return Failed(place(file, value) +
-                    told("unknown key '" + std::string(key.str()) + "'", "неизвестный ключ «" + std::string(key.str()) + "»"));
+      return Failed(place(file, value) + translated(texts::machine_file::unknown_key, key.str()));
   MachineBody body;
   body.name = (*row)["name"].value_or(std::string());
   if (body.name.empty() || body.name.size() > longest_name)
-    return Failed(place(file, *row, "name") + told("a body needs a name, 1 to 100 bytes", "телу нужно имя (name), от 1 до 100 байтов"));
+    return Failed(place(file, *row, "name") + translated(texts::machine_bodies::name_form));
   if (auto done = carrier_of(file, *row, profile, body.on); !done) return Failed(done.error());
   if (auto done = shape_of_body(file, *row, body.shape); !done) return Failed(done.error());
   return body;
@@ -128,8 +116,8 @@ tl::expected<void, std::string> bodies_of(const std::string& file, const toml::t
   const toml::node* const node = table.get("bodies");
   if (node == nullptr) return {};
   const toml::array* const list = node->as_array();
-  if (list == nullptr) return Failed(place(file, *node) + told("bodies are tables: [[bodies]]", "тела задаются таблицами: [[bodies]]"));
-  if (list->size() > max_bodies) return Failed(place(file, *node) + told("more than 256 bodies", "больше 256 тел"));
+  if (list == nullptr) return Failed(place(file, *node) + translated(texts::machine_bodies::bodies_form));
+  if (list->size() > max_bodies) return Failed(place(file, *node) + translated(texts::machine_bodies::too_many));
   for (const toml::node& item : *list) {
     auto body = body_of_row(file, item, profile);
     if (!body) return Failed(body.error());

@@ -7,11 +7,11 @@
 #include <tuple>
 
 #include "config/embedded.h"
-#include "config/language.h"
 #include "config/machine/machine_bodies_file.h"
 #include "config/nearest.h"
 #include "config/read_file.h"
 #include "config/tools/toml_tools.h"
+#include "texts/machine_file.h"
 
 namespace kadr {
 namespace {
@@ -26,8 +26,7 @@ constexpr std::string_view ending = ".toml";
 Done known_keys(const std::string& file, const toml::table& table, std::initializer_list<std::string_view> known) {
   for (const auto& [key, node] : table)
     if (std::find(known.begin(), known.end(), key.str()) == known.end())
-      return Failed(place(file, node) +
-                    told("unknown key '" + std::string(key.str()) + "'", "неизвестный ключ «" + std::string(key.str()) + "»"));
+      return Failed(place(file, node) + translated(texts::machine_file::unknown_key, key.str()));
   return {};
 }
 
@@ -38,9 +37,7 @@ Done mode_of(const std::string& file, const toml::table& table, PlannerMode& to)
   const auto word = node->value<std::string_view>();
   if (word == "control") to = PlannerMode::control;
   else if (word == "optimal") to = PlannerMode::optimal;
-  else
-    return Failed(place(file, *node) +
-                  told("'planner' must be \"control\" or \"optimal\"", "planner: должно быть \"control\" или \"optimal\""));
+  else return Failed(place(file, *node) + translated(texts::machine_file::planner_form));
   return {};
 }
 
@@ -56,9 +53,7 @@ Done vector_of(const std::string& file, const toml::table& row, std::string_view
     fits = part && is_within(*part, ranges::position);
     if (fits) parts[i] = *part;
   }
-  if (!fits)
-    return Failed(place(file, *node) + std::string(key) +
-                  told(" must be three numbers, along X, Y and Z, each ", ": три числа, вдоль X, Y и Z, каждое ") + told(ranges::position));
+  if (!fits) return Failed(place(file, *node) + translated(texts::machine_file::three_numbers, key, told(ranges::position)));
   to = {parts[0], parts[1], parts[2]};
   return {};
 }
@@ -67,8 +62,7 @@ Done vector_of(const std::string& file, const toml::table& row, std::string_view
 Done direction_of(const std::string& file, const toml::table& row, std::string_view key, Vec3& to) {
   if (auto done = vector_of(file, row, key, to); !done) return done;
   const double l = length(to);
-  if (row.contains(key) && !(l > 0))
-    return Failed(place(file, row, key) + std::string(key) + told(" must not be [0, 0, 0]", ": не может быть [0, 0, 0]"));
+  if (row.contains(key) && !(l > 0)) return Failed(place(file, row, key) + translated(texts::machine_file::no_direction, key));
   if (l > 0) to = 1 / l * to;
   return {};
 }
@@ -76,7 +70,7 @@ Done direction_of(const std::string& file, const toml::table& row, std::string_v
 Done flag_of(const std::string& file, const toml::table& row, std::string_view key, bool& to) {
   const toml::node* const node = row.get(key);
   if (node == nullptr) return {};
-  if (!node->is_boolean()) return Failed(place(file, *node) + std::string(key) + told(" must be true or false", ": true или false"));
+  if (!node->is_boolean()) return Failed(place(file, *node) + translated(texts::machine_file::true_or_false, key));
   to = *node->value<bool>();
   return {};
 }
@@ -86,9 +80,7 @@ Done joint_of(const std::string& file, const std::string& name, const toml::tabl
   constexpr std::string_view letters = "XYZUVWABC";
   const auto letter = name.empty() ? std::string_view::npos : letters.find(name[0]);
   const bool moves = row.contains("along"), turns = row.contains("turns");
-  if (moves && turns)
-    return Failed(place(file, row, "along") +
-                  told("axis " + name + " has 'along' and 'turns': one of them", "ось " + name + ": и along, и turns; нужно одно"));
+  if (moves && turns) return Failed(place(file, row, "along") + translated(texts::machine_file::along_and_turns, name));
   joint.turns = turns || (!moves && letter != std::string_view::npos && letter >= 6);
   if (letter != std::string_view::npos) {
     const auto main = letter % 3;
@@ -96,14 +88,12 @@ Done joint_of(const std::string& file, const std::string& name, const toml::tabl
   }
   if (auto done = direction_of(file, row, turns ? "turns" : "along", joint.direction); !done) return done;
   for (const char* const key : {"through", "roll_over"})
-    if (!joint.turns && row.contains(key))
-      return Failed(place(file, row, key) +
-                    told("'" + std::string(key) + "' belongs to a rotary axis", std::string(key) + ": только для поворотной оси"));
+    if (!joint.turns && row.contains(key)) return Failed(place(file, row, key) + translated(texts::machine_file::only_rotary, key));
   if (auto done = vector_of(file, row, "through", joint.through); !done) return done;
   if (auto done = flag_of(file, row, "reversed", joint.reversed); !done) return done;
   if (auto done = flag_of(file, row, "roll_over", joint.rolls_over); !done) return done;
   if (joint.rolls_over && row.contains("limits"))
-    return Failed(place(file, row, "limits") + told("an axis that rolls over has no limits", "у оси с roll_over пределов нет"));
+    return Failed(place(file, row, "limits") + translated(texts::machine_file::limits_of_rolling_axis));
   return {};
 }
 
@@ -113,16 +103,14 @@ Done chain_of(const std::string& file, const toml::table& table, std::string_vie
   const toml::node* const node = table.get(key);
   if (node == nullptr) return {};
   const toml::array* const list = node->as_array();
-  const auto wrong = [&](const std::string& en, const std::string& ru) { return Failed(place(file, *node) + told(en, ru)); };
-  if (list == nullptr) return wrong(std::string(key) + " must be a list of axes", std::string(key) + ": список осей");
+  const auto wrong = [&](const std::string& what) { return Failed(place(file, *node) + what); };
+  if (list == nullptr) return wrong(translated(texts::machine_file::list_of_axes, key));
   for (const toml::node& item : *list) {
     const std::string name = item.value_or(std::string());
     const auto axis = profile.axes.find(name);
-    if (axis == profile.axes.end()) return wrong("[axes] has no axis '" + name + "'", "в [axes] нет оси «" + name + "»");
-    if (!(length(axis->second.joint.direction) > 0))
-      return wrong("axis " + name + ": say 'along' or 'turns'", "ось " + name + ": нужно along или turns");
-    if (std::find(seen.begin(), seen.end(), name) != seen.end())
-      return wrong("axis " + name + " stands twice in [kinematics]", "ось " + name + " дважды в [kinematics]");
+    if (axis == profile.axes.end()) return wrong(translated(texts::machine_file::no_such_axis, name));
+    if (!(length(axis->second.joint.direction) > 0)) return wrong(translated(texts::machine_file::along_or_turns, name));
+    if (std::find(seen.begin(), seen.end(), name) != seen.end()) return wrong(translated(texts::machine_file::axis_twice, name));
     seen.push_back(name);
     to.push_back(name);
   }
@@ -133,9 +121,7 @@ Done kinematics_of(const std::string& file, const toml::table& table, MachinePro
   const toml::node* const node = table.get("kinematics");
   if (node == nullptr) return {};
   const toml::table* const row = node->as_table();
-  if (row == nullptr)
-    return Failed(place(file, *node) +
-                  told("[kinematics] must be a table: tool = […], part = […]", "[kinematics] — таблица: tool = […], part = […]"));
+  if (row == nullptr) return Failed(place(file, *node) + translated(texts::machine_file::kinematics_form));
   if (auto done = known_keys(file, *row, {"tool", "part", "tool_direction"}); !done) return done;
   std::vector<std::string> seen;
   if (auto done = chain_of(file, *row, "tool", profile, profile.chains.tool, seen); !done) return done;
@@ -145,9 +131,7 @@ Done kinematics_of(const std::string& file, const toml::table& table, MachinePro
 
 tl::expected<AxisProfile, std::string> axis_of(const std::string& file, const std::string& name, const toml::node& node) {
   const toml::table* const row = node.as_table();
-  if (row == nullptr)
-    return Failed(place(file, node) + told("axis " + name + " must be a table: { rapid = …, limits = [least, most] }",
-                                           "ось " + name + " задаётся таблицей: { rapid = …, limits = [меньшее, большее] }"));
+  if (row == nullptr) return Failed(place(file, node) + translated(texts::machine_file::axis_form, name));
   AxisProfile axis;
   if (auto done = known_keys(file, *row, {"rapid", "limits", "acceleration", "jerk", "along", "turns", "through", "reversed", "roll_over"});
       !done)
@@ -169,11 +153,14 @@ tl::expected<MachineProfile, std::string> profile_of(const std::string& file, co
       !done)
     return Failed(done.error());
   profile.id = table["id"].value_or(std::string());
-  if (profile.id.empty()) return Failed(file + ": " + told("id is missing", "нет ключа id"));
+  if (profile.id.empty()) return Failed(file + ": " + translated(texts::machine_file::id_missing));
   if (const toml::table* const name = table["name"].as_table()) {
     const Text text = toml_tools::text_of(*name);
     profile.name_en = text.en;
     profile.name_ru = text.ru;
+  } else {
+    profile.name_en = translated_in(Lang::en, texts::machine_file::generic_mill);
+    profile.name_ru = translated_in(Lang::ru, texts::machine_file::generic_mill);
   }
   const std::tuple<const char*, const NumberRange&, double&> numbers[] = {{"tool_change", ranges::seconds, profile.tool_change_s},
                                                                           {"spindle_start", ranges::seconds, profile.spindle_start_s},
@@ -183,7 +170,7 @@ tl::expected<MachineProfile, std::string> profile_of(const std::string& file, co
     if (auto done = toml_tools::number(file, table, key, range, to); !done) return Failed(done.error());
   if (auto done = mode_of(file, table, profile.planner); !done) return Failed(done.error());
   const toml::table* const axes = table["axes"].as_table();
-  if (axes == nullptr) return Failed(file + ": " + told("[axes] is missing", "нет таблицы [axes]"));
+  if (axes == nullptr) return Failed(file + ": " + translated(texts::machine_file::axes_missing));
   for (const auto& [name, node] : *axes) {
     auto axis = axis_of(file, std::string(name.str()), node);
     if (!axis) return Failed(axis.error());
@@ -211,9 +198,7 @@ tl::expected<MachineProfile, std::string> load_machine(const std::string& name, 
   if (const auto text = toml_tools::embedded_text(file)) return parse(*text, file);
   std::string known;
   for (const std::string& id : built_in_machines()) known += (known.empty() ? "" : ", ") + id;
-  return Failed(told("no machine '" + name + "'; there are: " + known + ", or a file of your own (NAME.toml)",
-                     "станка «" + name + "» нет; есть: " + known + " или свой файл (ИМЯ.toml)") +
-                did_you_mean(name, built_in_machines()));
+  return Failed(translated(texts::machine_file::no_machine, name, known) + did_you_mean(name, built_in_machines()));
 }
 
 std::vector<std::string> built_in_machines() {

@@ -47,8 +47,7 @@ enum class PlannerMode : std::uint8_t { programmed, control, optimal };
 
 struct MachineProfile {
   std::string id = "generic";
-  std::string name_en = "generic three-axis mill";
-  std::string name_ru = "обобщённый фрезерный станок";
+  std::string name_en, name_ru;
   std::map<std::string, AxisProfile> axes;  // by axis name; axes that are not listed have AxisProfile{}
   AxisChains chains;
   std::vector<MachineBody> bodies;

@@ -5,8 +5,8 @@
 #include <cstdlib>
 #include <filesystem>
 
-#include "config/language.h"
 #include "config/read_file.h"
+#include "texts/state_file.h"
 
 namespace kadr::state {
 namespace {
@@ -67,46 +67,38 @@ std::optional<std::string> Base::answer(const char* question) const {
 
 int Base::version() const { return std::atoi(answer("PRAGMA user_version").value_or("0").c_str()); }
 
-tl::unexpected<std::string> Base::error(const std::string& en, const std::string& ru) const {
-  return tl::unexpected(name_ + " " + told(en, ru));
-}
-
 tl::unexpected<std::string> Base::failed(int code) const {
   const int system_error = sqlite3_system_errno(connection_);
-  const std::string why = system_error == 0 ? "" : ": " + errno_message(system_error);
   const std::string sqlite = sqlite3_errstr(code & 0xFF);
   switch (code & 0xFF) {
     case SQLITE_BUSY:
-    case SQLITE_LOCKED: return error("is in use by another process", "занят другим процессом");
+    case SQLITE_LOCKED: return error(texts::state_file::in_use);
     case SQLITE_NOTADB: return tl::unexpected(no_state_file_message(name_));
     case SQLITE_READONLY:
-    case SQLITE_PERM: return error("cannot be written: it is read-only", "не записывается: открыт только для чтения");
-    case SQLITE_CANTOPEN: return error("cannot be opened" + why, "не открывается" + why);
-    case SQLITE_FULL: return error("cannot be written: the disk is full", "не записывается: диск полон");
-    case SQLITE_IOERR: return error("cannot be read or written: " + sqlite, "не читается или не записывается: " + sqlite);
+    case SQLITE_PERM: return error(texts::state_file::read_only);
+    case SQLITE_CANTOPEN:
+      if (system_error == 0) return error(texts::state_file::cannot_be_opened);
+      return error(texts::state_file::cannot_be_opened_why, errno_message(system_error));
+    case SQLITE_FULL: return error(texts::state_file::disk_full);
+    case SQLITE_IOERR: return error(texts::state_file::cannot_be_read_or_written, sqlite);
     case SQLITE_CORRUPT:
     case SQLITE_ERROR:
     case SQLITE_CONSTRAINT:
-    case SQLITE_MISMATCH: return error("is damaged", "повреждён");
-    default: return error("cannot be used: " + sqlite, "непригоден: " + sqlite);
+    case SQLITE_MISMATCH: return error(texts::state_file::is_damaged);
+    default: return error(texts::state_file::cannot_be_used, sqlite);
   }
 }
 
-std::string no_state_file_message(const std::string& name) {
-  return name + " " + told("is no state file of Kadr", "не является файлом состояния Kadr");
-}
+std::string no_state_file_message(const std::string& name) { return translated(texts::state_file::no_state_file, name); }
 
 Done vetted(const std::string& path) {
-  const auto error = [&](const std::string& en, const std::string& ru) { return tl::unexpected(path + " " + told(en, ru)); };
-  if (path.empty()) return tl::unexpected(told("the state file has no name", "не задано имя файла состояния"));
+  if (path.empty()) return tl::unexpected(translated(texts::state_file::no_name));
   if (const std::string kind = file_type_in_words(path); !kind.empty())
-    return error("is " + kind + ", not a file", "— это " + kind + ", а не файл");
+    return tl::unexpected(translated(texts::state_file::is_not_a_file, path, kind));
   std::error_code none;  // reads attributes only and does not open the file: closing it would release the locks of this process
   const std::uintmax_t size = fs::file_size(path, none);
-  if (!none && size == 0)
-    return error("is empty: no state file of Kadr. A new one is made where there is none: remove it, if nobody else needs it",
-                 "пуст: это не файл состояния Kadr. Новый создаётся там, где файла нет: удалите этот, если он никому не нужен");
-  if (!none && size > max_bytes) return error("is too long for a state", "слишком длинный для файла состояния");
+  if (!none && size == 0) return tl::unexpected(translated(texts::state_file::is_empty, path));
+  if (!none && size > max_bytes) return tl::unexpected(translated(texts::state_file::too_long, path));
   return {};
 }
 

@@ -10,6 +10,8 @@
 #include <string_view>
 #include <tl/expected.hpp>
 
+#include "config/texts.h"
+
 namespace kadr::state {
 
 using Done = tl::expected<void, std::string>;
@@ -66,7 +68,11 @@ class Base {
   bool in_transaction() const { return sqlite3_get_autocommit(connection_) == 0; }
   int version() const;  // major and minor version as one number
 
-  tl::unexpected<std::string> error(const std::string& en, const std::string& ru) const;
+  /// Returns a text whose first placeholder is the file's name.
+  template <std::size_t Holes, typename... Args>
+  tl::unexpected<std::string> error(TextId<Holes> text, const Args&... args) const {
+    return tl::unexpected(translated(text, name_, args...));
+  }
   /// Returns the sentence for a result code of SQLite.
   tl::unexpected<std::string> failed(int code) const;
 

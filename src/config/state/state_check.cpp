@@ -10,9 +10,9 @@
 #include <filesystem>
 #include <fstream>
 
-#include "config/language.h"
 #include "config/state/state_content.h"
 #include "config/state_new.h"
+#include "texts/state_file.h"
 
 namespace kadr {
 
@@ -61,9 +61,7 @@ bool in_use(const std::string& path) {
 
 /// Copies the file and its log.
 tl::expected<std::string, std::string> copied(const std::string& path, const Folder& folder) {
-  const auto failed = [&] {
-    return tl::unexpected(path + " " + told("cannot be copied to look at it", "не удалось скопировать для проверки"));
-  };
+  const auto failed = [&] { return tl::unexpected(translated(texts::state_file::cannot_be_copied, path)); };
   if (folder.path().empty()) return failed();
   const std::string copy = folder.path() / "copy";
   std::error_code error;
@@ -110,16 +108,16 @@ tl::expected<Content, std::string> best_content(const std::string& path) {
   if (content && (content->faults.empty() || !content->rows.empty())) return content;
   auto mended = lay_new_head(*copy, folder) ? content_of(*copy, path) : content;
   if (!mended || mended->rows.empty()) return content;
-  const std::string fault = content ? content->faults[0] : told("its first page is damaged", "повреждена первая страница файла");
+  const std::string fault = content ? content->faults[0] : translated(texts::state_file::first_page_damaged);
   mended->faults.insert(mended->faults.begin(), fault);
   return mended;
 }
 
 Done may_look(const std::string& path) {
   std::error_code none;
-  if (!fs::exists(path, none)) return tl::unexpected(path + ": " + told("there is no such file", "такого файла нет"));
+  if (!fs::exists(path, none)) return tl::unexpected(translated(texts::state_file::no_such_file, path));
   if (auto done = vetted(path); !done) return done;
-  if (in_use(path)) return tl::unexpected(path + " " + told("is in use by another process", "занят другим процессом"));
+  if (in_use(path)) return tl::unexpected(translated(texts::state_file::in_use, path));
   return {};
 }
 
@@ -141,12 +139,9 @@ tl::expected<StateReport, std::string> recover_state(const std::string& path, co
   if (auto done = may_look(path); !done) return tl::unexpected(done.error());
   auto content = best_content(path);
   if (!content) return tl::unexpected(content.error());
-  if (content->rows.empty() && !content->faults.empty())
-    return tl::unexpected(path + " " + told("holds nothing that can still be read", "не содержит ничего, что удалось бы прочитать"));
+  if (content->rows.empty() && !content->faults.empty()) return tl::unexpected(translated(texts::state_file::nothing_readable, path));
   const std::string whose = control.empty() ? content->control : control;
-  if (whose.empty())
-    return tl::unexpected(path + " " +
-                          told("no longer says of which control it is: --control ID", "уже не говорит, какой это системы: --control ID"));
+  if (whose.empty()) return tl::unexpected(translated(texts::state_file::no_control, path));
   if (auto made = make_state(to, whose, content->rows); !made) return tl::unexpected(made.error());
   content->control = whose;
   return report_of(*content);

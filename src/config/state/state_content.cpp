@@ -9,7 +9,8 @@
 #include <cstdlib>
 #include <tuple>
 
-#include "config/language.h"
+#include "texts/state_content.h"
+#include "texts/state_file.h"
 
 namespace kadr::state {
 namespace {
@@ -57,8 +58,8 @@ class Reader {
   }
 
  private:
-  void fault(std::string en, std::string ru) {
-    if (content_.faults.size() < max_faults) content_.faults.push_back(told(std::move(en), std::move(ru)));
+  void fault(std::string sentence) {
+    if (content_.faults.size() < max_faults) content_.faults.push_back(std::move(sentence));
   }
 
   /// Checks the application id, the version, and that the file has exactly our tables: no others, no triggers.
@@ -74,9 +75,9 @@ class Reader {
     }
     content_.ours = marked || state != 0;
     content_.checked = state != 1;
-    if (!marked) fault("its mark is not that of Kadr", "метка файла — не Kadr");
-    if (base_.version() / minors_of_major != state) fault("its version does not fit its tables", "версия не соответствует таблицам");
-    if (about == 0 || about != state || others != 0) fault("its tables are not those of a state", "таблицы — не те, что у файла состояния");
+    if (!marked) fault(translated(texts::state_content::foreign_mark));
+    if (base_.version() / minors_of_major != state) fault(translated(texts::state_content::version_does_not_fit));
+    if (about == 0 || about != state || others != 0) fault(translated(texts::state_content::foreign_tables));
   }
 
   void about() {
@@ -85,29 +86,29 @@ class Reader {
       const std::string_view name = text_at(all.get(), 0), value = text_at(all.get(), 1);
       if (name == "control") content_.control = value;
       else if (name == "whole" && content_.checked) whole_text(std::string(value));
-      else fault("an unknown row '" + printable(name) + "' about it", "неизвестная запись о файле: «" + printable(name) + "»");
+      else fault(translated(texts::state_content::unknown_row, printable(name)));
     }
-    if (content_.control.empty()) fault("it does not say of which control it is", "не указано, какой это системы ЧПУ");
+    if (content_.control.empty()) fault(translated(texts::state_content::control_missing));
   }
 
   void whole_text(const std::string& text) {
     const auto whole = Whole::parsed(text);
     if (whole) last_ = *whole;
-    else fault("the checksum of the whole does not fit", "общая контрольная сумма не сходится");
+    else fault(translated(texts::state_content::whole_does_not_fit));
   }
 
   /// Reports what SQLite's own check finds.
   void order() {
     const SqlStatement check = base_.prepared("PRAGMA integrity_check(20)");
-    if (!check) return fault("its order is broken", "внутренний порядок нарушен");
+    if (!check) return fault(translated(texts::state_content::order_broken));
     int code = sqlite3_step(check.get());
     for (; code == SQLITE_ROW; code = sqlite3_step(check.get())) {
       std::string found(text_at(check.get(), 0));
       if (found == "ok") continue;
       std::replace(found.begin(), found.end(), '\n', ' ');
-      fault("its order is broken (SQLite: " + found + ")", "внутренний порядок нарушен (SQLite: " + found + ")");
+      fault(translated(texts::state_content::order_broken_sqlite, found));
     }
-    if (code != SQLITE_DONE) fault("its order is broken", "внутренний порядок нарушен");
+    if (code != SQLITE_DONE) fault(translated(texts::state_content::order_broken));
   }
 
   /// Reads the rows forwards; if a page in between is unreadable, reads them also backwards from the last row.
@@ -123,7 +124,7 @@ class Reader {
       return code;
     };
     if (read("ASC") != SQLITE_DONE) {
-      fault("not all of its rows can be read", "прочитаны не все записи");
+      fault(translated(texts::state_content::rows_unreadable));
       back_ = true;
       read("DESC");
     }
@@ -146,11 +147,9 @@ class Reader {
     const Whole written = content_.checked ? Whole{number(3), number(4), number(5)} : Whole{};
     const bool sealed = !content_.checked || number(6) == written.sealed(sum);
     if (sealed && written.turn > last_.turn) last_ = written;
-    if (!sealed)
-      fault(name + ": its checksum does not fit, it holds " + shown(value),
-            name + ": контрольная сумма не сходится, записано " + shown(value));
-    else if (table == state_table_names.end()) fault(name + ": of an unknown kind", name + ": запись неизвестного вида");
-    else if (std::holds_alternative<std::monostate>(value)) fault(name + ": no value", name + ": нет значения");
+    if (!sealed) fault(translated(texts::state_content::row_does_not_fit, name, shown(value)));
+    else if (table == state_table_names.end()) fault(translated(texts::state_content::row_of_unknown_kind, name));
+    else if (std::holds_alternative<std::monostate>(value)) fault(translated(texts::state_content::row_without_value, name));
     else {
       content_.rows.push_back({static_cast<StateTable>(table - state_table_names.begin()), key, std::move(value)});
       content_.sums.push_back(sum);
@@ -160,7 +159,7 @@ class Reader {
 
   static std::string shown(const StateValue& value) {
     if (const auto* const text = std::get_if<std::string>(&value)) return "'" + printable(*text) + "'";
-    if (std::holds_alternative<std::monostate>(value)) return told("nothing", "пусто");
+    if (std::holds_alternative<std::monostate>(value)) return translated(texts::state_content::nothing);
     char number[40];
     std::snprintf(number, sizeof number, "%.17g", std::get<double>(value));
     return number;
@@ -180,9 +179,7 @@ class Reader {
     for (const std::uint64_t sum : content_.sums) found.add(sum);
     content_.whole = {last_.turn, found.rows, found.sum};
     if (found.rows == last_.rows && found.sum == last_.sum) return;
-    const std::string n = std::to_string(found.rows), m = std::to_string(last_.rows);
-    fault("the checksum of the whole does not fit: " + n + " sound rows, " + m + " were saved",
-          "общая контрольная сумма не сходится: целых записей " + n + ", сохранялось " + m);
+    fault(translated(texts::state_content::rows_missing, found.rows, last_.rows));
   }
 
   const Base& base_;
@@ -232,10 +229,7 @@ Content read_content(const Base& base) { return Reader(base).run(); }
 std::string newer_version_message(const Base& base, const std::string& name) {
   const int major = base.version() / minors_of_major;
   if (major <= major_version || base.answer("PRAGMA application_id") != std::to_string(application_id)) return {};
-  const std::string theirs = std::to_string(major), ours = std::to_string(major_version);
-  return name + " " +
-         told("was written by a newer Kadr: its state version is " + theirs + ", this one reads up to " + ours,
-              "записан более новой версией Kadr: версия состояния " + theirs + ", эта читает до " + ours);
+  return translated(texts::state_file::newer_version, name, major, major_version);
 }
 
 std::string name_of_row(std::string_view kind, std::string_view key) { return printable(kind) + " " + printable(key); }

@@ -8,9 +8,9 @@
 #include <unordered_map>
 
 #include "base/file_id.h"
-#include "config/language.h"
 #include "config/state/state_content.h"
 #include "config/state_new.h"
+#include "texts/state_file.h"
 
 namespace kadr {
 
@@ -68,10 +68,8 @@ bool StateFile::Database::stands() const { return (!file_ || file_id_of(path_) =
 /// Returns the message for a damaged file, with advice. The file is left as it is.
 tl::unexpected<std::string> StateFile::Database::damaged(const std::vector<std::string>& faults) const {
   const std::size_t more = faults.size() - 1;
-  const std::string en = more == 0 ? "" : " (" + std::to_string(more) + " more)",
-                    ru = more == 0 ? "" : " (и ещё " + std::to_string(more) + ")";
-  return base_.error("is damaged: " + faults[0] + en + ". All faults: kadr state check; what can be read: kadr state recover",
-                     "повреждён: " + faults[0] + ru + ". Все ошибки: kadr state check; спасти уцелевшее: kadr state recover");
+  if (more == 0) return base_.error(texts::state_file::damaged, faults[0]);
+  return base_.error(texts::state_file::damaged_more, faults[0], more);
 }
 
 /// Checks that the file is a valid state of this control, in a readable version.
@@ -80,9 +78,7 @@ Done StateFile::Database::check(const std::string& control_id) {
   Content content = read_content(base_);
   if (!content.ours) return tl::unexpected(no_state_file_message(path_));
   if (!content.faults.empty()) return damaged(content.faults);
-  if (content.control != control_id)
-    return base_.error("is the state of the control " + content.control + ", not of " + control_id,
-                       "— состояние системы " + content.control + ", а не " + control_id);
+  if (content.control != control_id) return base_.error(texts::state_file::other_control, content.control, control_id);
   whole_ = content.checked ? content.whole : Whole::of_control(content.control);
   for (std::size_t i = 0; i < content.rows.size(); ++i) {
     const StateRow& row = content.rows[i];
@@ -193,12 +189,11 @@ int StateFile::Database::upgrade() {
 Done StateFile::Database::save(const std::vector<StateRow>& rows) {
   for (const StateRow& row : rows)
     if (const auto* const number = std::get_if<double>(&row.value); number != nullptr && !std::isfinite(*number))
-      return base_.error("cannot keep " + row.key + ": it is not a number", "не может хранить " + row.key + ": это не число");
+      return base_.error(texts::state_file::no_number, row.key);
   if (rows.empty()) return {};
   if (!stands()) {
     base_.let_go();
-    return base_.error("was deleted or replaced while it was in use: nothing is kept from then on. Start again to have a new one",
-                       "удалён или подменён во время работы: с этого времени ничего не сохраняется. Запустите снова, будет новый");
+    return base_.error(texts::state_file::deleted_or_replaced);
   }
   before_.clear();
   const bool alone = rows.size() == 1 && !old_ && !std::holds_alternative<std::monostate>(rows[0].value) &&

@@ -10,8 +10,8 @@
 #include <cerrno>
 #include <filesystem>
 
-#include "config/language.h"
 #include "config/read_file.h"
+#include "texts/state_file.h"
 
 namespace kadr::state {
 namespace {
@@ -101,23 +101,20 @@ void bind_row(sqlite3_stmt* put, const StateRow& row, std::uint64_t sum, Whole& 
 }
 
 Done make_state(const std::string& path, const std::string& control, const std::vector<StateRow>& rows) {
-  const auto failed = [&](const std::string& en, const std::string& ru) { return tl::unexpected(path + " " + told(en, ru)); };
   std::error_code none;
   for (const char* const log : {"-wal", "-journal"})  // SQLite would apply the log of a deleted file to the new one
-    if (fs::exists(path + log, none))
-      return failed("cannot be made: the log of an earlier one, " + path + log + ", is still there; put it away first",
-                    "не создаётся: остался журнал прежнего файла, " + path + log + "; сначала уберите его");
+    if (fs::exists(path + log, none)) return tl::unexpected(translated(texts::state_file::old_log, path, path + log));
   sqlite3_int64 size = 0;
   const Image image = image_of(control, rows, size);
-  if (!image) return failed("cannot be made", "не создаётся");
+  if (!image) return tl::unexpected(translated(texts::state_file::cannot_be_made, path));
   const std::string beside = path + ".new-" + std::to_string(::getpid());
   int error = write_out(beside, image.get(), size);
   if (error == 0) error = name_anew(beside, path);
   if (error == 0) return {};
   ::unlink(beside.c_str());
-  if (error == EEXIST) return failed("is there already", "уже существует");
+  if (error == EEXIST) return tl::unexpected(translated(texts::state_file::there_already, path));
   if (error == ENOENT || error == ENOTDIR) error = ENOTDIR;  // both errors mean that the folder is missing
-  return failed("cannot be made: " + errno_message(error), "не создаётся: " + errno_message(error));
+  return tl::unexpected(translated(texts::state_file::cannot_be_made_why, path, errno_message(error)));
 }
 
 }  // namespace kadr::state

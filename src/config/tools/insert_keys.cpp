@@ -6,10 +6,11 @@
 #include <cmath>
 
 #include "base/vec.h"
-#include "config/language.h"
 #include "config/range.h"
 #include "config/tools/convex_parts.h"
 #include "config/tools/toml_tools.h"
+#include "texts/tool_inserts.h"
+#include "texts/tool_library.h"
 
 namespace kadr {
 namespace {
@@ -18,9 +19,9 @@ using Failed = tl::unexpected<std::string>;
 using Done = tl::expected<void, std::string>;
 using toml_tools::place;
 
-constexpr NumberRange insert_size = {0, 1e4, "mm", "мм"};
-constexpr NumberRange insert_place = {-1e4, 1e4, "mm", "мм"};
-constexpr NumberRange entering_angle = {-360, 360, "degrees", "градусов"};
+constexpr NumberRange insert_size = {0, 1e4, texts::ranges::mm};
+constexpr NumberRange insert_place = {-1e4, 1e4, texts::ranges::mm};
+constexpr NumberRange entering_angle = {-360, 360, texts::ranges::degrees};
 
 struct TipName {
   std::string_view name;
@@ -38,11 +39,7 @@ Done tip_of(const std::string& file, const toml::table& row, InsertGeometry& ins
       insert.tip_z = t.z;
       return {};
     }
-  return Failed(place(file, row, "points") +
-                told("points: where the tip points, from the nose's centre to the programmed point: -x-z, -x+z, +x-z, +x+z, -x, +x, -z, +z "
-                     "or centre",
-                     "points: куда смотрит вершина, от центра радиуса к запрограммированной точке: -x-z, -x+z, +x-z, +x+z, -x, +x, -z, +z "
-                     "или centre"));
+  return Failed(place(file, row, "points") + translated(texts::tool_inserts::points_form));
 }
 
 /// Reads [[x, z], …].
@@ -59,32 +56,25 @@ Done polygon_of(const std::string& file, const toml::table& row, std::string_vie
     if (fits) to.push_back({*x, *z});
   }
   if (fits) return {};
-  return Failed(place(file, *node) + std::string(key) +
-                told(": of a turning tool a list of [x, z], 2 (a rectangle's opposite corners; a profile 3) to 64 of them, each number ",
-                     ": у резца список [x, z], от 2 (противоположные углы прямоугольника; у profile 3) до 64, каждое число ") +
-                told(insert_place));
+  return Failed(place(file, *node) + translated(texts::tool_inserts::polygon_form, key, told(insert_place)));
 }
 
 std::string polygon_fault_message(std::string_view key, const InsertOutline& outline) {
   if (outline.empty() || !convex_parts(outline).empty()) return {};
-  return std::string(key) + told(" crosses itself or has no area", " пересекает сам себя или не имеет площади");
+  return translated(texts::tool_inserts::polygon_crosses, key);
 }
 
 /// Returns what is wrong with the nose, such as cutting edges that are too short for their nose radius.
 std::string nose_fault_message(const ToolGeometry& t) {
   const double nose = t.corner, width = t.insert.width;
   if (width > 0) {
-    if (width < 2 * nose) return told("corner is more than half of the width", "corner больше половины width");
-    return t.flutes > nose ? std::string() : told("flute_length is missing: how deep it can groove", "нет flute_length: глубина канавки");
+    if (width < 2 * nose) return translated(texts::tool_inserts::corner_above_half_width);
+    return t.flutes > nose ? std::string() : translated(texts::tool_inserts::groove_depth_missing);
   }
-  if (t.angle == 0)
-    return nose > 0 ? std::string()
-                    : told("angle is missing: of the nose; or width of a grooving insert; or corner of a round one",
-                           "нет angle: угол при вершине; или width канавочной пластины; или corner круглой");
-  if (!(t.angle > 0 && t.angle < 180)) return told("angle must be above 0 and below 180 degrees", "angle: больше 0 и меньше 180 градусов");
-  if (!(t.flutes > 0)) return told("flute_length is missing: the length of the cutting edges", "нет flute_length: длина режущих кромок");
-  if (t.flutes * std::sin(t.angle * rad_per_deg) < 2 * nose)
-    return told("flute_length is too short for that corner", "flute_length слишком мало для такого corner");
+  if (t.angle == 0) return nose > 0 ? std::string() : translated(texts::tool_inserts::nose_missing);
+  if (!(t.angle > 0 && t.angle < 180)) return translated(texts::tool_inserts::nose_angle_form);
+  if (!(t.flutes > 0)) return translated(texts::tool_inserts::edges_missing);
+  if (t.flutes * std::sin(t.angle * rad_per_deg) < 2 * nose) return translated(texts::tool_inserts::edges_too_short);
   return {};
 }
 
@@ -118,16 +108,13 @@ void complete_insert(ToolGeometry& t) {
 std::string insert_fault_message(const ToolGeometry& t) {
   const InsertGeometry& i = t.insert;
   for (const double size : {t.corner, t.flutes, t.length, i.width})
-    if (!is_within(size, insert_size)) return told("a size must be ", "размер должен быть ") + told(insert_size);
+    if (!is_within(size, insert_size)) return translated(texts::tool_library::size_must_be, told(insert_size));
   if (!is_within(t.angle, {0, 180}) || !is_within(i.lead.value_or(0), entering_angle))
-    return told("an angle must be ", "угол должен быть ") + told(entering_angle);
+    return translated(texts::tool_inserts::angle_must_be, told(entering_angle));
   if (i.profile.empty()) {
     if (std::string fault = nose_fault_message(t); !fault.empty()) return fault;
-    if (i.width > 0 && i.lead != 0 && i.lead != 90)
-      return told("lead of a grooving insert: 90, it plunges along x, or 0, along z",
-                  "lead канавочной пластины: 90 — врезается по x, или 0 — по z");
-    if (t.length < t.flutes)
-      return told("length (of the insert's side) is less than flute_length", "length (сторона пластины) меньше flute_length");
+    if (i.width > 0 && i.lead != 0 && i.lead != 90) return translated(texts::tool_inserts::grooving_lead);
+    if (t.length < t.flutes) return translated(texts::tool_inserts::side_below_edges);
   }
   if (std::string fault = polygon_fault_message("profile", i.profile); !fault.empty()) return fault;
   return polygon_fault_message("holder", i.holder);

@@ -4,19 +4,16 @@
 #include "config/tools/toml_tools.h"
 
 #include <algorithm>
-#include <array>
 #include <numeric>
 #include <utility>
 
 #include "config/embedded.h"
-#include "config/language.h"
 #include "config/packed_toml.h"
 #include "config/read_file.h"
 #include "config/toml_scan.h"
+#include "texts/toml_faults.h"
 
 namespace kadr::toml_tools {
-
-namespace {}  // namespace
 
 std::optional<std::string_view> embedded_text(std::string_view name) {
   const EmbeddedFile* const file = embedded(name);
@@ -30,30 +27,27 @@ std::optional<toml::table> embedded_table(std::string_view name) {
 
 namespace {
 
-/// Translates the error of toml++, such as "Error while parsing array: …". In Russian it only says what was being read.
+/// Translates the error of toml++, such as "Error while parsing array: …". Other languages than English only say what was being read.
 std::string parse_error_message(std::string_view description) {
-  static constexpr std::array<std::pair<std::string_view, std::string_view>, 12> what = {{
-      {"key-value pair", "неверно записано «ключ = значение»"},
-      {"key", "неверно записан ключ"},
-      {"table header", "неверно записан заголовок таблицы"},
-      {"inline table", "неверно записана таблица { … }"},
-      {"array", "неверно записан список [ … ]"},
-      {"string", "неверно записана строка в кавычках"},
-      {"integer", "неверно записано целое число"},
-      {"floating-point", "неверно записано число"},
-      {"boolean", "неверно записано true или false"},
-      {"date", "неверно записана дата"},
-      {"time", "неверно записано время"},
-      {"comment", "недопустимый знак в комментарии"},
-  }};
+  if (thread_language() == Lang::en) return std::string(description);
+  static constexpr std::pair<std::string_view, PlainText> what[] = {
+      {"key-value pair", texts::toml_faults::wrong_key_value},
+      {"key", texts::toml_faults::wrong_key},
+      {"table header", texts::toml_faults::wrong_heading},
+      {"inline table", texts::toml_faults::wrong_inline_table},
+      {"array", texts::toml_faults::wrong_list},
+      {"string", texts::toml_faults::wrong_string},
+      {"integer", texts::toml_faults::wrong_integer},
+      {"floating-point", texts::toml_faults::wrong_number},
+      {"boolean", texts::toml_faults::wrong_boolean},
+      {"date", texts::toml_faults::wrong_date},
+      {"time", texts::toml_faults::wrong_time},
+      {"comment", texts::toml_faults::wrong_comment},
+  };
   constexpr std::string_view begin = "Error while parsing ";
-  std::string_view said = "нарушены правила TOML";
-  for (const auto& [english, russian] : what)
-    if (description.find(std::string(begin) + std::string(english)) != std::string_view::npos) {
-      said = russian;
-      break;
-    }
-  return told(std::string(description), std::string(said));
+  for (const auto& [english, said] : what)
+    if (description.find(std::string(begin) + std::string(english)) != std::string_view::npos) return translated(said);
+  return translated(texts::toml_faults::no_toml);
 }
 
 }  // namespace
@@ -99,7 +93,7 @@ std::optional<double> within(const toml::node* node, const NumberRange& range) {
 }
 
 tl::unexpected<std::string> must_be(const std::string& file, const toml::node& node, std::string_view key, const std::string& form) {
-  return tl::unexpected(place(file, node) + std::string(key) + told(" must be ", ": должно быть ") + form);
+  return tl::unexpected(place(file, node) + translated(texts::toml_faults::must_be, key, form));
 }
 
 /// Returns the number of letters to change, add or remove (Levenshtein distance).
@@ -136,10 +130,7 @@ tl::expected<void, std::string> span(const std::string& file, const toml::table&
   const toml::array* const pair = node->as_array();
   const bool two = pair != nullptr && pair->size() == 2;
   const auto from = within(two ? pair->get(0) : nullptr, range), to = within(two ? pair->get(1) : nullptr, range);
-  if (!from || !to || !(*from < *to))
-    return must_be(
-        file, *node, key,
-        told("[least, most], the second above the first, each ", "[меньшее, большее], второе больше первого, каждое — ") + told(range));
+  if (!from || !to || !(*from < *to)) return must_be(file, *node, key, translated(texts::toml_faults::least_and_most, told(range)));
   least = *from;
   most = *to;
   return {};

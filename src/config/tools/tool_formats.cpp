@@ -9,8 +9,8 @@
 #include <optional>
 
 #include "base/vec.h"
-#include "config/language.h"
 #include "config/nearest.h"
+#include "texts/tool_formats.h"
 
 namespace kadr {
 namespace {
@@ -116,7 +116,7 @@ tl::expected<ToolLibrary, std::string> tools_of_linuxcnc(std::string_view text, 
     const auto number = number_after(line, 'T'), diameter = number_after(line, 'D');
     if (!number) continue;
     if (!(*number >= 0 && *number <= 99'999'999))
-      return tl::unexpected(file + ":" + std::to_string(line_number) + told(": no tool number", ": не номер инструмента"));
+      return tl::unexpected(file + ":" + std::to_string(line_number) + ": " + translated(texts::tool_formats::no_tool_number));
     if (auto insert = insert_of_table(line)) {
       insert->number = std::uint32_t(*number);
       insert->name = std::string(comment.substr(0, 80));
@@ -138,22 +138,11 @@ tl::expected<ToolLibrary, std::string> tools_of_linuxcnc(std::string_view text, 
       return tl::unexpected(file + ":" + std::to_string(line_number) + ": " + fault);
     library.tools.push_back(tool);
   }
-  if (library.tools.empty())
-    return tl::unexpected(file + ": " + told("no tool with a diameter (T… P… D…)", "ни одного инструмента с диаметром (T… P… D…)"));
-  library.notes.push_back(
-      file + ": " +
-      told("a tool table has diameters only, in the machine's units (mm, unless its ini file says inch): tools are flat unless their "
-           "comment says ball or drill (118°), and cut over 100 mm",
-           "в таблице инструментов только диаметры, в единицах станка (мм, если его ini-файл не говорит inch): фрезы считаются "
-           "концевыми, если в комментарии нет ball или drill (118°), и режут на длине 100 мм"));
+  if (library.tools.empty()) return tl::unexpected(file + ": " + translated(texts::tool_formats::no_tool_with_diameter));
+  library.notes.push_back(file + ": " + translated(texts::tool_formats::diameters_only));
   if (std::any_of(library.tools.begin(), library.tools.end(), [](const ToolGeometry& t) { return t.kind == ToolKind::turning; }))
-    library.notes.push_back(file + ": " +
-                            told("tools with Q1 to Q9, I and J are taken for turning tools with edges of 10 mm, without a holder",
-                                 "инструменты с Q1–Q9, I и J считаются резцами с кромками 10 мм, без державки"));
-  if (without != 0)
-    library.notes.push_back(file + ": " +
-                            told(std::to_string(without) + " tools without a diameter left out",
-                                 "пропущено инструментов без диаметра: " + std::to_string(without)));
+    library.notes.push_back(file + ": " + translated(texts::tool_formats::turning_tools));
+  if (without != 0) library.notes.push_back(file + ": " + translated(texts::tool_formats::without_diameter, without));
   return library;
 }
 

@@ -9,9 +9,9 @@
 #include "base/units.h"
 #include "base/vec.h"
 #include "config/json_scan.h"
-#include "config/language.h"
 #include "config/nearest.h"
 #include "config/tools/tool_formats.h"
+#include "texts/tool_formats.h"
 
 namespace kadr {
 namespace {
@@ -22,7 +22,7 @@ using Failed = tl::unexpected<std::string>;
 tl::expected<json, std::string> parsed_json(std::string_view text, const std::string& file) {
   if (const std::string fault = json_fault_message(text, file); !fault.empty()) return Failed(fault);
   json value = json::parse(text, nullptr, false);
-  if (value.is_discarded() || !value.is_object()) return Failed(file + ": " + told("no JSON object", "это не объект JSON"));
+  if (value.is_discarded() || !value.is_object()) return Failed(file + ": " + translated(texts::tool_formats::no_json_object));
   return value;
 }
 
@@ -53,19 +53,16 @@ void take(ToolLibrary& library, ToolGeometry tool, const std::string& file, cons
   complete(tool);
   const std::string fault = tool_fault_message(tool);
   if (fault.empty() && library.tools.size() < limits::tools) return library.tools.push_back(std::move(tool));
-  library.notes.push_back(file + ": " + told("tool ", "инструмент ") + std::to_string(tool.number) + " (" + shape + "): " + fault +
-                          told(": left out", ": пропущен"));
+  library.notes.push_back(file + ": " + translated(texts::tool_formats::left_out, tool.number, shape, fault));
 }
 
 void leave_out(ToolLibrary& library, std::uint32_t number, const std::string& file, const std::string& shape) {
-  library.notes.push_back(file + ": " + told("tool ", "инструмент ") + std::to_string(number) +
-                          told(": Kadr does not know the form \"", ": Kadr не знает формы «") + shape +
-                          told("\": left out", "»: пропущен"));
+  library.notes.push_back(file + ": " + translated(texts::tool_formats::unknown_form, number, shape));
 }
 
 tl::expected<ToolLibrary, std::string> not_empty(ToolLibrary library, const std::string& file) {
   if (!library.tools.empty()) return library;
-  return Failed(library.notes.empty() ? file + ": " + told("no tools in it", "в нём нет инструментов") : library.notes.front());
+  return Failed(library.notes.empty() ? file + ": " + translated(texts::tool_formats::no_tools) : library.notes.front());
 }
 
 /// Returns the number of teeth, also from a text such as "2"; 0 if the value is no valid number of teeth.

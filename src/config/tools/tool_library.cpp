@@ -6,7 +6,6 @@
 #include <cmath>
 #include <set>
 
-#include "config/language.h"
 #include "config/nearest.h"
 #include "config/range.h"
 #include "config/read_file.h"
@@ -14,6 +13,7 @@
 #include "config/tools/toml_tools.h"
 #include "config/tools/tool_formats.h"
 #include "config/tools/tool_row.h"
+#include "texts/tool_library.h"
 
 namespace kadr {
 namespace {
@@ -44,19 +44,12 @@ bool is_old_key(std::string_view key) {
   return std::any_of(std::begin(old_keys), std::end(old_keys), [&](const OldKey& k) { return k.old == key; });
 }
 
-std::string old_key_message(const OldKey& key) {
-  const std::string old(key.old), now(key.now);
-  return told(old + " is called " + now + " now; it is read as before", old + " теперь называется " + now + "; читается по-прежнему");
-}
+std::string old_key_message(const OldKey& key) { return translated(texts::tool_library::old_key, key.old, key.now); }
 
 std::string assumed_flutes_message(const std::vector<std::uint32_t>& tools) {
   std::string numbers;
   for (const std::uint32_t number : tools) numbers += (numbers.empty() ? "T" : ", T") + std::to_string(number);
-  return numbers +
-         told(
-             ": neither flute_length nor length is given; taken are 3 and 5 diameters, of a drill 8 and 10: holder and shank are not "
-             "watched well",
-             ": не указаны ни flute_length, ни length; взяты 3 и 5 диаметров, у сверла 8 и 10: за хвостовиком и патроном следят плохо");
+  return translated(texts::tool_library::assumed_heights, numbers);
 }
 
 /// Returns the key, new or old, that the row uses.
@@ -66,32 +59,27 @@ std::string_view key_in(const toml::table& row, std::string_view now) {
   return now;
 }
 
-constexpr NumberRange size_range = {0, 1e4, "mm", "мм"};
-constexpr NumberRange angle_range = {0, 180, "degrees", "градусов"};
+constexpr NumberRange size_range = {0, 1e4, texts::ranges::mm};
+constexpr NumberRange angle_range = {0, 180, texts::ranges::degrees};
 
 Done known_tool_keys(const std::string& file, const toml::table& row) {
   for (const auto& [key, node] : row) {
     if (std::find(std::begin(tool_keys), std::end(tool_keys), key.str()) != std::end(tool_keys)) continue;
     if (is_old_key(key.str())) continue;
     const std::string_view near = toml_tools::nearest(key.str(), {std::begin(tool_keys), std::end(tool_keys)});
-    const std::string hint_en = near.empty() ? "" : "; '" + std::string(near) + "'?",
-                      hint_ru = near.empty() ? "" : "; «" + std::string(near) + "»?";
-    return Failed(place(file, node) + told("unknown key '" + std::string(key.str()) + "' of a tool" + hint_en,
-                                           "неизвестный ключ инструмента «" + std::string(key.str()) + "»" + hint_ru));
+    return Failed(place(file, node) + (near.empty() ? translated(texts::tool_library::unknown_key, key.str())
+                                                    : translated(texts::tool_library::unknown_key_near, key.str(), near)));
   }
   for (const auto& [old, now] : old_keys)
-    if (row.contains(old) && row.contains(now)) {
-      const std::string both = std::string(old) + ", " + std::string(now) + ": ";
-      return Failed(place(file, *row.get(old)) + both + told("they are the same, say one", "это одно и то же, оставьте один ключ"));
-    }
+    if (row.contains(old) && row.contains(now))
+      return Failed(place(file, *row.get(old)) + translated(texts::tool_library::same_keys, old, now));
   return {};
 }
 
 Done number_of(const std::string& file, const toml::table& row, ToolGeometry& tool) {
   const auto number = row["number"].value<std::int64_t>();
   if (!number || *number < 0 || *number > 99'999'999 || !row["number"].is_integer())
-    return Failed(place(file, row, "number") +
-                  told("number: that of the tool, a whole number from 0 to 99999999", "number: номер инструмента, целое от 0 до 99999999"));
+    return Failed(place(file, row, "number") + translated(texts::tool_library::number_form));
   tool.number = std::uint32_t(*number);
   return {};
 }
@@ -102,8 +90,7 @@ Done teeth_of(const std::string& file, const toml::table& row, ToolGeometry& too
   if (node == nullptr) return {};
   const auto teeth = node->is_integer() ? node->value<std::int64_t>() : std::nullopt;
   if (!teeth || *teeth < 1 || *teeth > limits::teeth)
-    return Failed(place(file, *node) + key + told(": how many flutes, a whole number from 1 to ", ": число зубьев, целое от 1 до ") +
-                  std::to_string(limits::teeth));
+    return Failed(place(file, *node) + translated(texts::tool_library::teeth_form, key, limits::teeth));
   tool.teeth = int(*teeth);
   return {};
 }
@@ -115,8 +102,7 @@ Done kind_of(const std::string& file, const toml::table& row, ToolGeometry& tool
       tool.kind = k.kind;
       return {};
     }
-  return Failed(place(file, row, "kind") + told("kind must be flat, ball, bull, drill, taper, chamfer, tslot, form or turning",
-                                                "kind: flat, ball, bull, drill, taper, chamfer, tslot, form или turning"));
+  return Failed(place(file, row, "kind") + translated(texts::tool_library::kind_form));
 }
 
 /// Reads [[diameter, height], …].
@@ -133,10 +119,7 @@ Done outline_of(const std::string& file, const toml::table& row, std::string_vie
     if (fits) to.push_back({*diameter, *height});
   }
   if (fits) return {};
-  return Failed(place(file, *node) + std::string(key) +
-                told(": a list of [diameter, height], two to 1000 of them, each number ",
-                     ": список [диаметр, высота], от двух до 1000, каждое число ") +
-                told(size_range));
+  return Failed(place(file, *node) + translated(texts::tool_library::outline_form, key, told(size_range)));
 }
 
 /// Returns what is wrong with an outline; empty if it is valid.
@@ -144,31 +127,26 @@ std::string outline_fault_message(std::string_view key, const std::vector<Profil
   double widest = 0;
   for (std::size_t i = 0; i < outline.size(); ++i) {
     if (!is_within(outline[i].diameter, size_range) || !is_within(outline[i].height, size_range))
-      return std::string(key) + told(": each number must be ", ": каждое число должно быть ") + told(size_range);
+      return translated(texts::tool_library::outline_number, key, told(size_range));
     widest = std::max(widest, outline[i].diameter);
-    if (i != 0 && outline[i].height < outline[i - 1].height)
-      return std::string(key) + told(": heights must not fall", ": высоты не должны убывать");
+    if (i != 0 && outline[i].height < outline[i - 1].height) return translated(texts::tool_library::heights_fall, key);
   }
   const bool flat = !outline.empty() && !(outline.back().height > outline.front().height && widest > 0);
-  return flat ? std::string(key) + told(": has no height or no width", ": нет ни высоты, ни ширины") : std::string();
+  return flat ? translated(texts::tool_library::outline_without_extent, key) : std::string();
 }
 
 std::string end_fault_message(const ToolGeometry& t) {
   const double max_angle = t.kind == ToolKind::taper ? 90 : 180;
   switch (t.kind) {
     case ToolKind::bull:
-      if (!(t.corner <= t.diameter / 2)) return told("corner is more than half of the diameter", "corner больше половины диаметра");
+      if (!(t.corner <= t.diameter / 2)) return translated(texts::tool_library::corner_too_large);
       break;
     case ToolKind::drill:
     case ToolKind::chamfer:
     case ToolKind::taper:
       if (!(t.angle > 0 && t.angle < max_angle))
-        return t.kind == ToolKind::taper
-                   ? told("angle is missing: the half angle, above 0 and below 90 degrees",
-                          "нет angle: половина угла, больше 0 и меньше 90 градусов")
-                   : told("angle is missing: the full angle of the point, above 0 and below 180 degrees (drills mostly 118 or 140)",
-                          "нет angle: полный угол при вершине, больше 0 и меньше 180 градусов (у свёрл обычно 118 или 140)");
-      if (!(t.tip < t.diameter)) return told("tip is not less than the diameter", "tip не меньше диаметра");
+        return translated(t.kind == ToolKind::taper ? texts::tool_library::half_angle_missing : texts::tool_library::point_angle_missing);
+      if (!(t.tip < t.diameter)) return translated(texts::tool_library::tip_too_wide);
       break;
     default: break;
   }
@@ -212,14 +190,12 @@ void complete(ToolGeometry& t) {
 
 std::string tool_fault_message(const ToolGeometry& t) {
   if (t.kind == ToolKind::turning) return insert_fault_message(t);
-  if (t.kind == ToolKind::form && t.profile.empty())
-    return told("profile is missing: [[diameter, height], …] from the tip upwards", "нет profile: [[диаметр, высота], …] от вершины вверх");
+  if (t.kind == ToolKind::form && t.profile.empty()) return translated(texts::tool_library::profile_missing);
   for (const double size : {t.diameter, t.corner, t.tip, t.flutes, t.length})
-    if (!is_within(size, size_range)) return told("a size must be ", "размер должен быть ") + told(size_range);
-  if (!(t.diameter > 0)) return told("diameter is missing", "нет diameter");
-  if (!(t.flutes > 0))
-    return told("flute_length is missing: how high above its tip it cuts", "нет flute_length: на какую высоту от вершины он режет");
-  if (t.length < t.flutes) return told("length (stick-out) is less than flute_length", "length (вылет) меньше flute_length");
+    if (!is_within(size, size_range)) return translated(texts::tool_library::size_must_be, told(size_range));
+  if (!(t.diameter > 0)) return translated(texts::tool_library::diameter_missing);
+  if (!(t.flutes > 0)) return translated(texts::tool_library::flute_length_missing);
+  if (t.length < t.flutes) return translated(texts::tool_library::length_below_flutes);
   if (const std::string end = end_fault_message(t); !end.empty()) return end;
   for (const auto& [key, outline] : {std::pair("profile", &t.profile), std::pair("shank", &t.shank), std::pair("holder", &t.holder)})
     if (std::string fault = outline_fault_message(key, *outline); !fault.empty()) return fault;
@@ -252,15 +228,14 @@ tl::expected<ToolGeometry, std::string> tool_of(const std::string& file, const t
   (void)assume_heights(tool);
   complete(tool);
   if (const std::string fault = tool_fault_message(tool); !fault.empty())
-    return Failed(place(file, row, "number") + told("tool ", "инструмент ") + std::to_string(tool.number) + ": " + fault);
+    return Failed(place(file, row, "number") + translated(texts::tool_library::fault_of_tool, tool.number, fault));
   return tool;
 }
 
 Done add_tool(const std::string& file, const toml::table& row, ToolGeometry tool, ToolLibrary& to) {
   const auto same = [&](const ToolGeometry& other) { return other.number == tool.number; };
   if (std::any_of(to.tools.begin(), to.tools.end(), same))
-    return Failed(place(file, row, "number") + told("tool " + std::to_string(tool.number) + " stands twice",
-                                                    "инструмент " + std::to_string(tool.number) + " указан дважды"));
+    return Failed(place(file, row, "number") + translated(texts::tool_library::stands_twice, tool.number));
   to.tools.push_back(std::move(tool));
   return {};
 }
@@ -269,18 +244,15 @@ tl::expected<ToolLibrary, std::string> tools_of_toml(std::string_view text, cons
   auto table = toml_tools::parsed(text, file);
   if (!table) return Failed(table.error());
   for (const auto& [key, node] : *table)
-    if (key.str() != "tool")
-      return Failed(place(file, node) + told("unknown key '" + std::string(key.str()) + "': a tools file has [[tool]] tables",
-                                             "неизвестный ключ «" + std::string(key.str()) + "»: в файле инструментов таблицы [[tool]]"));
+    if (key.str() != "tool") return Failed(place(file, node) + translated(texts::tool_library::unknown_key_of_file, key.str()));
   const toml::array* const rows = (*table)["tool"].as_array();
   if (rows == nullptr || rows->empty() || rows->size() > limits::tools)
-    return Failed(file + ": " +
-                  told("a tools file has [[tool]] tables, 1 to 10000", "в файле инструментов таблицы [[tool]], от 1 до 10000"));
+    return Failed(file + ": " + translated(texts::tool_library::tables_wanted));
   ToolLibrary library;
   std::set<std::string_view> old;
   std::vector<std::uint32_t> assumed;
   for (const toml::node& row : *rows) {
-    if (!row.is_table()) return Failed(place(file, row) + told("tool: write [[tool]]", "tool: пишите [[tool]]"));
+    if (!row.is_table()) return Failed(place(file, row) + translated(texts::tool_library::no_table));
     auto tool = tool_of(file, *row.as_table());
     if (!tool) return Failed(tool.error());
     ToolGeometry said = *tool;

@@ -6,9 +6,9 @@
 #include <nlohmann/json.hpp>
 
 #include "config/json_scan.h"
-#include "config/language.h"
 #include "config/tools/insert_keys.h"
 #include "config/tools/tool_row.h"
+#include "texts/tool_library.h"
 
 namespace kadr {
 namespace {
@@ -46,7 +46,7 @@ toml::array array_of(const json& list) {
 std::string called_in_list(const json& row, std::size_t i) {
   const auto number = row.find("number");
   if (number != row.end() && number->is_number_integer()) return "T" + number->dump();
-  return told("tool no. ", "инструмент по порядку ") + std::to_string(i + 1);
+  return translated(texts::tool_library::number_in_list, i + 1);
 }
 
 nlohmann::ordered_json points_json(const std::vector<ProfilePoint>& outline) {
@@ -89,10 +89,10 @@ tl::expected<ToolLibrary, std::string> tools_of_list(std::string_view text) {
   if (const std::string fault = json_fault_message(text, "tools"); !fault.empty()) return Failed(fault);
   const json list = json::parse(text, nullptr, false);
   if (!list.is_array() || list.empty() || list.size() > limits::tools)
-    return Failed("tools: " + told("want a list of tools, 1 to ", "нужен список инструментов, от 1 до ") + std::to_string(limits::tools));
+    return Failed("tools: " + translated(texts::tool_library::list_wanted, limits::tools));
   ToolLibrary library;
   for (std::size_t i = 0; i < list.size(); ++i) {
-    if (!list[i].is_object()) return Failed("tools: " + told("want a list of objects", "нужен список объектов"));
+    if (!list[i].is_object()) return Failed("tools: " + translated(texts::tool_library::objects_wanted));
     const std::string name = called_in_list(list[i], i);
     const toml::table row = table_of(list[i]);
     auto tool = tool_of(name, row);
