@@ -19,13 +19,6 @@ void set_thread_language(Lang lang) { spoken_here = lang; }
 
 Lang thread_language() { return spoken_here.value_or(spoken.load()); }
 
-std::string told(std::string en, std::string ru) { return thread_language() == Lang::ru ? std::move(ru) : std::move(en); }
-
-std::string count_in_russian(std::uint64_t n, const char* one, const char* few, const char* many) {
-  const std::uint64_t ten = n % 10, hundred = n % 100;
-  const bool teen = hundred >= 11 && hundred <= 14;
-  const char* const form = teen ? many : ten == 1 ? one : ten >= 2 && ten <= 4 ? few : many;
-  return std::to_string(n) + " " + form;
-}
+std::string in_thread_language(std::string en, std::string ru) { return thread_language() == Lang::ru ? std::move(ru) : std::move(en); }
 
 }  // namespace kadr

@@ -3,7 +3,6 @@
 // only pass on, in tl::expected<…, std::string>. So the language belongs to the process, like a locale: the command line sets it once,
 // before anything is read.
 
-#include <cstdint>
 #include <string>
 
 #include "config/alarm_texts.h"
@@ -18,10 +17,8 @@ void set_thread_language(Lang lang);
 /// Returns the language of the current thread.
 Lang thread_language();
 
-/// Returns one of two sentences with the same meaning, in the current language.
-std::string told(std::string en, std::string ru);
-
-/// Returns a number with its noun in the right Russian form: count_in_russian(3, "строка", "строки", "строк") is "3 строки".
-std::string count_in_russian(std::uint64_t n, const char* one, const char* few, const char* many);
+/// Returns one of two sentences with the same meaning, in the language of the thread: for what a control file says in both languages. Texts
+/// of Kadr itself are in texts/*.toml (config/texts.h).
+std::string in_thread_language(std::string en, std::string ru);
 
 }  // namespace kadr

@@ -4,7 +4,7 @@
 
 namespace kadr {
 
-std::string told(const NumberRange& range) {
+std::string range_in_words(const NumberRange& range) {
   if (range.least == ranges::any.least && range.most == ranges::any.most) return translated(texts::ranges::a_number);
   if (!range.unit) return translated(texts::ranges::a_number_within, range.least, range.most);
   return translated(texts::ranges::a_number_of_unit, range.least, range.most, plain_text(*range.unit));

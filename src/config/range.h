@@ -34,6 +34,6 @@ inline constexpr NumberRange any = {-1e300, 1e300};
 constexpr bool is_within(double value, const NumberRange& range) { return value >= range.least && value <= range.most; }
 
 /// Returns the form of the number, such as "a number, 0 to 86400 s", in the language of messages.
-std::string told(const NumberRange& range);
+std::string range_in_words(const NumberRange& range);
 
 }  // namespace kadr

@@ -2,9 +2,9 @@
 // The texts that people read, by id. texts/en.toml and texts/ru.toml hold them; the build makes a header for each of their sections
 // (dev/embed_texts.cpp), so that a misspelt id and a wrong number of arguments do not compile:
 //
-//   #include "texts/diff.h"
-//   complain(translated(texts::diff::several_channels, name));   // several_channels = "{}: programs of several channels are not compared"
-//   type_out(counted(texts::diff::rows, n));                     // rows = ["{} row", "{} rows"]
+//   #include "texts/mesh.h"
+//   translated(texts::mesh::no_such_point, triangle, n)  // no_such_point = "triangle {}: no point has the number {}"
+//   counted(texts::cut_summary::calls, n)                // calls = ["{} call", "{} calls"]
 //
 // Texts of alarms and of the control files are not here: controls/*.toml has them. Tested by tests/texts.py and
 // tests/config/texts_test.cpp.

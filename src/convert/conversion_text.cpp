@@ -22,7 +22,7 @@ std::string function_in_words(std::string_view name, const ControlDef& def) {
   const auto does = [&](const auto& row) { return row.function == function; };
   if (std::count_if(def.codes.begin(), def.codes.end(), does) == 1) {
     const CodeRow& row = *std::find_if(def.codes.begin(), def.codes.end(), does);
-    return fmt::format("{} ({})", row.code, told(row.text.en, row.text.ru));
+    return fmt::format("{} ({})", row.code, in_thread_language(row.text.en, row.text.ru));
   }
   const auto word = std::find_if(def.addresses.begin(), def.addresses.end(), does);
   return word == def.addresses.end() ? std::string(name) : std::string(1, word->letter);

@@ -28,7 +28,7 @@ tl::expected<Session*, std::string> Instants::session(const StopToken& stop) {
   auto program = run_.opened().program();
   if (!program) return tl::unexpected(program.error());
   auto made = Session::open(run_.opened().spec(std::move(*program), stop));
-  if (!made) return tl::unexpected(told(made.error().fault.en, made.error().fault.ru));
+  if (!made) return tl::unexpected(in_thread_language(made.error().fault.en, made.error().fault.ru));
   session_ = std::move(*made);
   session_->control().holds_before = [this](const Origin& origin) {
     held_ = origin;

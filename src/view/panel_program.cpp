@@ -120,7 +120,7 @@ tl::expected<std::unique_ptr<Session>, std::string> PanelProgram::open(const std
     spec.setup = start ? standing_at(setup_, axes_, *start) : setup_;
   }
   auto session = Session::open(std::move(spec));
-  if (!session) return tl::unexpected(told(session.error().fault.en, session.error().fault.ru));
+  if (!session) return tl::unexpected(in_thread_language(session.error().fault.en, session.error().fault.ru));
   const std::lock_guard hold(lock_);
   axes_ = (*session)->control().axes();
   return std::move(*session);
@@ -158,7 +158,7 @@ std::string PanelProgram::refusal(const Tables& tables) const {
   SessionSpec spec = opened_.spec(std::move(*text), {});
   spec.setup = tables.setup;
   const auto session = Session::open(std::move(spec));
-  return session ? std::string() : told(session.error().fault.en, session.error().fault.ru);
+  return session ? std::string() : in_thread_language(session.error().fault.en, session.error().fault.ru);
 }
 
 bool PanelProgram::take(Tables tables) {

@@ -73,7 +73,7 @@ tl::expected<void, std::string> PartRun::open_session(const PartRequest& request
   auto program = opened_.program();
   if (!program) return Failed(program.error());
   auto session = Session::open(opened_.spec(std::move(*program), stop_));
-  if (!session) return Failed(told(session.error().fault.en, session.error().fault.ru));
+  if (!session) return Failed(in_thread_language(session.error().fault.en, session.error().fault.ru));
   session_ = std::move(*session);
   session_->control().watch_calls();
   take_session(*session_, opened_.stated.contains("start"), job_);

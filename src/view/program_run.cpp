@@ -35,7 +35,7 @@ tl::expected<std::unique_ptr<ProgramRun>, std::string> ProgramRun::make(const Op
   auto program = opened.program();
   if (!program) return tl::unexpected(program.error());
   auto session = Session::open(opened.spec(std::move(*program), stop));
-  if (!session) return tl::unexpected(told(session.error().fault.en, session.error().fault.ru));
+  if (!session) return tl::unexpected(in_thread_language(session.error().fault.en, session.error().fault.ru));
   run->session_ = std::move(*session);
   run->attach();
   return run;

@@ -6,6 +6,7 @@
 #include "cli/options/command_parts.h"
 #include "cli/options/help_text.h"
 #include "cli/options/option_values.h"
+#include "lang/text/end_mark.h"
 #include "texts/help_examples.h"
 #include "texts/mill_options.h"
 #include "texts/values.h"
@@ -55,7 +56,7 @@ void technology_options(CLI::App& app, MillOptions& o) {
 }
 
 void output_options(CLI::App& app, MillOptions& o) {
-  one_of(app.add_option("--mark", o.mark, translated(texts::mill_options::mark)), {"ПС", "LF"});
+  one_of(app.add_option("--mark", o.mark, translated(texts::mill_options::mark)), {std::string(end_mark_in_text), "LF"});
   writes_file(app.add_option("--output", o.output, translated(texts::mill_options::output)));
   writes_file(app.add_option("--plot", o.plot, translated(texts::mill_options::plot)));
   quiet_option(app, o.quiet);

@@ -42,7 +42,7 @@ std::optional<std::vector<double>> numbers_of_list(const toml::node& node, std::
 Done box_of_body(const std::string& file, const toml::node& node, BodyShape& shape) {
   const auto n = numbers_of_list(node, 6);
   if (!n || !((*n)[0] < (*n)[3] && (*n)[1] < (*n)[4] && (*n)[2] < (*n)[5]))
-    return Failed(place(file, node) + translated(texts::machine_bodies::box_form, told(ranges::position)));
+    return Failed(place(file, node) + translated(texts::machine_bodies::box_form, range_in_words(ranges::position)));
   shape.form = BodyShape::Form::box;
   shape.least = {(*n)[0], (*n)[1], (*n)[2]};
   shape.most = {(*n)[3], (*n)[4], (*n)[5]};
@@ -52,7 +52,7 @@ Done box_of_body(const std::string& file, const toml::node& node, BodyShape& sha
 Done cylinder_of_body(const std::string& file, const toml::node& node, BodyShape& shape) {
   const auto n = numbers_of_list(node, 5);
   if (!n || !((*n)[2] < (*n)[3] && (*n)[4] > 0))
-    return Failed(place(file, node) + translated(texts::machine_bodies::cylinder_form, told(ranges::position)));
+    return Failed(place(file, node) + translated(texts::machine_bodies::cylinder_form, range_in_words(ranges::position)));
   shape.form = BodyShape::Form::cylinder;
   shape.centre = {(*n)[0], (*n)[1]};
   shape.bottom = (*n)[2], shape.top = (*n)[3], shape.diameter = (*n)[4];

@@ -53,7 +53,7 @@ Done vector_of(const std::string& file, const toml::table& row, std::string_view
     fits = part && is_within(*part, ranges::position);
     if (fits) parts[i] = *part;
   }
-  if (!fits) return Failed(place(file, *node) + translated(texts::machine_file::three_numbers, key, told(ranges::position)));
+  if (!fits) return Failed(place(file, *node) + translated(texts::machine_file::three_numbers, key, range_in_words(ranges::position)));
   to = {parts[0], parts[1], parts[2]};
   return {};
 }

@@ -11,7 +11,7 @@ Reader to_span(OptionalSpan& to) {
   return or_null([&to](const Json& item, const std::string& name) {
     to = limit_pair(item, name);
     const bool fits = is_within(to->first, ranges::position) && is_within(to->second, ranges::position) && to->first < to->second;
-    if (!fits) wrong(name, "[least, most], the second above the first, each " + told(ranges::position));
+    if (!fits) wrong(name, "[least, most], the second above the first, each " + range_in_words(ranges::position));
   });
 }
 
@@ -22,7 +22,7 @@ AxisLimits axis_limits(const Json& value, const std::string& key) {
     axis.no_acceleration = item.is_null();
     if (item.is_null()) return;
     if (!item.is_number() || !is_within(item.get<double>(), ranges::acceleration))
-      wrong(name, told(ranges::acceleration) + ", or null: without limit");
+      wrong(name, range_in_words(ranges::acceleration) + ", or null: without limit");
     axis.acceleration = item.get<double>();
   };
   const Reader jerk_time =
@@ -72,7 +72,7 @@ void hole(const Json& value, const std::string& key, ProbeHole& to) {
               {"diameter", to_range(to.diameter, ranges::diameter)},
               {"top", to_range(to.top, ranges::position)},
               {"depth", to_range(to.depth, ranges::distance)}});
-  if (to.diameter == 0) wrong(key + ".diameter", told(ranges::diameter));  // 0 means that the key is missing
+  if (to.diameter == 0) wrong(key + ".diameter", range_in_words(ranges::diameter));  // 0 means that the key is missing
 }
 
 void probe_workpiece(const Json& value, const std::string& key, Setup& setup) {

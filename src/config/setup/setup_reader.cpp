@@ -17,7 +17,7 @@ double number(const Json& value, const std::string& key) {
 
 double within(const Json& value, const std::string& key, const NumberRange& range) {
   const double n = number(value, key);
-  if (!is_within(n, range)) wrong(key, told(range));
+  if (!is_within(n, range)) wrong(key, range_in_words(range));
   return n;
 }
 

@@ -56,7 +56,7 @@ Done polygon_of(const std::string& file, const toml::table& row, std::string_vie
     if (fits) to.push_back({*x, *z});
   }
   if (fits) return {};
-  return Failed(place(file, *node) + translated(texts::tool_inserts::polygon_form, key, told(insert_place)));
+  return Failed(place(file, *node) + translated(texts::tool_inserts::polygon_form, key, range_in_words(insert_place)));
 }
 
 std::string polygon_fault_message(std::string_view key, const InsertOutline& outline) {
@@ -108,9 +108,9 @@ void complete_insert(ToolGeometry& t) {
 std::string insert_fault_message(const ToolGeometry& t) {
   const InsertGeometry& i = t.insert;
   for (const double size : {t.corner, t.flutes, t.length, i.width})
-    if (!is_within(size, insert_size)) return translated(texts::tool_library::size_must_be, told(insert_size));
+    if (!is_within(size, insert_size)) return translated(texts::tool_library::size_must_be, range_in_words(insert_size));
   if (!is_within(t.angle, {0, 180}) || !is_within(i.lead.value_or(0), entering_angle))
-    return translated(texts::tool_inserts::angle_must_be, told(entering_angle));
+    return translated(texts::tool_inserts::angle_must_be, range_in_words(entering_angle));
   if (i.profile.empty()) {
     if (std::string fault = nose_fault_message(t); !fault.empty()) return fault;
     if (i.width > 0 && i.lead != 0 && i.lead != 90) return translated(texts::tool_inserts::grooving_lead);

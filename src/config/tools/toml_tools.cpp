@@ -118,7 +118,7 @@ tl::expected<void, std::string> number(const std::string& file, const toml::tabl
   const toml::node* const node = row.get(key);
   if (node == nullptr) return {};
   const auto value = within(node, range);
-  if (!value) return must_be(file, *node, key, told(range));
+  if (!value) return must_be(file, *node, key, range_in_words(range));
   to = *value;
   return {};
 }
@@ -130,7 +130,7 @@ tl::expected<void, std::string> span(const std::string& file, const toml::table&
   const toml::array* const pair = node->as_array();
   const bool two = pair != nullptr && pair->size() == 2;
   const auto from = within(two ? pair->get(0) : nullptr, range), to = within(two ? pair->get(1) : nullptr, range);
-  if (!from || !to || !(*from < *to)) return must_be(file, *node, key, translated(texts::toml_faults::least_and_most, told(range)));
+  if (!from || !to || !(*from < *to)) return must_be(file, *node, key, translated(texts::toml_faults::least_and_most, range_in_words(range)));
   least = *from;
   most = *to;
   return {};

@@ -119,7 +119,7 @@ Done outline_of(const std::string& file, const toml::table& row, std::string_vie
     if (fits) to.push_back({*diameter, *height});
   }
   if (fits) return {};
-  return Failed(place(file, *node) + translated(texts::tool_library::outline_form, key, told(size_range)));
+  return Failed(place(file, *node) + translated(texts::tool_library::outline_form, key, range_in_words(size_range)));
 }
 
 /// Returns what is wrong with an outline; empty if it is valid.
@@ -127,7 +127,7 @@ std::string outline_fault_message(std::string_view key, const std::vector<Profil
   double widest = 0;
   for (std::size_t i = 0; i < outline.size(); ++i) {
     if (!is_within(outline[i].diameter, size_range) || !is_within(outline[i].height, size_range))
-      return translated(texts::tool_library::outline_number, key, told(size_range));
+      return translated(texts::tool_library::outline_number, key, range_in_words(size_range));
     widest = std::max(widest, outline[i].diameter);
     if (i != 0 && outline[i].height < outline[i - 1].height) return translated(texts::tool_library::heights_fall, key);
   }
@@ -192,7 +192,7 @@ std::string tool_fault_message(const ToolGeometry& t) {
   if (t.kind == ToolKind::turning) return insert_fault_message(t);
   if (t.kind == ToolKind::form && t.profile.empty()) return translated(texts::tool_library::profile_missing);
   for (const double size : {t.diameter, t.corner, t.tip, t.flutes, t.length})
-    if (!is_within(size, size_range)) return translated(texts::tool_library::size_must_be, told(size_range));
+    if (!is_within(size, size_range)) return translated(texts::tool_library::size_must_be, range_in_words(size_range));
   if (!(t.diameter > 0)) return translated(texts::tool_library::diameter_missing);
   if (!(t.flutes > 0)) return translated(texts::tool_library::flute_length_missing);
   if (t.length < t.flutes) return translated(texts::tool_library::length_below_flutes);

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "lang/block/word_reader.h"
+#include "lang/text/end_mark.h"
 
 namespace kadr {
 namespace {
@@ -34,7 +35,7 @@ Status read_assignment(Cursor& cursor, const Grammar& grammar, Block& block, std
 
 /// Checks that ПС is not a separate word in a comment, because it ends the block on the tape (2С42 6.2).
 Status no_mark_inside(std::string_view text, std::size_t begin, std::size_t end) {
-  constexpr std::string_view mark = "ПС";
+  constexpr std::string_view mark = end_mark_in_text;
   const auto apart = [&](std::size_t i) { return i < begin || i >= end || is_blank(text[i]); };
   for (std::size_t i = text.find(mark, begin); i < end; i = text.find(mark, i + 1))
     if (apart(i - 1) && apart(i + mark.size()))

@@ -8,12 +8,11 @@
 
 #include "lang/block/lexer.h"
 #include "lang/text/eia.h"
+#include "lang/text/end_mark.h"
 #include "lang/text/tape_orientation.h"
 
 namespace kadr {
 namespace {
-
-constexpr std::string_view mark_in_text = "ПС";
 
 bool has_high_bytes(std::string_view bytes) {
   return std::any_of(bytes.begin(), bytes.end(), [](char c) { return (static_cast<unsigned char>(c) & 0x80) != 0 || c == '\x0e'; });
@@ -168,8 +167,8 @@ Status BlockReader::lex_line(Block& block) {
   }
   if (!lexed) {
     // The words after the fault are skipped up to the next end of block.
-    const std::size_t mark = is_text_ ? text_.find(mark_in_text, lexed.error().where.end) : std::string_view::npos;
-    rest_ = mark == std::string_view::npos ? text_.size() : mark + mark_in_text.size();
+    const std::size_t mark = is_text_ ? text_.find(end_mark_in_text, lexed.error().where.end) : std::string_view::npos;
+    rest_ = mark == std::string_view::npos ? text_.size() : mark + end_mark_in_text.size();
     return fail(lexed.error());
   }
   rest_ = lexed->next;

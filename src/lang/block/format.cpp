@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "base/ascii.h"
+#include "lang/text/end_mark.h"
 
 namespace kadr {
 namespace {
@@ -52,7 +53,7 @@ class Descriptor {
         grammar_.percent_ignored = false;
       } else if (take(rest_, ":")) {
         grammar_.main_blocks = true;
-      } else if (take(rest_, "*") || take(rest_, "LF") || take(rest_, "ПС")) {
+      } else if (take(rest_, "*") || take(rest_, "LF") || take(rest_, end_mark_in_text)) {
         ended_ = true;
         grammar_.end_of_block = EndOfBlock::line;
         grammar_.mark_everywhere = true;

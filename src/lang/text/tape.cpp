@@ -9,6 +9,7 @@
 
 #include "lang/text/eia.h"
 #include "lang/text/encoding.h"
+#include "lang/text/end_mark.h"
 
 // The Russian register is KOI-7 Н1: the codes 0x40..0x7E are the letters of KOI8-R without their eighth bit, ю а б … ч.
 // Ъ would have the code of a deleted row and therefore has none. Digits and signs, 0x20..0x3F, are the same in both registers.
@@ -75,7 +76,7 @@ void trim_right(std::string_view& line) {
 bool remove_mark(std::string_view& line) {
   std::string_view rest = line;
   trim_right(rest);
-  for (const std::string_view mark : {std::string_view("ПС"), std::string_view("LF")}) {
+  for (const std::string_view mark : {end_mark_in_text, std::string_view("LF")}) {
     if (!rest.ends_with(mark)) continue;
     rest.remove_suffix(mark.size());
     const auto before = static_cast<unsigned char>(rest.empty() ? ' ' : rest.back());

@@ -80,10 +80,10 @@ std::vector<AlarmReport> Checklist::reports(const StopToken& stop) {
   const bool shared = session_.channels().size() > 1;  // another channel may use table rows that this channel does not use
   check_tables({basis_.tools, basis_.own_tools && !shared, basis_.own_setup && !shared}, text.named(), session_.channels()[channel_].setup,
                control.use(), advices);
-  return told(advices);
+  return reports_of(advices);
 }
 
-std::vector<AlarmReport> Checklist::told(const Advices& advices) const {
+std::vector<AlarmReport> Checklist::reports_of(const Advices& advices) const {
   const Channel& channel = session_.channels()[channel_];
   const std::vector<AlarmId>& disabled = session_.setup().disabled;
   std::map<std::uint16_t, std::set<std::uint32_t>> lines;

@@ -31,7 +31,7 @@ class Checklist {
   std::vector<AlarmReport> reports(const StopToken& stop);
 
  private:
-  std::vector<AlarmReport> told(const Advices& advices) const;
+  std::vector<AlarmReport> reports_of(const Advices& advices) const;
 
   Session& session_;
   const std::size_t channel_;

@@ -392,7 +392,7 @@ CutResult Cutting::result(double left, double error_bound) const {
   result.sweeps = stock_.sweeps();
   result.heaviest = loads_.heaviest();
   result.emptiest = air_.emptiest();
-  result.threads = threads_.told(stock_);
+  result.threads = threads_.found_in(stock_);
   return result;
 }
 

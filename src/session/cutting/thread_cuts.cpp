@@ -48,7 +48,7 @@ void ThreadCuts::add(const ThreadPass& pass, const ToolShape& tool) {
   else thread.passes = one.passes;
 }
 
-std::vector<ThreadCut> ThreadCuts::told(const Stock& stock) const {
+std::vector<ThreadCut> ThreadCuts::found_in(const Stock& stock) const {
   std::vector<ThreadCut> threads = threads_;
   for (ThreadCut& t : threads)
     if (const auto material = material_around(stock, t.middle_radius(), 0.5 * (t.from_z + t.to_z)))

@@ -24,7 +24,7 @@ class ThreadCuts {
  public:
   void add(const ThreadPass& pass, const ToolShape& tool);
   /// Returns the threads, with crest radii measured on the present stock.
-  std::vector<ThreadCut> told(const Stock& stock) const;
+  std::vector<ThreadCut> found_in(const Stock& stock) const;
 
  private:
   std::vector<ThreadCut> threads_;

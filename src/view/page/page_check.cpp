@@ -20,7 +20,7 @@ PageSession::Inside::Answer PageSession::Inside::check(const PageJson& question)
   spec.limits.restarts = 0;
   spec.setup.channels.clear();
   auto session = Session::open(std::move(spec));
-  if (!session) return tl::unexpected(Refusal{told(session.error().fault.en, session.error().fault.ru)});
+  if (!session) return tl::unexpected(Refusal{in_thread_language(session.error().fault.en, session.error().fault.ru)});
   PageJson problems = PageJson::array();
   ProgramCheck({.stated = run->opened().stated,
                 .basis = {run->opened().tools, run->opened().number == 0, run->opened().number == 0},

@@ -74,7 +74,7 @@ PageSession::Inside::Answer PageSession::Inside::compare(const PageJson& questio
     auto program = opened.program();
     if (!program) return tl::unexpected(Refusal{program.error()});
     auto session = Session::open(opened.spec(std::move(*program), token()));
-    if (!session) return tl::unexpected(Refusal{told(session.error().fault.en, session.error().fault.ru)});
+    if (!session) return tl::unexpected(Refusal{in_thread_language(session.error().fault.en, session.error().fault.ru)});
     sides[side] = std::move(*session);
   }
   if (sides[0]->channels().size() > 1 || sides[1]->channels().size() > 1)

@@ -44,7 +44,7 @@ class PageConversion {
     SessionSpec spec = from_.spec(std::move(*program), stop_);
     spec.setup = setup;
     auto session = Session::open(std::move(spec));
-    if (!session) return tl::unexpected(told(session.error().fault.en, session.error().fault.ru));
+    if (!session) return tl::unexpected(in_thread_language(session.error().fault.en, session.error().fault.ru));
     if ((*session)->channels().size() > 1) return tl::unexpected(no_conversion_of_channels());
     return std::move(*session);
   }
@@ -54,7 +54,7 @@ class PageConversion {
     spec.control = to_;
     spec.setup = setup;
     auto session = Session::open(std::move(spec));
-    if (!session) return tl::unexpected(session.error().fault.key + ": " + told(session.error().fault.en, session.error().fault.ru));
+    if (!session) return tl::unexpected(session.error().fault.key + ": " + in_thread_language(session.error().fault.en, session.error().fault.ru));
     (*session)->control().set_waiting(Control::Waiting::pass);
     return std::move(*session);
   }

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "config/control/control_file.h"
+#include "lang/text/end_mark.h"
 #include "out/picture/plot/plot_page.h"
 #include "session/milling/mill_summary.h"
 #include "texts/page.h"
@@ -46,7 +47,7 @@ constexpr MillText mill_texts[] = {
     {"stepover", &MillRequest::stepover}, {"plunge", &MillRequest::plunge}, {"mark", &MillRequest::mark},
 };
 constexpr std::string_view of_the_question[] = {"id", "do", "drawing", "control"};
-constexpr std::string_view tasks[] = {"pocket", "face", "slot"}, marks[] = {"", "ПС", "LF"};
+constexpr std::string_view tasks[] = {"pocket", "face", "slot"}, marks[] = {"", end_mark_in_text, "LF"};
 
 template <class Rows>
 auto row_of(const Rows& rows, std::string_view key) {

@@ -53,7 +53,7 @@ std::optional<double> component(const FiveAxisTransform& space, std::size_t axis
 
 /// Returns a tool position as system variables report it (25.19): in the work system or in the programming frame, with or without the
 /// tool length.
-double told(const BlockContext& m, std::size_t axis, const Axes& work, const Axes& length, bool in_frame) {
+double position_of_variable(const BlockContext& m, std::size_t axis, const Axes& work, const Axes& length, bool in_frame) {
   const bool with_length = !fanuc_of(m).settings.without_length;
   const FiveAxisTransform* const space = space_of(m);
   if (space == nullptr || space->is_plain()) return work[axis] + (with_length ? length[axis] : 0);
@@ -73,8 +73,8 @@ double axis_value(const BlockContext& m, VariableKind kind, int axis) {
   switch (kind) {
     case VariableKind::end_position: return shown(m, axis, before_transform(m)[a]);
     case VariableKind::machine_position: return shown(m, axis, m.position.machine[a]);
-    case VariableKind::work_position: return shown(m, axis, told(m, a, m.position.work, length_in_force(m), in_frame));
-    case VariableKind::probe_position: return shown(m, axis, told(m, a, fanuc.probe_position, fanuc.probe_length, in_frame));
+    case VariableKind::work_position: return shown(m, axis, position_of_variable(m, a, m.position.work, length_in_force(m), in_frame));
+    case VariableKind::probe_position: return shown(m, axis, position_of_variable(m, a, fanuc.probe_position, fanuc.probe_length, in_frame));
     case VariableKind::length_in_force: return shown(m, axis, length);
     default: return 0;  // servo lag, distance to go, handwheel shift: always 0 on the virtual machine
   }
@@ -141,7 +141,7 @@ double probe_of_five_axes(const BlockContext& m, bool of_machine, int axis) {
   if (axis < 0) return 0;
   const auto a = static_cast<std::size_t>(axis);
   const Fanuc& fanuc = fanuc_of(m);
-  if (!of_machine) return told(m, a, fanuc.probe_position, fanuc.probe_length, !fanuc.settings.in_frame);
+  if (!of_machine) return position_of_variable(m, a, fanuc.probe_position, fanuc.probe_length, !fanuc.settings.in_frame);
   return fanuc.probe_machine[a] - (fanuc.settings.without_length ? fanuc.probe_length[a] : 0);
 }
 
