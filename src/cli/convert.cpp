@@ -73,7 +73,8 @@ class ConvertCommand {
       auto program = open_program(*job_);
       if (!program) return tl::unexpected(translated(texts::convert_command::not_opened));
       auto opened = Session::open({job_->def, job_->profile, setup, std::move(*program), o_.run.limits});
-      if (!opened) return tl::unexpected(opened.error().fault.key + ": " + in_thread_language(opened.error().fault.en, opened.error().fault.ru));
+      if (!opened)
+        return tl::unexpected(opened.error().fault.key + ": " + in_thread_language(opened.error().fault.en, opened.error().fault.ru));
       return std::move(*opened);
     };
   }
@@ -93,7 +94,8 @@ class ConvertCommand {
     spec.target = [this](std::shared_ptr<ByteSource> text, const Setup& setup) -> tl::expected<std::unique_ptr<Session>, std::string> {
       auto session =
           Session::open({to_, job_->profile, setup, {job_->file, shared_source(std::move(text)), Encoding::utf8}, o_.run.limits});
-      if (!session) return tl::unexpected(session.error().fault.key + ": " + in_thread_language(session.error().fault.en, session.error().fault.ru));
+      if (!session)
+        return tl::unexpected(session.error().fault.key + ": " + in_thread_language(session.error().fault.en, session.error().fault.ru));
       (*session)->control().set_waiting(Control::Waiting::pass);
       return std::move(*session);
     };

@@ -2,9 +2,9 @@
 // The texts that people read, by id. texts/en.toml and texts/ru.toml hold them; the build makes a header for each of their sections
 // (dev/embed_texts.cpp), so that a misspelt id and a wrong number of arguments do not compile:
 //
-//   #include "texts/mesh.h"
+//   // with the header texts/mesh.h
 //   translated(texts::mesh::no_such_point, triangle, n)  // no_such_point = "triangle {}: no point has the number {}"
-//   counted(texts::cut_summary::calls, n)                // calls = ["{} call", "{} calls"]
+//   counted(texts::check_command::errors, n)             // errors = ["{} error", "{} errors"]
 //
 // Texts of alarms and of the control files are not here: controls/*.toml has them. Tested by tests/texts.py and
 // tests/config/texts_test.cpp.
@@ -17,23 +17,9 @@
 #include <string_view>
 
 #include "config/language.h"
+#include "config/text_id.h"
 
 namespace kadr {
-
-/// Names a text that wants `Holes` arguments for its placeholders {}.
-template <std::size_t Holes>
-struct TextId {
-  std::uint16_t section = 0, row = 0;
-};
-
-/// Names a text whose form depends on a number, its first argument; `Holes` further arguments follow.
-template <std::size_t Holes>
-struct PluralId {
-  std::uint16_t section = 0, row = 0;
-};
-
-/// A text without placeholders: for tables of texts.
-using PlainText = TextId<0>;
 
 /// Which form of a text belongs to a number (Unicode CLDR, "Language Plural Rules", whole numbers).
 enum class PluralRule : std::uint8_t {

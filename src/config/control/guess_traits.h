@@ -5,7 +5,7 @@
 #include <string>
 #include <string_view>
 
-#include "config/texts.h"
+#include "config/text_id.h"
 
 namespace kadr {
 

@@ -130,7 +130,8 @@ tl::expected<void, std::string> span(const std::string& file, const toml::table&
   const toml::array* const pair = node->as_array();
   const bool two = pair != nullptr && pair->size() == 2;
   const auto from = within(two ? pair->get(0) : nullptr, range), to = within(two ? pair->get(1) : nullptr, range);
-  if (!from || !to || !(*from < *to)) return must_be(file, *node, key, translated(texts::toml_faults::least_and_most, range_in_words(range)));
+  if (!from || !to || !(*from < *to))
+    return must_be(file, *node, key, translated(texts::toml_faults::least_and_most, range_in_words(range)));
   least = *from;
   most = *to;
   return {};

@@ -54,7 +54,8 @@ class PageConversion {
     spec.control = to_;
     spec.setup = setup;
     auto session = Session::open(std::move(spec));
-    if (!session) return tl::unexpected(session.error().fault.key + ": " + in_thread_language(session.error().fault.en, session.error().fault.ru));
+    if (!session)
+      return tl::unexpected(session.error().fault.key + ": " + in_thread_language(session.error().fault.en, session.error().fault.ru));
     (*session)->control().set_waiting(Control::Waiting::pass);
     return std::move(*session);
   }

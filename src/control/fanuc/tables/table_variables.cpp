@@ -74,7 +74,8 @@ double axis_value(const BlockContext& m, VariableKind kind, int axis) {
     case VariableKind::end_position: return shown(m, axis, before_transform(m)[a]);
     case VariableKind::machine_position: return shown(m, axis, m.position.machine[a]);
     case VariableKind::work_position: return shown(m, axis, position_of_variable(m, a, m.position.work, length_in_force(m), in_frame));
-    case VariableKind::probe_position: return shown(m, axis, position_of_variable(m, a, fanuc.probe_position, fanuc.probe_length, in_frame));
+    case VariableKind::probe_position:
+      return shown(m, axis, position_of_variable(m, a, fanuc.probe_position, fanuc.probe_length, in_frame));
     case VariableKind::length_in_force: return shown(m, axis, length);
     default: return 0;  // servo lag, distance to go, handwheel shift: always 0 on the virtual machine
   }
