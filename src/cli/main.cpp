@@ -11,17 +11,15 @@
 #include "cli/job/terminal.h"
 #include "cli/options/command_line.h"
 #include "cli/options/usage_error.h"
-#include "config/language.h"
+#include "config/texts.h"
 #include "texts/command_line.h"
 
 namespace kadr::cli {
 
 Lang language(const Options& options) {
-  if (options.lang == "ru") return Lang::ru;
-  if (options.lang == "en") return Lang::en;
+  if (const std::optional<Lang> asked = language_named(options.lang)) return *asked;
   for (const char* const name : {"LC_ALL", "LC_MESSAGES", "LANG"})
-    if (const char* const value = std::getenv(name); value != nullptr && *value != '\0')
-      return std::string(value).starts_with("ru") ? Lang::ru : Lang::en;
+    if (const char* const value = std::getenv(name); value != nullptr && *value != '\0') return language_named(value).value_or(Lang::en);
   return Lang::en;
 }
 

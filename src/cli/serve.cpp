@@ -81,9 +81,15 @@ int serve(const ServeOptions& options) {
   PanelHub hub;
   constexpr double bytes_of_mb = 1e6;
   const MemoryBound memory(std::size_t(options.max_memory * bytes_of_mb));
-  const PageServer page{
-      *folder,       new_token(), wanted.is_open() || !options.open, options.lang == "ru" ? Lang::ru : Lang::en, KADR_VERSION, &last, &hub,
-      journal.get(), &memory};
+  const PageServer page{*folder,
+                        new_token(),
+                        wanted.is_open() || !options.open,
+                        language_named(options.lang).value_or(Lang::en),
+                        KADR_VERSION,
+                        &last,
+                        &hub,
+                        journal.get(),
+                        &memory};
   const auto server = HttpServer::listen(wanted, page);
   if (!server) {
     complain(server.error());

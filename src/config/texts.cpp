@@ -23,6 +23,13 @@ std::size_t plural_form(PluralRule rule, std::uint64_t n) {
   return teen ? 2 : ten == 1 ? 0 : ten >= 2 && ten <= 4 ? 1 : 2;
 }
 
+std::optional<Lang> language_named(std::string_view name) {
+  const std::span<const TextLanguage> all = text_languages();
+  for (std::size_t i = 0; i < all.size(); ++i)
+    if (name.starts_with(all[i].id)) return static_cast<Lang>(i);
+  return std::nullopt;
+}
+
 const char* text_pattern(std::uint16_t section, std::uint16_t row, Lang lang) { return language_of(lang).sections[section][row]; }
 
 const char* plural_pattern(std::uint16_t section, std::uint16_t row, std::uint64_t n, Lang lang) {

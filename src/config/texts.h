@@ -12,6 +12,7 @@
 #include <fmt/format.h>
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -40,6 +41,11 @@ struct TextLanguage {
 
 /// Returns the languages of texts/, English first; Lang is the index.
 std::span<const TextLanguage> text_languages();
+
+/// Returns the language whose id a name begins with: "ru" and "ru_RU.UTF-8" are Russian. Returns nullopt if there is none.
+std::optional<Lang> language_named(std::string_view name);
+/// Returns the id of a language: "ru".
+inline const char* id_of(Lang lang) { return text_languages()[static_cast<std::size_t>(lang)].id; }
 
 /// Returns the text as its file has it, in a language or in that of the thread. It exists as long as the program.
 const char* text_pattern(std::uint16_t section, std::uint16_t row, Lang lang);

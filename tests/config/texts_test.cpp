@@ -28,4 +28,12 @@ TEST(TheLanguages, BeginWithEnglishAndRussianAsInLang) {
   EXPECT_STREQ(text_languages()[static_cast<std::size_t>(Lang::ru)].id, "ru");
 }
 
+TEST(TheNameOfALanguage, BeginsWithItsId) {
+  EXPECT_EQ(language_named("ru"), Lang::ru);
+  EXPECT_EQ(language_named("ru_RU.UTF-8"), Lang::ru);
+  EXPECT_EQ(language_named("en_GB"), Lang::en);
+  for (const char* const name : {"", "C", "POSIX", "r", "RU"}) EXPECT_EQ(language_named(name), std::nullopt) << name;
+  EXPECT_STREQ(id_of(Lang::ru), "ru");
+}
+
 }  // namespace kadr::texts_test

@@ -22,7 +22,9 @@ void control_option(CLI::App& app, std::string& control) {
 }
 
 void language_option(CLI::App& app, std::string& lang) {
-  one_of(app.add_option("--lang", lang, plain_text(texts::program_options::language)), {"en", "ru"});
+  std::vector<std::string> ids;
+  for (const TextLanguage& language : text_languages()) ids.emplace_back(language.id);
+  one_of(app.add_option("--lang", lang, plain_text(texts::program_options::language)), ids);
 }
 
 void quiet_option(CLI::App& app, bool& quiet) { app.add_flag("-q,--quiet", quiet, plain_text(texts::program_options::quiet)); }

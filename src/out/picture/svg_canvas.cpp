@@ -55,7 +55,7 @@ SvgCanvas::SvgCanvas(std::FILE* file, double width, double height, const PageTex
       fmt::format("<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"
                   "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{0}\" height=\"{1}\" viewBox=\"0 0 {0} {1}\" xml:lang=\"{2}\""
                   " font-family=\"DejaVu Sans, Verdana, Arial, sans-serif\" stroke-linecap=\"round\" stroke-linejoin=\"round\">\n",
-                  svg_number(width), svg_number(height), text_languages()[static_cast<std::size_t>(says.lang)].id));
+                  svg_number(width), svg_number(height), id_of(says.lang)));
   put_element("title", says.title);
   put_element("desc", says.description);
 }

@@ -140,9 +140,7 @@ struct PageSession::Inside {
   /// Makes the file paths in a list of calls relative to the folder, for display.
   void show_files(PageJson& calls) const;
   PageJson problem_of_channel(const AlarmReport& report, int channel) const;
-  void speak(const PageJson& question) {
-    lang = value_in<std::string>(question, "lang", lang == Lang::ru ? "ru" : "en") == "ru" ? Lang::ru : Lang::en;
-  }
+  void speak(const PageJson& question) { lang = language_named(value_in<std::string>(question, "lang", id_of(lang))).value_or(Lang::en); }
   StopToken token() const { return StopToken(stops); }
 
   const PageServer& server;
