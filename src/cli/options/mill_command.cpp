@@ -39,7 +39,7 @@ void scheme_options(CLI::App& app, MillOptions& o) {
   known_by(app.add_option("--plunge", o.plunge, translated(texts::mill_options::plunge)), translated(texts::mill_options::plunge_names),
            is_plunge, plunge_names())
       ->capture_default_str();
-  number(app.add_option("--hole", o.hole, translated(texts::mill_options::hole)), "X Y", "X Y")->expected(2);
+  number(app.add_option("--hole", o.hole, translated(texts::mill_options::hole)), "X Y")->expected(2);
   degrees(app.add_option("--ramp-angle", o.ramp_angle, translated(texts::mill_options::ramp_angle)))->capture_default_str();
   millimetres(app.add_option("--clearance", o.clearance, translated(texts::mill_options::clearance)))->capture_default_str();
   millimetres(app.add_option("--overrun", o.overrun, translated(texts::mill_options::overrun)))->capture_default_str();
