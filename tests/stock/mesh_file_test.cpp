@@ -144,9 +144,9 @@ TEST(mesh_file, what_can_be_repaired_is_and_is_told) {
                                            {inside_out(outer), 729, "it was inside out: turned"},
                                            {together(outer, inside_out(inner)), 729 - 8, ""},
                                            {inside_out(together(outer, inside_out(inner))), 729 - 8, "it was inside out: turned"},
-                                           {together(outer, inside_out(beside)), 730, "1 of its bodies were inside out: turned"},
-                                           {mixed, 729, "1 triangles went round against their neighbours: turned"},
-                                           {torn, 729, "1 points at open edges lay within 0.005 mm of another: joined"}}) {
+                                           {together(outer, inside_out(beside)), 730, "1 of its bodies was inside out: turned"},
+                                           {mixed, 729, "1 triangle went round against its neighbours: turned"},
+                                           {torn, 729, "1 point at open edges lay within 0.005 mm of another: joined"}}) {
     const auto read = read_mesh(stl_of(mesh), {});
     ASSERT_TRUE(read) << read.error();
     EXPECT_NEAR(volume_of(read->mesh), volume, 0.1) << note;
