@@ -56,10 +56,10 @@ class BackgroundWorker {
   std::function<void()> work_;
   std::exception_ptr failure_;
   bool begun_ = false;  // begin() was called, wait() not yet
-  // There is a single processor, or no thread could be created: begin() executes the work itself
+  // True if there is a single processor, or if no thread could be created: begin() then executes the work itself
   bool alone_ = false;
   Thread thread_;  // started with the first work
-  // Number, from 1, of the last work that was begun, claimed by a thread, done
+  // Numbers, counted from 1, of the last piece of work that was begun, that a thread claimed, and that is done
   std::atomic<std::uint32_t> given_ = 0, claimed_ = 0, done_ = 0;
   std::atomic<bool> over_ = false;
 };

@@ -35,7 +35,8 @@ template <class F>
 double integral(const F& f, double from, double to, double relative) {
   constexpr int stretches = 16;
   constexpr int max_halvings = 48;
-  // Passes over the interval: a peak at its end makes the first estimate of the integral's size far too large
+  // Greatest number of passes over the interval. The error of each pass is relative to an estimate of the integral's size; a peak at the
+  // end of the interval makes the first estimate far too large.
   constexpr int max_rounds = 4;
   double size = 0;
   for (int i = 0; i <= stretches; ++i) size += std::abs(f(from + (to - from) * i / stretches) * (to - from) / stretches);

@@ -44,7 +44,7 @@ bool begin_alone(std::function<void()> work) {
   std::thread thread = begun([work = std::move(work)] {
     try {
       work();
-    } catch (...) {  // NOLINT: nobody waits for it
+    } catch (...) {  // NOLINT: nobody waits for this thread, so nobody can receive its exception
     }
   });
   if (!thread.joinable()) return false;

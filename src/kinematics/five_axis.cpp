@@ -10,8 +10,8 @@ namespace kadr {
 namespace {
 
 constexpr double turn = 360;
-constexpr double singular = 1e-6;  // difference of unit vectors: this close to a rotary axis a direction counts as parallel to it (25a 5.1)
-constexpr double tie = 1e-4;       // degrees: angles that differ by less count as equal (25g 3)
+constexpr double singular = 1e-6;  // difference of unit vectors: closer to a rotary axis, a direction counts as parallel to it (nct 25a 5.1)
+constexpr double tie = 1e-4;       // degrees: angles that differ by less count as equal (nct 25g 3)
 
 double degrees(double radians) { return radians / rad_per_deg; }
 
@@ -24,7 +24,7 @@ double plain(double angle) {
   return a <= -turn / 2 + 1e-9 ? a + turn : a;
 }
 
-/// The angles x, y in degrees for which Ma(x)·Mb(y)·v = w: Ma, Mb rotate about the unit vectors a, b (25a 5.1).
+/// The angles x, y in degrees for which Ma(x)·Mb(y)·v = w: Ma, Mb rotate about the unit vectors a, b (nct 25a 5.1).
 struct Angles {
   int count = 0;
   std::array<double, 2> x{}, y{};
@@ -136,7 +136,7 @@ std::optional<RotaryPair> FiveAxis::chosen(Vec3 wanted, RotaryPair present, Rota
   const RotarySolutions all = solutions(wanted, zero);
   struct Candidate {
     RotaryPair at;
-    std::array<double, 4> rank;  // results of the selection rules in their order; the candidate with the smaller result wins
+    std::array<double, 4> rank;  // results of the selection rules, in the order of the rules; the candidate with the smaller first different result wins
     double primary;              // position of the primary axis before it is moved into its limits
   };
   std::optional<Candidate> best;
@@ -167,8 +167,8 @@ std::optional<RotaryPair> FiveAxis::chosen(Vec3 wanted, RotaryPair present, Rota
   return best->at;
 }
 
-/// While the other axis turns by t, the direction moves on a circle p + cos(t) c + sin(t) s. It is nearest to the wanted direction w
-/// where tan(t) = s·w / c·w.
+/// While the axis that does not stay turns by t, the tool's direction moves on a circle p + cos(t) c + sin(t) s. The direction is nearest to
+/// the wanted direction w where tan(t) = s·w / c·w.
 std::optional<FiveAxis::Kept> FiveAxis::kept(Vec3 wanted, RotaryPair present, RotaryPair zero) const {
   const bool first_stays = group == MachineGroup::head_head;
   const auto pair = [&](double other) { return first_stays ? RotaryPair{present.first, other} : RotaryPair{other, present.second}; };

@@ -43,7 +43,7 @@ class MachineLinks {
 
   static constexpr std::size_t bed = 0;
   std::size_t count() const { return links_.size(); }
-  /// Returns the link that carries the tool; part() returns the link that carries the part.
+  /// tool() returns the link that carries the tool, part() the link that carries the part.
   std::size_t tool() const { return tool_; }
   std::size_t part() const { return part_; }
   /// Returns the link that an axis moves; the bed if the name is empty, or if the axis belongs neither to the tool chain nor to the part
@@ -62,7 +62,7 @@ class MachineLinks {
   Travel travel(std::size_t link, std::size_t from, const BodyBall& body, const std::vector<LinkPose>& poses, const Axes& by) const;
   /// Returns the last link, counted from the bed, that carries both links; a link also carries itself.
   std::size_t carrier(std::size_t a, std::size_t b) const;
-  /// True if each axis of the two chains has the same position in `a` and in `b`.
+  /// Returns true if each axis of the two chains has the same position in `a` and in `b`.
   bool same_place(const Axes& a, const Axes& b) const;
 
  private:

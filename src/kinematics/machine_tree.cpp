@@ -13,7 +13,7 @@ namespace {
 
 constexpr double same_way = 1e-11;  // greatest difference of unit vectors that count as equal
 
-/// Returns the angle or distance of the joint; negative if the axis counts in reverse.
+/// Returns the angle or distance by which the joint moves at an axis position: the position, with the opposite sign for a reversed joint.
 double signed_way(const MachineJoint& joint, double position) { return joint.moves.reversed ? -position : position; }
 
 /// Solves m·v = b for v by Cramer's rule. Returns nullopt if m is singular: its determinant is at most `least`.
@@ -159,7 +159,7 @@ bool MachineTree::turn_to(Vec3 wanted, Axes& axes) const {
   return false;
 }
 
-/// Moves the tip by the smallest change of the linear axes; the tip's position is a linear function of theirs.
+/// Moves the tip to `tip` by the smallest change of the linear axes. The tip's position is a linear function of these axes' positions.
 bool MachineTree::move_to(Vec3 tip, Axes& axes, double tool_length) const {
   const Vec3 here = forward(axes, tool_length).tip;
   std::vector<const MachineJoint*> linear = joints(false);

@@ -23,7 +23,7 @@ class GearWatch {
                    same<Motion, Dwell, CoolantSwitch, ToolSelect, ToolChange, MachineFunction, AuxiliaryFunction, Stop, Message,
                         FrameChange, SurfaceSpeed, Sync, ZoneChange, CompensationBreak, CompensationCorner, CompensationCheck>(false));
   }
-  /// Returns the table's axis if the action makes the spindle demand a speed that is too high for the axis.
+  /// Returns the rotary table's axis and the demanded speed, if the action makes the spindle demand a speed that the axis cannot reach.
   ///   most  rapid rates of the axes, °/min
   std::optional<GearTooFast> look(const Action& action, const std::vector<std::string>& axes, const Axes& most);
 

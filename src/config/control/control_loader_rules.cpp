@@ -222,7 +222,7 @@ Done ControlLoader::check_axes() const {
   return {};
 }
 
-/// Checks that the system variables that the functions need are there, and that coded feeds and speeds have a word.
+/// Checks that the control has the system variables that its functions need, and words for coded feeds and speeds.
 Done ControlLoader::check_functions() {
   const auto kept = [&](VariableKind kind) {
     return std::any_of(def_.variables.begin(), def_.variables.end(), [&](const VariableRow& v) { return v.kind == kind; });
@@ -272,7 +272,7 @@ Done ControlLoader::check_cycle(const toml::table& row, const CycleRow& c) const
   return {};
 }
 
-/// Rejects a variable that the engine cannot keep.
+/// Rejects a row of [[variables]] whose variable the engine cannot store.
 Done ControlLoader::check_variable(const toml::table& row, const VariableRow& v) const {
   if (def_.machine_axes()) return {};
   const std::string kind(row["is"].value_or(std::string()));
@@ -303,7 +303,7 @@ Done ControlLoader::check_variable(const toml::table& row, const VariableRow& v)
   return {};
 }
 
-/// Checks that the end of the program only sets modes: it must not move, call, stop or end.
+/// Checks a code that the end of the program puts in force: it may only set a mode, not move an axis, call a subprogram, stop or end.
 Done ControlLoader::check_end_code(const toml::node& node, const CodeRow& c) const {
   const FunctionTraits& traits = traits_of(c.function);
   const bool straight = c.function == Function::rapid || c.function == Function::linear || c.function == Function::mirror_off;

@@ -20,7 +20,7 @@ namespace kadr {
 //   axes    own: the axis words of the block belong to it, and the block has no modal motion
 //   by      what calls it: an address (word) or a code
 //   needs   what the control must have (see Needs); the loader rejects the row on any other control
-//   order   within one phase: a cycle is cancelled before a motion, scaling and rotation before mirroring (nct 16.4); a repetition is
+//   order   within one phase, a cycle is cancelled before a motion, scaling and rotation before mirroring (nct 16.4); a repetition is
 //           started first, then a call is made, then an end is processed
 //   facts   leaves_mode: a motion code in the same block only sets the mode (`G0 G91 G28 Z0` is what shops write) · ends: it ends the
 //           program, a subprogram or a repetition · stops: it stops the program · calls: it calls a subprogram after the block's other

@@ -77,7 +77,7 @@ namespace {
 
 using setup_reader::Json;
 
-/// Puts the place in front of a sentence: "shop.json:3: …", "--zero G54=X1: …"; for a text without a name, puts nothing.
+/// Returns the sentence with its place in front: "shop.json:3: …", "--zero G54=X1: …". If `place` is empty, returns the sentence alone.
 std::string placed(const std::string& place, std::uint32_t line, const std::string& sentence) {
   std::string text = place;
   if (line != 0 && !place.empty() && !place.starts_with("--")) text += ":" + std::to_string(line);

@@ -28,7 +28,7 @@ struct ToolOffset {
   double radius = 0;
   double length_wear = 0;
   double radius_wear = 0;
-  double corner = 0;  // rounding radius of the corner
+  double corner = 0;  // corner radius of the tool
   double corner_wear = 0;
   double length_x = 0, length_y = 0, length_x_wear = 0, length_y_wear = 0;  // turning offsets (nct 23.1.18, TOL=1)
   double tip_position = 0;                                                  // code of the tip's orientation (turning)
@@ -46,7 +46,7 @@ struct AxisLimits {
   std::optional<double> apart;                        // mm: permitted deviation of a gantry axis from its master (nct 20.6)
   bool no_acceleration = false;                       // `"acceleration": null`: motions need no time to accelerate
   std::optional<double> acceleration;                 // mm/s²
-  std::optional<double> jerk_time;                    // s; 0: the acceleration changes at once (linear)
+  std::optional<double> jerk_time;                    // s, time in which the acceleration reaches its value; 0: at once (linear)
   double position_error = 0;                          // mm; the axis stops short of its commanded position by this much
 };
 
@@ -54,8 +54,8 @@ struct AxisLimits {
 struct KinematicsSetup {
   std::string type;                                    // machine type: head-head, table-table, head-table; empty: not given
   std::string axes, reversed;                          // letters of the axes
-  std::map<std::string, std::vector<double>> vectors;  // T1, T2, E, D: mm
-  double singular = 0.01;  // degrees: if a direction is this close to one that needs no motion of an axis, the latter is used instead
+  std::map<std::string, std::vector<double>> vectors;  // by the manual's names T1, T2, E, D; mm
+  double singular = 0.01;  // degrees by which a tool direction may be changed if one rotary axis then need not move
 };
 
 struct SpindleSetup {
@@ -180,7 +180,7 @@ struct Setup {
   PocketTable place_table;
   std::map<int, ToolForm> form_table;
   Parameters parameters;
-  std::string plane;                     // the axes of the plane, in order: "XC"
+  std::string plane;                     // the first and the second axis of the plane: "XC"
   std::map<std::string, bool> diameter;  // axes programmed as diameters
   bool single_block = false;
   std::string search;                     // "N50": the run starts with a block search for this block (nct 13.1); empty: at the beginning
@@ -198,7 +198,7 @@ struct Setup {
   std::vector<AlarmId> disabled;               // warnings and notes that are not reported
   std::vector<std::string> mirror;             // mirrored axes
   std::map<int, AxisValues> reference_points;  // machine coordinates
-  // By number of the probe input: where in the work system the signal comes; nullopt: it never comes
+  // By number of the probe input: position in work coordinates at which the probe gives its signal; nullopt: it never does
   std::map<int, std::optional<AxisValues>> probe;
   std::optional<ProbeHole> probe_hole;
   std::vector<double> points;
@@ -212,7 +212,7 @@ struct Setup {
 
 /// The state at the end of a run: the tables, and also what a set-up cannot set.
 struct RunState {
-  Setup tables;  // offsets, work_offsets, parameters, tool and place tables, plane, diameter, in the form of a next set-up
+  Setup tables;  // offsets, work_offsets, parameters, tool and place tables, plane, diameter, as a set-up for the next run
   std::map<std::string, AxisValues> shifts;  // "G92", "G52"
   struct SpindleState {
     std::string loop = "open";  // position loop of the spindle: open or closed

@@ -52,7 +52,8 @@ std::string quoted_words(std::string_view words, Lang lang) {
   return alternatives(all, lang);
 }
 
-/// Returns the sentence for a name that is none of its kind: of a key, the name, and what may have been meant.
+/// Returns the text of the fault that a name does not exist among the names of a kind. Its placeholders are the key, the name, and the
+/// suggested names.
 TextId<3> no_such(SetupNames kind) {
   switch (kind) {
     case SetupNames::axis:

@@ -18,7 +18,7 @@ struct KeyFault {
 
 /// Returns the first fault in the order of the text's keys; nullopt if there is none.
 ///   def      nullptr: accept the keys of every control
-///   context  the whole set-up, if `value` is one of several sources: its axes count
+///   context  the set-up merged from all sources, of which `value` is one; the axes are taken from it
 std::optional<KeyFault> fault_of(const nlohmann::json& value, const nlohmann::json& context, const ControlDef* def,
                                  Lang lang = thread_language());
 

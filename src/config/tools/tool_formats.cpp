@@ -44,7 +44,8 @@ ToolKind kind_in_words(std::string_view comment) {
   return ToolKind::flat;
 }
 
-/// Direction of the tip from the nose's centre, along x and z, by Q; as LinuxCNC's drawing of the tool (rs274/glcanon.py) has it.
+/// Direction from the nose's centre to the tip, along x and z; the index is the orientation Q. As in LinuxCNC's drawing of the tool
+/// (rs274/glcanon.py).
 constexpr struct { int x, z; } tips_by_q[] = {{0, 0}, {-1, 1}, {-1, -1}, {1, -1}, {1, 1}, {0, 1}, {-1, 0}, {0, -1}, {1, 0}, {0, 0}};
 
 /// Converts the direction of a cutting edge, in degrees from +z towards +x, to its angle from the feed direction along z that the

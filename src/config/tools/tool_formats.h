@@ -22,7 +22,7 @@ enum class ToolFormat : std::uint8_t {
 /// Recognises the format by the ending of the name (.toml, .tbl), else by the start of the text.
 ToolFormat tool_format_of(std::string_view text, const std::string& path);
 
-/// Return an error sentence with the file and, if known, the line.
+/// These functions read one format each. On failure they return an error sentence with the file and, if known, the line.
 tl::expected<ToolLibrary, std::string> tools_of_linuxcnc(std::string_view text, const std::string& file);
 tl::expected<ToolLibrary, std::string> tools_of_camotics(std::string_view text, const std::string& file);
 tl::expected<ToolLibrary, std::string> tools_of_freecad(std::string_view text, const std::string& file);

@@ -141,7 +141,7 @@ bool fusion_shape(ToolGeometry& tool, const std::string& type, const json& sizes
     tool.kind = ToolKind::chamfer;
     tool.angle = 2 * amount(part(sizes, "TA"), 1);
     tool.tip = length("tip-diameter");
-  } else if (mentions_any(type, {"tapered mill"})) {  // DC: diameter at the tip; Kadr supports tapered mills only without corner radius
+  } else if (mentions_any(type, {"tapered mill"})) {  // DC is the diameter at the tip. Kadr supports tapered mills only without corner radius
     if (length("RE") > 0) return false;
     tool.kind = ToolKind::taper;
     tool.angle = amount(part(sizes, "TA"), 1);
@@ -196,7 +196,7 @@ tl::expected<ToolLibrary, std::string> tools_of_camotics(std::string_view text, 
   return not_empty(std::move(library), file);
 }
 
-/// Reads a single tool without a number: it stands for whatever tool the program calls.
+/// Reads a single tool, which has no number: the library then returns it for every tool that a program calls (ToolLibrary::find()).
 tl::expected<ToolLibrary, std::string> tools_of_freecad(std::string_view text, const std::string& file) {
   const auto root = parsed_json(text, file);
   if (!root) return Failed(root.error());
