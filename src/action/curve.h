@@ -87,7 +87,7 @@ class Curve {
   /// Returns the number of equal pieces whose chords stay within `chord` mm of the path; 1 for a line.
   int pieces(double chord) const;
 
-  /// Returns a number of equal pieces of the path, so many that each axis has at most one extreme in each piece. Searches sample them.
+  /// Returns a number of equal pieces of the path, so many that each axis has at most one extreme in each piece; for searches.
   int samples() const { return straight() ? 1 : flat_.samples(); }
 
  private:

@@ -60,7 +60,7 @@ class FlatPath {
   /// Returns the curvature in 1/mm, positive for a left turn; for a spiral, approximated by the inverse of the radius at that point.
   double curvature(double part) const;
 
-  /// Returns a number of equal pieces of the path, so many that each coordinate has at most one extreme in each piece. Searches sample them.
+  /// Returns a number of equal pieces of the path, so many that each coordinate has at most one extreme in each piece; for searches.
   int samples() const;
 
  private:

@@ -122,7 +122,7 @@ struct MotionDetail {
   std::optional<double> start_angle;  // angle of the spindle at the start of the thread, degrees
   std::optional<double> turn;         // rotation of the spindle during the motion, degrees, signed
   std::optional<double> torque;       // torque limit of a probe motion, %
-  int input = 0;                      // input of a probe motion: 1 to 8; 98: torque; 0: any
+  int input = 0;                      // signal that ends a probe motion: 1 to 8 the probe input, 98 the torque limit, 0 any input
   std::optional<Vec2> way;            // I J K of G41, G42, G40: direction of the approach or departure
   // Axes that copy the travel of another axis, each listed after its master; the path's length does not include their travel
   std::vector<Follower> followers;

@@ -31,8 +31,8 @@ struct FrameTurn {
   friend bool operator==(const FrameTurn&, const FrameTurn&) = default;
 };
 
-/// turned_axes() returns the work coordinates rotated by the frame: `turn · work` on the main axes, the others unchanged; turned_back_axes()
-/// is its inverse. turned() returns `work` unchanged if `turn` is nullptr.
+/// turned_axes() returns the work coordinates rotated by the frame: `turn · work` on the main axes, the others unchanged;
+/// turned_back_axes() is its inverse. turned() returns `work` unchanged if `turn` is nullptr.
 Axes turned_axes(const FrameTurn& turn, const Axes& work);
 Axes turned_back_axes(const FrameTurn& turn, const Axes& way);
 inline Axes turned(const FrameTurn* turn, const Axes& work) { return turn == nullptr ? work : turned_axes(*turn, work); }
@@ -83,10 +83,10 @@ class WorkTransform {
 /// work) for the main axes, and then assigns each value to the machine axis that `turn->drives` names.
 ///   law  work_of(machine_of(w)) == w up to the rounding error
 struct Placement {
-  Axes origin{};                                 // origin of the work system, in machine coordinates, with all shifts except those in `shift`
+  Axes origin{};                                 // origin of the work system, machine coordinates, with all shifts except those in `shift`
   Axes length{};                                 // length of the tool, by axis
   Axes shift{};                                  // shift that the frame rotates too (G52 and G92 of the NCT); zero without `turn`
-  std::shared_ptr<const FrameTurn> turn{};       // nullptr: the frame is not rotated, or its directions change with the rotary axes (see `space`)
+  std::shared_ptr<const FrameTurn> turn{};       // nullptr: no rotation, or one that changes with the rotary axes (see `space`)
   std::shared_ptr<const WorkTransform> space{};  // nullptr: no such transformation; if not is_plain(), it determines the axis positions
   friend bool operator==(const Placement&, const Placement&) = default;
 

@@ -43,8 +43,7 @@ class PlaneSpline {
   Box2 box(double from, double to) const;
   /// Returns the number of equal pieces between two parts whose chords stay within `chord` mm of the curve.
   int pieces(double from, double to, double chord) const;
-  /// Returns a number of equal pieces of the curve, so many that each coordinate has at most one extreme in each piece. Searches sample
-  /// them.
+  /// Returns a number of equal pieces of the curve, so many that each coordinate has at most one extreme in each piece; for searches.
   int samples() const;
 
  private:

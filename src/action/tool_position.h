@@ -56,8 +56,8 @@ inline Vec3 controlled_tip(const AxisRoles& roles, const ToolPosition& from, con
   return {of(0), of(1), of(2)};
 }
 
-/// Sets the follower axes in `machine` to the travel of their masters (of a parked master, to its calculated travel), and the parked axes to
-/// their position at the start of the motion. `ways`: work coordinates at `part`, rotated by the frame.
+/// Sets the follower axes in `machine` to the travel of their masters (of a parked master, to its calculated travel), and the parked axes
+/// to their position at the start of the motion. `ways`: work coordinates at `part`, rotated by the frame.
 inline void follow_along(const ToolPosition& from, const Motion& motion, const Axes& ways, double part, Axes& machine) {
   const AxisMask parked = motion.detail->parked;
   const auto stands = [&](std::size_t axis) { return (parked >> axis & 1U) != 0; };
@@ -72,9 +72,9 @@ inline void follow_along(const ToolPosition& from, const Motion& motion, const A
   }
 }
 
-/// Returns the machine coordinates at `part` of a motion, where the work coordinates are `work`. The difference between machine
-/// coordinates and work coordinates (rotated by the frame, if there is a rotation) is constant along the motion, or changes evenly over the
-/// motion (2С42: a tool length that the next motion applies). Inside the motion, an axis that rolls over counts on beyond 360°.
+/// Returns the machine coordinates at `part` of a motion, where the work coordinates are `work`. The difference between machine coordinates
+/// and work coordinates (rotated by the frame, if there is a rotation) is constant along the motion, or changes evenly over the motion
+/// (2С42: a tool length that the next motion applies). Inside the motion, an axis that rolls over counts on beyond 360°.
 inline Axes machine_along(const AxisRoles& roles, const ToolPosition& from, const Motion& motion, const Axes& work, double part) {
   if (controls_tip(from, motion)) return led_along(from, motion, work, part);
   const FrameTurn* const turn = from.turn.get();

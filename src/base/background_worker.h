@@ -11,9 +11,9 @@
 
 namespace kadr {
 
-/// Waits until `done`. It polls first, because the other side is usually nearly ready, then sleeps until `changes` is notified. Waking up
-/// takes some 20 µs, longer in a virtual machine; 500 polls take about as long. On a busy machine, more polls would use up the time slice
-/// of the very thread that is waited for.
+/// Waits until `done`. It polls first, because the awaited thread is usually nearly ready, then sleeps until `changes` is notified. Waking
+/// up takes some 20 µs, longer in a virtual machine; 500 polls take about as long. On a busy machine, more polls would use up the time
+/// slice of the very thread that is waited for.
 template <class Value, class Done>
 void wait_for(const std::atomic<Value>& changes, const Done& done, int max_polls = 500) {
   for (int look = 0;; ++look) {

@@ -8,7 +8,7 @@ namespace kadr::tol {
 inline constexpr double same_point = 1e-6;
 // degrees: angles closer than this are the same; a thousand times the rounding error of 360° in a double
 inline constexpr double same_angle = 1e-9;
-inline constexpr double whole_number = 1e-6;  // difference from an integer that a value may have through rounding errors
+inline constexpr double whole_number = 1e-6;  // greatest difference of an expression's value from the integer that it must be
 // revolutions: difference from a whole number that a helix may have, because Z and K have three decimals only, 2С42 6.6.6
 inline constexpr double whole_turns = 1e-4;
 // mm: greatest distance between an ellipse and its chords; half the least increment of the controls

@@ -10,7 +10,7 @@ namespace kadr {
 namespace {
 
 constexpr double turn = 360;
-constexpr double singular = 1e-6;  // difference of unit vectors: closer to a rotary axis, a direction counts as parallel to it (nct 25a 5.1)
+constexpr double singular = 1e-6;  // difference of unit vectors below which a direction counts as parallel to a rotary axis (nct 25a 5.1)
 constexpr double tie = 1e-4;       // degrees: angles that differ by less count as equal (nct 25g 3)
 
 double degrees(double radians) { return radians / rad_per_deg; }
@@ -136,7 +136,7 @@ std::optional<RotaryPair> FiveAxis::chosen(Vec3 wanted, RotaryPair present, Rota
   const RotarySolutions all = solutions(wanted, zero);
   struct Candidate {
     RotaryPair at;
-    std::array<double, 4> rank;  // results of the selection rules, in the order of the rules; the candidate with the smaller first different result wins
+    std::array<double, 4> rank;  // results of the selection rules in their order; at the first difference, the smaller result wins
     double primary;              // position of the primary axis before it is moved into its limits
   };
   std::optional<Candidate> best;
@@ -167,8 +167,8 @@ std::optional<RotaryPair> FiveAxis::chosen(Vec3 wanted, RotaryPair present, Rota
   return best->at;
 }
 
-/// While the axis that does not stay turns by t, the tool's direction moves on a circle p + cos(t) c + sin(t) s. The direction is nearest to
-/// the wanted direction w where tan(t) = s·w / c·w.
+/// While the axis that does not stay turns by t, the tool's direction moves on a circle p + cos(t) c + sin(t) s. The direction is nearest
+/// to the wanted direction w where tan(t) = s·w / c·w.
 std::optional<FiveAxis::Kept> FiveAxis::kept(Vec3 wanted, RotaryPair present, RotaryPair zero) const {
   const bool first_stays = group == MachineGroup::head_head;
   const auto pair = [&](double other) { return first_stays ? RotaryPair{present.first, other} : RotaryPair{other, present.second}; };

@@ -1,6 +1,6 @@
 #pragma once
-// FiveAxis: a machine with main axes X, Y, Z at right angles and two rotary axes: both in the head, both in the table, or one in each
-// (NCT 25.1, spec/nct/25a; N3200–N3224). Forward transformation: computes the tool's pose in the part from the axis positions. Inverse
+// FiveAxis: a machine with main axes X, Y, Z at right angles and two rotary axes: both in the head, both in the table, or one in each (NCT
+// 25.1, spec/nct/25a; N3200–N3224). Forward transformation: computes the tool's pose in the part from the axis positions. Inverse
 // transformation: computes in closed form all rotary positions that give a tool direction, and selects one of them (nct 25.11, spec/nct/25g
 // 3). Lengths in mm, angles in degrees; rotary positions are machine positions.
 
@@ -61,8 +61,8 @@ struct FiveAxis {
   Mat3 table_turn(RotaryPair at, RotaryPair zero) const;
   /// Returns the tool's direction relative to the part, in the part's orientation at the rotary positions `zero` (nct 25a 5).
   Vec3 direction(RotaryPair at, RotaryPair zero = {}) const;
-  /// Returns the vector from the tip to the control point. `length` is the tool length as a vector, with both rotary axes at 0 (nct 25.2; 25a
-  /// 6.1).
+  /// Returns the vector from the tip to the control point. `length` is the tool length as a vector, with both rotary axes at 0 (nct 25.2;
+  /// 25a 6.1).
   Vec3 length_vector(RotaryPair at, Vec3 length) const;
   /// Returns the machine position, at the rotary positions `at`, of a point fixed to the part. `point` is its machine position when the
   /// rotary axes are at `zero` (nct 25.4; 25a 6.2). point_in_part() is the inverse.
@@ -73,12 +73,13 @@ struct FiveAxis {
   ///   law  direction(solutions(t).pairs[i]) == t
   RotarySolutions solutions(Vec3 direction, RotaryPair zero = {}) const;
   /// Returns the pair of rotary positions that the control selects when the rotary axes are at `present`. An axis whose position is free
-  /// does not move; each other axis moves to the nearest equivalent position within its limits (nct 25g 3). INFERRED: if two pairs are equal
-  /// by all rules, the control selects the pair with a non-negative position of the primary axis.
+  /// does not move; each other axis moves to the nearest equivalent position within its limits (nct 25g 3). INFERRED: if two pairs are
+  /// equal by all rules, the control selects the pair with a non-negative position of the primary axis.
   ///   returns  nullopt if the direction cannot be reached
   std::optional<RotaryPair> chosen(Vec3 direction, RotaryPair present, RotaryPair zero = {}) const;
   /// For a direction near a singular one: the axis whose position is free in the singular direction stays at `present`, and the other axis
-  /// moves to where the tool is as close to `direction` as possible. The free axis is the second on table-table and head-table machines, else the first.
+  /// moves to where the tool is as close to `direction` as possible. The free axis is the second on table-table and head-table machines,
+  /// else the first.
   ///   returns  the pair and the angle between its direction and `direction`, degrees; nullopt if the other axis would exceed its limits
   struct Kept {
     RotaryPair at;

@@ -1,7 +1,8 @@
 #pragma once
 // FiveAxisTipPath: the path of the tool tip in one motion with tool centre point control, for modes in which this path is not simply the
-// programmed curve with evenly moving rotary axes. It covers tool posture control, which keeps the shank in a plane or on a cone (NCT 25.16), the cutting point on
-// the programmed curve (nct 25.17), and a rotation about a point on the tool's axis (G53.6 R, 25.15). spec/nct/25g, 25i, 25j.
+// programmed curve with evenly moving rotary axes. It covers tool posture control, which keeps the shank in a plane or on a cone (NCT
+// 25.16), the cutting point on the programmed curve (nct 25.17), and a rotation about a point on the tool's axis (G53.6 R, 25.15).
+// spec/nct/25g, 25i, 25j.
 
 #include <memory>
 #include <optional>
@@ -39,7 +40,7 @@ class DirectionPath {
   Vec3 from_, to_;
   std::optional<Cone> cone_;
   double angle_ = 0;                                  // between the directions at start and end, radians
-  double angle_from_ = 0, turn_ = 0;                  // on a cone: angle about the cone's axis at the start, and rotation about the axis, radians
+  double angle_from_ = 0, turn_ = 0;                  // on a cone, radians: angle about its axis at the start, and rotation about it
   double inclination_from_ = 0, inclination_to_ = 0;  // on a cone: inclination of the tool to the cone's axis, radians
   int branch_ = 0;                                    // number of the rotary solution that contains the start position
   std::optional<double> through_pole_;                // share of the path at which the direction is singular and the two solutions swap

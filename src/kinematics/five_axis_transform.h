@@ -17,7 +17,7 @@ struct FiveAxisTransformData {
   FiveAxis machine;
   std::array<std::int8_t, 3> main{0, 1, 2};  // indices of the axes X, Y, Z in the channel; -1: the axis is missing
   Vec3 zero;                                 // W: work origin, machine coordinates, with the shift that was active before the frame was set
-  RotaryPair measured;                       // rotary positions of the tables when W was measured; 0 for a rotary axis of the head (nct 25a 7)
+  RotaryPair measured;                       // positions of the tables when W was measured; 0 for a rotary axis of the head (nct 25a 7)
   Mat3 basic;                                // B: basic rotation of the work system (10.2.3, 25l)
   Mat3 frame;                                // R: rotation by G68.1, G68.2
   Vec3 frame_origin;                         // v0: origin of the frame
@@ -58,8 +58,8 @@ class FiveAxisTransform final : public WorkTransform {
   Vec3 in_frame(Vec3 system) const { return turned_back(d_.frame, system - d_.frame_origin) - d_.shift; }
   /// Returns the rotation from the programming frame to machine directions; nullopt if it depends on the positions of the rotary axes.
   std::optional<Mat3> turn() const;
-  /// length_now() returns the vector from the tip to the control point, in machine directions, at these axis positions. origin_now() returns
-  /// the origin of the work system at these positions, in machine coordinates.
+  /// length_now() returns the vector from the tip to the control point, in machine directions, at these axis positions. origin_now()
+  /// returns the origin of the work system at these positions, in machine coordinates.
   Vec3 length_now(const Axes& machine) const { return tool_at(d_.fixed.value_or(rotary(machine))); }
   Vec3 origin_now(const Axes& machine) const {
     return d_.moves_origin || d_.follows_table ? origin_at(d_.fixed.value_or(rotary(machine))) : d_.zero;

@@ -1,7 +1,7 @@
 #pragma once
-// Parameters of the set-up that the machine itself obeys, for each axis of the channel: safety zones and the in-position window (nct
-// 4.1.1, 22). Values that a program writes for zone 2 take effect at G23 (nct 22.2; ZoneChange). INFERRED: values that a program writes
-// for the other parameters take effect at the next start.
+// Parameters of the set-up that the machine itself obeys, for each axis of the channel: safety zones and the in-position window (nct 4.1.1,
+// 22). Values that a program writes for zone 2 take effect at G23 (nct 22.2; ZoneChange). INFERRED: values that a program writes for the
+// other parameters take effect at the next start.
 
 #include <array>
 #include <string>

@@ -54,7 +54,8 @@ class Plc {
   /// block(), action() and program_end() return the commands of the events that occur at this block, action or end, in the order of the
   /// set-up. The returned reference is valid until the next call of one of these functions.
   const std::vector<PlcCommand>& block(const Origin& origin, bool at_end);
-  /// An event that names a code occurs whichever channel issues the code. An event with an answer occurs only at a message that asks for one.
+  /// An event that names a code occurs whichever channel issues the code. An event with an answer occurs only at a message that asks for
+  /// one.
   const std::vector<PlcCommand>& action(const Action& action);
   const std::vector<PlcCommand>& program_end();
 

@@ -11,7 +11,7 @@ namespace kadr {
 namespace {
 
 constexpr int max_rim_steps = 10'000;
-constexpr double rim_reached = 1e-10;  // mm; the search along the path stops when the ball is this close to the rim, the top edge of the hole
+constexpr double rim_reached = 1e-10;  // mm; the search along the path stops when the ball is this close to the hole's top edge
 
 /// The path of the centre of the probe's ball. The origin is on the axis of the hole, at the top face.
 struct Way {
@@ -69,8 +69,8 @@ std::optional<double> wall(const Way& way) {
   return z <= 0 && z > way.bottom ? std::optional(std::max(part, 0.0)) : std::nullopt;
 }
 
-/// Returns the share of the path at which the ball touches the rim, the top edge of the hole. Each step of the search advances by the ball's
-/// distance from the rim, so the search cannot pass the rim.
+/// Returns the share of the path at which the ball touches the rim, the top edge of the hole. Each step of the search advances by the
+/// ball's distance from the rim, so the search cannot pass the rim.
 std::optional<double> rim(const Way& way) {
   const double whole = length(way.along);
   double gone = 0;

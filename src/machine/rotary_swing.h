@@ -21,8 +21,8 @@ class SingularityWatch {
   static constexpr double least = 20;      // degrees: a motion that rotates the axis by less is not reported
   static constexpr int max_reported = 20;  // greatest number of reports per program run
 
-  /// Returns the swing if the step is a feed motion that rotates an axis faster than `most`; nullopt for all other steps. Of consecutive such
-  /// motions only the first is reported. A motion in which the tip does not move is intended, and is not reported.
+  /// Returns the swing if the step is a feed motion that rotates an axis faster than `most`; nullopt for all other steps. Of consecutive
+  /// such motions only the first is reported. A motion in which the tip does not move is intended, and is not reported.
   std::optional<RotarySwing> look(const Step& step);
 
  private:

@@ -59,8 +59,8 @@ void VirtualMachine::obey_parameters(const Setup& setup) {
   }
 }
 
-/// Checks a gantry axis, which two drives move (nct 20.6). INFERRED: the parameter for the limit has no number in the manual, so the set-up gives the limit. The
-/// positions of the two drives differ, at every position, by the difference of their position errors in the set-up.
+/// Checks a gantry axis, which two drives move (nct 20.6). INFERRED: the parameter for the limit has no number in the manual, so the set-up
+/// gives the limit. The positions of the two drives differ, at every position, by the difference of their position errors in the set-up.
 void VirtualMachine::watch_gantry(const Setup& setup, std::size_t axis, std::size_t master) {
   const auto found = setup.machine.find(names_[axis]);
   if (found == setup.machine.end() || !found->second.apart || apart_) return;

@@ -72,11 +72,11 @@ class VirtualMachine {
 
   // ---- axes that follow axes of other channels (nct 20.2, 20.3)
 
-  /// Makes the axis follow an axis of another channel, or ends this (`on` false). As long as the axis follows, motions of this channel do not
-  /// move it.
+  /// Makes the axis follow an axis of another channel, or ends this (`on` false). As long as the axis follows, motions of this channel do
+  /// not move it.
   void hang(std::size_t axis, bool on) { hung_ = on ? hung_ | AxisMask{1} << axis : hung_ & ~(AxisMask{1} << axis); }
-  /// Moves the axes `moved`, which follow axes of another channel, and the axes of this channel that follow these axes, to the given work and
-  /// machine coordinates.
+  /// Moves the axes `moved`, which follow axes of another channel, and the axes of this channel that follow these axes, to the given work
+  /// and machine coordinates.
   ///   alarms  those of take(); after an alarm nothing has moved
   Status follow(const Axes& work, const Axes& machine, AxisMask moved);
   /// Exchanges an axis with an axis of another channel's machine: each axis keeps its name, its limits and its position.

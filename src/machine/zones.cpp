@@ -30,8 +30,8 @@ bool is_signal(const Setup& setup, const char* name) {
   return found != setup.signals.end() && found->second != 0;
 }
 
-/// Returns true if `part` is earlier on the path than `other` by more than the rounding error. So if several limits are reached at once, the
-/// first one in the order of axes and zones is reported.
+/// Returns true if `part` is earlier on the path than `other` by more than the rounding error. So if several limits are reached at once,
+/// the first one in the order of axes and zones is reported.
 bool is_before(double part, double other) {
   constexpr double same = 1e-9;
   return part < other - same;

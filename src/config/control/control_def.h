@@ -224,8 +224,8 @@ struct Behaviour {
   bool arc_angle_even = false;
   LengthOffset length_offset = LengthOffset::next_motion;
   CompensationEntry compensation_entry = CompensationEntry::normal;
-  bool rapids_apart =
-      false;  // rapid: each axis at its own rate, for a control without a parameter for this; see config/machine/rapid_path.h
+  // In a rapid, each axis moves at its own rate; for a control without a parameter for this (config/machine/rapid_path.h)
+  bool rapids_apart = false;
   bool feed_required = true;  // a feed motion before any F is an alarm, else a warning (F0 is always an alarm)
   double result_most = 0;     // greatest absolute value that may be assigned to a variable (spec/fanuc 5.3); 0: no limit
   // Values of the machine. If the control has a parameter table that contains them (under the name in `as`), the table takes precedence,
@@ -250,7 +250,8 @@ struct Behaviour {
   CycleWords cycle_words = CycleWords::shift_by_ijk;
   // With milliseconds, the dwell words X and U are still in s, and G4 alone is an exact stop (spec/fanuc 4.1)
   DwellUnit dwell_unit = DwellUnit::seconds;
-  bool tool_along_third = false;  // cycles drill along Z and G43 acts on Z in any plane, unless a parameter decides otherwise (spec/fanuc 7.1, 10.1)
+  // In any plane, cycles drill along Z and G43 acts on Z, unless a parameter decides otherwise (spec/fanuc 7.1, 10.1)
+  bool tool_along_third = false;
   bool repeats_in_program_number = false;  // M98 P51002 calls O1002 five times (spec/fanuc 9.1)
   bool machine_move_absolute = false;      // G53 in G91 is ignored (spec/fanuc 6.5)
   bool repeats_by_k = false;               // the repeat count of a drilling cycle is K, else L (spec/fanuc 10.1)
@@ -353,8 +354,8 @@ struct ControlDef {
   }
   /// Returns true if subprograms are in sections of their own, with a work offset of their own (2С42 6.3.5, last section).
   bool has_sections() const { return grammar.section_address != 0; }
-  /// Returns true if the control has a common zero that shifts all work systems (nct 10.2.3). Otherwise #5201 and G10 L2 P0 mean G52 (spec/haas
-  /// 2.4, 5.4).
+  /// Returns true if the control has a common zero that shifts all work systems (nct 10.2.3). Otherwise #5201 and G10 L2 P0 mean G52
+  /// (spec/haas 2.4, 5.4).
   bool has_common_zero() const {
     return std::any_of(variables.begin(), variables.end(), [](const VariableRow& row) { return row.kind == VariableKind::zero_common; });
   }

@@ -40,7 +40,7 @@ struct GuessRows {
   std::vector<std::pair<TextTrait, double>> traits;
 };
 
-/// A mark with this weight identifies the control by itself. A language is identified if the weights of all its evidence add up to
+/// A mark with this weight identifies the control by itself. A language is identified if the weights of all its evidence add up to at least
 /// this number.
 inline constexpr double decisive_weight = 10;
 

@@ -155,8 +155,8 @@ class Fitter {
     }
   }
 
-  /// Creates U, V, W as incremental X, Y, Z, if they are neither axes nor auxiliary functions (nct 5.1). Only for controls with the operator
-  /// I, which makes a single word incremental.
+  /// Creates U, V, W as incremental X, Y, Z, if they are neither axes nor auxiliary functions (nct 5.1). Only for controls with the
+  /// operator I, which makes a single word incremental.
   void increments() {
     if (!def_.grammar.operator_i) return;
     for (int i = 0; i < 3; ++i) {

@@ -17,7 +17,7 @@ namespace kadr {
 struct AxisJoint {
   bool turns = false;
   Vec3 direction;  // unit vector of the motion, or of the axis of rotation, with all axes at 0
-  Vec3 through;    // a point of the axis of rotation, machine coordinates, with all axes at 0 (the gauge point of the spindle at the origin)
+  Vec3 through;    // a point of the axis of rotation, machine coordinates, with all axes at 0 and the spindle's gauge point at the origin
   // If reversed, a positive rotation is left-handed; a positive linear motion moves the tool against `direction`, seen from the part.
   bool reversed = false;
   bool rolls_over = false;

@@ -23,8 +23,8 @@ tl::expected<void, std::string> insert_of(const std::string& file, const toml::t
 /// Returns the value that the key `points` has for this insert: "-x-z", "centre".
 std::string_view name_of_tip(const InsertGeometry& insert);
 
-/// Sets values that the file does not give. `flutes` becomes the diameter of a round insert. `lead`, the entering angle, becomes such that
-/// the bisector of the nose points straight away from the tip; of a grooving insert, such that the end cutting edge is parallel to the part.
+/// Sets values that the file does not give: `flutes` of a round insert to its diameter, and the entering angle `lead`. The angle is such
+/// that the bisector of the nose points straight away from the tip; for a grooving insert it is 0° or 90°, as the tip points.
 void complete_insert(ToolGeometry& tool);
 
 /// Returns a message that says why the shape of the turning tool is not valid; empty if the shape is valid.
