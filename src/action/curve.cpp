@@ -77,7 +77,7 @@ bool Curve::measures_path(FeedAlong along) const {
   if (along == FeedAlong::turn) return straight();
   if (along == FeedAlong::xyz) return (all_axes() & ~(xyz_axes() | roles_.rotary)) == 0;
   if (along != FeedAlong::arc || !arc_) return along != FeedAlong::all_axes || (roles_.rotary & all_axes()) == 0;
-  bool flat = true;  // true if nothing moves outside the plane
+  bool flat = true;  // true if no axis outside the plane moves
   for (std::size_t i = 0; i < roles_.count; ++i) flat = flat && ((plane_axes() >> i & 1U) != 0 || way(i) == 0);
   return flat;
 }

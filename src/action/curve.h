@@ -118,7 +118,7 @@ class Curve {
   bool arc_ = false, spline_ = false;
   PathSurface surface_ = PathSurface::plane;
   AxisMask rolled_ = 0;
-  AxisMask following_ = 0;              // axes that copy another axis' travel
+  AxisMask following_ = 0;              // mask of the follower axes, which copy another axis' travel
   std::size_t first_ = 0, second_ = 1;  // axes of the plane
   FlatPath flat_;                       // the path in its plane or on its surface; not set for a straight line
 };

@@ -47,14 +47,14 @@ enum class CornerJoin : std::uint8_t {
 
 /// How speed is controlled where two motions meet (nct 6.3).
 enum class CornerSpeed : std::uint8_t {
-  limited,       // the control's limits apply (G64, G61)
-  inner_slower,  // the control's limits apply, and motions are slower near inside corners (G62)
+  limited,       // the control's limits of the speed apply (G64, G61)
+  inner_slower,  // the control's limits of the speed apply, and motions are slower near inside corners (G62)
   kept,          // the speed is not reduced (G63)
 };
 
 /// Where the first compensated motion ends.
 enum class CompensationApproach : std::uint8_t {
-  by_corner,  // where the corner to the next motion requires it (nct 15.5.1)
+  by_corner,  // at the point that the corner to the next motion requires (nct 15.5.1)
   normal,     // on the normal to the next path element (2С42 6.4.7)
   tangent,    // the tool touches the line to the programmed point over its whole length (Mach3, RS274/NGC)
 };
@@ -68,19 +68,19 @@ struct Follower {
 
 /// The line or circle on which a motion in the plane lies, if the start or end of the motion has to be calculated (nct 17.3).
 enum class SupportingCurve : std::uint8_t {
-  none,    // nothing to calculate: the ends are given
+  none,    // the ends of the motion are given, and nothing is calculated
   way,     // a line with a known start and direction; it ends where the next motion starts
   line,    // an over-determined line, with a known end and direction; it starts at the intersection with the previous motion
   circle,  // an over-determined arc, with a known centre; it starts at the intersection with the previous motion
 };
 
-/// How a motion meets its neighbours in the plane (nct 17). path/compensation/corner_resolver resolves it.
+/// How a motion meets its neighbours in the plane (nct 17). path/compensation/corner_resolver computes the corners from this.
 struct CornerData {
   double chamfer = 0;   // leg of the chamfer at the motion's end, mm; 0: none
   double rounding = 0;  // radius of the rounding at the motion's end, mm; 0: none
   SupportingCurve on = SupportingCurve::none;
   Vec2 direction;         // direction of the line, only for `way` and `line`: unit vector
-  double radius = 0;      // radius, only for `circle`, mm
+  double radius = 0;      // radius of the circle, only for `circle`, mm
   bool farther = false;   // of two intersections, the second one is used (Q above 0)
   bool mirrored = false;  // the programmed plane is mirrored: a clockwise arc of the program is counter-clockwise here
 };
@@ -163,7 +163,7 @@ struct MotionFeed {
   CornerSpeed corner_speed = CornerSpeed::limited;
   std::uint8_t spindle = 1;    // spindle whose revolutions a feed per revolution or a thread counts
   std::uint8_t smoothing = 0;  // Q of G5.1 in force: 2 smooth, 3 fine (nct 4.7); 0: none
-  bool exact = false;          // exact stop at the end
+  bool exact = false;          // exact stop at the end of the motion
   bool own_override = false;   // feed and spindle override act as 100 % (tapping, threads, G23, M49)
   bool no_hold = false;        // the operator's feed hold is ignored too (nct 6.3.4)
   bool in_position = false;    // the axes must reach the in-position window at the end (nct 4.1.1, 6.3)
@@ -178,10 +178,10 @@ struct MotionCompensation {
   std::uint8_t nose = 0;
   SideStep side_step = SideStep::none;
   CornerJoin join_corner = CornerJoin::extended;                 // shape of the corner between this motion and the next
-  CompensationApproach entry = CompensationApproach::by_corner;  // matters only where compensation starts
+  CompensationApproach entry = CompensationApproach::by_corner;  // only used if compensation starts with this motion
 };
 
-/// What a motion belongs to: work offset, tool length, drilling cycle.
+/// The work offset, tool length and drilling cycle that a motion belongs to.
 struct MotionContext {
   std::uint16_t system = 0;         // row of the table of work offsets or fixtures that is in force (config/setup/setup_names); 0: none
   std::uint16_t length_offset = 0;  // row of the offset table whose tool length is in force; 0: none

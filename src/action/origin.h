@@ -8,7 +8,7 @@ namespace kadr {
 /// The origin of an action: the innermost block of the user's program.
 struct Origin {
   std::uint32_t line = 0;
-  std::uint32_t column = 0;  // counted from 1, in characters
+  std::uint32_t column = 0;  // column of the block in its line, counted from 1 in characters
   std::uint32_t block = 0;   // block number, after N
   bool has_block = false;
   bool main_block = false;        // the block number follows ':' instead of N

@@ -96,7 +96,7 @@ struct Placement {
   AxisMask moved_with(AxisMask named) const;
   /// Returns the machine axis that a programmed axis drives.
   std::size_t driven(std::size_t axis) const { return turn == nullptr ? axis : turn->drives.of(axis); }
-  /// Returns true if machine_of() is a mere sum, axis by axis.
+  /// Returns true if machine_of() only adds up values, separately for each axis.
   bool is_plain() const { return turn == nullptr && (space == nullptr || space->is_plain()); }
 };
 

@@ -12,7 +12,7 @@
 namespace kadr {
 
 struct SurfaceSpeed {
-  bool on = false;          // if false, the spindle keeps its present speed
+  bool on = false;          // surface speed is switched on; if false, the spindle keeps its present speed in rev/min
   std::uint8_t number = 1;  // number of the spindle
   std::uint8_t axis = 0;    // index of the axis whose position is the radius
   double metres = 0;        // surface speed, m/min

@@ -55,10 +55,10 @@ class BackgroundWorker {
 
   std::function<void()> work_;
   std::exception_ptr failure_;
-  bool begun_ = false;  // begin() was called, wait() not yet
+  bool begun_ = false;  // begin() was called, and wait() has not been called since
   // True if there is a single processor, or if no thread could be created: begin() then executes the work itself
   bool alone_ = false;
-  Thread thread_;  // started with the first work
+  Thread thread_;  // the thread of its own, started when the first piece of work is begun
   // Numbers, counted from 1, of the last piece of work that was begun, that a thread claimed, and that is done
   std::atomic<std::uint32_t> given_ = 0, claimed_ = 0, done_ = 0;
   std::atomic<bool> over_ = false;

@@ -22,7 +22,7 @@ double refined(const F& f, const Stretch& s, double error, int depth) {
   const Stretch right{middle, s.to, s.at_middle, f((middle + s.to) / 2), s.at_to};
   const double halves = left.simpson() + right.simpson();
   const double gap = halves - s.simpson();
-  if (depth == 0 || !(std::abs(gap) > 15 * error)) return halves + gap / 15;  // a NaN of f also ends the halving
+  if (depth == 0 || !(std::abs(gap) > 15 * error)) return halves + gap / 15;  // if f is NaN, the halving ends too
   return refined(f, left, error / 2, depth - 1) + refined(f, right, error / 2, depth - 1);
 }
 

@@ -25,8 +25,8 @@ namespace kadr {
 /// How a language chooses the form of a text by a number (Unicode CLDR, "Language Plural Rules", whole numbers).
 enum class PluralRule : std::uint8_t {
   none,       // one form
-  one_other,  // English: 1, others
-  slavic,     // Russian: 1, 21, …; 2 … 4, 22, …; others
+  one_other,  // English, two forms: for 1; for all others
+  slavic,     // Russian, three forms: for 1, 21, …; for 2 … 4, 22, …; for all others
 };
 
 /// Returns the number of the form, from 0, that a rule gives to `n`.

@@ -34,7 +34,7 @@ struct Angles {
 Angles angles(Vec3 a, Vec3 b, Vec3 v, Vec3 w) {
   Angles found;
   const double c = dot(a, b), d = c * c - 1;
-  if (std::fabs(d) < singular) return found;  // both rotary axes are parallel
+  if (std::fabs(d) < singular) return found;  // parallel rotary axes have no unique solution
   const double bv = dot(b, v), aw = dot(a, w);
   const double in_a = (c * bv - aw) / d, in_b = (c * aw - bv) / d;
   const Vec3 across = cross(a, b);
@@ -111,7 +111,7 @@ Vec3 FiveAxis::point_on_machine(RotaryPair at, Vec3 point, RotaryPair zero) cons
 Vec3 FiveAxis::point_in_part(RotaryPair at, Vec3 point, RotaryPair zero) const { return point_on_machine(zero, point, at); }
 
 RotarySolutions FiveAxis::solutions(Vec3 wanted, RotaryPair zero) const {
-  const Vec3 t = table_turn({}, zero) * wanted;  // direction in the part's orientation with the tables at 0
+  const Vec3 t = table_turn({}, zero) * wanted;  // the wanted direction in the part's orientation with the tables at 0
   RotarySolutions all;
   const auto take = [&](const Angles& found, bool x_is_first, double x_sign) {
     all.count = found.count;

@@ -17,7 +17,7 @@ enum class MachineGroup : std::uint8_t { none, head_head, table_table, head_tabl
 
 struct RotaryJoint {
   int axis = -1;            // index in the channel
-  Vec3 direction{0, 0, 1};  // unit length, with both rotary axes at 0
+  Vec3 direction{0, 0, 1};  // unit vector along the axis of rotation, with both rotary axes at 0
   double sense = 1;         // direction of positive rotation: 1 right-handed, -1 left-handed (parameters RD1, RD2)
   double least = -std::numeric_limits<double>::infinity();
   double most = std::numeric_limits<double>::infinity();

@@ -65,7 +65,7 @@ DirectionPath::DirectionPath(const FiveAxisTransform& space, RotaryPair start, V
     }
   }
   const auto first = machine_.solutions(direction(0), zero_);
-  const double look = first.first_free || first.second_free ? just_off : 0;  // at a pole both solutions are equal: looks just after it
+  const double look = first.first_free || first.second_free ? just_off : 0;  // at a pole both solutions are equal: compares just after it
   const RotarySolutions then = machine_.solutions(direction(look), zero_);
   if (then.count == 2 && off(then.pairs[1], start_) < off(then.pairs[0], start_)) branch_ = 1;
 }
@@ -82,7 +82,7 @@ std::optional<RotaryPair> DirectionPath::on_branch(double part, RotaryPair near,
   RotaryPair pair = all.pairs[all.count == 2 ? static_cast<std::size_t>((branch_ + swaps) % 2) : 0];
   if (all.first_free) pair.first = start_.first;
   if (all.second_free) pair.second = start_.second;
-  if ((all.first_free || all.second_free) && !at_end && part > just_off)  // a path that ends at a pole: as just before the pole
+  if ((all.first_free || all.second_free) && !at_end && part > just_off)  // at a pole at the end: as just before the pole
     if (const auto before = on_branch(part - just_off, near, swaps, true); before) {
       if (all.first_free) pair.first = before->first;
       if (all.second_free) pair.second = before->second;

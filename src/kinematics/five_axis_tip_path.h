@@ -39,7 +39,7 @@ class DirectionPath {
   RotaryPair zero_, start_;
   Vec3 from_, to_;
   std::optional<Cone> cone_;
-  double angle_ = 0;                                  // between the directions at start and end, radians
+  double angle_ = 0;                                  // angle between the directions at start and end, radians
   double angle_from_ = 0, turn_ = 0;                  // on a cone, radians: angle about its axis at the start, and rotation about it
   double inclination_from_ = 0, inclination_to_ = 0;  // on a cone: inclination of the tool to the cone's axis, radians
   int branch_ = 0;                                    // number of the rotary solution that contains the start position

@@ -18,7 +18,7 @@ struct FiveAxisTransformData {
   std::array<std::int8_t, 3> main{0, 1, 2};  // indices of the axes X, Y, Z in the channel; -1: the axis is missing
   Vec3 zero;                                 // W: work origin, machine coordinates, with the shift that was active before the frame was set
   RotaryPair measured;                       // positions of the tables when W was measured; 0 for a rotary axis of the head (nct 25a 7)
-  Mat3 basic;                                // B: basic rotation of the work system (10.2.3, 25l)
+  Mat3 basic;                                // B: basic rotation of the work system (nct 10.2.3, 25l)
   Mat3 frame;                                // R: rotation by G68.1, G68.2
   Vec3 frame_origin;                         // v0: origin of the frame
   Vec3 shift;                                // S: shift by G52, G92 since the frame was set

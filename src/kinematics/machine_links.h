@@ -49,7 +49,7 @@ class MachineLinks {
   /// Returns the link that an axis moves; the bed if the name is empty, or if the axis belongs neither to the tool chain nor to the part
   /// chain.
   std::size_t moved_by(const std::string& axis) const;
-  /// True for the links from the bed to the tool, excluding the bed.
+  /// Returns true for the links from the bed to the tool, the bed itself excluded.
   bool carries_tool(std::size_t link) const { return link != bed && link <= tool_; }
 
   /// Computes the pose of every link for these axis positions.
@@ -69,7 +69,7 @@ class MachineLinks {
   struct Link {
     MachineJoint joint;  // the joint that moves the link; unset for the bed
     std::size_t carried_by = bed;
-    double sense = 1;  // 1 or -1: factor for the axis position
+    double sense = 1;  // 1 or -1, factor for the axis position: the sense in which the link moves
   };
   double position(const Link& link, const Axes& axes) const {
     return link.joint.axis < 0 ? 0 : link.sense * axes[static_cast<std::size_t>(link.joint.axis)];

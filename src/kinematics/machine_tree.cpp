@@ -71,7 +71,9 @@ Pose MachineTree::forward(const Axes& axes, double tool_length) const {
     if (joint->moves.turns) turn(joint->moves, position(*joint, axes));
     else at.tip = at.tip + position(*joint, axes) * joint->moves.direction;
   }
-  for (const MachineJoint& joint : part_) {  // motion of the tool as seen from the part that the joint carries
+  // As seen from the part, a rotary joint that carries the part turns the tool in the opposite sense. The direction of a linear joint is
+  // that of the tool already.
+  for (const MachineJoint& joint : part_) {
     if (joint.moves.turns) turn(joint.moves, -position(joint, axes));
     else at.tip = at.tip + position(joint, axes) * joint.moves.direction;
   }
@@ -146,7 +148,8 @@ bool MachineTree::turn_to(Vec3 wanted, Axes& axes) const {
     return true;
   }
   const Axes start = axes;
-  constexpr double starts[] = {0, 40, -40, 85, -85, 130, -130, 175};  // degrees from the present position, tried until one converges
+  // Degrees from the present position: starting positions of the iteration, which are tried until one converges
+  constexpr double starts[] = {0, 40, -40, 85, -85, 130, -130, 175};
   for (const double first : starts)
     for (std::size_t which = 0; which < rotary.size(); ++which) {
       axes = start;

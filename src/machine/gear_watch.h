@@ -17,7 +17,7 @@ struct GearTooFast {
 
 class GearWatch {
  public:
-  /// True if the action may change the speed that is demanded of the table.
+  /// Returns true if the action may change the speed that the spindle demands of the table.
   bool concerns(const Action& action) const {
     return by_kind(action, same<Couple>(true), same<Uncouple, Spindle, Speed>(on_),
                    same<Motion, Dwell, CoolantSwitch, ToolSelect, ToolChange, MachineFunction, AuxiliaryFunction, Stop, Message,

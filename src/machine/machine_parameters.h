@@ -22,7 +22,7 @@ struct MachineParameters {
   bool checks_before = false;                         // N1001 #2 CBM
   Axes in_position{};                                 // N0516 Inpos, mm or degrees
   AxisMask gantry = 0;                                // N2102 #4 PSN: slave drives that follow their master's drive
-  std::array<std::size_t, max_axes> gantry_master{};  // N2101, by axis of the channel
+  std::array<std::size_t, max_axes> gantry_master{};  // N2101: index of the master of each gantry axis
 };
 
 /// Reads the parameters. A value with an index takes precedence over a value without index, and a bit of a parameter over its whole value

@@ -41,7 +41,7 @@ bool is_before(double part, double other) {
 
 Zones::Zones(const std::vector<std::string>& names, const AxisRoles& roles, const Extents& ends, const Setup& setup)
     : names_(names), roles_(roles), ends_{0, ends.least, ends.most} {
-  constexpr double none = 1e299;  // AxisProfile: ±1e300 means no limit
+  constexpr double none = 1e299;  // a value of ±1e300 in AxisProfile means that there is no limit
   for (std::size_t i = 0; i < roles.count; ++i)
     if (ends.least[i] > -none || ends.most[i] < none) ends_.axes |= AxisMask{1} << i;
   for (std::size_t i = 0; i < roles.count; ++i) {

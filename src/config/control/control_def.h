@@ -56,7 +56,7 @@ struct AddressRow {
   Function function = Function::count;  // count: the control has no such address
   Phase phase = Phase::none;
   std::uint8_t axis = 0;    // index of an axis in ControlDef::axes, only for the functions `axis` and `center`
-  std::uint8_t number = 0;  // number of a spindle, or of an auxiliary function (1 to 3)
+  std::uint8_t number = 0;  // number of the spindle, or of the auxiliary function (1 to 3), that the address is for
   WordUnit unit = WordUnit::none;
   double scale = 1;       // factor from the word's value to mm, degrees, s, …
   bool whole = false;     // the value must be a whole number
@@ -100,8 +100,8 @@ std::string_view name_of(CycleStep step);
 struct CycleRow {
   std::string name;                              // "G81", "L81"
   std::uint32_t call_number = 0;                 // number after L: 81 for L81; 0: the cycle is called by its code
-  std::vector<CycleStep> steps;                  // a cycle consists of steps …
-  std::string body;                              // … or of a program in the control's own language
+  std::vector<CycleStep> steps;                  // steps of the cycle; empty if the cycle has a `body`
+  std::string body;                              // program of the cycle in the control's own language; empty if the cycle has `steps`
   std::string printed;                           // for a cycle of steps: the program that the manual prints for it, for people
   std::vector<std::pair<char, int>> parameters;  // for a permanent subprogram: which word sets which formal parameter
   std::uint64_t needs = 0;                       // letter mask of words that must be given in the block or be modal
@@ -159,7 +159,7 @@ struct VariableRow {
   VariableKind kind = VariableKind::free;
   std::vector<VariableRange> ranges;  // the variable's numbers: first the short ones, then the long ones; `symbol` means the last range
   std::string symbol;                 // "ABSIO" for #_ABSIO[n]; for a family (#_WZP7[n]) "WZP"
-  std::uint32_t first_index = 1;      // index n of the variable's first number
+  std::uint32_t first_index = 1;      // index n (of #_ABSIO[n]) of the variable's first number
   int arg = 0;   // distinguishes variables of the same kind; the head of [[variables]] in controls/nct.toml explains the values
   int bit = -1;  // bit number, if the row is one bit of the variable `of`; -1: the row is a whole variable
   std::uint32_t of = 0;
@@ -186,7 +186,7 @@ struct ParameterRow {
   bool used = false;              // the parameter has an effect in Kadr
   // Names under which the engine uses the parameter ("1500", "1300#7", "calculator"); for bits, one name per bit
   std::vector<std::string> means;
-  Text text;  // `en` begins with the manual's own name
+  Text text;  // name and meaning of the parameter; `en` begins with the manual's own name
   std::string manual;
 };
 
@@ -290,7 +290,7 @@ inline constexpr std::array<std::string_view, 7> dialect_names = {"iso", "s2c42"
 /// An M function of the machine that has another code on another control's machine.
 struct MachineCodeRow {
   std::uint32_t code = 0;
-  std::string control;      // id of the other control; "*": all others
+  std::string control;      // id of the other control; "*": all other controls
   std::uint32_t there = 0;  // the M code on the other control
 };
 

@@ -101,7 +101,7 @@ Done ControlLoader::check_machine() {
   const Grammar& g = def_.grammar;
   const toml::table* const words = section("grammar");
   const toml::table* const behaves = section("behaviour");
-  const auto at = [&](std::string_view key) {  // location of the key, or of `dialect` if the user's own file sets it
+  const auto at = [&](std::string_view key) {  // returns the location of the key, or of `dialect` if the user's own file sets the dialect
     const toml::node* const own = file_.get("dialect");
     const bool blames_machine = own != nullptr && is_own(*own);
     if (blames_machine) return place(name_, *own);

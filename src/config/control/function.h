@@ -317,10 +317,10 @@ struct FunctionTraits {
 };
 
 const FunctionTraits& traits_of(Function function);
-Function function_named(std::string_view name);  // Function::count if no function has this name
-Phase phase_named(std::string_view name);        // Phase::count if no phase has this name
+Function function_named(std::string_view name);  // returns Function::count if no function has this name
+Phase phase_named(std::string_view name);        // returns Phase::count if no phase has this name
 std::string_view name_of(Phase phase);
 
-inline constexpr std::size_t most_groups = 48;  // groups of codes, including "no group"
+inline constexpr std::size_t most_groups = 48;  // greatest number of groups of codes, including "no group"
 
 }  // namespace kadr

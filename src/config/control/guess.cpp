@@ -84,7 +84,7 @@ struct Candidate {
           std::remove_if(all.begin() + static_cast<std::ptrdiff_t>(i) + 1, all.end(), [&](const Found& f) { return f.en == all[i].en; }),
           all.end());
     if (all.size() > most) all.resize(most);
-    // Line 0 becomes the greatest number and sorts last
+    // Line 0, the style of the text, becomes the greatest number in this comparison and sorts last
     std::stable_sort(all.begin(), all.end(), [](const Found& a, const Found& b) { return a.line - 1U < b.line - 1U; });
     return all;
   }

@@ -17,7 +17,7 @@ using svg::Matrix;
 
 constexpr int deepest_group = 100;  // greatest nesting depth of groups
 
-/// A length and the mm of its unit; `unit` is 0 if there is no unit.
+/// A length as written, and the size of its unit in mm; `unit` is 0 if the text has no unit.
 struct Length {
   double value = 0;
   double unit = 0;

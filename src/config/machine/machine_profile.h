@@ -25,7 +25,7 @@ struct AxisJoint {
 
 struct AxisProfile {
   double rapid = 10000;   // mm/min or degrees/min
-  double least = -1e300;  // machine coordinate, mm or degrees
+  double least = -1e300;  // end of the axis' travel, machine coordinate, mm or degrees
   double most = 1e300;
   double acceleration = 500;  // mm/s² or degrees/s²; for samples and times, if neither set-up nor parameters give an acceleration
   double jerk = 10000;        // mm/s³ or degrees/s³
@@ -48,7 +48,7 @@ enum class PlannerMode : std::uint8_t { programmed, control, optimal };
 struct MachineProfile {
   std::string id = "generic";
   std::string name_en, name_ru;
-  std::map<std::string, AxisProfile> axes;  // by axis name; axes that are not listed have AxisProfile{}
+  std::map<std::string, AxisProfile> axes;  // axes of the machine by name; axes that are not listed have AxisProfile{}
   AxisChains chains;
   std::vector<MachineBody> bodies;
   double tool_change_s = 10;

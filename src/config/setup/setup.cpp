@@ -120,7 +120,7 @@ tl::expected<PlacedSetup, std::string> read_setup(const std::vector<SetupSource>
   try {
     setup_reader::read_table(whole, "", setup_reader::readers_of(result.setup));
     setup_reader::give_kinematics(result.setup);
-  } catch (const setup_reader::Wrong& error) {  // each source is valid by itself, but not all of them together
+  } catch (const setup_reader::Wrong& error) {  // each source is valid by itself, but the merged set-up is not
     return tl::unexpected(error.sentence);
   }
   result.stated = stated_in(whole);

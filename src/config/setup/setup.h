@@ -31,7 +31,7 @@ struct ToolOffset {
   double corner = 0;  // corner radius of the tool
   double corner_wear = 0;
   double length_x = 0, length_y = 0, length_x_wear = 0, length_y_wear = 0;  // turning offsets (nct 23.1.18, TOL=1)
-  double tip_position = 0;                                                  // code of the tip's orientation (turning)
+  double tip_position = 0;                                                  // code of the orientation of a turning tool's tip
   double whole_length() const { return length + length_wear; }
   double whole_radius() const { return radius + radius_wear; }
   friend bool operator==(const ToolOffset&, const ToolOffset&) = default;
@@ -65,7 +65,7 @@ struct SpindleSetup {
   std::string dir = "stop";
   std::optional<double> angle;                    // degrees
   std::vector<std::pair<double, double>> ranges;  // least and greatest spindle speed of each gear, rev/min
-  // Used only if the set-up is the state that an earlier run printed:
+  // The following members are used only if the set-up is the state that an earlier run printed.
   std::string loop = "open";  // position loop of the spindle: open or closed
   double surface_speed = 0;   // m/min
   int css_axis = 0;
@@ -78,7 +78,7 @@ inline constexpr std::array<std::string_view, 5> tool_info_letters = {"IV", "CT"
 
 /// A row of the tool management table (nct 12.3.1).
 struct ToolRow {
-  double type = 0;         // column T of the table
+  double type = 0;         // type of the tool, column T of the tool management table
   std::uint32_t info = 0;  // info bits, see tool_info_letters
   std::uint32_t form = 0, status = 0;
   double counter = 0, life = 0, warn = 0;
@@ -98,8 +98,8 @@ using PocketTable = std::map<std::pair<int, int>, int>;  // {magazine, pocket} â
 /// The name of a parameter: "N0107.4#0" is name "0107", index "4", bit "0".
 struct ParameterKey {
   std::string name;   // "0107": the four digits after N; or "CLRG", a name without N
-  std::string index;  // axis name or number, channel, or spindle; empty: none
-  std::string bit;    // number or name; empty: none
+  std::string index;  // name or number of the axis, or number of the channel or spindle; empty: no index
+  std::string bit;    // number or name of the bit; empty: the parameter as a whole
   friend bool operator==(const ParameterKey&, const ParameterKey&) = default;
   friend bool operator<(const ParameterKey& a, const ParameterKey& b) {
     return std::tie(a.name, a.index, a.bit) < std::tie(b.name, b.index, b.bit);
@@ -159,7 +159,7 @@ struct ProbeHole {
 };
 
 struct Setup {
-  std::vector<std::string> axes;  // empty: the axes of the control
+  std::vector<std::string> axes;  // names of the axes; empty: the axes of the control
   AxisValues start;
   bool start_in_work = false;
   std::vector<std::string> modal;  // code words
@@ -170,7 +170,7 @@ struct Setup {
   std::map<int, AxisValues> zeros;
   std::map<int, double> correctors;
   std::map<std::string, std::optional<double>> variables;  // "#100", "#_ALM", "#_FOFS1[1]", "R2"; nullopt: vacant variable
-  std::map<std::string, AxisLimits> machine;               // by axis name, or "*" for all
+  std::map<std::string, AxisLimits> machine;               // limits of the axes by axis name, or "*" for all axes
   // Not a key of the file: here the session combines the limits of set-up and machine file
   std::map<std::string, std::pair<double, double>> axis_limits;
   KinematicsSetup kinematics;  // the same data may be given as parameters, which take precedence
@@ -203,7 +203,7 @@ struct Setup {
   std::optional<ProbeHole> probe_hole;
   std::vector<double> points;
   std::vector<std::string> watch;
-  std::map<std::string, AxisValues> shifts;                                  // "G92", "G52"; only if the set-up is a printed state
+  std::map<std::string, AxisValues> shifts;                                  // by code, "G92", "G52"; only if the set-up is a printed state
   double feed_override = 100, rapid_override = 100, spindle_override = 100;  // %
 
   /// Returns spindle 1, for controls that have a single spindle.

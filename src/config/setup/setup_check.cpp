@@ -33,7 +33,7 @@ bool is_neutral(const Json& value) {
 
 bool is_unsupported(std::string_view path) { return path == "frame"; }
 
-/// Returns "at most 5", "0 to 9"; empty if the range has no ends.
+/// Returns the range in words, such as "at most 5" or "0 to 9"; empty if the range has no ends.
 std::string range_words(SetupRange range, Lang lang) {
   const bool least = range.least > -1e299, most = range.most < 1e299;
   if (least && most && range.least == -range.most) return translated_in(lang, setup_faults::at_most, range.most);

@@ -12,7 +12,7 @@ namespace kadr {
 
 /// A key that is wrong, and why.
 struct KeyFault {
-  std::string key;  // "work_offsets.G54.x"; empty: the whole set-up
+  std::string key;  // name of the key, "work_offsets.G54.x"; empty: the whole set-up
   std::string sentence;
 };
 

@@ -18,7 +18,7 @@ namespace kadr {
 namespace {
 
 constexpr int max_row = 999'999'999;                               // greatest number that may be the name of a row
-constexpr int turning_zeros = 9;                                   // number of zeros: G92 /A/ of the 2С42 on turning machines
+constexpr int turning_zeros = 9;                                   // number of zeros on turning machines: G92 /A/ of the 2С42
 constexpr int dynamic_systems = 8;                                 // number of dynamic offsets: G54.2 P1 … P8 (nct 25.4)
 constexpr std::int32_t first_system = 54_g, last_system = 59.3_g;  // codes in tenths: G54 … G59, G59.3
 
@@ -290,7 +290,7 @@ std::optional<std::string> SetupNamesOf::parameter_fault(std::string_view name, 
   const bool whole = value == std::floor(value);
   if (text) {
     if (row->type != ParameterType::text) return plain_text(id::value_number, lang);
-    return std::nullopt;  // the control checks the characters
+    return std::nullopt;  // the control checks the characters of the value when it reads the parameter
   }
   if (!key->bit.empty()) {
     const bool number = key->bit.size() == 1 && key->bit[0] >= '0' && key->bit[0] <= '7';

@@ -18,7 +18,7 @@ using Done = tl::expected<void, std::string>;
 
 inline constexpr int application_id = 0x4B616472;  // "Kadr"
 inline constexpr int major_version = 2;            // changes if an older Kadr must not read the file; version 1 had no checksums
-inline constexpr int minor_version = 0;            // changes if there is additional data that an older version ignores
+inline constexpr int minor_version = 0;            // changes if the file gets additional data that an older Kadr ignores
 inline constexpr int minors_of_major = 1000;
 inline constexpr std::uintmax_t max_bytes = 256u << 20;  // greatest size of a state file; one with all tables full has 1 MB
 
@@ -83,7 +83,7 @@ class Base {
   bool merges_ = false;
 };
 
-/// Returns "… is no state file of Kadr".
+/// Returns the error sentence "… is no state file of Kadr".
 std::string no_state_file_message(const std::string& name);
 
 /// Checks the file without opening it: the path is not empty, and the file is regular, not empty, and not too large. Never blocks.

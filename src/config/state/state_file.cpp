@@ -159,7 +159,7 @@ int StateFile::Database::step(const StateRow& row) {
   return code == SQLITE_OK && is_new ? put_whole() : code;
 }
 
-/// Records the totals as a turn that has no row.
+/// Stores the totals as `whole` in the table `about`: a turn that writes no row (state_content.h).
 int StateFile::Database::put_whole() {
   ++whole_.turn;
   const std::string text = whole_.text();
@@ -198,7 +198,7 @@ Done StateFile::Database::save(const std::vector<StateRow>& rows) {
   before_.clear();
   const bool alone = rows.size() == 1 && !old_ && !std::holds_alternative<std::monostate>(rows[0].value) &&
                      sums_.contains(static_cast<char>(rows[0].table) + rows[0].key);
-  int code = alone ? SQLITE_OK : step(begin_);  // a single statement is a transaction by itself
+  int code = alone ? SQLITE_OK : step(begin_);  // a single statement needs no BEGIN: it is a transaction by itself
   if (code == SQLITE_OK && old_) code = upgrade();
   for (std::size_t i = 0; i < rows.size() && code == SQLITE_OK; ++i) code = step(rows[i]);
   if (code == SQLITE_OK && !alone) code = step(commit_);

@@ -12,10 +12,10 @@
 namespace kadr {
 
 enum class ToolFormat : std::uint8_t {
-  toml,      // Kadr's own
-  linuxcnc,  // tool table, .tbl: T… P… D… ; diameters only
-  camotics,  // tool table or project, JSON: {"tools": {"1": {"shape": …}}}
-  freecad,   // .fctb, JSON: {"shape": "endmill.fcstd", "parameter": …}
+  toml,      // Kadr's own format
+  linuxcnc,  // LinuxCNC's tool table, .tbl, lines "T… P… D… ;…"; contains the diameters only
+  camotics,  // CAMotics' tool table or project, JSON: {"tools": {"1": {"shape": …}}}
+  freecad,   // FreeCAD's tool, .fctb, JSON: {"shape": "endmill.fcstd", "parameter": …}
   fusion,    // Fusion 360 library, JSON: {"data": [{"type": …, "geometry": …}]}
 };
 

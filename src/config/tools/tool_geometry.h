@@ -44,7 +44,7 @@ struct ToolGeometry {
   ToolKind kind = ToolKind::flat;
   double diameter = 0;
   double corner = 0;                  // corner radius of a bull nose mill
-  double angle = 0;                   // see ToolKind
+  double angle = 0;                   // angle of a taper, drill or chamfer tool (see ToolKind), or of an insert's nose
   double tip = 0;                     // diameter of the flat end of a chamfer tool or drill
   double flutes = 0;                  // height of the cutting part (flute length)
   double length = 0;                  // stick-out: height of the holder's face above the tip

@@ -48,7 +48,7 @@ double amount(const json& value, double unit) {
   return number * (rest.find("in") != std::string_view::npos || rest.find('"') != std::string_view::npos ? mm_per_inch : 1);
 }
 
-/// Adds the tool if its shape is valid; else adds a note why not.
+/// Adds the tool to the library if its shape is valid; else adds a note that says why the tool is left out.
 void take(ToolLibrary& library, ToolGeometry tool, const std::string& file, const std::string& shape) {
   complete(tool);
   const std::string fault = tool_fault_message(tool);
