@@ -137,7 +137,7 @@ struct CompensationBreak {
 struct FrameChange {
   Placement placement;
   Axes work;
-  // The part of placement.origin that comes from G52, G92 …; nullptr: none, or it is only in placement.shift
+  // The part of placement.origin that comes from G52, G92 …; nullptr: there is no such part, or placement.shift holds it
   std::shared_ptr<const Axes> shifted{};
 };
 

@@ -12,7 +12,7 @@
 
 namespace kadr {
 
-/// Everything that defines a FiveAxisTransform; equal data define equal spaces.
+/// Everything that defines a FiveAxisTransform. Equal data define equal transformations.
 struct FiveAxisTransformData {
   FiveAxis machine;
   std::array<std::int8_t, 3> main{0, 1, 2};  // indices of the axes X, Y, Z in the channel; -1: the axis is missing

@@ -219,14 +219,14 @@ struct Behaviour {
   ArcCenters arc_centers = ArcCenters::incremental;
   ArcRadius arc_radius_word = ArcRadius::none;
   double arc_radius_difference = 0.01;  // mm by which an arc's radii at start and end may differ
-  double arc_difference_inch = 0;       // the same limit in mm while the unit is inch (G20); 0: arc_radius_difference applies
+  double arc_difference_inch = 0;       // the same limit, also in mm, while the unit is inch (G20); 0: arc_radius_difference applies
   // If an arc's radius changes, its angle advances evenly (nct 4.3); else the length of its path does
   bool arc_angle_even = false;
   LengthOffset length_offset = LengthOffset::next_motion;
   CompensationEntry compensation_entry = CompensationEntry::normal;
   // In a rapid, each axis moves at its own rate; for a control without a parameter for this (config/machine/rapid_path.h)
   bool rapids_apart = false;
-  bool feed_required = true;  // a feed motion before any F is an alarm, else a warning (F0 is always an alarm)
+  bool feed_required = true;  // a feed motion before any F is an alarm; if false, a warning (F0 is always an alarm)
   double result_most = 0;     // greatest absolute value that may be assigned to a variable (spec/fanuc 5.3); 0: no limit
   // Values of the machine. If the control has a parameter table that contains them (under the name in `as`), the table takes precedence,
   // and the set-up over the table (config/machine/machine_axes).

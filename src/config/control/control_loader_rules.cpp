@@ -18,7 +18,7 @@ using toml_tools::place;
 
 namespace {
 
-/// Settings of [grammar] that only the machine of the NCT supports.
+/// Settings of [grammar] that only the machine of the NCT (dialect = "nct") supports.
 constexpr std::pair<std::string_view, bool Grammar::*> nct_grammar[] = {
     {"macro", &Grammar::custom_macros},
     {"operator_i", &Grammar::operator_i},
@@ -51,12 +51,12 @@ const std::vector<ReadBy>& behaviour_of_functions() {
   return rows;
 }
 
-/// Keys of [behaviour] that the machine of the NCT ignores: its parameters replace them.
+/// Keys of [behaviour] that the machine of the NCT (dialect = "nct") ignores: parameters of the control replace them.
 constexpr std::string_view not_of_nct[] = {
     "arc_centers",        "reference_feed",        "return_chip_break",  "return_near",        "probe_least_distance",
     "tool_and_corrector", "speed_needs_direction", "compensation_entry", "delayed_assignment", "fixtures"};
 
-/// Keys of [behaviour] that only the machine of the NCT reads.
+/// Keys of [behaviour] that have an effect only on the machine of the NCT (dialect = "nct").
 constexpr std::string_view only_of_nct[] = {
     "later_word_counts",   "dwell_unit",         "repeats_in_program_number", "cycle_words", "machine_move_absolute",
     "repeats_by_k",        "reference_all_axes", "tool_along_third",          "alarm_base",  "returns_to_own_block",
@@ -85,7 +85,7 @@ constexpr Stores stores[] = {
     {Function::set_position_restore, -1, VariableKind::set_position, "set_position"},
 };
 
-constexpr std::uint32_t stored_axes = 6;  // number of coordinates of a point in the system variables
+constexpr std::uint32_t stored_axes = 6;  // number of coordinates that the system variables have for one point
 
 }  // namespace
 
@@ -96,7 +96,8 @@ bool ControlLoader::does(std::initializer_list<Function> functions) const {
          std::any_of(def_.addresses.begin(), def_.addresses.end(), [&](const AddressRow& row) { return one_of(row.function); });
 }
 
-/// Checks that the machine of the NCT and its language are used together: neither works without the other.
+/// Checks that a control has both the machine of the NCT (dialect = "nct") and its language, or neither: one does not work without the
+/// other.
 Done ControlLoader::check_machine() {
   const Grammar& g = def_.grammar;
   const toml::table* const words = section("grammar");
@@ -196,7 +197,7 @@ Done ControlLoader::check_behaviour() {
   return {};
 }
 
-/// Checks that every axis has a word, and that a control with functions of a plane has three axes.
+/// Checks that every axis has an address, and that a control with functions that work in a plane has three axes.
 Done ControlLoader::check_axes() const {
   if (def_.machine_axes()) return {};
   const auto words = [&](Function function) {

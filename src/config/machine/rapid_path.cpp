@@ -1,4 +1,4 @@
-// Whether rapid motions are straight lines. Used by cli/cut; tested by tests/config/rapid_path_test.cpp.
+// Decides whether rapid motions are straight lines. Used by cli/cut; tested by tests/config/rapid_path_test.cpp.
 
 #include "config/machine/rapid_path.h"
 

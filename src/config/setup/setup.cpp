@@ -25,7 +25,7 @@ void plane(const Json& value, const std::string& key, Setup& setup) {
   if (!known) wrong(key, "the names of its two axes, \"XY\"");
 }
 
-/// Returns readers for what a run starts with.
+/// Returns readers for the keys about the state in which a run starts: axes, start position, modes …
 Readers readers_of_state(Setup& s) {
   return {
       {"axes", [&](const Json& v, const std::string& k) { s.axes = list(v, k, word); }},
@@ -52,7 +52,7 @@ Readers readers_of_state(Setup& s) {
   };
 }
 
-/// Returns readers for every key of tests/golden/README.md, of the set-up and of the state.
+/// Returns readers for every key of a set-up or a printed state (tests/golden/README.md).
 Readers readers_of(Setup& setup) {
   Readers readers = readers_of_state(setup);
   readers.merge(readers_of_tables(setup));

@@ -171,7 +171,7 @@ struct Setup {
   std::map<int, double> correctors;
   std::map<std::string, std::optional<double>> variables;  // "#100", "#_ALM", "#_FOFS1[1]", "R2"; nullopt: vacant variable
   std::map<std::string, AxisLimits> machine;               // limits of the axes by axis name, or "*" for all axes
-  // Not a key of the file: here the session combines the limits of set-up and machine file
+  // Limits that the session combines from set-up and machine file; not a key of the file
   std::map<std::string, std::pair<double, double>> axis_limits;
   KinematicsSetup kinematics;  // the same data may be given as parameters, which take precedence
   std::map<int, SpindleSetup> spindles;

@@ -15,8 +15,8 @@
 namespace kadr {
 namespace {
 
-constexpr double assumed_length = 100;  // mm, length of a tool: a table of offsets does not contain it
-constexpr double assumed_edge = 10;     // mm, length of an insert's cutting edge: a table of offsets does not contain it
+constexpr double assumed_length = 100;  // mm; assumed length of a tool, which a table of offsets does not contain
+constexpr double assumed_edge = 10;     // mm; assumed length of an insert's cutting edge, which the table does not contain either
 
 bool ends_with_any(const std::string& path, std::initializer_list<std::string_view> endings) {
   const std::string small = in_small_letters(path);
