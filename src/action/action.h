@@ -35,7 +35,7 @@ struct Speed {
   double value;  // the new speed: rev/min, or surface speed in m/min (G96)
   bool surface;
   std::uint8_t number = 1;  // number of the spindle
-  std::uint8_t range = 0;   // gear range that the speed selects; 0: none
+  std::uint8_t range = 0;   // gear range that the speed selects; 0: the speed selects no range
   double rpm = 0;           // rev/min that the surface speed gives at the position where it is commanded
 };
 enum class Coolant : std::uint8_t { off, mist, flood };
@@ -94,7 +94,7 @@ struct ZoneChange {
   bool on = false;
   bool outside_forbidden = false;
   AxisMask axes = 0;           // axes with limits; the others are unlimited
-  Axes least{}, most{};        // limits of the axes in `axes`, machine coordinates; infinite: no limit
+  Axes least{}, most{};        // limits of the axes in `axes`, machine coordinates; an infinite value is no limit
   bool of_parameters = false;  // the change concerns the zone that the parameters define now, active or not; G23 restores this zone
 };
 /// Switches an electronic gearbox on: in addition to its own motions, the slave axis follows a spindle and the travel of a third axis
@@ -103,8 +103,8 @@ struct Couple {
   std::string master, slave;      // names of the master spindle and of the slave axis
   double ratio = 1;               // revolutions of the slave per revolution of the master, signed
   double rpm = 0;                 // speed of the slave at the master's present speed, rev/min, signed
-  bool feeds_by_slave = false;    // feed per revolution counts the slave's revolutions
-  std::optional<double> phase{};  // angle of the slave at the zero pulse, degrees
+  bool feeds_by_slave = false;    // a feed per revolution refers to the slave's revolutions, not to the master's
+  std::optional<double> phase{};  // angle of the slave at the spindle's zero pulse, degrees
   double helix = 0;               // rotation of the slave in degrees per mm of travel of the axis `along`
   std::string along{};            // name of the third axis; empty: none
   int master_number = 0;          // number of the master spindle
@@ -132,12 +132,12 @@ struct CompensationBreak {
   bool off = false;
   bool here = false;
 };
-/// Changes the frame of all actions that follow; not a command to the machine. `work`: the tool's work coordinates from now on (2С42:
-/// without a newly selected tool length).
+/// Changes the frame of all actions that follow; not a command to the machine. `work`: the tool's work coordinates from now on (on the
+/// 2С42, a tool length that was newly selected does not count in them yet).
 struct FrameChange {
   Placement placement;
   Axes work;
-  // The part of placement.origin that comes from G52, G92 …; nullptr: none, or it is only in placement.shift
+  // The part of placement.origin that comes from G52, G92 …; nullptr: there is no such part, or placement.shift holds it
   std::shared_ptr<const Axes> shifted{};
 };
 

@@ -16,7 +16,7 @@
 
 namespace kadr {
 
-/// Combines several functions into one with overloads.
+/// Combines several functions into one object with overloads, one for each kind of action.
 template <class... Functions>
 struct EachKind : Functions... {
   using Functions::operator()...;
@@ -27,7 +27,7 @@ EachKind(Functions...) -> EachKind<Functions...>;
 template <class Kind, class... Kinds>
 concept IsOneOf = (std::same_as<Kind, Kinds> || ...);
 
-/// Accepts these kinds and does nothing.
+/// A function for by_kind() that accepts actions of these kinds and does nothing.
 template <class... Kinds>
 struct Ignored {
   template <class Kind>
@@ -37,7 +37,7 @@ struct Ignored {
 template <class... Kinds>
 inline constexpr Ignored<Kinds...> ignores{};
 
-/// Accepts these kinds and returns the same value for each.
+/// A function for by_kind() that accepts actions of these kinds and returns the same value for each.
 template <class Result, class... Kinds>
 struct SameOf {
   Result result;

@@ -10,7 +10,7 @@ namespace kadr {
 
 namespace {
 
-// For FeedAlong::xyz: a travel of X, Y, Z below this counts as none, mm; it is `tiny` in LinuxCNC's find_straight_length.
+// mm. For FeedAlong::xyz: if X, Y, Z together travel less than this, they count as not moving; `tiny` in LinuxCNC's find_straight_length.
 constexpr double stands_within = 1e-7;
 
 AxisMask followers_of(const MotionDetail* detail) {
@@ -37,7 +37,7 @@ FlatPath Curve::plane_path() const {
   const Vec2 end = flat ? Vec2{motion_.to[first_], motion_.to[second_]} : motion_.detail->flat_to;
   if (!arc_) return FlatPath::line(start, end);
   Vec2 center = motion_.center;
-  if (surface_ == PathSurface::cylinder)  // the motion's centre is given in axis units
+  if (surface_ == PathSurface::cylinder)  // the centre in the motion is in axis units: degrees for the rotary axis
     center = start + Vec2{(center.x - from_[first_]) / unit(first_), (center.y - from_[second_]) / unit(second_)};
   return FlatPath::arc(start, end, center, motion_.kind == MotionKind::arc_ccw ? motion_.turns : -motion_.turns);
 }
@@ -77,7 +77,7 @@ bool Curve::measures_path(FeedAlong along) const {
   if (along == FeedAlong::turn) return straight();
   if (along == FeedAlong::xyz) return (all_axes() & ~(xyz_axes() | roles_.rotary)) == 0;
   if (along != FeedAlong::arc || !arc_) return along != FeedAlong::all_axes || (roles_.rotary & all_axes()) == 0;
-  bool flat = true;  // true if nothing moves outside the plane
+  bool flat = true;  // true if no axis outside the plane moves
   for (std::size_t i = 0; i < roles_.count; ++i) flat = flat && ((plane_axes() >> i & 1U) != 0 || way(i) == 0);
   return flat;
 }
@@ -107,8 +107,8 @@ void Curve::set_in_plane(Axes& point, Vec2 flat) const {
   point[second_] = there.y;
 }
 
-/// A follower travels as far as its master. Any remaining difference between its ends (in a turned frame) is spread evenly over the
-/// motion.
+/// Sets the follower axes of `point`. A follower travels as far as its master. If its programmed end requires more or less travel (in a
+/// rotated frame), the difference is spread evenly over the motion.
 void Curve::set_followers(Axes& point, double part) const {
   for (const Follower& follower : motion_.detail->followers) {
     const double rest = way(follower.axis) - follower.sign * way(follower.master);

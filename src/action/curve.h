@@ -16,8 +16,8 @@ struct Extents {
   Axes most;
 };
 
-/// A view of a motion, in work coordinates. The constructor's arguments must outlive it.
-///   law  a turned, mirrored or reversed motion has the same length, and its extents are turned, mirrored
+/// A view of a motion, in work coordinates. The constructor's arguments must outlive the view.
+///   law  a rotated, mirrored or reversed motion has the same length, and its extents are rotated or mirrored in the same way
 ///   law  at(0) is the start and at(1) the end, bit by bit
 class Curve {
  public:
@@ -46,19 +46,19 @@ class Curve {
   /// Returns the travel of the rotary axes outside the plane, in degrees (several axes: as if at right angles, NIST 2.1.2.5).
   double rotary_length() const;
 
-  /// Returns the length that a feed measured along `along` counts.
+  /// Returns the length of the motion as the commanded feed measures it. `along` says which travel the feed counts.
   double length(FeedAlong along) const;
 
-  /// Returns true only if length(along) equals length() for certain.
+  /// Returns true if length(along) certainly equals length(). After false, the caller has to compute both: they may differ.
   bool measures_path(FeedAlong along) const;
 
   /// Returns d length(along) / d part. It is constant except on spirals.
   double rate(FeedAlong along, double part) const;
 
-  /// Returns the signed travel of an axis over the motion; for an axis that rolls over, whole revolutions are included.
+  /// Returns the signed travel of an axis over the motion. For a rotary axis that rolls over at 360°, whole revolutions are included.
   double way(std::size_t axis) const { return (rolled_ >> axis & 1U) != 0 ? motion_.detail->travel[axis] : motion_.to[axis] - from_[axis]; }
 
-  /// Returns the point at `part`, 0..1 of a line's length or of an arc's angle. Inside the motion, an axis that rolls over counts on
+  /// Returns the point at `part`, 0..1 of a line's length or of an arc's angle. Inside the motion, a rotary axis that rolls over counts on
   /// beyond 360°.
   Axes at(double part) const;
 
@@ -81,13 +81,13 @@ class Curve {
   /// Returns the part at which polar interpolation is nearest to the rotation centre; 0 without polar interpolation.
   double nearest() const;
 
-  /// Returns the bounding box. For an axis that rolls over, only its ends count.
+  /// Returns the bounding box. Of an axis that rolls over at 360°, only its positions at the start and the end count.
   Extents extents() const;
 
   /// Returns the number of equal pieces whose chords stay within `chord` mm of the path; 1 for a line.
   int pieces(double chord) const;
 
-  /// Returns a number of equal pieces, each with at most one extreme of any axis; for searches.
+  /// Returns a number of equal pieces of the path, so many that each axis has at most one extreme in each piece; for searches.
   int samples() const { return straight() ? 1 : flat_.samples(); }
 
  private:
@@ -118,7 +118,7 @@ class Curve {
   bool arc_ = false, spline_ = false;
   PathSurface surface_ = PathSurface::plane;
   AxisMask rolled_ = 0;
-  AxisMask following_ = 0;              // axes that copy another axis' travel
+  AxisMask following_ = 0;              // mask of the follower axes, which copy another axis' travel
   std::size_t first_ = 0, second_ = 1;  // axes of the plane
   FlatPath flat_;                       // the path in its plane or on its surface; not set for a straight line
 };

@@ -5,7 +5,7 @@
 
 namespace kadr {
 
-/// What specifies the end of a motion. If a work offset is shifted, only ends of the type `by_work` move with it.
+/// What specifies the end of a motion. If a work offset changes, only ends of the type `by_work` move with the offset.
 enum class EndReference : std::uint8_t {
   by_work,      // work coordinates
   by_machine,   // machine coordinates: G53

@@ -21,8 +21,8 @@ double primitive(double radius, double a) { return (radius * std::hypot(radius, 
 
 /// Returns the length of a spiral around an axis: over the angle `sweep_rad`, it moves `rise` along the axis and `growth` away from it.
 double spiral_length(double radius, double growth, double rise, double sweep_rad) {
-  // Least growth / radius for the closed formula: below it, the difference of primitives loses digits; Gauss quadrature is exact to
-  // rounding there.
+  // The closed formula is used if growth / radius exceeds this number. For smaller growth, the difference of the primitives loses digits,
+  // and Gauss quadrature is exact to the rounding error.
   constexpr double hardly = 1e-3;
   if (sweep_rad == 0) return std::hypot(growth, rise);
   if (std::abs(growth) > hardly * std::max(radius, radius + growth)) {
@@ -60,7 +60,7 @@ void take_quarters(Box2& box, const CircleArc& arc) {
   const Vec2 first = arc.first, last = arc.last;
   const auto passes = [&](bool behind, bool before, bool not_opposite) {
     if (arc.turns > 0.5) return arc.turns >= 1 || behind || before;
-    return behind && before && not_opposite;  // not_opposite excludes the opposite side of an arc of almost no sweep
+    return behind && before && not_opposite;  // not_opposite: a very short arc does not pass the opposite direction
   };
   // The positive or negative axis direction lies within the sweep if cross(first, axis) >= 0 and cross(axis, last) >= 0, and at least one
   // of the arms `first`, `last` does not point away from it.

@@ -18,11 +18,11 @@ struct CircleArc {
   double turns = 0;  // swept angle / 360, positive
 };
 
-/// Extends the box to the arc's outermost points in the directions of the axes, without the arc's ends.
+/// Extends the box to the points at which the arc's tangent is parallel to an axis. The arc's ends are not included: the caller adds them.
 void take_quarters(Box2& box, const CircleArc& arc);
 
 ///   law  at(0) is the start and at(1) the end, bit by bit
-///   law  a turned, mirrored or reversed path has the same length; if it is cut in two, the lengths add up
+///   law  a rotated, mirrored or reversed path has the same length; the lengths of the two parts of a divided path add up to its length
 class FlatPath {
  public:
   FlatPath() = default;
@@ -51,7 +51,7 @@ class FlatPath {
   Box2 box() const;
 
   /// Returns the angle swept about the plane's origin up to `part`: degrees, signed, whole revolutions counted. A path through the origin
-  /// itself sweeps 180° there.
+  /// sweeps 180° at the origin.
   double swept(double part) const;
 
   /// Returns the number of equal pieces whose chords stay within `chord` mm; 1 for a line.
@@ -60,7 +60,7 @@ class FlatPath {
   /// Returns the curvature in 1/mm, positive for a left turn; for a spiral, approximated by the inverse of the radius at that point.
   double curvature(double part) const;
 
-  /// Returns a number of equal pieces, each with at most one extreme of any coordinate; for searches.
+  /// Returns a number of equal pieces of the path, so many that each coordinate has at most one extreme in each piece; for searches.
   int samples() const;
 
  private:
@@ -70,7 +70,7 @@ class FlatPath {
 
   Vec2 from_, to_;
   Vec2 center_;
-  Vec2 arm_;              // vector from the centre to the start; a unit vector if the radius there is 0
+  Vec2 arm_;              // vector from the centre to the start; a unit vector if the start radius is 0
   double sweep_deg_ = 0;  // counter-clockwise positive
   double radius_ = 0;
   double radius_change_ = 0;  // radius at the end minus radius at the start

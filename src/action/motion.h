@@ -20,8 +20,8 @@ inline bool is_arc(MotionKind kind) { return kind == MotionKind::arc_cw || kind 
 /// What the commanded feed is measured along.
 enum class FeedAlong : std::uint8_t {
   path,      // the linear axes; if only rotary axes move, their travel (NIST 2.1.2.5)
-  turn,      // the arc's angle, if its radius changes: the angle advances evenly, with the feed at the arc's start (nct 4.3)
-  arc,       // the arc in its plane, for a helix; the other axes keep pace (nct 4.3.2, HEF=0)
+  turn,      // the angle of an arc whose radius changes: it advances evenly, at the rate that the feed gives at the arc's start (nct 4.3)
+  arc,       // only the arc in its plane, not the travel of a helix along its axis (nct 4.3.2, HEF=0)
   all_axes,  // millimetres and degrees count alike (nct 4.2)
   xyz,       // X, Y, Z if they move, else the other linear axes, else the rotary ones (spec/linuxcnc 7.2)
 };
@@ -47,14 +47,14 @@ enum class CornerJoin : std::uint8_t {
 
 /// How speed is controlled where two motions meet (nct 6.3).
 enum class CornerSpeed : std::uint8_t {
-  limited,       // the control's limits apply (G64, G61)
-  inner_slower,  // the control's limits apply, and motions are slower near inside corners (G62)
+  limited,       // the control's limits of the speed apply (G64, G61)
+  inner_slower,  // the control's limits of the speed apply, and motions are slower near inside corners (G62)
   kept,          // the speed is not reduced (G63)
 };
 
 /// Where the first compensated motion ends.
 enum class CompensationApproach : std::uint8_t {
-  by_corner,  // where the corner to the next motion requires it (nct 15.5.1)
+  by_corner,  // at the point that the corner to the next motion requires (nct 15.5.1)
   normal,     // on the normal to the next path element (2С42 6.4.7)
   tangent,    // the tool touches the line to the programmed point over its whole length (Mach3, RS274/NGC)
 };
@@ -68,31 +68,32 @@ struct Follower {
 
 /// The line or circle on which a motion in the plane lies, if the start or end of the motion has to be calculated (nct 17.3).
 enum class SupportingCurve : std::uint8_t {
-  none,    // nothing to calculate: the ends are given
+  none,    // the ends of the motion are given, and nothing is calculated
   way,     // a line with a known start and direction; it ends where the next motion starts
   line,    // an over-determined line, with a known end and direction; it starts at the intersection with the previous motion
   circle,  // an over-determined arc, with a known centre; it starts at the intersection with the previous motion
 };
 
-/// How a motion meets its neighbours in the plane (nct 17). path/compensation/corner_resolver resolves it.
+/// How a motion meets its neighbours in the plane (nct 17). path/compensation/corner_resolver computes the corners from this.
 struct CornerData {
   double chamfer = 0;   // leg of the chamfer at the motion's end, mm; 0: none
   double rounding = 0;  // radius of the rounding at the motion's end, mm; 0: none
   SupportingCurve on = SupportingCurve::none;
   Vec2 direction;         // direction of the line, only for `way` and `line`: unit vector
-  double radius = 0;      // radius, only for `circle`, mm
+  double radius = 0;      // radius of the circle, only for `circle`, mm
   bool farther = false;   // of two intersections, the second one is used (Q above 0)
   bool mirrored = false;  // the programmed plane is mirrored: a clockwise arc of the program is counter-clockwise here
 };
 
-/// The position of the tool along a motion that leads the tool's tip, if the curve and the even travel of the rotary axes do not
-/// determine it: tool posture control, cutting point control (nct 25.15 to 25.17). Implemented in kinematics/five_axis_tip_path.
+/// The positions of the tool tip and of the rotary axes along a motion with tool centre point control. Only for the modes in which the
+/// motion's curve, with an even travel of the rotary axes, does not determine these positions: tool posture control, cutting point control
+/// (nct 25.15 to 25.17). Implemented in kinematics/five_axis_tip_path.
 class TipPath {
  public:
   virtual ~TipPath() = default;
   /// Returns the work coordinates of the tip and the rotary axes at `part`, where the curve is at `on_curve`.
   virtual Axes at(double part, const Axes& on_curve) const = 0;
-  /// Returns the surface normal at the cutting point, in the work system; {} if there is none.
+  /// Returns the surface normal at the cutting point, in the work system; the zero vector if the mode has no cutting point.
   virtual Vec3 normal(double /*part*/) const { return {}; }
 };
 
@@ -106,28 +107,28 @@ struct SplinePart {
 
 /// Data that only few motions have.
 struct MotionDetail {
-  AxisMask rolled = 0;  // rotary axes that roll over; `travel` is their signed travel, degrees (nct 5.6)
+  AxisMask rolled = 0;  // rotary axes that roll over at 360°; `travel` is their signed travel, degrees (nct 5.6)
   Axes travel{};
   PathSurface surface = PathSurface::plane;
-  Vec2 flat_from;               // start; polar: in the programmed plane, mm; cylinder: on the unrolled surface, mm
-  Vec2 flat_to;                 // end, in the same plane or surface as flat_from; the arc's centre and turns refer to it too
+  Vec2 flat_from;               // mm; start in the programmed plane (polar interpolation) or on the unrolled surface (cylinder)
+  Vec2 flat_to;                 // mm; end, in the same plane or on the same surface as flat_from
   double radius = 0;            // radius of the cylinder, mm
   double side = 1;              // only for polar interpolation: sign of the linear axis' position at G12.1
-  double offset = 0;            // polar: perpendicular offset of the rotation centre, mm
-  double max_rotary_speed = 0;  // polar: greatest speed of the rotary axis, degrees/min; 0: no limit
+  double offset = 0;            // only for polar interpolation: perpendicular offset of the rotation centre, mm
+  double max_rotary_speed = 0;  // only for polar interpolation: greatest speed of the rotary axis, degrees/min; 0: no limit
   Axes programmed{};            // end point in the coordinates of the program's words
   bool has_programmed = false;
-  std::optional<double> lead;         // lead of a thread, mm
+  std::optional<double> lead;         // lead of a thread: travel per revolution, mm
   std::optional<double> start_angle;  // angle of the spindle at the start of the thread, degrees
   std::optional<double> turn;         // rotation of the spindle during the motion, degrees, signed
   std::optional<double> torque;       // torque limit of a probe motion, %
-  int input = 0;                      // input of a probe motion: 1 to 8; 98: torque; 0: any
+  int input = 0;                      // signal that ends a probe motion: 1 to 8 the probe input, 98 the torque limit, 0 any input
   std::optional<Vec2> way;            // I J K of G41, G42, G40: direction of the approach or departure
   // Axes that copy the travel of another axis, each listed after its master; the path's length does not include their travel
   std::vector<Follower> followers;
   std::shared_ptr<const TipPath> tip_path;
   AxisMask parked = 0;  // axes that the machine's logic has parked: they do not move, their positions are only calculated (nct 20.2)
-  bool evenly = false;  // all axes move evenly, although the tool's tip is led in other motions (G53, nct 25.2)
+  bool evenly = false;  // all axes move evenly in this motion, although tool centre point control is in force (G53, nct 25.2)
   std::optional<CornerData> contour;
   SplinePart spline;  // only for MotionKind::spline
 };
@@ -155,14 +156,14 @@ struct MotionPath {
 /// How fast and how exactly a motion is executed.
 struct MotionFeed {
   double feed = 0;       // commanded feed, in `unit`
-  double tolerance = 0;  // mm by which constant-velocity mode may round the path; 0: not stated
+  double tolerance = 0;  // mm; how far constant-velocity mode may deviate from the path at corners; 0: not stated
   double join = 0;       // mm; straight motions no longer than this in any axis are joined into one (nct 4.7, N3103)
   FeedUnit unit = FeedUnit::mm_per_min;
   FeedAlong along = FeedAlong::path;
   CornerSpeed corner_speed = CornerSpeed::limited;
   std::uint8_t spindle = 1;    // spindle whose revolutions a feed per revolution or a thread counts
   std::uint8_t smoothing = 0;  // Q of G5.1 in force: 2 smooth, 3 fine (nct 4.7); 0: none
-  bool exact = false;          // exact stop at the end
+  bool exact = false;          // exact stop at the end of the motion
   bool own_override = false;   // feed and spindle override act as 100 % (tapping, threads, G23, M49)
   bool no_hold = false;        // the operator's feed hold is ignored too (nct 6.3.4)
   bool in_position = false;    // the axes must reach the in-position window at the end (nct 4.1.1, 6.3)
@@ -171,18 +172,18 @@ struct MotionFeed {
 /// The side of the programmed path that the tool is on, and how it gets there.
 struct MotionCompensation {
   double tool_radius = 0;           // radius of the tool at the end of the motion, mm
-  std::uint16_t radius_offset = 0;  // row of the offset table, if the tool is on a side of the path; 0: none
+  std::uint16_t radius_offset = 0;  // row of the offset table that gives the radius, while compensation is on; 0: none
   std::int8_t side = 0;             // +1: the tool is left of the path, -1: right, 0: no compensation
   // Orientation of a turning tool whose tip follows the path (spec/linuxcnc 9); 0, 9: the centre of its nose follows the path
   std::uint8_t nose = 0;
   SideStep side_step = SideStep::none;
   CornerJoin join_corner = CornerJoin::extended;                 // shape of the corner between this motion and the next
-  CompensationApproach entry = CompensationApproach::by_corner;  // matters only where compensation starts
+  CompensationApproach entry = CompensationApproach::by_corner;  // only used if compensation starts with this motion
 };
 
-/// What a motion belongs to: work offset, tool length, drilling cycle.
+/// The work offset, tool length and drilling cycle that a motion belongs to.
 struct MotionContext {
-  std::uint16_t system = 0;         // work offset in force: row of the table of work offsets or fixtures, config/setup/setup_names; 0: none
+  std::uint16_t system = 0;         // row of the table of work offsets or fixtures that is in force (config/setup/setup_names); 0: none
   std::uint16_t length_offset = 0;  // row of the offset table whose tool length is in force; 0: none
   HoleWork in_hole = HoleWork::none;
   bool of_cycle = false;  // a canned cycle created the motion

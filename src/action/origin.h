@@ -8,11 +8,11 @@ namespace kadr {
 /// The origin of an action: the innermost block of the user's program.
 struct Origin {
   std::uint32_t line = 0;
-  std::uint32_t column = 0;  // counted from 1, in characters
+  std::uint32_t column = 0;  // column of the block in its line, counted from 1 in characters
   std::uint32_t block = 0;   // block number, after N
   bool has_block = false;
   bool main_block = false;        // the block number follows ':' instead of N
-  std::uint8_t block_digits = 0;  // digits as written, leading zeros included
+  std::uint8_t block_digits = 0;  // number of digits of the block number as written, leading zeros included
   std::uint8_t depth = 0;         // nesting depth: number of calls around the block
   std::uint16_t file = 0;         // file of the line: 0 is the program, for others see Control::file_name()
   std::uint16_t calls = 0;        // id of the chain of calls that led here: Control::calls_of(); 0: none, or not recorded

@@ -21,7 +21,7 @@ Vec3 turned(const FrameTurn& r, Vec3 v) {
   return {row(r.rows[0]), row(r.rows[1]), row(r.rows[2])};
 }
 
-/// Turns a vector back; the inverse of a rotation is its transpose.
+/// Rotates a vector by the inverse of the frame's rotation: the inverse of a rotation matrix is its transpose.
 Vec3 turned_back(const FrameTurn& r, Vec3 v) { return v.x * r.rows[0] + v.y * r.rows[1] + v.z * r.rows[2]; }
 
 Axes as_driven(const AxisDrives& drives, const Axes& programmed) { return drives.is_own ? programmed : drives.driven(programmed); }

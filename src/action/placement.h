@@ -31,8 +31,8 @@ struct FrameTurn {
   friend bool operator==(const FrameTurn&, const FrameTurn&) = default;
 };
 
-/// Returns the work coordinates turned with the frame: `turn · work` on the main axes, the others unchanged. With nullptr, returns
-/// `work`.
+/// turned_axes() returns the work coordinates rotated by the frame: `turn · work` on the main axes, the others unchanged;
+/// turned_back_axes() is its inverse. turned() returns `work` unchanged if `turn` is nullptr.
 Axes turned_axes(const FrameTurn& turn, const Axes& work);
 Axes turned_back_axes(const FrameTurn& turn, const Axes& way);
 inline Axes turned(const FrameTurn* turn, const Axes& work) { return turn == nullptr ? work : turned_axes(*turn, work); }
@@ -50,15 +50,15 @@ class WorkTransform {
   virtual ~WorkTransform() = default;
   /// Returns true if the Placement's own fields determine where the axes are, and this object only describes the pose.
   virtual bool is_plain() const = 0;
-  /// Returns true if the tip is led: at each point of a motion, the axes are where machine_of() says (nct 25.14). Otherwise machine_of()
-  /// holds at the end of the motion only, and the axes move evenly to that point.
+  /// Returns true under tool centre point control: at each point of a motion, the axis positions are those of machine_of() (nct 25.14).
+  /// Otherwise machine_of() holds at the end of the motion only, and the axes move evenly to that point.
   virtual bool controls_tip() const = 0;
   /// Converts work coordinates to machine coordinates. `plainly`: the result without this transformation; it supplies the rotary
   /// positions and all axes that are not transformed.
   virtual Axes machine_of(const Axes& work, const Axes& plainly) const = 0;
   virtual Axes work_of(const Axes& machine, const Axes& plainly) const = 0;
-  /// Returns the axes that move if the axes `named` are programmed. A rotary axis moves the others too, or leaves them where they are
-  /// (N3212 FOS).
+  /// Returns the axes that move if the axes `named` are programmed. If a rotary axis is named, the parameter N3212 FOS decides whether the
+  /// linear axes move too.
   virtual AxisMask moved_with(AxisMask named) const = 0;
   /// Returns true if a motion of the axes `named` changes the work coordinates of axes that do not move.
   virtual bool changes_work(AxisMask named) const = 0;
@@ -68,7 +68,7 @@ class WorkTransform {
   virtual Vec3 zero() const = 0;
   /// Returns true if the directions of the programming frame differ from those of the work system.
   virtual bool has_frame() const = 0;
-  /// Returns the pose of the tool relative to the part, which turns with its table. The coordinates are in the work system as it was
+  /// Returns the pose of the tool relative to the part, which rotates with the table. The coordinates are in the work system as it was
   /// oriented when its zero was measured.
   virtual Pose pose(const Axes& machine) const = 0;
   /// Returns true if rotary axes turn the tool or the part.
@@ -79,24 +79,24 @@ class WorkTransform {
   virtual AxisMask rotary_axes() const = 0;
 };
 
-/// A Placement computes machine = origin + length + work; with a turn, on the main axes: origin + length + turn · (shift + work). Then
-/// each value goes to the machine axis that `turn->drives` names.
-///   law  work_of(machine_of(w)) == w up to rounding
+/// A Placement computes machine = origin + length + work. If the frame is rotated (`turn`), it computes origin + length + turn · (shift +
+/// work) for the main axes, and then assigns each value to the machine axis that `turn->drives` names.
+///   law  work_of(machine_of(w)) == w up to the rounding error
 struct Placement {
-  Axes origin{};                                 // origin of the work system, in machine coordinates, with all shifts except turned ones
+  Axes origin{};                                 // origin of the work system, machine coordinates, with all shifts except those in `shift`
   Axes length{};                                 // length of the tool, by axis
-  Axes shift{};                                  // shift that is turned with the frame (G52 and G92 of the NCT); zero without a turn
-  std::shared_ptr<const FrameTurn> turn{};       // nullptr: no rotation, or directions change with the rotary axes
-  std::shared_ptr<const WorkTransform> space{};  // nullptr: none; one that is not plain determines where the axes are
+  Axes shift{};                                  // shift that the frame rotates too (G52 and G92 of the NCT); zero without `turn`
+  std::shared_ptr<const FrameTurn> turn{};       // nullptr: no rotation, or one that changes with the rotary axes (see `space`)
+  std::shared_ptr<const WorkTransform> space{};  // nullptr: no such transformation; if not is_plain(), it determines the axis positions
   friend bool operator==(const Placement&, const Placement&) = default;
 
   Axes machine_of(const Axes& work) const;
   Axes work_of(const Axes& driven) const;
-  /// Returns the machine axes that move if the axes `named` are programmed; with a turn, the main axes move together.
+  /// Returns the machine axes that move if the axes `named` are programmed. In a rotated frame, the main axes move together.
   AxisMask moved_with(AxisMask named) const;
   /// Returns the machine axis that a programmed axis drives.
   std::size_t driven(std::size_t axis) const { return turn == nullptr ? axis : turn->drives.of(axis); }
-  /// Returns true if machine_of() is a mere sum, axis by axis.
+  /// Returns true if machine_of() only adds up values, separately for each axis.
   bool is_plain() const { return turn == nullptr && (space == nullptr || space->is_plain()); }
 };
 

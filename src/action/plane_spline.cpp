@@ -15,7 +15,7 @@ constexpr int max_spline_pieces = 100'000;
 // A speed (length per unit of t) below this share of the curve's length counts as 0; direction() then uses the tangent of a nearby point.
 constexpr double standing = 1e-9;
 
-/// Gauss quadrature with eight points in [-1, 1].
+/// Gauss quadrature with eight points in [-1, 1], which are symmetric: the four positive points, and their weights.
 constexpr std::array<double, 4> gauss_place = {0.1834346424956498, 0.5255324099163290, 0.7966664774136267, 0.9602898564975363};
 constexpr std::array<double, 4> gauss_weight = {0.3626837833783620, 0.3137066458778873, 0.2223810344533745, 0.1012285362903763};
 
@@ -92,7 +92,7 @@ double PlaneSpline::length_between(std::uint32_t piece, double from, double to) 
   return half * sum;
 }
 
-/// Adds nodes so densely that the length between two neighbours is exact to rounding.
+/// Adds nodes to `nodes_`, so densely that the length between two neighbouring nodes is exact to the rounding error.
 void PlaneSpline::measure(std::uint32_t piece, double from, double to, double whole, int halvings) {
   constexpr double close = 1e-12;
   const double middle = from + (to - from) / 2;
@@ -105,7 +105,8 @@ void PlaneSpline::measure(std::uint32_t piece, double from, double to, double wh
   measure(piece, middle, to, other, halvings - 1);
 }
 
-/// Finds the place by Newton's method between two nodes; a step that would leave this interval is replaced by bisection.
+/// Finds the point at the part `part` of the length, by Newton's method between two nodes. A step of the method that would leave this
+/// interval is replaced by bisection.
 PlaneSpline::Place PlaneSpline::place_of(double part) const {
   const double wanted = part * length();
   const auto next = std::upper_bound(nodes_.begin() + 1, nodes_.end() - 1, wanted, [](double l, const Node& n) { return l < n.length; });

@@ -23,8 +23,8 @@ struct ControlPoint {
 ///   law  the curve lies in the convex hull of its control points
 class PlaneSpline {
  public:
-  static constexpr std::size_t most_order = 32;    // degree 31; usual orders are 3 and 4
-  static constexpr std::size_t max_points = 5000;  // no person or CAM system writes a curve of more points
+  static constexpr std::size_t most_order = 32;    // greatest order: degree 31; usual orders are 3 and 4
+  static constexpr std::size_t max_points = 5000;  // limit of control points: no person or CAM system writes a curve of more
 
   ///   points  control points with weights above 0: at least `order`, at most max_points
   ///   order   degree + 1, from 2 to most_order
@@ -43,7 +43,7 @@ class PlaneSpline {
   Box2 box(double from, double to) const;
   /// Returns the number of equal pieces between two parts whose chords stay within `chord` mm of the curve.
   int pieces(double from, double to, double chord) const;
-  /// Returns a number of equal pieces, each with at most one extreme of any coordinate; for searches.
+  /// Returns a number of equal pieces of the curve, so many that each coordinate has at most one extreme in each piece; for searches.
   int samples() const;
 
  private:
@@ -63,7 +63,7 @@ class PlaneSpline {
     std::uint32_t piece;
     double t;
   };
-  /// Position, first and second derivative with respect to t.
+  /// A point of the curve, and its first and second derivative with respect to t.
   struct Motion2 {
     Vec2 at, rate, bend;
   };

@@ -15,7 +15,8 @@ constexpr int max_polar_pieces = 100'000;
 
 }  // namespace
 
-/// The linear axis cannot reach points closer to the centre than the offset; for them it stays at 0.
+/// Returns the position of the linear axis. The axis cannot reach points closer to the rotation centre than the offset; for such points it
+/// is at 0.
 double PolarPath::linear_at(Vec2 point) const {
   const double distance = length(point);
   return side_ * std::sqrt(std::max(0.0, (distance - offset_) * (distance + offset_)));

@@ -13,7 +13,7 @@ struct PolarAxes {
   double rotary = 0;
 };
 
-/// A view of a path, which must outlive it.
+/// A view of a path. The path must outlive this object.
 class PolarPath {
  public:
   /// `side`: sign of the linear axis; `offset`: p, mm; `rotary_start`: position of the rotary axis at part 0, degrees.

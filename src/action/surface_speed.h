@@ -12,7 +12,7 @@
 namespace kadr {
 
 struct SurfaceSpeed {
-  bool on = false;          // if false, the spindle keeps its present speed
+  bool on = false;          // surface speed is switched on; if false, the spindle keeps its present speed in rev/min
   std::uint8_t number = 1;  // number of the spindle
   std::uint8_t axis = 0;    // index of the axis whose position is the radius
   double metres = 0;        // surface speed, m/min
@@ -20,7 +20,7 @@ struct SurfaceSpeed {
   double most = no_limit;
 
   static constexpr double no_limit = 1e300;
-  static constexpr std::uint8_t no_axis = 255;  // the parameter names no axis: the speed is as at the centre
+  static constexpr std::uint8_t no_axis = 255;  // value of `axis` if the parameter names no axis: the speed is that at the rotation centre
 
   /// Returns the distance from the axis, in mm, at which this surface speed gives `rpm`.
   double radius(double rpm) const { return mm_per_m * metres / (2 * pi * rpm); }
@@ -30,7 +30,7 @@ struct SurfaceSpeed {
     const double diameter = axis < work.size() ? 2 * std::fabs(work[axis]) : 0;
     return std::min(std::max(diameter > 0 ? mm_per_m * metres / (pi * diameter) : no_limit, least), most);
   }
-  /// INFERRED: at the centre, without any limit, the speed stays at `before`.
+  /// Like rpm(work). INFERRED: at the rotation centre, without an upper limit, the speed remains `before`.
   double rpm(const Axes& work, double before) const {
     const double now = rpm(work);
     return now < no_limit ? now : before;

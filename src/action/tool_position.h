@@ -9,7 +9,7 @@
 
 namespace kadr {
 
-/// The position of the tool point, and the orientation of the work system. At the start: Control::ending() before the first block.
+/// The position of the tool point, and the orientation of the work system. At the start of a run, Control::ending() gives both.
 struct ToolPosition {
   Axes work{};
   Axes machine{};
@@ -31,13 +31,13 @@ struct ToolPosition {
   }
 };
 
-/// Returns true if the motion leads the tool's tip, so that the travel of the axes follows from the tip's path.
+/// Returns true if tool centre point control applies to the motion, so that the travel of the axes follows from the tip's path.
 inline bool controls_tip(const ToolPosition& from, const Motion& motion) {
   return from.space && from.space->controls_tip() && !(motion.detail && motion.detail->evenly);
 }
 
-/// Like machine_along(), for a motion that leads the tip (nct 25.14): the tool's position comes from the motion's TipPath, or else from
-/// the work coordinates, and the axis positions follow from it.
+/// Like machine_along(), for a motion with tool centre point control (nct 25.14). The tip's position comes from the motion's TipPath or,
+/// without one, from the work coordinates; the axis positions are computed from the tip's position.
 inline Axes led_along(const ToolPosition& from, const Motion& motion, const Axes& work, double part) {
   if (part <= 0) return from.machine;
   if (part >= 1) return motion.machine;
@@ -48,7 +48,7 @@ inline Axes led_along(const ToolPosition& from, const Motion& motion, const Axes
   return from.space->machine_of(tool, plainly);
 }
 
-/// Returns the position of the tip relative to the part, in the work system, at `part` of a motion that leads the tip.
+/// Returns the position of the tip relative to the part, in the work system, at `part` of a motion with tool centre point control.
 inline Vec3 controlled_tip(const AxisRoles& roles, const ToolPosition& from, const Motion& motion, const Axes& work, double part) {
   const TipPath* const way = motion.detail ? motion.detail->tip_path.get() : nullptr;
   const Axes at = from.space->in_system(way != nullptr ? way->at(part, work) : work);
@@ -56,8 +56,8 @@ inline Vec3 controlled_tip(const AxisRoles& roles, const ToolPosition& from, con
   return {of(0), of(1), of(2)};
 }
 
-/// Sets the axes that follow others (a follower of a parked axis follows its calculated position), and holds the parked axes. `ways`: the
-/// turned work coordinates.
+/// Sets the follower axes in `machine` to the travel of their masters (of a parked master, to its calculated travel), and the parked axes
+/// to their position at the start of the motion. `ways`: work coordinates at `part`, rotated by the frame.
 inline void follow_along(const ToolPosition& from, const Motion& motion, const Axes& ways, double part, Axes& machine) {
   const AxisMask parked = motion.detail->parked;
   const auto stands = [&](std::size_t axis) { return (parked >> axis & 1U) != 0; };
@@ -72,9 +72,9 @@ inline void follow_along(const ToolPosition& from, const Motion& motion, const A
   }
 }
 
-/// Returns the machine coordinates at `part` of a motion, where the work coordinates are `work`. The difference between the two (after
-/// turning the work coordinates, if the frame is turned) is constant along the motion, or changes evenly over it (2С42: a tool length
-/// that the next motion applies). Inside the motion, an axis that rolls over counts on beyond 360°.
+/// Returns the machine coordinates at `part` of a motion, where the work coordinates are `work`. The difference between machine coordinates
+/// and work coordinates (rotated by the frame, if there is a rotation) is constant along the motion, or changes evenly over the motion
+/// (2С42: a tool length that the next motion applies). Inside the motion, an axis that rolls over counts on beyond 360°.
 inline Axes machine_along(const AxisRoles& roles, const ToolPosition& from, const Motion& motion, const Axes& work, double part) {
   if (controls_tip(from, motion)) return led_along(from, motion, work, part);
   const FrameTurn* const turn = from.turn.get();

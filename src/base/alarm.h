@@ -37,8 +37,8 @@ std::string_view name_of(Severity severity);
 class AlarmArg {
  public:
   AlarmArg() = default;
-  AlarmArg(double number) : is_number_(true), number_(number) {}     // NOLINT: a number is an argument
-  AlarmArg(std::string_view text);                                   // NOLINT: so is a piece of text
+  AlarmArg(double number) : is_number_(true), number_(number) {}     // NOLINT: not explicit, so that a caller passes a number
+  AlarmArg(std::string_view text);                                   // NOLINT: not explicit, so that a caller passes a text
   AlarmArg(const char* text) : AlarmArg(std::string_view(text)) {}   // NOLINT
   AlarmArg(char letter) : AlarmArg(std::string_view(&letter, 1)) {}  // NOLINT
 

@@ -43,7 +43,8 @@ void BackgroundWorker::begin(std::function<void()> work) {
 }
 
 void BackgroundWorker::work() {
-  // Polls before this thread sleeps: more polls would keep a processor from other threads, and nobody waits for the start of the work
+  // Number of polls before this thread sleeps. More polls would occupy a processor that other threads need, and no thread waits for the
+  // start of the work.
   constexpr int few_polls = 200;
   for (std::uint32_t seen = 0;; ++seen) {
     wait_for(

@@ -11,9 +11,9 @@
 
 namespace kadr {
 
-/// Waits until `done`. It polls first, because the other side is usually nearly ready, then sleeps until `changes` is notified. Waking up
-/// takes some 20 µs, longer in a virtual machine; 500 polls take about as long. On a busy machine, more polls would use up the time slice
-/// of the very thread that is waited for.
+/// Waits until `done`. It polls first, because the awaited thread is usually nearly ready, then sleeps until `changes` is notified. Waking
+/// up takes some 20 µs, longer in a virtual machine; 500 polls take about as long. On a busy machine, more polls would use up the time
+/// slice of the very thread that is waited for.
 template <class Value, class Done>
 void wait_for(const std::atomic<Value>& changes, const Done& done, int max_polls = 500) {
   for (int look = 0;; ++look) {
@@ -55,11 +55,11 @@ class BackgroundWorker {
 
   std::function<void()> work_;
   std::exception_ptr failure_;
-  bool begun_ = false;  // begin() was called, wait() not yet
-  // There is a single processor, or no thread could be created: begin() executes the work itself
+  bool begun_ = false;  // begin() was called, and wait() has not been called since
+  // True if there is a single processor, or if no thread could be created: begin() then executes the work itself
   bool alone_ = false;
-  Thread thread_;  // started with the first work
-  // Number, from 1, of the last work that was begun, claimed by a thread, done
+  Thread thread_;  // the thread of its own, started when the first piece of work is begun
+  // Numbers, counted from 1, of the last piece of work that was begun, that a thread claimed, and that is done
   std::atomic<std::uint32_t> given_ = 0, claimed_ = 0, done_ = 0;
   std::atomic<bool> over_ = false;
 };

@@ -1,6 +1,7 @@
 #pragma once
 // FileAccess: opens the files that a program, a set-up or a control's file refers to (a called program, the base that a control extends …).
-// Without a FileAccess they are opened directly in the file system. The server passes one that opens nothing outside the folder it serves.
+// Without a FileAccess they are opened directly in the file system. The server passes a FileAccess that opens nothing outside the served
+// folder.
 
 #include <string>
 

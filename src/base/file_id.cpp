@@ -36,7 +36,7 @@ std::optional<FileId> file_id_of(int descriptor) {
 
 std::string true_path(const std::string& path) {
   namespace fs = std::filesystem;
-  constexpr int max_links = 40;  // links that are followed, as many as the operating system follows
+  constexpr int max_links = 40;  // greatest number of links that are followed, as many as the operating system follows
   fs::path at(path);
   for (int i = 0; i < max_links; ++i) {
     if (const auto real = real_path(at.string())) return *real;

@@ -15,7 +15,7 @@ struct FileId {
   auto operator<=>(const FileId&) const = default;
 };
 
-/// Follows links. Returns nullopt if the file does not exist.
+/// Returns the identity of the file that the path means, links followed; nullopt if the file does not exist.
 std::optional<FileId> file_id_of(const std::string& path);
 /// Returns the identity of an open file.
 std::optional<FileId> file_id_of(int descriptor);

@@ -22,7 +22,7 @@ double refined(const F& f, const Stretch& s, double error, int depth) {
   const Stretch right{middle, s.to, s.at_middle, f((middle + s.to) / 2), s.at_to};
   const double halves = left.simpson() + right.simpson();
   const double gap = halves - s.simpson();
-  if (depth == 0 || !(std::abs(gap) > 15 * error)) return halves + gap / 15;  // a NaN of f also ends the halving
+  if (depth == 0 || !(std::abs(gap) > 15 * error)) return halves + gap / 15;  // if f is NaN, the halving ends too
   return refined(f, left, error / 2, depth - 1) + refined(f, right, error / 2, depth - 1);
 }
 
@@ -35,7 +35,8 @@ template <class F>
 double integral(const F& f, double from, double to, double relative) {
   constexpr int stretches = 16;
   constexpr int max_halvings = 48;
-  // Passes over the interval: a peak at its end makes the first estimate of the integral's size far too large
+  // Greatest number of passes over the interval. The error of each pass is relative to an estimate of the integral's size; a peak at the
+  // end of the interval makes the first estimate far too large.
   constexpr int max_rounds = 4;
   double size = 0;
   for (int i = 0; i <= stretches; ++i) size += std::abs(f(from + (to - from) * i / stretches) * (to - from) / stretches);

@@ -11,7 +11,7 @@
 namespace kadr {
 namespace {
 
-/// Starts a thread. If none can be created, the returned thread is not joinable.
+/// Starts a thread. If the system cannot create one, the returned object is not joinable.
 std::thread begun(std::function<void()> work) {
   try {
     return std::thread(std::move(work));
@@ -44,7 +44,7 @@ bool begin_alone(std::function<void()> work) {
   std::thread thread = begun([work = std::move(work)] {
     try {
       work();
-    } catch (...) {  // NOLINT: nobody waits for it
+    } catch (...) {  // NOLINT: nobody waits for this thread, so nobody can receive its exception
     }
   });
   if (!thread.joinable()) return false;

@@ -1,5 +1,5 @@
 #pragma once
-// Thread: the only place where Kadr creates threads. It reports if none can be created (too many threads, too little memory), and an
+// Thread: the only place where Kadr creates threads. It reports if a thread cannot be created (too many threads, too little memory), and an
 // exception in a thread never ends the process.
 
 #include <exception>

@@ -8,8 +8,8 @@ namespace kadr::tol {
 inline constexpr double same_point = 1e-6;
 // degrees: angles closer than this are the same; a thousand times the rounding error of 360° in a double
 inline constexpr double same_angle = 1e-9;
-inline constexpr double whole_number = 1e-6;  // an expression that must give an integer may miss it by this much through rounding
-// revolutions: a helix may miss a whole number of them by this much, for Z/K is written with three decimals, 2С42 6.6.6
+inline constexpr double whole_number = 1e-6;  // greatest difference of an expression's value from the integer that it must be
+// revolutions: difference from a whole number that a helix may have, because Z and K have three decimals only, 2С42 6.6.6
 inline constexpr double whole_turns = 1e-4;
 // mm: greatest distance between an ellipse and its chords; half the least increment of the controls
 inline constexpr double ellipse_chord = 5e-4;

@@ -19,7 +19,7 @@ double beyond_quarters(double deg, int& quarter) {
   if (!(std::fabs(deg) < most)) return std::remquo(deg, 90.0, &quarter);
   double quarters = (deg / 90 + to_whole) - to_whole;
   double rest = deg - quarters * 90;
-  if (std::fabs(rest) > 45) {  // rounding of the quotient gave the wrong quarter
+  if (std::fabs(rest) > 45) {  // the rounding error of the quotient gave a neighbouring quarter
     const double one = std::copysign(1.0, rest);
     quarters += one;
     rest -= one * 90;

@@ -38,7 +38,7 @@ std::string with_unit(std::string_view text, Lang lang) {
 /// Formats an argument. A number is shown to 0.001, which suits a shop; a number below 0.01 gets six decimals.
 std::string text_of(const AlarmArg& arg, Lang lang) {
   if (!arg.is_number()) return with_unit(arg.text(), lang);
-  if (std::isnan(arg.number())) return plain_text(texts::alarm_units::vacant, lang);  // a macro variable without a value
+  if (std::isnan(arg.number())) return plain_text(texts::alarm_units::vacant, lang);  // NaN stands for a macro variable without a value
   return number_text(arg.number(), std::fabs(arg.number()) >= 0.01 ? 3 : 6);
 }
 

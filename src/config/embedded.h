@@ -9,7 +9,7 @@ namespace kadr {
 struct EmbeddedFile {
   std::string_view name;  // "controls/s2c42.toml"
   std::string_view text;
-  std::string_view table;  // packed form of a TOML file, for unpacked()
+  std::string_view table;  // packed form of a TOML file, which unpacked() reads
 };
 
 std::span<const EmbeddedFile> embedded_files();

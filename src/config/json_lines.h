@@ -12,7 +12,7 @@ namespace kadr {
 
 struct JsonLines {
   nlohmann::json value;
-  std::map<std::string, std::uint32_t> lines;  // "offsets.1.length", "events[0].when" → line, from 1
+  std::map<std::string, std::uint32_t> lines;  // name of a key, "offsets.1.length", "events[0].when" → line, from 1
 };
 
 /// Why a text is not JSON, and in which line.

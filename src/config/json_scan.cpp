@@ -212,7 +212,7 @@ class JsonScan {
     return true;
   }
 
-  /// Reads one \uXXXX; returns -1 if there is none.
+  /// Reads one escape \uXXXX and returns its code unit; -1 if the text has no such escape at the current position.
   int unit() {
     int value = 0;
     if (text_.substr(at_, 2) != "\\u" || at_ + 6 > text_.size()) return -1;

@@ -10,7 +10,7 @@ namespace kadr {
 
 namespace limits {
 inline constexpr std::size_t json_depth = 32;        // greatest nesting of brackets; a set-up has 5
-inline constexpr std::size_t json_values = 500'000;  // greatest number of values, which take some eighty bytes of memory each
+inline constexpr std::size_t json_values = 500'000;  // greatest number of values; each takes some eighty bytes of memory
 }  // namespace limits
 
 /// Checks that the text is JSON in UTF-8 within the limits.

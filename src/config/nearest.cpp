@@ -33,7 +33,7 @@ std::optional<std::string> nearest(std::string_view name, const std::vector<std:
   std::size_t fewest = 0;
   for (const std::string& one : known) {
     const std::size_t n = edits(name, one);
-    // The first letter is rarely mistyped.
+    // Among equal distances, a name with the same first letter is likelier, because the first letter is rarely mistyped.
     const bool likelier = best != nullptr && n == fewest && begins_alike(one) && !begins_alike(*best);
     if (best == nullptr || n < fewest || likelier) best = &one, fewest = n;
   }

@@ -19,7 +19,7 @@ std::optional<std::string> nearest(std::string_view name, const std::vector<std:
 /// Returns an ending for an error sentence: "; did you mean 'x'?", in the language of messages (language.h); empty if no name is close.
 std::string did_you_mean(std::string_view name, const std::vector<std::string>& known);
 
-/// Compares ignoring the case of Latin letters.
+/// Returns true if two texts are equal apart from the case of Latin letters.
 bool same_letters(std::string_view a, std::string_view b);
 
 /// Converts Latin letters to lower case.

@@ -18,7 +18,7 @@ constexpr std::string_view program_endings[] = {"nc",  "ngc", "tap", "txt", "iso
 
 /// Returns the ending without the dot, in lower case; empty if there is none.
 std::string ending_of(std::string_view name) {
-  name = name.substr(name.find_last_of('/') + 1);  // without a '/', npos + 1 is 0
+  name = name.substr(name.find_last_of('/') + 1);  // keeps the whole name if it has no '/', because npos + 1 is 0
   const std::size_t dot = name.rfind('.');
   std::string ending(dot == std::string_view::npos || dot == 0 ? std::string_view() : name.substr(dot + 1));
   std::transform(ending.begin(), ending.end(), ending.begin(), to_lower);

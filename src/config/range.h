@@ -15,7 +15,7 @@ struct NumberRange {
 };
 
 namespace ranges {
-inline constexpr NumberRange position = {-1e7, 1e7, texts::ranges::mm_or_degrees};  // 10 km, as for positions in a program
+inline constexpr NumberRange position = {-1e7, 1e7, texts::ranges::mm_or_degrees};  // positions up to 10 km, as in a program
 inline constexpr NumberRange distance = {0, 1e7, texts::ranges::mm};
 inline constexpr NumberRange diameter = {1e-6, 1e7, texts::ranges::mm};
 inline constexpr NumberRange rate = {1e-3, 1e9, texts::ranges::rate};  // a rapid rate is never zero

@@ -35,7 +35,7 @@ std::string no_text_message(std::string_view text, const std::string& file);
 /// Returns "file:line:column: "; without a file, "line 3, column 5: ".
 std::string location_prefix(const std::string& file, std::size_t line, std::size_t column);
 
-/// Returns the same text for the byte at the offset `at` of a text; columns count characters of UTF-8.
+/// Returns the same prefix with the line and column of the byte at the offset `at` of `text`. Columns count characters of UTF-8.
 std::string location_prefix(const std::string& file, std::string_view text, std::size_t at);
 
 }  // namespace kadr

@@ -18,7 +18,7 @@ struct PluralId {
   std::uint16_t section = 0, row = 0;
 };
 
-/// A text without placeholders: for tables of texts.
+/// Names a text without placeholders; tables of texts consist of these.
 using PlainText = TextId<0>;
 
 }  // namespace kadr

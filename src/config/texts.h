@@ -22,11 +22,11 @@
 
 namespace kadr {
 
-/// Which form of a text belongs to a number (Unicode CLDR, "Language Plural Rules", whole numbers).
+/// How a language chooses the form of a text by a number (Unicode CLDR, "Language Plural Rules", whole numbers).
 enum class PluralRule : std::uint8_t {
   none,       // one form
-  one_other,  // English: 1, others
-  slavic,     // Russian: 1, 21, …; 2 … 4, 22, …; others
+  one_other,  // English, two forms: for 1; for all others
+  slavic,     // Russian, three forms: for 1, 21, …; for 2 … 4, 22, …; for all others
 };
 
 /// Returns the number of the form, from 0, that a rule gives to `n`.
@@ -36,7 +36,7 @@ std::size_t plural_form(PluralRule rule, std::uint64_t n);
 struct TextLanguage {
   const char *id, *name;  // "ru", "Русский"
   PluralRule plurals;
-  const char* const* const* sections;  // forms of a plural stand one after the other, each with a 0 at its end
+  const char* const* const* sections;  // texts by section and row; the forms of a plural follow one another, each ending with a NUL
 };
 
 /// Returns the languages of texts/, English first; Lang is the index.
@@ -47,14 +47,14 @@ std::optional<Lang> language_named(std::string_view name);
 /// Returns the id of a language: "ru".
 inline const char* id_of(Lang lang) { return text_languages()[static_cast<std::size_t>(lang)].id; }
 
-/// Returns the text as its file has it, in a language or in that of the thread. It exists as long as the program.
+/// Returns the text as its file has it, with its placeholders, in the language `lang`. The text exists as long as the program.
 const char* text_pattern(std::uint16_t section, std::uint16_t row, Lang lang);
 inline const char* plain_text(PlainText id, Lang lang = thread_language()) { return text_pattern(id.section, id.row, lang); }
 
 /// Returns the form of a text for the number `n`.
 const char* plural_pattern(std::uint16_t section, std::uint16_t row, std::uint64_t n, Lang lang);
 
-/// Returns a text with its arguments, in the language `lang`. A text without placeholders is not formatted: its braces are themselves.
+/// Returns a text with its arguments, in the language `lang`. A text without placeholders is not formatted: braces in it are printed.
 template <std::size_t Holes, typename... Args>
 requires(sizeof...(Args) == Holes) std::string translated_in(Lang lang, TextId<Holes> id, const Args&... args) {
   const char* const pattern = text_pattern(id.section, id.row, lang);

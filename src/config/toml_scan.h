@@ -10,9 +10,9 @@ namespace kadr {
 
 namespace limits {
 // The built-in files have depth 4, 3 parts, 6300 values.
-inline constexpr std::size_t toml_depth = 32;        // nesting of brackets in a value
-inline constexpr std::size_t toml_key_parts = 16;    // parts of a key or a heading; a.b.c has three
-inline constexpr std::size_t toml_values = 200'000;  // keys, parts of keys, items of lists; a hundred bytes each
+inline constexpr std::size_t toml_depth = 32;        // greatest nesting of brackets in a value
+inline constexpr std::size_t toml_key_parts = 16;    // greatest number of parts of a key or a heading; a.b.c has three
+inline constexpr std::size_t toml_values = 200'000;  // greatest number of keys, parts of keys, items of lists; each takes a hundred bytes
 }  // namespace limits
 
 /// Checks the limits of a text. Other violations of TOML are left to the parser.

@@ -10,8 +10,8 @@ namespace kadr {
 namespace {
 
 constexpr double turn = 360;
-constexpr double singular = 1e-6;  // difference of unit vectors: this close to a rotary axis a direction counts as parallel to it (25a 5.1)
-constexpr double tie = 1e-4;       // degrees: angles that differ by less count as equal (25g 3)
+constexpr double singular = 1e-6;  // difference of unit vectors below which a direction counts as parallel to a rotary axis (nct 25a 5.1)
+constexpr double tie = 1e-4;       // degrees: angles that differ by less count as equal (nct 25g 3)
 
 double degrees(double radians) { return radians / rad_per_deg; }
 
@@ -24,7 +24,7 @@ double plain(double angle) {
   return a <= -turn / 2 + 1e-9 ? a + turn : a;
 }
 
-/// The angles x, y in degrees for which Ma(x)·Mb(y)·v = w: Ma, Mb rotate about the unit vectors a, b (25a 5.1).
+/// The angles x, y in degrees for which Ma(x)·Mb(y)·v = w: Ma, Mb rotate about the unit vectors a, b (nct 25a 5.1).
 struct Angles {
   int count = 0;
   std::array<double, 2> x{}, y{};
@@ -34,7 +34,7 @@ struct Angles {
 Angles angles(Vec3 a, Vec3 b, Vec3 v, Vec3 w) {
   Angles found;
   const double c = dot(a, b), d = c * c - 1;
-  if (std::fabs(d) < singular) return found;  // both rotary axes are parallel
+  if (std::fabs(d) < singular) return found;  // parallel rotary axes have no unique solution
   const double bv = dot(b, v), aw = dot(a, w);
   const double in_a = (c * bv - aw) / d, in_b = (c * aw - bv) / d;
   const Vec3 across = cross(a, b);
@@ -111,7 +111,7 @@ Vec3 FiveAxis::point_on_machine(RotaryPair at, Vec3 point, RotaryPair zero) cons
 Vec3 FiveAxis::point_in_part(RotaryPair at, Vec3 point, RotaryPair zero) const { return point_on_machine(zero, point, at); }
 
 RotarySolutions FiveAxis::solutions(Vec3 wanted, RotaryPair zero) const {
-  const Vec3 t = table_turn({}, zero) * wanted;  // direction in the part's orientation with the tables at 0
+  const Vec3 t = table_turn({}, zero) * wanted;  // the wanted direction in the part's orientation with the tables at 0
   RotarySolutions all;
   const auto take = [&](const Angles& found, bool x_is_first, double x_sign) {
     all.count = found.count;
@@ -136,7 +136,7 @@ std::optional<RotaryPair> FiveAxis::chosen(Vec3 wanted, RotaryPair present, Rota
   const RotarySolutions all = solutions(wanted, zero);
   struct Candidate {
     RotaryPair at;
-    std::array<double, 4> rank;  // results of the selection rules in their order; the candidate with the smaller result wins
+    std::array<double, 4> rank;  // results of the selection rules in their order; at the first difference, the smaller result wins
     double primary;              // position of the primary axis before it is moved into its limits
   };
   std::optional<Candidate> best;
@@ -167,8 +167,8 @@ std::optional<RotaryPair> FiveAxis::chosen(Vec3 wanted, RotaryPair present, Rota
   return best->at;
 }
 
-/// While the other axis turns by t, the direction moves on a circle p + cos(t) c + sin(t) s. It is nearest to the wanted direction w
-/// where tan(t) = s·w / c·w.
+/// While the axis that does not stay turns by t, the tool's direction moves on a circle p + cos(t) c + sin(t) s. The direction is nearest
+/// to the wanted direction w where tan(t) = s·w / c·w.
 std::optional<FiveAxis::Kept> FiveAxis::kept(Vec3 wanted, RotaryPair present, RotaryPair zero) const {
   const bool first_stays = group == MachineGroup::head_head;
   const auto pair = [&](double other) { return first_stays ? RotaryPair{present.first, other} : RotaryPair{other, present.second}; };

@@ -1,7 +1,7 @@
 #pragma once
-// FiveAxis: a machine with main axes X, Y, Z at right angles and two rotary axes: both in the head, both in the table, or one in each
-// (NCT 25.1, spec/nct/25a; N3200–N3224). Forward transformation: computes the tool's pose in the part from the axis positions. Inverse
-// transformation: computes in closed form all rotary positions that give a tool direction, and selects one of them (25.11, spec/nct/25g
+// FiveAxis: a machine with main axes X, Y, Z at right angles and two rotary axes: both in the head, both in the table, or one in each (NCT
+// 25.1, spec/nct/25a; N3200–N3224). Forward transformation: computes the tool's pose in the part from the axis positions. Inverse
+// transformation: computes in closed form all rotary positions that give a tool direction, and selects one of them (nct 25.11, spec/nct/25g
 // 3). Lengths in mm, angles in degrees; rotary positions are machine positions.
 
 #include <array>
@@ -17,8 +17,8 @@ enum class MachineGroup : std::uint8_t { none, head_head, table_table, head_tabl
 
 struct RotaryJoint {
   int axis = -1;            // index in the channel
-  Vec3 direction{0, 0, 1};  // unit length, with both rotary axes at 0
-  double sense = 1;         // direction of positive rotation: 1 right-handed, -1 left-handed (RD1, RD2)
+  Vec3 direction{0, 0, 1};  // unit vector along the axis of rotation, with both rotary axes at 0
+  double sense = 1;         // direction of positive rotation: 1 right-handed, -1 left-handed (parameters RD1, RD2)
   double least = -std::numeric_limits<double>::infinity();
   double most = std::numeric_limits<double>::infinity();
   friend bool operator==(const RotaryJoint&, const RotaryJoint&) = default;
@@ -34,8 +34,8 @@ struct RotaryPair {
 struct RotarySolutions {
   int count = 0;  // number of valid elements of `pairs`; 0: the direction cannot be reached
   std::array<RotaryPair, 2> pairs;
-  bool first_free = false;   // singular direction: any position of the first axis gives it; `pairs` then contains 0 for this axis
-  bool second_free = false;  // likewise for the second axis
+  bool first_free = false;   // the direction is singular: it does not depend on the first axis, for which `pairs` contains 0
+  bool second_free = false;  // the same for the second axis
 };
 
 struct FiveAxis {
@@ -52,33 +52,34 @@ struct FiveAxis {
   bool second_on_table() const { return group == MachineGroup::table_table || group == MachineGroup::head_table; }
   bool has_table() const { return second_on_table(); }
   bool has_head() const { return group == MachineGroup::head_head || group == MachineGroup::head_table; }
-  Mat3 first_turn(double at) const { return Mat3::about(first.direction, first.sense * at); }     // R1
-  Mat3 second_turn(double at) const { return Mat3::about(second.direction, second.sense * at); }  // R2
+  Mat3 first_turn(double at) const { return Mat3::about(first.direction, first.sense * at); }     // rotation matrix R1
+  Mat3 second_turn(double at) const { return Mat3::about(second.direction, second.sense * at); }  // rotation matrix R2
 
   /// Returns the rotation of the tool by the head's rotary axes.
   Mat3 head_turn(RotaryPair at) const;
   /// Returns the rotation of the part by the table when it turns from `zero`, where the part was measured, to `at`.
   Mat3 table_turn(RotaryPair at, RotaryPair zero) const;
-  /// Returns the tool's direction relative to the part, in the part's orientation at the rotary positions `zero` (25a 5).
+  /// Returns the tool's direction relative to the part, in the part's orientation at the rotary positions `zero` (nct 25a 5).
   Vec3 direction(RotaryPair at, RotaryPair zero = {}) const;
-  /// Returns the vector from the tip to the control point. `length` is the tool length as a vector, with both rotary axes at 0 (25.2; 25a
-  /// 6.1).
+  /// Returns the vector from the tip to the control point. `length` is the tool length as a vector, with both rotary axes at 0 (nct 25.2;
+  /// 25a 6.1).
   Vec3 length_vector(RotaryPair at, Vec3 length) const;
   /// Returns the machine position, at the rotary positions `at`, of a point fixed to the part. `point` is its machine position when the
-  /// rotary axes are at `zero` (25.4; 25a 6.2). point_in_part() is the inverse.
+  /// rotary axes are at `zero` (nct 25.4; 25a 6.2). point_in_part() is the inverse.
   Vec3 point_on_machine(RotaryPair at, Vec3 point, RotaryPair zero = {}) const;
   Vec3 point_in_part(RotaryPair at, Vec3 point, RotaryPair zero = {}) const;
 
-  /// Returns the rotary positions within one revolution, (-180, 180], that give a direction of unit length (25a 5.1).
+  /// Returns the rotary positions within one revolution, (-180, 180], that give a direction of unit length (nct 25a 5.1).
   ///   law  direction(solutions(t).pairs[i]) == t
   RotarySolutions solutions(Vec3 direction, RotaryPair zero = {}) const;
   /// Returns the pair of rotary positions that the control selects when the rotary axes are at `present`. An axis whose position is free
-  /// does not move; each other axis moves to the nearest equivalent position within its limits (25g 3). INFERRED: if two pairs are equal
-  /// by all rules, the control selects the pair with a non-negative position of the primary axis.
+  /// does not move; each other axis moves to the nearest equivalent position within its limits (nct 25g 3). INFERRED: if two pairs are
+  /// equal by all rules, the control selects the pair with a non-negative position of the primary axis.
   ///   returns  nullopt if the direction cannot be reached
   std::optional<RotaryPair> chosen(Vec3 direction, RotaryPair present, RotaryPair zero = {}) const;
-  /// Used near a singular direction: the axis whose position is free in the singular direction stays at `present`, and the other axis
-  /// approximates the direction as closely as possible. The free axis is the second on table-table and head-table machines, else the first.
+  /// For a direction near a singular one: the axis whose position is free in the singular direction stays at `present`, and the other axis
+  /// moves to where the tool is as close to `direction` as possible. The free axis is the second on table-table and head-table machines,
+  /// else the first.
   ///   returns  the pair and the angle between its direction and `direction`, degrees; nullopt if the other axis would exceed its limits
   struct Kept {
     RotaryPair at;

@@ -1,5 +1,6 @@
-// Computes the tool's path with tip control: planes, cones, cutting points, fixed points of the tool. Used by
-// control/fanuc/five_axis; tested by tests/kinematics/five_axis_tip_path_test.cpp.
+// Computes the tool's path under tool centre point control, for motions whose tool stays in a plane or on a cone, whose cutting point
+// follows the programmed curve, or which rotate the tool about a fixed point. Used by control/fanuc/five_axis; tested by
+// tests/kinematics/five_axis_tip_path_test.cpp.
 
 #include "kinematics/five_axis_tip_path.h"
 
@@ -10,7 +11,7 @@ namespace kadr {
 namespace {
 
 constexpr double parallel = 1e-9;  // radians: two directions with a smaller angle count as the same
-constexpr double at_pole = 1e-6;   // difference of unit vectors: a direction this close to the pole is singular (25a 5.1)
+constexpr double at_pole = 1e-6;   // difference of unit vectors: a direction this close to the pole is singular (nct 25a 5.1)
 constexpr double just_off = 1e-5;  // share of a motion: a position closer to its end than this counts as the end
 
 double angle_between(Vec3 a, Vec3 b) { return std::atan2(length(cross(a, b)), dot(a, b)); }
@@ -29,7 +30,7 @@ Vec3 turned_towards(Vec3 from, Vec3 to, double part) {
   const double angle = angle_between(from, to);
   if (angle < parallel) return from;
   const double s = std::sin(angle);
-  if (s < parallel) return part < 1 ? from : to;  // opposite directions define no plane
+  if (s < parallel) return part < 1 ? from : to;  // two opposite directions define no plane in which to rotate
   return unit((std::sin((1 - part) * angle) / s) * from + (std::sin(part * angle) / s) * to);
 }
 
@@ -56,7 +57,7 @@ DirectionPath::DirectionPath(const FiveAxisTransform& space, RotaryPair start, V
   } else if (angle_ > parallel) {
     const Vec3 pole = machine_.group == MachineGroup::head_head ? machine_.first.direction
                                                                 : turned_back(machine_.table_turn({}, zero_), machine_.second.direction);
-    for (const Vec3 p : {pole, -1.0 * pole}) {  // does the pole (the singular direction) lie on the great circle between the directions?
+    for (const Vec3 p : {pole, -1.0 * pole}) {  // finds out whether the pole (singular direction) is between the directions
       const double before = angle_between(from_, p), behind = angle_between(p, to_);
       if (before + behind - angle_ > at_pole * at_pole * 10) continue;
       const double part = before / angle_;
@@ -64,7 +65,7 @@ DirectionPath::DirectionPath(const FiveAxisTransform& space, RotaryPair start, V
     }
   }
   const auto first = machine_.solutions(direction(0), zero_);
-  const double look = first.first_free || first.second_free ? just_off : 0;  // at a pole both solutions are equal: compare just after it
+  const double look = first.first_free || first.second_free ? just_off : 0;  // at a pole both solutions are equal: compares just after it
   const RotarySolutions then = machine_.solutions(direction(look), zero_);
   if (then.count == 2 && off(then.pairs[1], start_) < off(then.pairs[0], start_)) branch_ = 1;
 }
@@ -81,7 +82,7 @@ std::optional<RotaryPair> DirectionPath::on_branch(double part, RotaryPair near,
   RotaryPair pair = all.pairs[all.count == 2 ? static_cast<std::size_t>((branch_ + swaps) % 2) : 0];
   if (all.first_free) pair.first = start_.first;
   if (all.second_free) pair.second = start_.second;
-  if ((all.first_free || all.second_free) && !at_end && part > just_off)  // path ends at a pole: use positions just before it
+  if ((all.first_free || all.second_free) && !at_end && part > just_off)  // at a pole at the end: as just before the pole
     if (const auto before = on_branch(part - just_off, near, swaps, true); before) {
       if (all.first_free) pair.first = before->first;
       if (all.second_free) pair.second = before->second;

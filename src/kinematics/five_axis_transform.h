@@ -2,8 +2,8 @@
 // FiveAxisTransform: converts between a channel's work coordinates, the part and the machine when the programming frame is rotated in space
 // (G68.1, G68.2) or rotary axes carry the tool or the part (NCT 25). It also reports which axes move along with programmed ones
 // (spec/nct/25a 6.3). The machine position m of a programmed point p is
-//   m = point_on_machine(W + B·(v0 + R·(S + p))) + V     with the terms that the active codes apply;
-// V is the vector from the tip to the control point, and FiveAxisTransformData below defines the other symbols.
+//   m = point_on_machine(W + B·(v0 + R·(S + p))) + V     with those terms only that the active codes require.
+// V is the vector from the tip to the control point. FiveAxisTransformData below defines the other symbols.
 
 #include <optional>
 
@@ -12,13 +12,13 @@
 
 namespace kadr {
 
-/// Everything that defines a FiveAxisTransform; equal data define equal spaces.
+/// Everything that defines a FiveAxisTransform. Equal data define equal transformations.
 struct FiveAxisTransformData {
   FiveAxis machine;
   std::array<std::int8_t, 3> main{0, 1, 2};  // indices of the axes X, Y, Z in the channel; -1: the axis is missing
   Vec3 zero;                                 // W: work origin, machine coordinates, with the shift that was active before the frame was set
-  RotaryPair measured;                       // rotary positions of the tables when W was measured; 0 for a rotary axis of the head (25a 7)
-  Mat3 basic;                                // B: basic rotation of the work system (10.2.3, 25l)
+  RotaryPair measured;                       // positions of the tables when W was measured; 0 for a rotary axis of the head (nct 25a 7)
+  Mat3 basic;                                // B: basic rotation of the work system (nct 10.2.3, 25l)
   Mat3 frame;                                // R: rotation by G68.1, G68.2
   Vec3 frame_origin;                         // v0: origin of the frame
   Vec3 shift;                                // S: shift by G52, G92 since the frame was set
@@ -27,7 +27,7 @@ struct FiveAxisTransformData {
   bool follows_table = false;       // the work origin and the axis directions rotate with the table
   bool moves_origin = false;        // only the work origin rotates with the table (G54.2)
   bool follows_head = false;        // the vector of the tool length tilts with the head
-  bool controls_tip = false;        // tip control: the tip follows the path at every point of a motion (G43.4)
+  bool controls_tip = false;        // tool centre point control: the tip follows the path at every point of a motion (G43.4)
   bool keeps_linear = false;        // X, Y, Z stay unchanged in a motion that programs only rotary axes (N3212 FOS)
   bool corrects = false;            // the basic rotation tilts the tool too (N3212 BSE), because both rotary axes have been positioned
   std::optional<RotaryPair> fixed;  // rotary positions to compute with instead of the actual ones (G53.1)
@@ -53,20 +53,20 @@ class FiveAxisTransform final : public WorkTransform {
   double arm(const Axes& machine) const override;
   AxisMask rotary_axes() const override { return bit(d_.machine.first.axis) | bit(d_.machine.second.axis); }
 
-  /// Converts a point from the programming frame to the work system; in_frame() is the inverse.
+  /// in_system() converts a point from the programming frame to the work system; in_frame() is the inverse.
   Vec3 in_system(Vec3 programmed) const { return d_.frame_origin + d_.frame * (d_.shift + programmed); }
   Vec3 in_frame(Vec3 system) const { return turned_back(d_.frame, system - d_.frame_origin) - d_.shift; }
   /// Returns the rotation from the programming frame to machine directions; nullopt if it depends on the positions of the rotary axes.
   std::optional<Mat3> turn() const;
-  /// Returns the vector from the tip to the control point, in machine directions, at these axis positions; origin_now() returns the origin
-  /// of the work system.
+  /// length_now() returns the vector from the tip to the control point, in machine directions, at these axis positions. origin_now()
+  /// returns the origin of the work system at these positions, in machine coordinates.
   Vec3 length_now(const Axes& machine) const { return tool_at(d_.fixed.value_or(rotary(machine))); }
   Vec3 origin_now(const Axes& machine) const {
     return d_.moves_origin || d_.follows_table ? origin_at(d_.fixed.value_or(rotary(machine))) : d_.zero;
   }
   /// Returns the machine positions of the two rotary axes.
   RotaryPair rotary(const Axes& machine) const;
-  /// Returns the tool's direction in the work system at programmed rotary positions (25l).
+  /// Returns the tool's direction in the work system at programmed rotary positions (nct 25l).
   Vec3 direction_of(RotaryPair programmed) const { return d_.machine.direction(programmed, d_.measured); }
 
  private:

@@ -14,8 +14,8 @@ MachineLinks::MachineLinks(const MachineTree& tree) : links_(1) {
   part_ = tree.part().empty() ? bed : links_.size() - 1;
 }
 
-/// The direction of a linear axis that carries the part is defined as the motion of the tool seen from the part, so the part moves
-/// the opposite way. The direction of a rotary axis is that of the part itself.
+/// Adds the links of a chain. For a linear axis that carries the part, the machine file gives the direction in which the tool moves as seen
+/// from the part, so the part itself moves in the opposite direction. For a rotary axis, the file gives the rotation of the part itself.
 void MachineLinks::add(const std::vector<MachineJoint>& chain, bool of_part) {
   std::size_t carrier = bed;
   for (const MachineJoint& joint : chain) {
@@ -48,8 +48,9 @@ void MachineLinks::poses(const Axes& axes, std::vector<LinkPose>& poses) const {
   }
 }
 
-/// Works from the body towards the bed. A linear axis moves all points alike. A rotary axis moves a point by at most its lever arm times
-/// the angle; the lever arm is at most its length at the start plus the distance by which the axes nearer to the body move the point.
+/// Adds up the motions of the axes, from the body towards the bed. A linear axis moves all points alike. A rotary axis moves a point by at
+/// most the angle times the point's distance from the axis. This distance is at most the distance at the start plus the motion of the point
+/// by the axes nearer to the body.
 Travel MachineLinks::travel(std::size_t link, std::size_t from, const BodyBall& body, const std::vector<LinkPose>& poses,
                             const Axes& by) const {
   Travel travel;

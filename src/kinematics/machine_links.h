@@ -43,13 +43,13 @@ class MachineLinks {
 
   static constexpr std::size_t bed = 0;
   std::size_t count() const { return links_.size(); }
-  /// Returns the link that carries the tool; part() returns the link that carries the part.
+  /// tool() returns the link that carries the tool, part() the link that carries the part.
   std::size_t tool() const { return tool_; }
   std::size_t part() const { return part_; }
   /// Returns the link that an axis moves; the bed if the name is empty, or if the axis belongs neither to the tool chain nor to the part
   /// chain.
   std::size_t moved_by(const std::string& axis) const;
-  /// True for the links from the bed to the tool, excluding the bed.
+  /// Returns true for the links from the bed to the tool, the bed itself excluded.
   bool carries_tool(std::size_t link) const { return link != bed && link <= tool_; }
 
   /// Computes the pose of every link for these axis positions.
@@ -62,14 +62,14 @@ class MachineLinks {
   Travel travel(std::size_t link, std::size_t from, const BodyBall& body, const std::vector<LinkPose>& poses, const Axes& by) const;
   /// Returns the last link, counted from the bed, that carries both links; a link also carries itself.
   std::size_t carrier(std::size_t a, std::size_t b) const;
-  /// True if each axis of the two chains has the same position in `a` and in `b`.
+  /// Returns true if each axis of the two chains has the same position in `a` and in `b`.
   bool same_place(const Axes& a, const Axes& b) const;
 
  private:
   struct Link {
     MachineJoint joint;  // the joint that moves the link; unset for the bed
     std::size_t carried_by = bed;
-    double sense = 1;  // 1 or -1: factor for the axis position
+    double sense = 1;  // 1 or -1, factor for the axis position: the sense in which the link moves
   };
   double position(const Link& link, const Axes& axes) const {
     return link.joint.axis < 0 ? 0 : link.sense * axes[static_cast<std::size_t>(link.joint.axis)];

@@ -13,7 +13,7 @@ namespace {
 
 constexpr double same_way = 1e-11;  // greatest difference of unit vectors that count as equal
 
-/// Returns the angle or distance of the joint; negative if the axis counts in reverse.
+/// Returns the angle or distance by which the joint moves at an axis position: the position, with the opposite sign for a reversed joint.
 double signed_way(const MachineJoint& joint, double position) { return joint.moves.reversed ? -position : position; }
 
 /// Solves m·v = b for v by Cramer's rule. Returns nullopt if m is singular: its determinant is at most `least`.
@@ -71,7 +71,9 @@ Pose MachineTree::forward(const Axes& axes, double tool_length) const {
     if (joint->moves.turns) turn(joint->moves, position(*joint, axes));
     else at.tip = at.tip + position(*joint, axes) * joint->moves.direction;
   }
-  for (const MachineJoint& joint : part_) {  // motion of the tool as seen from the part that the joint carries
+  // As seen from the part, a rotary joint that carries the part turns the tool in the opposite sense. The direction of a linear joint is
+  // that of the tool already.
+  for (const MachineJoint& joint : part_) {
     if (joint.moves.turns) turn(joint.moves, -position(joint, axes));
     else at.tip = at.tip + position(joint, axes) * joint.moves.direction;
   }
@@ -146,7 +148,8 @@ bool MachineTree::turn_to(Vec3 wanted, Axes& axes) const {
     return true;
   }
   const Axes start = axes;
-  constexpr double starts[] = {0, 40, -40, 85, -85, 130, -130, 175};  // degrees from the present position, tried until one converges
+  // Degrees from the present position: starting positions of the iteration, which are tried until one converges
+  constexpr double starts[] = {0, 40, -40, 85, -85, 130, -130, 175};
   for (const double first : starts)
     for (std::size_t which = 0; which < rotary.size(); ++which) {
       axes = start;
@@ -159,7 +162,7 @@ bool MachineTree::turn_to(Vec3 wanted, Axes& axes) const {
   return false;
 }
 
-/// Moves the tip by the smallest change of the linear axes; the tip's position is a linear function of theirs.
+/// Moves the tip to `tip` by the smallest change of the linear axes. The tip's position is a linear function of these axes' positions.
 bool MachineTree::move_to(Vec3 tip, Axes& axes, double tool_length) const {
   const Vec3 here = forward(axes, tool_length).tip;
   std::vector<const MachineJoint*> linear = joints(false);

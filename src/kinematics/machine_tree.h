@@ -15,7 +15,7 @@ namespace kadr {
 
 struct MachineJoint {
   std::string name;
-  int axis = -1;  // index in the channel; -1 if the channel lacks the axis: its position is then always 0
+  int axis = -1;  // index in the channel; -1 if the channel lacks the axis, whose position is then always 0
   AxisJoint moves;
   double least = -std::numeric_limits<double>::infinity();
   double most = std::numeric_limits<double>::infinity();
@@ -30,7 +30,7 @@ class MachineTree {
   const std::vector<MachineJoint>& tool() const { return tool_; }
   const std::vector<MachineJoint>& part() const { return part_; }
 
-  /// Returns the pose of the tool in coordinates fixed to the part. They equal machine coordinates when all axes are at 0.
+  /// Returns the pose of the tool in coordinates that are fixed to the part and equal machine coordinates when all axes are at 0.
   ///   tool_length  distance from the tip to the gauge point, mm
   Pose forward(const Axes& axes, double tool_length) const;
   /// Returns axis positions within the limits that give the pose; of several solutions, the one nearest to `near`. Axes that are not

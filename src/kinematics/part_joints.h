@@ -10,7 +10,7 @@
 namespace kadr {
 
 struct PartJoint {
-  int axis = -1;  // index in the channel, never -1
+  int axis = -1;  // index of the axis in the channel; part_joints() never returns -1
   bool turns = true;
   Vec3 direction;   // unit vector; a positive motion rotates the part right-handed about it, or moves the part along it
   Vec3 through;     // a point on the axis of rotation; `direction` and `through` are for all axes at 0, in machine coordinates

@@ -17,13 +17,13 @@ struct GearTooFast {
 
 class GearWatch {
  public:
-  /// True if the action may change the speed that is demanded of the table.
+  /// Returns true if the action may change the speed that the spindle demands of the table.
   bool concerns(const Action& action) const {
     return by_kind(action, same<Couple>(true), same<Uncouple, Spindle, Speed>(on_),
                    same<Motion, Dwell, CoolantSwitch, ToolSelect, ToolChange, MachineFunction, AuxiliaryFunction, Stop, Message,
                         FrameChange, SurfaceSpeed, Sync, ZoneChange, CompensationBreak, CompensationCorner, CompensationCheck>(false));
   }
-  /// Returns the table's axis if the action makes the spindle demand a speed that is too high for the axis.
+  /// Returns the rotary table's axis and the demanded speed, if the action makes the spindle demand a speed that the axis cannot reach.
   ///   most  rapid rates of the axes, °/min
   std::optional<GearTooFast> look(const Action& action, const std::vector<std::string>& axes, const Axes& most);
 

@@ -1,7 +1,7 @@
 #pragma once
-// Parameters of the set-up that the machine itself obeys, for each axis of the channel: safety zones and the in-position window (nct
-// 4.1.1, 22). Values that a program writes for zone 2 take effect at G23 (22.2; ZoneChange); INFERRED: other written values take
-// effect at the next start.
+// Parameters of the set-up that the machine itself obeys, for each axis of the channel: safety zones and the in-position window (nct 4.1.1,
+// 22). Values that a program writes for zone 2 take effect at G23 (nct 22.2; ZoneChange). INFERRED: values that a program writes for the
+// other parameters take effect at the next start.
 
 #include <array>
 #include <string>
@@ -22,11 +22,11 @@ struct MachineParameters {
   bool checks_before = false;                         // N1001 #2 CBM
   Axes in_position{};                                 // N0516 Inpos, mm or degrees
   AxisMask gantry = 0;                                // N2102 #4 PSN: slave drives that follow their master's drive
-  std::array<std::size_t, max_axes> gantry_master{};  // N2101, by axis of the channel
+  std::array<std::size_t, max_axes> gantry_master{};  // N2101: index of the master of each gantry axis
 };
 
-/// Reads the parameters. If a parameter has both a value with an index and one without, the value with an index counts; a bit of a
-/// parameter counts before the whole value (as in ParameterStore).
+/// Reads the parameters. A value with an index takes precedence over a value without index, and a bit of a parameter over its whole value
+/// (as in ParameterStore).
 ///   axes  names of the channel's axes
 MachineParameters machine_parameters(const Setup& setup, const std::vector<std::string>& axes);
 

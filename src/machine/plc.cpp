@@ -16,7 +16,7 @@ namespace {
 using When = SetupEvent::When;
 using Do = SetupEvent::Do;
 
-/// A code that the control reports to the machine, as the program wrote it: M3, T5, S1200, B90.
+/// A code that the control reports to the machine, as the program has it: M3, T5, S1200, B90.
 struct Code {
   char letter = 0;
   double number = 0;

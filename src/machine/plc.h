@@ -22,9 +22,9 @@ struct SetSkip {
   bool on;
 };
 struct AnswerBox {
-  double value;  // answer to a message box, for #3107: 0 cancel, 1 OK, 2 yes, 3 no
+  double value;  // the operator's answer to a message, for #3107: 0 cancel, 1 OK, 2 yes, 3 no
 };
-struct Start {};  // the operator presses START after a stop; the virtual operator does this immediately in any case
+struct Start {};  // the operator presses START after a stop; without this command, Kadr continues immediately too
 struct PowerCycle {};
 /// Spindle `slave` follows spindle `master`; master 0 ends this, slave 0 means all spindles.
 struct Synchronise {
@@ -46,15 +46,16 @@ class Plc {
   ///   control_reports_ends  true if the control reports M2, M30, M98 and M99 to the logic, like other M codes (nct 13.1)
   explicit Plc(const std::vector<SetupEvent>& events, bool control_reports_ends = true);
 
-  /// Returns a sentence about an event of the set-up that this class cannot handle; empty if there is none.
+  /// Returns an error sentence about an event of the set-up that this class does not support; empty if it supports all events.
   const std::string& error() const { return error_; }
-  /// True if there are no events: nothing has to be passed to the logic.
+  /// Returns true if the set-up has no events, so that nothing has to be passed to this object.
   bool idle() const { return events_.empty(); }
 
-  /// block(), action() and program_end() return the commands of the events that occur there, in the order of the set-up. The reference
-  /// is valid until the next call of any of them.
+  /// block(), action() and program_end() return the commands of the events that occur at this block, action or end, in the order of the
+  /// set-up. The returned reference is valid until the next call of one of these functions.
   const std::vector<PlcCommand>& block(const Origin& origin, bool at_end);
-  /// An event that names a code fires whichever channel issues the code. An answer fires only at a message that asks a question.
+  /// An event that names a code occurs whichever channel issues the code. An event with an answer occurs only at a message that asks for
+  /// one.
   const std::vector<PlcCommand>& action(const Action& action);
   const std::vector<PlcCommand>& program_end();
 
@@ -64,7 +65,7 @@ class Plc {
     bool main_block;  // the event names a main block, with ':' instead of N
     char letter;      // letter of the event's code
     double number;    // number of the event's block or code
-    int count;        // the event fires at the n-th occurrence; 0: at every occurrence
+    int count;        // the event occurs only at the count-th match of block or code; 0: at every match
     int seen = 0;
     PlcCommand command = Start{};
   };

@@ -11,7 +11,7 @@ namespace kadr {
 namespace {
 
 constexpr int max_rim_steps = 10'000;
-constexpr double rim_reached = 1e-10;  // mm; the search along the path stops when the ball is this close to the rim
+constexpr double rim_reached = 1e-10;  // mm; the search along the path stops when the ball is this close to the hole's top edge
 
 /// The path of the centre of the probe's ball. The origin is on the axis of the hole, at the top face.
 struct Way {
@@ -51,8 +51,8 @@ std::optional<double> bottom_face(const Way& way) {
   return part && Way::off_axis(way.at(*part)) <= way.hole - way.tip + tol::same_point ? part : std::nullopt;
 }
 
-/// Returns the share at which the path leaves the cylinder of radius R − r (hole and ball), where the ball touches the wall: the
-/// greater root of |from + part·along|² = (R − r)² in the XY plane.
+/// Returns the share of the path at which the ball (radius r) touches the wall of the hole (radius R). There, the ball's centre leaves the
+/// cylinder of radius R − r: the share is the greater root of |from + part·along|² = (R − r)² in the XY plane.
 std::optional<double> wall(const Way& way) {
   const double reach = way.hole - way.tip;
   const Vec2 from{way.from.x, way.from.y}, along{way.along.x, way.along.y};
@@ -63,13 +63,14 @@ std::optional<double> wall(const Way& way) {
   const double root_sq = b * b - a * c;
   if (root_sq < 0) return std::nullopt;
   const double root = std::sqrt(root_sq);
-  const double part = b > 0 ? -c / (b + root) : (root - b) / a;  // the form without cancellation of digits
+  const double part = b > 0 ? -c / (b + root) : (root - b) / a;  // of two equivalent formulas, the one without cancellation of digits
   if (!(part >= -tol::same_point / std::sqrt(a) && part <= 1)) return std::nullopt;
   const double z = way.at(part).z;
   return z <= 0 && z > way.bottom ? std::optional(std::max(part, 0.0)) : std::nullopt;
 }
 
-/// Returns the share at which the ball touches the rim of the hole. Each step advances by the free distance, so it cannot pass the rim.
+/// Returns the share of the path at which the ball touches the rim, the top edge of the hole. Each step of the search advances by the
+/// ball's distance from the rim, so the search cannot pass the rim.
 std::optional<double> rim(const Way& way) {
   const double whole = length(way.along);
   double gone = 0;

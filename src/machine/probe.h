@@ -4,7 +4,7 @@
 //
 //        top ─────┐   r  ┌─────     The centre of the probe's ball (radius r) is, when the ball touches:
 //                 │ ╭──╮ │            the top face: at top + r; the wall: at distance R − r from the axis of the hole (radius R);
-//                 │ ╰──╯ │            the bottom: at top − depth + r; the rim (a circle): at distance r from the rim.
+//                 │ ╰──╯ │            the bottom: at top − depth + r; the rim (top edge of the hole): at distance r from it.
 //   top − depth   └──────┘
 
 #include <optional>
@@ -27,8 +27,8 @@ class Probe {
   Probe(const std::vector<std::string>& axes, const AxisRoles& roles, const Setup& setup);
 
   /// Returns where a straight path in work coordinates touches a switch or the workpiece; the end of the path if nothing is touched.
-  ///   input  1 to 8: only the switches of this probe input count; 98 (probing by torque): none; 0: all. The workpiece always counts
-  ///          (INFERRED)
+  ///   input  which switches count: 1 to 8 those of this probe input, 98 (probing by torque) none, 0 all. INFERRED: the workpiece counts
+  ///          for every input
   ProbeAnswer meet(const Axes& from, const Axes& to, int input = 0) const;
 
  private:

@@ -25,7 +25,7 @@ std::optional<Rendezvous::Met> Rendezvous::next() {
       met.at = std::max(met.at, w.at);
     }
     if (missing != 0) continue;
-    for (const std::uint8_t channel : met.channels) leave(channel);  // leave() invalidates the iterator `first`
+    for (const std::uint8_t channel : met.channels) leave(channel);  // ends the wait; this invalidates the iterator `first`
     return met;
   }
   return std::nullopt;

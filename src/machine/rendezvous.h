@@ -17,7 +17,7 @@ class Rendezvous {
 
   struct Met {
     std::uint32_t code = 0;
-    std::vector<std::uint8_t> channels;  // in the order of arrival
+    std::vector<std::uint8_t> channels;  // numbers of the channels, in their order of arrival
     double at = 0;                       // time at which the last channel arrived, s
   };
   /// Returns a set of channels that have all arrived, and ends their wait; nullopt if no set is complete.

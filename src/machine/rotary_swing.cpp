@@ -7,7 +7,7 @@
 namespace kadr {
 namespace {
 
-constexpr double stands = 1e-6;  // mm; on a shorter path the tip counts as standing still
+constexpr double stands = 1e-6;  // mm; a tip with a shorter path counts as not moving
 
 /// Returns the rotary axis that turns farthest in the step, and its rotation.
 RotarySwing farthest_of(const Step& step, const Motion& motion) {

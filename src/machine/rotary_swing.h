@@ -1,7 +1,7 @@
 #pragma once
 // RotarySwing: finds motions in which a rotary axis turns far while the controlled tip hardly moves. Close to a singular direction of the
-// tool, the rotary axis that is parallel to the tool must turn far within a very short path (NCT 25a 5.1): this marks the part and
-// jolts the machine.
+// tool, the rotary axis that is parallel to the tool must turn far within a very short path (NCT 25a 5.1). The stop of the tip marks the
+// part, and the rotation jolts the machine.
 
 #include <optional>
 
@@ -21,8 +21,8 @@ class SingularityWatch {
   static constexpr double least = 20;      // degrees: a motion that rotates the axis by less is not reported
   static constexpr int max_reported = 20;  // greatest number of reports per program run
 
-  /// Returns a whirl if the step is a feed motion that rotates an axis faster than `most`; for consecutive such motions only once. A
-  /// motion in which the tip stands still is intended, and is not reported.
+  /// Returns the swing if the step is a feed motion that rotates an axis faster than `most`; nullopt for all other steps. Of consecutive
+  /// such motions only the first is reported. A motion in which the tip does not move is intended, and is not reported.
   std::optional<RotarySwing> look(const Step& step);
 
  private:

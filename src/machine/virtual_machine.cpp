@@ -59,8 +59,8 @@ void VirtualMachine::obey_parameters(const Setup& setup) {
   }
 }
 
-/// Checks a gantry axis (20.6). INFERRED: the parameter for the limit has no number in the manual, so the set-up gives the limit. The
-/// positions of the two drives differ, at every position, by the difference of their position errors in the set-up.
+/// Checks a gantry axis, which two drives move (nct 20.6). INFERRED: the parameter for the limit has no number in the manual, so the set-up
+/// gives the limit. The positions of the two drives differ, at every position, by the difference of their position errors in the set-up.
 void VirtualMachine::watch_gantry(const Setup& setup, std::size_t axis, std::size_t master) {
   const auto found = setup.machine.find(names_[axis]);
   if (found == setup.machine.end() || !found->second.apart || apart_) return;
@@ -146,7 +146,7 @@ VirtualMachine::Outcome VirtualMachine::take(ActionBatch& batch, Follows follows
   }
   if (!outcome.refused) return outcome;
   if (outcome.done >= of_before) position_ = before;
-  outcome.done = std::min(outcome.done, of_before);  // the earlier blocks remain executed
+  outcome.done = std::min(outcome.done, of_before);  // actions from earlier blocks that were executed remain executed
   compression_.drop();
   return outcome;
 }
@@ -170,7 +170,7 @@ Status VirtualMachine::in_position() const {
   return fail(alarm(AlarmId::position_error, {}, std::string_view(names_[static_cast<std::size_t>(__builtin_ctz(missing_))])));
 }
 
-/// Replaces the target of a following axis by its present position, which the control may not yet have.
+/// Replaces the end position of an axis that follows another channel by the axis' present position, which the control may not know yet.
 void VirtualMachine::leave_hung(Motion& motion) const {
   for (std::size_t i = 0; i < roles_.count; ++i) {
     if ((hung_ >> i & 1U) == 0) continue;

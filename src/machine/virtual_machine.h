@@ -16,7 +16,7 @@ namespace kadr {
 
 class VirtualMachine {
  public:
-  /// `start` is the position of the tool before the first action (Control::ending() at that time).
+  /// `start` is the position of the tool before the first action, as Control::ending() returns it then.
   VirtualMachine(const std::vector<std::string>& axes, AxisMask rotary, const MachineProfile& profile, const Setup& setup,
                  const ToolPosition& start);
 
@@ -44,7 +44,7 @@ class VirtualMachine {
   Outcome take(ActionBatch& batch, Follows follows, const OnTouch& on_touch);
 
   /// Executes one action; a probe motion ends where it touches something.
-  ///   alarms    those of take(const Action&); with CBM also for the path that the probe motion would travel without a signal
+  ///   alarms    those of take(const Action&); with N1001#2 CBM also for the path that the probe motion would travel without a signal
   Status execute(Action& action, const OnTouch& on_touch);
 
   /// Executes an action as it is.
@@ -54,15 +54,15 @@ class VirtualMachine {
   Status take(const Action& action);
 
   /// Checks that the axes have reached their position after the last motion, if that motion requests the check.
-  ///   alarms  gantry_apart (axis, difference, limit), after any motion (20.6); position_error (axis): INFERRED: an axis that moved
-  ///           and stays farther from its commanded position than N0516
+  ///   alarms  gantry_apart (axis, difference, limit), after any motion (nct 20.6); position_error (axis), if an axis that moved stays
+  ///           farther from its commanded position than N0516 (INFERRED)
   ///   manual  NCT 4.1.1, 6.3
   Status in_position() const;
 
   /// Returns where a straight probe motion from the present position touches something.
   ProbeAnswer probe(const Motion& motion) const;
 
-  /// True if this machine may refuse a motion, or may stop the program after a motion.
+  /// Returns true if this machine may refuse a motion, or may stop the program after a motion.
   bool has_limits() const;
 
   const ToolPosition& position() const { return position_; }
@@ -72,11 +72,12 @@ class VirtualMachine {
 
   // ---- axes that follow axes of other channels (nct 20.2, 20.3)
 
-  /// Makes the axis follow an axis of another channel (or ends this). While it follows, motions of this channel do not move it.
+  /// Makes the axis follow an axis of another channel, or ends this (`on` false). As long as the axis follows, motions of this channel do
+  /// not move it.
   void hang(std::size_t axis, bool on) { hung_ = on ? hung_ | AxisMask{1} << axis : hung_ & ~(AxisMask{1} << axis); }
-  /// Moves the axes `moved`, which follow another channel, and the axes of this channel that follow them, to these work and machine
-  /// coordinates.
-  ///   alarms  those of take(); then nothing has moved
+  /// Moves the axes `moved`, which follow axes of another channel, and the axes of this channel that follow these axes, to the given work
+  /// and machine coordinates.
+  ///   alarms  those of take(); after an alarm nothing has moved
   Status follow(const Axes& work, const Axes& machine, AxisMask moved);
   /// Exchanges an axis with an axis of another channel's machine: each axis keeps its name, its limits and its position.
   void exchange(std::size_t axis, VirtualMachine& with, std::size_t other);
@@ -112,14 +113,14 @@ class VirtualMachine {
   AxisMask never_in_position_ = 0;  // axes whose position error is greater than permitted
   AxisMask missing_ = 0;            // axes that did not reach their position in the last motion
   std::optional<Alarm> apart_;      // alarm if the positions of the two drives of a gantry axis differ by more than permitted
-  AxisMask gantry_ = 0;             // that gantry axis and its master
+  AxisMask gantry_ = 0;             // the gantry axis of apart_ and its master
   bool gantry_moved_ = false;       // the last motion moved a gantry axis
   Probe probe_;
   Compression compression_;
   ToolPosition position_;
 };
 
-/// Shortens a probe motion so that it ends where the probe signal came. `turn` is the rotation of the frame in which the motion is
+/// Shortens a probe motion so that it ends where the probe gave its signal. `turn` is the rotation of the frame in which the motion is
 /// programmed.
 void end_at(Motion& motion, const ProbeAnswer& answer, const FrameTurn* turn = nullptr);
 

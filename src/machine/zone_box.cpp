@@ -7,8 +7,8 @@
 namespace kadr {
 namespace {
 
-/// A straight path is in the box where it is between both faces of every axis. So the result is the intersection, over all axes, of the
-/// shares of the path between the faces.
+/// Returns the share of a straight path at which the path enters the box. For each axis, the path is between the two faces of the box over
+/// some range of shares; the path is in the box over the intersection of these ranges.
 std::optional<double> line_meets(const ZoneBox& box, const Axes& from, const Axes& to) {
   double enters = 0, leaves = 1;
   for (std::size_t i = 0; i < max_axes; ++i) {

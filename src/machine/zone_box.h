@@ -17,7 +17,7 @@ struct ZoneBox {
   bool empty() const;
   bool holds(const Axes& point) const;
 
-  /// True if this box and `box`, which limits all axes, have no common point.
+  /// Returns true if this box and `box`, which limits all axes, have no common point.
   bool apart(const Extents& box) const;
 
   /// Returns this box with all faces moved outwards by `margin`, mm or degrees.
@@ -25,7 +25,7 @@ struct ZoneBox {
 };
 
 /// Returns the share of the path at which the path first meets the box; nullopt if it stays outside.
-///   law  exact to rounding for a straight path; for any other path the point is at most MachinePath::closeness away from the box
+///   law  exact to the rounding error for a straight path; for any other path the point is at most MachinePath::closeness away from the box
 std::optional<double> first_meeting(const ZoneBox& box, const MachinePath& path);
 
 /// Returns the share of the path at which one axis first exceeds (`above`) or falls below (`below`) a value; nullopt if it never does.

@@ -18,7 +18,7 @@ std::optional<std::pair<double, double>> zone3_of(const Setup& setup, const std:
   return std::nullopt;
 }
 
-/// Returns the positions of the limit switches likewise.
+/// Returns the positions of the axis' limit switches from the set-up: the entry for the axis, else the entry for all axes.
 std::optional<std::pair<double, double>> switches_of(const Setup& setup, const std::string& axis) {
   for (const std::string& name : {axis, std::string("*")})
     if (const auto found = setup.machine.find(name); found != setup.machine.end() && found->second.switches) return found->second.switches;
@@ -30,8 +30,8 @@ bool is_signal(const Setup& setup, const char* name) {
   return found != setup.signals.end() && found->second != 0;
 }
 
-/// True if `part` is earlier on the path than `other`, by more than rounding. So if several limits are reached at once, the first in the
-/// order of axes and zones is reported.
+/// Returns true if `part` is earlier on the path than `other` by more than the rounding error. So if several limits are reached at once,
+/// the first one in the order of axes and zones is reported.
 bool is_before(double part, double other) {
   constexpr double same = 1e-9;
   return part < other - same;
@@ -41,7 +41,7 @@ bool is_before(double part, double other) {
 
 Zones::Zones(const std::vector<std::string>& names, const AxisRoles& roles, const Extents& ends, const Setup& setup)
     : names_(names), roles_(roles), ends_{0, ends.least, ends.most} {
-  constexpr double none = 1e299;  // AxisProfile: ±1e300 means no limit
+  constexpr double none = 1e299;  // a value of ±1e300 in AxisProfile means that there is no limit
   for (std::size_t i = 0; i < roles.count; ++i)
     if (ends.least[i] > -none || ends.most[i] < none) ends_.axes |= AxisMask{1} << i;
   for (std::size_t i = 0; i < roles.count; ++i) {
@@ -114,12 +114,12 @@ Status Zones::end_within(const ZoneBox& box, const Axes& end, Ids ids) const {
   return {};
 }
 
-/// Checks before the motion starts: first the end point, then the path (22.4).
+/// Checks a motion before it starts: first the end point, then the path (nct 22.4).
 Status Zones::before_start(const MachinePath& path, const Axes& end) const {
   KADR_TRY(end_within(ends_, end, {AlarmId::zone1_positive, AlarmId::zone1_negative}));
   if (outside2()) {
     KADR_TRY(end_within(zone2_.box, end, {AlarmId::zone2_positive, AlarmId::zone2_negative}));
-    if (zone2_.nothing_allowed) {  // not even the one point of the box is permitted; INFERRED: the alarm names the first axis
+    if (zone2_.nothing_allowed) {  // the box is one point, which is forbidden too; INFERRED: the alarm names the first axis
       const auto axis = static_cast<std::size_t>(__builtin_ctz(zone2_.box.axes));
       return fail(alarm(AlarmId::zone2_positive, {}, std::string_view(names_[axis])));
     }
@@ -131,7 +131,7 @@ Status Zones::before_start(const MachinePath& path, const Axes& end) const {
   return {};
 }
 
-/// Finds the first limit of the box that an axis exceeds while it moves outwards.
+/// Finds the first limit of the box that an axis exceeds in an outward motion; `first` is updated if this limit is met earlier.
 void Zones::limits_reached(const MachinePath& path, const ZoneBox& box, Ids ids, Reached& first) const {
   const auto bounds = [&](std::size_t i) {
     const double start = path.start()[i];
@@ -156,7 +156,8 @@ void Zones::limits_reached(const MachinePath& path, const ZoneBox& box, Ids ids,
   }
 }
 
-/// Finds the first of all zones that the motion meets (22.1 to 22.3). With CBM, only the limits remain to be checked, and only for curves.
+/// Finds the zone that the motion meets first (nct 22.1 to 22.3). With N1001#2 CBM, only the limits remain to be checked, and only for
+/// curves.
 Status Zones::on_the_way(const MachinePath& path) const {
   Reached first;
   limits_reached(path, switches_, {AlarmId::switch_positive, AlarmId::switch_negative}, first);

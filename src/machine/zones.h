@@ -4,13 +4,13 @@
 //   zone 1   limited by the end positions of the axes          forbidden outside
 //   zone 2   working area, from the parameters or from G22     forbidden outside, or inside
 //   zone 3   from the parameters                               forbidden inside
-//   limit switches at the ends of an axis (22.1)               forbidden outside, checked during the motion only
+//   limit switches at the ends of an axis (nct 22.1)           forbidden outside, checked during the motion only
 //
 // With CBM (N1001 #2) the control checks a motion before it starts: first the end point, then whether the path crosses a zone that is
 // forbidden inside. Without CBM, and for a curve whose middle exceeds a limit, the motion runs until it meets a zone, and the alarm names
 // the zone that it meets first. Boundaries (INFERRED except for zone 3): the limit value itself is permitted; a zone 2 that is forbidden
-// inside starts just within its faces, so a zone 2 without depth forbids nothing (22.2: X = I, P0); zone 3 includes its faces (22.3).
-// For a roll-over axis limits apply to the end of the motion only.
+// inside starts just within its faces, so a zone 2 without depth forbids nothing (nct 22.2: X = I, P0); zone 3 includes its faces (nct
+// 22.3). For a rotary axis that rolls over, limits apply to the end of the motion only.
 
 #include <string>
 #include <vector>
@@ -32,13 +32,13 @@ class Zones {
   /// before the motion on or off (N1001 #2 CBM).
   void change(const ZoneChange& zone);
 
-  /// Exchanges an axis with one of another channel (20.3): each axis keeps its name, its end positions and its limit switches.
+  /// Exchanges an axis with an axis of another channel (nct 20.3): each axis keeps its name, its end positions and its limit switches.
   void exchange(std::size_t axis, Zones& with, std::size_t other);
 
   /// Suspends or resumes the check of zone 2 or 3, at a signal of the machine's logic (CP_LIM2DIS, CP_LIM3DIS; 22.2, 22.3).
   void suspend(int zone, bool on) { (zone == 2 ? suspended2_ : suspended3_) = on; }
 
-  /// True if end positions, limit switches, zone 2 or zone 3 are active, so that a motion may be refused.
+  /// Returns true if end positions, limit switches, zone 2 or zone 3 are active, so that a motion may be refused.
   bool in_force() const { return ends_.axes != 0 || switches_.axes != 0 || zone2_.on || zone3_.axes != 0; }
   bool checks_before() const { return checks_before_; }
 
@@ -65,14 +65,14 @@ class Zones {
   struct Zone2 {
     bool on = false;
     bool outside_forbidden = false;
-    bool nothing_allowed = false;  // 22.2: X = I, Y = J, Z = K and P1
+    bool nothing_allowed = false;  // true after G22 with X = I, Y = J, Z = K and P1 (nct 22.2): the axes must not move
     ZoneBox box;
   };
   /// The two alarm ids for the positive and the negative side of a limit.
   struct Ids {
     AlarmId positive, negative;
   };
-  /// The first limit or zone that a motion meets; `part` is the share of the motion, 2 if there is none.
+  /// The first limit or zone that a motion meets. `part` is the share of the motion before it; 2 if the motion meets none.
   struct Reached {
     double part = 2;
     Alarm alarm;

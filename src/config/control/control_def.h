@@ -34,7 +34,7 @@ struct CodeRow {
   int arg = 0;
   std::uint8_t group = 0;          // index in ControlDef::groups; 0: no group, any number of such codes per block
   bool modal = false;              // the code stays in force, because its group is modal
-  bool own_block = false;          // the code must be alone in its block, except for the words that it takes
+  bool own_block = false;          // the code must be alone in its block, except for the words that the code uses (`takes`)
   bool needs_axis = false;         // the block must have at least one axis word
   std::uint64_t takes = 0;         // letter mask of the words that the code uses
   std::uint64_t needs = 0;         // letter mask of the words that the block must have
@@ -55,8 +55,8 @@ struct AddressRow {
   char letter = 0;
   Function function = Function::count;  // count: the control has no such address
   Phase phase = Phase::none;
-  std::uint8_t axis = 0;    // index of an axis in ControlDef::axes, only for `axis` and `center`
-  std::uint8_t number = 0;  // number of a spindle, or of an auxiliary function (1 to 3)
+  std::uint8_t axis = 0;    // index of an axis in ControlDef::axes, only for the functions `axis` and `center`
+  std::uint8_t number = 0;  // number of the spindle, or of the auxiliary function (1 to 3), that the address is for
   WordUnit unit = WordUnit::none;
   double scale = 1;       // factor from the word's value to mm, degrees, s, …
   bool whole = false;     // the value must be a whole number
@@ -100,8 +100,8 @@ std::string_view name_of(CycleStep step);
 struct CycleRow {
   std::string name;                              // "G81", "L81"
   std::uint32_t call_number = 0;                 // number after L: 81 for L81; 0: the cycle is called by its code
-  std::vector<CycleStep> steps;                  // a cycle consists of steps …
-  std::string body;                              // … or of a program in the control's own language
+  std::vector<CycleStep> steps;                  // steps of the cycle; empty if the cycle has a `body`
+  std::string body;                              // program of the cycle in the control's own language; empty if the cycle has `steps`
   std::string printed;                           // for a cycle of steps: the program that the manual prints for it, for people
   std::vector<std::pair<char, int>> parameters;  // for a permanent subprogram: which word sets which formal parameter
   std::uint64_t needs = 0;                       // letter mask of words that must be given in the block or be modal
@@ -159,7 +159,7 @@ struct VariableRow {
   VariableKind kind = VariableKind::free;
   std::vector<VariableRange> ranges;  // the variable's numbers: first the short ones, then the long ones; `symbol` means the last range
   std::string symbol;                 // "ABSIO" for #_ABSIO[n]; for a family (#_WZP7[n]) "WZP"
-  std::uint32_t first_index = 1;      // index n of the variable's first number
+  std::uint32_t first_index = 1;      // index n (of #_ABSIO[n]) of the variable's first number
   int arg = 0;   // distinguishes variables of the same kind; the head of [[variables]] in controls/nct.toml explains the values
   int bit = -1;  // bit number, if the row is one bit of the variable `of`; -1: the row is a whole variable
   std::uint32_t of = 0;
@@ -186,15 +186,16 @@ struct ParameterRow {
   bool used = false;              // the parameter has an effect in Kadr
   // Names under which the engine uses the parameter ("1500", "1300#7", "calculator"); for bits, one name per bit
   std::vector<std::string> means;
-  Text text;  // `en` begins with the manual's own name
+  Text text;  // name and meaning of the parameter; `en` begins with the manual's own name
   std::string manual;
 };
 
-/// What I J K of an arc mean. incremental: the centre relative to the start point. as_distance: absolute or incremental as G90, G91 say;
-/// for the third axis, the word is the lead of a helix (2С42 6.6.4, 6.6.6). by_code: absolute or incremental as G90.1, G91.1 say.
+/// What I J K of an arc mean. incremental: the centre relative to the start point. as_distance: the centre, absolute after G90, incremental
+/// after G91; for the third axis, the word is the lead of a helix (2С42 6.6.4, 6.6.6). by_code: the centre, absolute after G90.1,
+/// incremental after G91.1.
 enum class ArcCenters : std::uint8_t { incremental, as_distance, by_code };
-/// How R of an arc is read. none: not at all. alone: instead of I J K. before_centre: also in a block with I J K, which R then overrides
-/// (spec/fanuc 3.2).
+/// How R of an arc is read. none: R is no word of an arc. alone: R may be given instead of I J K. before_centre: R may also be in a block
+/// with I J K, which R then overrides (spec/fanuc 3.2).
 enum class ArcRadius : std::uint8_t { none, alone, before_centre };
 enum class LengthOffset : std::uint8_t { at_once, next_motion };
 /// Where the first motion after G41, G42 ends. normal: on the normal at the start of the next block. tangent: the tool touches the line to
@@ -204,8 +205,8 @@ enum class CompensationEntry : std::uint8_t { normal, tangent, queued };
 /// The unit of P in a dwell: s; ms; or ms if P has no decimal point, else s (spec/haas 4.1).
 enum class DwellUnit : std::uint8_t { seconds, milliseconds, milliseconds_without_point };
 /// Where the later of two words for the same thing takes effect. nowhere: two such words are an alarm. arguments: among the arguments of a
-/// macro call (spec/fanuc 9.3), except G, L, N, O, P, which are no arguments. everywhere: also for addresses and codes of a group (1.2,
-/// 2.1).
+/// macro call (spec/fanuc 9.3), except G, L, N, O, P, which are no arguments. everywhere: also for addresses and codes of a group
+/// (spec/fanuc 1.2, 2.1).
 enum class LaterWord : std::uint8_t { nowhere, arguments, everywhere };
 /// What the words of a drilling cycle mean. shift_by_ijk: I J K are the shift of G76, G87; I of G85, G89 and of tapping is a percentage;
 /// R alone drills nothing (nct 18). shift_by_q: Q is the shift, a parameter gives its direction, and R alone drills (spec/fanuc 10.1,
@@ -218,14 +219,14 @@ struct Behaviour {
   ArcCenters arc_centers = ArcCenters::incremental;
   ArcRadius arc_radius_word = ArcRadius::none;
   double arc_radius_difference = 0.01;  // mm by which an arc's radii at start and end may differ
-  double arc_difference_inch = 0;       // the same limit in mm while the unit is inch (G20); 0: arc_radius_difference applies
+  double arc_difference_inch = 0;       // the same limit, also in mm, while the unit is inch (G20); 0: arc_radius_difference applies
   // If an arc's radius changes, its angle advances evenly (nct 4.3); else the length of its path does
   bool arc_angle_even = false;
   LengthOffset length_offset = LengthOffset::next_motion;
   CompensationEntry compensation_entry = CompensationEntry::normal;
-  bool rapids_apart =
-      false;  // rapid: each axis at its own rate, for a control without a parameter for this; see config/machine/rapid_path.h
-  bool feed_required = true;  // a feed motion before any F is an alarm, else a warning (F0 is always an alarm)
+  // In a rapid, each axis moves at its own rate; for a control without a parameter for this (config/machine/rapid_path.h)
+  bool rapids_apart = false;
+  bool feed_required = true;  // a feed motion before any F is an alarm; if false, a warning (F0 is always an alarm)
   double result_most = 0;     // greatest absolute value that may be assigned to a variable (spec/fanuc 5.3); 0: no limit
   // Values of the machine. If the control has a parameter table that contains them (under the name in `as`), the table takes precedence,
   // and the set-up over the table (config/machine/machine_axes).
@@ -247,17 +248,18 @@ struct Behaviour {
   // Differences between controls with custom macros (spec/fanuc).
   LaterWord later_word_counts = LaterWord::nowhere;
   CycleWords cycle_words = CycleWords::shift_by_ijk;
-  // With milliseconds, the dwell words X and U are still in s, and G4 alone is an exact stop (4.1)
+  // With milliseconds, the dwell words X and U are still in s, and G4 alone is an exact stop (spec/fanuc 4.1)
   DwellUnit dwell_unit = DwellUnit::seconds;
-  bool tool_along_third = false;  // unless a parameter says otherwise, cycles drill along Z and G43 acts on Z in any plane (7.1, 10.1)
-  bool repeats_in_program_number = false;  // M98 P51002 calls O1002 five times (9.1)
-  bool machine_move_absolute = false;      // G53 in G91 is ignored (6.5)
+  // In any plane, cycles drill along Z and G43 acts on Z, unless a parameter decides otherwise (spec/fanuc 7.1, 10.1)
+  bool tool_along_third = false;
+  bool repeats_in_program_number = false;  // M98 P51002 calls O1002 five times (spec/fanuc 9.1)
+  bool machine_move_absolute = false;      // G53 in G91 is ignored (spec/fanuc 6.5)
   bool repeats_by_k = false;               // the repeat count of a drilling cycle is K, else L (spec/fanuc 10.1)
-  bool reference_all_axes = false;         // G28 alone moves all axes, straight to the point (spec/haas 5.1)
+  bool reference_all_axes = false;         // G28 without axis words moves all axes straight to the reference point (spec/haas 5.1)
   bool returns_to_own_block = false;       // M99 P goes to a block of the program that contains the M99 (spec/haas 3.3)
   bool repeats_keep_locals = false;        // G65 L: the arguments are set for the first repeat only (spec/haas 3.4)
   bool words_passed_over = false;          // a word that nothing in the block uses gets a warning instead of an alarm (spec/fanuc 1.2)
-  std::uint32_t alarm_base = 4000;         // #3000=n raises alarm number alarm_base + n (5.5)
+  std::uint32_t alarm_base = 4000;         // #3000=n raises alarm number alarm_base + n (spec/fanuc 5.5)
   std::uint32_t call_depth = 16;
   std::uint32_t program_digits = 1;    // digits of O in written programs and in names of files that a call looks for (spec/haas 1.1)
   std::uint32_t m_codes_of_block = 8;  // greatest number of M codes in a block (nct 13.1, spec/fanuc 2.4, spec/haas 10)
@@ -288,7 +290,7 @@ inline constexpr std::array<std::string_view, 7> dialect_names = {"iso", "s2c42"
 /// An M function of the machine that has another code on another control's machine.
 struct MachineCodeRow {
   std::uint32_t code = 0;
-  std::string control;      // id of the other control; "*": all others
+  std::string control;      // id of the other control; "*": all other controls
   std::uint32_t there = 0;  // the M code on the other control
 };
 
@@ -352,16 +354,16 @@ struct ControlDef {
   }
   /// Returns true if subprograms are in sections of their own, with a work offset of their own (2С42 6.3.5, last section).
   bool has_sections() const { return grammar.section_address != 0; }
-  /// Returns true if it has a common zero that shifts all work systems (nct 10.2.3). Otherwise #5201 and G10 L2 P0 mean G52 (spec/haas
-  /// 2.4, 5.4).
+  /// Returns true if the control has a common zero that shifts all work systems (nct 10.2.3). Otherwise #5201 and G10 L2 P0 mean G52
+  /// (spec/haas 2.4, 5.4).
   bool has_common_zero() const {
     return std::any_of(variables.begin(), variables.end(), [](const VariableRow& row) { return row.kind == VariableKind::zero_common; });
   }
-  /// Returns true if it has axis correctors (spec/correctors).
+  /// Returns true if the control has axis correctors (spec/correctors).
   bool has_correctors() const { return dialect == DialectId::correctors; }
-  /// Returns true if its words and frames follow RS274/NGC with parameters in files (spec/linuxcnc).
+  /// Returns true if the control's words and frames follow RS274/NGC, with parameters in files (spec/linuxcnc).
   bool has_parameter_file() const { return dialect == DialectId::linuxcnc; }
-  /// Returns true if each line is checked as a whole, independently of the others (spec/grbl).
+  /// Returns true if the control checks each line as a whole, independently of the other lines (spec/grbl).
   bool has_lines_alone() const { return dialect == DialectId::grbl; }
   const AddressRow& address(char letter) const { return addresses[static_cast<std::size_t>(letter - 'A')]; }
   /// Returns the row of a code word, or -1.

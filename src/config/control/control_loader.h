@@ -24,7 +24,7 @@ using Done = tl::expected<void, std::string>;
     if (auto done_ = (expression); !done_) return Failed(done_.error()); \
   } while (false)
 
-/// Returns the end of a sentence about an unknown name: the nearest known one, if there is one.
+/// Returns the end of an error sentence about an unknown name, which suggests the nearest known name; empty if `near` is empty.
 inline std::string nearest_hint(std::string_view near) {
   return near.empty() ? std::string() : translated(texts::control_file::nearest, near);
 }
@@ -66,7 +66,7 @@ class ControlLoader {
     if (bad_value_.empty()) bad_value_ = toml_tools::place(name_, *node) + translated(texts::control_file::must_be_flag, key);
     return otherwise;
   }
-  /// Reads the number of a key, which must be within the range. If it is not, load() fails.
+  /// Reads the number of a key to `to`. If the number is outside the range, load() fails.
   void ranged(const toml::table& row, std::string_view key, const NumberRange& range, double& to);
   Done dialect();
   Done grammar();
@@ -118,7 +118,7 @@ class ControlLoader {
   static std::uint64_t letter_bit_of(char c) { return std::uint64_t{1} << (c - 'A'); }
   Done codes(std::string_view key, char letter);
   Done code(char letter, double number, const toml::table& row);
-  /// Reads "other": M codes without a row of their own go to the machine.
+  /// Reads the key "other": which M codes without a row of their own go to the machine.
   Done other_codes(const toml::table& row, char letter);
   std::uint16_t cycle_named(std::string_view name) const;
   Done cycles();
@@ -126,7 +126,7 @@ class ControlLoader {
   std::int32_t row_named(const std::string& code) const;
   Done initial_codes();
   Done variables();
-  /// Reads "parameters": the name of another file of controls/.
+  /// Reads the key "parameters", the name of the file of controls/ that has the parameter table.
   Done parameters();
   Done variable(const toml::table& row);
   tl::expected<VariableRange, std::string> variable_range(const toml::node& node) const;

@@ -161,7 +161,7 @@ Done ControlLoader::code(char letter, double number, const toml::table& row) {
   return {};
 }
 
-/// Reads "other": M codes without a row of their own go to the machine.
+/// Reads the key "other": which M codes without a row of their own go to the machine.
 Done ControlLoader::other_codes(const toml::table& row, char letter) {
   if (letter != 'M') return Failed(place(name_, row) + translated(texts::control_file_codes::other_is_for_m));
   constexpr std::uint32_t max_code = 99'999'999;
@@ -315,8 +315,8 @@ Done ControlLoader::code_table(std::string_view key, std::map<std::int32_t, doub
   return {};
 }
 
-/// INFERRED (spec/gost 3 names the method only; GOST 20999-83 takes the series R20 of GOST 8032): code 00 is the stop, code n the 20th
-/// root of ten to the n: F20 is 10, F40 100, F60 1000. Code 99, the highest speed, depends on the machine: its file may give it.
+/// INFERRED (spec/gost 3 names the method only; GOST 20999-83 takes the series R20 of GOST 8032): code 00 means a stop, code n the 20th
+/// root of ten to the power of n: F20 is 10, F40 100, F60 1000. Code 99, the highest speed, depends on the machine: its file may give it.
 std::map<std::int32_t, double> ControlLoader::coded_progression() {
   constexpr double r20[] = {1.00, 1.12, 1.25, 1.40, 1.60, 1.80, 2.00, 2.24, 2.50, 2.80,
                             3.15, 3.55, 4.00, 4.50, 5.00, 5.60, 6.30, 7.10, 8.00, 9.00};

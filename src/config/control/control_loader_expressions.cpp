@@ -14,7 +14,7 @@ using toml_tools::place;
 
 namespace {
 
-// Characters of operators: no operand begins with one of them, no bracket or block ends with one
+// Characters that an operator may consist of. No operand begins with one of them, and no bracket or block ends with one.
 constexpr std::string_view signs = "*/+-^<>=!&|~";
 constexpr std::size_t longest_text = 16;
 constexpr std::uint32_t most_binding = 9;

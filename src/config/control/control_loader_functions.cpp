@@ -116,7 +116,7 @@ constexpr Function wordless[] = {
     Function::tool_length_off,
 };
 
-/// Addresses whose letter is fixed in the engine. Only G and M can be letters of codes.
+/// Functions of addresses that work only with certain letters, which are fixed in the engine. So only G and M can be letters of codes.
 struct LetterRow {
   Function function;
   std::string_view letters;
@@ -130,7 +130,7 @@ constexpr LetterRow letters_of[] = {
     {Function::machine_axis, "XYZUVWABC"}, {Function::tool_of_table, "T"}, {Function::speed_of_spindle, "S"},
 };
 
-/// Returns true for functions that search their block for words with exactly these letters.
+/// Returns true for functions that belong to a word of a code (P, Q …): they search their block for the words that the code names.
 bool names_word_of(Function function) { return function == Function::word_of_code || function == Function::dwell_word; }
 
 constexpr std::int32_t drilling_tenths[] = {73_g, 74_g, 76_g, 81_g, 82_g, 83_g, 84_g, 84.2_g, 84.3_g, 85_g, 86_g, 87_g, 88_g, 89_g};

@@ -18,7 +18,7 @@ using toml_tools::place;
 
 namespace {
 
-/// Settings of [grammar] that only the machine of the NCT supports.
+/// Settings of [grammar] that only the machine of the NCT (dialect = "nct") supports.
 constexpr std::pair<std::string_view, bool Grammar::*> nct_grammar[] = {
     {"macro", &Grammar::custom_macros},
     {"operator_i", &Grammar::operator_i},
@@ -51,12 +51,12 @@ const std::vector<ReadBy>& behaviour_of_functions() {
   return rows;
 }
 
-/// Keys of [behaviour] that the machine of the NCT ignores: its parameters replace them.
+/// Keys of [behaviour] that the machine of the NCT (dialect = "nct") ignores: parameters of the control replace them.
 constexpr std::string_view not_of_nct[] = {
     "arc_centers",        "reference_feed",        "return_chip_break",  "return_near",        "probe_least_distance",
     "tool_and_corrector", "speed_needs_direction", "compensation_entry", "delayed_assignment", "fixtures"};
 
-/// Keys of [behaviour] that only the machine of the NCT reads.
+/// Keys of [behaviour] that have an effect only on the machine of the NCT (dialect = "nct").
 constexpr std::string_view only_of_nct[] = {
     "later_word_counts",   "dwell_unit",         "repeats_in_program_number", "cycle_words", "machine_move_absolute",
     "repeats_by_k",        "reference_all_axes", "tool_along_third",          "alarm_base",  "returns_to_own_block",
@@ -85,7 +85,7 @@ constexpr Stores stores[] = {
     {Function::set_position_restore, -1, VariableKind::set_position, "set_position"},
 };
 
-constexpr std::uint32_t stored_axes = 6;  // number of coordinates of a point in the system variables
+constexpr std::uint32_t stored_axes = 6;  // number of coordinates that the system variables have for one point
 
 }  // namespace
 
@@ -96,12 +96,13 @@ bool ControlLoader::does(std::initializer_list<Function> functions) const {
          std::any_of(def_.addresses.begin(), def_.addresses.end(), [&](const AddressRow& row) { return one_of(row.function); });
 }
 
-/// Checks that the machine of the NCT and its language are used together: neither works without the other.
+/// Checks that a control has both the machine of the NCT (dialect = "nct") and its language, or neither: one does not work without the
+/// other.
 Done ControlLoader::check_machine() {
   const Grammar& g = def_.grammar;
   const toml::table* const words = section("grammar");
   const toml::table* const behaves = section("behaviour");
-  const auto at = [&](std::string_view key) {  // location of the key, or of `dialect` if the user's own file sets it
+  const auto at = [&](std::string_view key) {  // returns the location of the key, or of `dialect` if the user's own file sets the dialect
     const toml::node* const own = file_.get("dialect");
     const bool blames_machine = own != nullptr && is_own(*own);
     if (blames_machine) return place(name_, *own);
@@ -196,7 +197,7 @@ Done ControlLoader::check_behaviour() {
   return {};
 }
 
-/// Checks that every axis has a word, and that a control with functions of a plane has three axes.
+/// Checks that every axis has an address, and that a control with functions that work in a plane has three axes.
 Done ControlLoader::check_axes() const {
   if (def_.machine_axes()) return {};
   const auto words = [&](Function function) {
@@ -222,7 +223,7 @@ Done ControlLoader::check_axes() const {
   return {};
 }
 
-/// Checks that the system variables that the functions need are there, and that coded feeds and speeds have a word.
+/// Checks that the control has the system variables that its functions need, and words for coded feeds and speeds.
 Done ControlLoader::check_functions() {
   const auto kept = [&](VariableKind kind) {
     return std::any_of(def_.variables.begin(), def_.variables.end(), [&](const VariableRow& v) { return v.kind == kind; });
@@ -272,7 +273,7 @@ Done ControlLoader::check_cycle(const toml::table& row, const CycleRow& c) const
   return {};
 }
 
-/// Rejects a variable that the engine cannot keep.
+/// Rejects a row of [[variables]] whose variable the engine cannot store.
 Done ControlLoader::check_variable(const toml::table& row, const VariableRow& v) const {
   if (def_.machine_axes()) return {};
   const std::string kind(row["is"].value_or(std::string()));
@@ -303,7 +304,7 @@ Done ControlLoader::check_variable(const toml::table& row, const VariableRow& v)
   return {};
 }
 
-/// Checks that the end of the program only sets modes: it must not move, call, stop or end.
+/// Checks a code that the end of the program puts in force: it may only set a mode, not move an axis, call a subprogram, stop or end.
 Done ControlLoader::check_end_code(const toml::node& node, const CodeRow& c) const {
   const FunctionTraits& traits = traits_of(c.function);
   const bool straight = c.function == Function::rapid || c.function == Function::linear || c.function == Function::mirror_off;

@@ -57,7 +57,7 @@ constexpr std::pair<std::string_view, bool Grammar::*> grammar_flags[] = {
 
 tl::expected<ControlDef, std::string> ControlLoader::load() {
   const Done done = sections();
-  if (!bad_value_.empty()) return Failed(bad_value_);  // bad_value_ is the earlier error
+  if (!bad_value_.empty()) return Failed(bad_value_);  // of two errors, bad_value_ is the earlier one
   if (!done) return Failed(done.error());
   return std::move(def_);
 }

@@ -20,7 +20,7 @@ namespace kadr {
 //   axes    own: the axis words of the block belong to it, and the block has no modal motion
 //   by      what calls it: an address (word) or a code
 //   needs   what the control must have (see Needs); the loader rejects the row on any other control
-//   order   within one phase: a cycle is cancelled before a motion, scaling and rotation before mirroring (nct 16.4); a repetition is
+//   order   within one phase, a cycle is cancelled before a motion, scaling and rotation before mirroring (nct 16.4); a repetition is
 //           started first, then a call is made, then an end is processed
 //   facts   leaves_mode: a motion code in the same block only sets the mode (`G0 G91 G28 Z0` is what shops write) · ends: it ends the
 //           program, a subprogram or a repetition · stops: it stops the program · calls: it calls a subprogram after the block's other
@@ -317,10 +317,10 @@ struct FunctionTraits {
 };
 
 const FunctionTraits& traits_of(Function function);
-Function function_named(std::string_view name);  // Function::count if no function has this name
-Phase phase_named(std::string_view name);        // Phase::count if no phase has this name
+Function function_named(std::string_view name);  // returns Function::count if no function has this name
+Phase phase_named(std::string_view name);        // returns Phase::count if no phase has this name
 std::string_view name_of(Phase phase);
 
-inline constexpr std::size_t most_groups = 48;  // groups of codes, including "no group"
+inline constexpr std::size_t most_groups = 48;  // greatest number of groups of codes, including "no group"
 
 }  // namespace kadr

@@ -84,7 +84,7 @@ struct Candidate {
           std::remove_if(all.begin() + static_cast<std::ptrdiff_t>(i) + 1, all.end(), [&](const Found& f) { return f.en == all[i].en; }),
           all.end());
     if (all.size() > most) all.resize(most);
-    // Line 0 becomes the greatest number and sorts last
+    // Line 0, the style of the text, becomes the greatest number in this comparison and sorts last
     std::stable_sort(all.begin(), all.end(), [](const Found& a, const Found& b) { return a.line - 1U < b.line - 1U; });
     return all;
   }
@@ -106,7 +106,7 @@ class OpenMarks {
     for (LineSigns rest = signs; rest != 0; rest &= rest - 1)
       look(static_cast<std::size_t>(std::countr_zero(rest)), line, signs, only_against);
     look(any_sign, line, signs, only_against);
-    // In the order of the marks' rows
+    // The hits are processed in the order of the marks' rows, whatever characters the marks are stored under
     std::sort(hits_.begin(), hits_.end(), [](const Hit& a, const Hit& b) { return std::less<>()(a.mark, b.mark); });
     for (const Hit& hit : hits_) hit.of->take(hit.text, hit.mark->weight, number);
   }
@@ -208,7 +208,8 @@ Guess unknown(const KindOfText& text) {
   return guess;
 }
 
-/// LinuxCNC's variable names may contain any letters, so they are no evidence for another language.
+/// Returns true if the line has a name in angle brackets (#<…>, O<…>). Such names of LinuxCNC may contain any letters, so the line is no
+/// evidence for another language.
 bool has_names(const GuessLine& line) {
   return line.written.find("#<") != std::string::npos || line.written.find("O<") != std::string::npos;
 }

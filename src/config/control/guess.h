@@ -14,7 +14,7 @@
 namespace kadr {
 
 struct Guess {
-  std::string control;  // empty: no control that Kadr supports
+  std::string control;  // id of the guessed control; empty: the program is for no control that Kadr supports
   // Id (in controls/dialects.toml) of the program's language, if Kadr does not read that language; else empty.
   std::string dialect;
   std::string language_en, language_ru;  // name of that language
@@ -24,7 +24,7 @@ struct Guess {
   std::string reason_ru;
   bool decisive = false;                                     // the evidence suffices; if false, the guess is weak
   std::vector<std::pair<std::string, double>> scores;        // score of every control, in the order of the controls' rows
-  std::vector<std::pair<std::string, std::string>> reasons;  // evidence for every control: English, Russian
+  std::vector<std::pair<std::string, std::string>> reasons;  // evidence for every control as sentences in English and Russian
 
   // Score of every language that Kadr does not read; only if the guess is a control
   std::vector<std::pair<std::string, double>> dialect_scores;

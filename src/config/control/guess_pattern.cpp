@@ -44,7 +44,7 @@ std::optional<std::size_t> end_of_signs(std::string_view line, std::size_t at, s
     if (pattern[i] == '$' && i + 1 == pattern.size()) return at == line.size() ? std::optional(at) : std::nullopt;
     const bool escaped = pattern[i] == '\\' && i + 1 < pattern.size();
     const char sign = escaped ? pattern[++i] : pattern[i];
-    if (escaped && sign == '*') {  // the shortest match is tried first
+    if (escaped && sign == '*') {  // \* matches any text; the shortest match is tried first
       for (std::size_t behind = at; behind <= line.size(); ++behind)
         if (const auto end = end_of_signs(line, behind, pattern.substr(i + 1))) return end;
       return std::nullopt;
@@ -93,7 +93,7 @@ std::string comments_of(std::string_view raw) {
   return text;
 }
 
-/// Finds a pattern that contains a bracket, outside of comments.
+/// Finds the match of a pattern that contains a bracket, such as CYCLE800(, in the words of a line.
 std::string_view found_with_bracket(std::string_view raw, std::string_view pattern) {
   const std::size_t word = std::min(raw.find_first_not_of(" \t0123456789N"), raw.size());  // position after the block number
   const bool at_beginning = pattern[0] == '^';

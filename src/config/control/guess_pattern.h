@@ -9,8 +9,8 @@ namespace kadr {
 
 /// A line in the forms in which patterns are searched; all in upper case.
 struct GuessLine {
-  std::string written;   // without comments, one blank between words
-  std::string squeezed;  // without blanks, block number, and leading zeros of G, M
+  std::string written;   // the line without comments, with one blank between words
+  std::string squeezed;  // the line without comments, blanks, block number, and leading zeros of G, M
   std::string raw;       // the line with its comments
   std::string comments;  // text in brackets and after `;`, or all of a line that starts with `# ` or `//`
 };

@@ -40,7 +40,8 @@ struct GuessRows {
   std::vector<std::pair<TextTrait, double>> traits;
 };
 
-/// A mark with this weight identifies the control by itself. For a language, the weights of all evidence must add up to this number.
+/// A mark with this weight identifies the control by itself. A language is identified if the weights of all its evidence add up to at least
+/// this number.
 inline constexpr double decisive_weight = 10;
 
 /// Reads a section [guess].

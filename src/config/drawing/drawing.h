@@ -20,13 +20,13 @@ struct Edge {
   // Tangent of a quarter of the swept angle, counter-clockwise positive; 0: a straight line; at most 1: a semicircle
   double bulge = 0;
   bool open = false;       // there is no wall at this edge: the tool may cross it
-  std::uint32_t line = 0;  // line in the file; 0: not from a file
+  std::uint32_t line = 0;  // line of the edge in the file; 0: the edge is not from a file
   friend bool operator==(const Edge&, const Edge&) = default;
 };
 
 struct DrawingFault {
   Alarm alarm;
-  std::uint32_t line = 0;  // line in the file, from 1; 0: the fault concerns the whole file
+  std::uint32_t line = 0;  // line of the fault in the file, from 1; 0: the fault concerns the whole file
 };
 
 using Edges = std::vector<Edge>;

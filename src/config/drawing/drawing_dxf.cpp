@@ -196,7 +196,7 @@ class DxfReader {
       edges_.bulged(at(i), at((i + 1) % count), mirrored ? -vertices[i].bulge : vertices[i].bulge);
   }
 
-  static constexpr double max_angle = 36'000;  // degrees: no drawing has an arc angle beyond a hundred revolutions
+  static constexpr double max_angle = 36'000;  // degrees; greatest angle of an arc that is accepted: no drawing has a hundred revolutions
 
   std::string_view rest_;
   std::uint32_t line_ = 0;

@@ -1,6 +1,6 @@
-// Reads SVG: path, rect, circle, ellipse, line, polygon, polyline with their transforms. Y is flipped to point upwards, and the origin is
-// the lower left corner of the page. A width with a unit, together with viewBox, gives the scale; without a unit, Kadr takes one user
-// unit as 1 mm. An element or group of class "open", or with an id that begins with "open", has no wall.
+// Reads SVG: the elements path, rect, circle, ellipse, line, polygon, polyline, with their transforms. Y is flipped to point upwards, and
+// the origin is the lower left corner of the page. A width with a unit, together with viewBox, gives the scale; without a unit, Kadr takes
+// one user unit as 1 mm. An element or group of class "open", or with an id that begins with "open", has no wall.
 
 #include <algorithm>
 #include <cstring>
@@ -17,7 +17,7 @@ using svg::Matrix;
 
 constexpr int deepest_group = 100;  // greatest nesting depth of groups
 
-/// A length and the mm of its unit; `unit` is 0 if there is no unit.
+/// A length as written, and the size of its unit in mm; `unit` is 0 if the text has no unit.
 struct Length {
   double value = 0;
   double unit = 0;

@@ -126,7 +126,7 @@ class PathReader {
       line_to(to);
       return true;
     }
-    const Vec2 half = rotated(0.5 * (from - to), -e.turn);  // F.6.5
+    const Vec2 half = rotated(0.5 * (from - to), -e.turn);  // SVG 1.1, F.6.5
     const double x = half.x / e.rx, y = half.y / e.ry, beyond = x * x + y * y;
     if (beyond > 1) e.rx *= std::sqrt(beyond), e.ry *= std::sqrt(beyond);
     const double ux = half.x / e.rx, uy = half.y / e.ry;

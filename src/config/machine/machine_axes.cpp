@@ -20,7 +20,7 @@ class Fitter {
 
   std::string run() {
     for (const char letter : axis_letters) free_letter(letter);
-    // RI0.1: R takes the operator I, for data of G10 and levels of cycles (5.1)
+    // RI0.1: R takes the operator I, for data of G10 and levels of cycles (nct 5.1)
     if (def_.grammar.operator_i) def_.grammar.word('R').increment = true;
     axes();
     auxiliary();
@@ -29,7 +29,7 @@ class Fitter {
     rows_that_take_axes();
     symbols();
     least_increments();
-    if (is_set("angles_from_minus")) {  // spec/fanuc 5.3: 6004#0
+    if (is_set("angles_from_minus")) {  // parameter 6004#0 (spec/fanuc 5.3)
       def_.grammar.expression.functions.replace(Op::atan_turn, Op::atan);
       def_.grammar.expression.functions.replace(Op::arc_sine_turn, Op::arc_sine);
     }
@@ -112,7 +112,7 @@ class Fitter {
       def_.axis_numbers[a] = static_cast<std::uint8_t>(number);
       axis(a, def_.axes[a]);
     }
-    def_.grammar.word('R').increment = def_.grammar.operator_i;  // R takes the operator I in drilling cycles (5.1)
+    def_.grammar.word('R').increment = def_.grammar.operator_i;  // R takes the operator I in drilling cycles (nct 5.1)
   }
 
   void axis(std::size_t a, const std::string& name) {
@@ -137,7 +137,7 @@ class Fitter {
     def_.grammar.axis_numbers[static_cast<std::size_t>(code - 'A')] = def_.axis_numbers[a];
   }
 
-  /// N1333 … N1335: A, B, C, U, V, W can be auxiliary functions (13.2).
+  /// Creates the addresses of auxiliary functions: parameters N1333 … N1335 select them from A, B, C, U, V, W (nct 13.2).
   void auxiliary() {
     constexpr const char* names[] = {"1333", "1334", "1335"};
     for (std::uint8_t i = 0; i < 3; ++i) {
@@ -155,8 +155,8 @@ class Fitter {
     }
   }
 
-  /// U, V, W that are neither axes nor auxiliary functions are incremental X, Y, Z (5.1), as the operator I makes single words
-  /// incremental.
+  /// Creates U, V, W as incremental X, Y, Z, if they are neither axes nor auxiliary functions (nct 5.1). Only for controls with the
+  /// operator I, which makes a single word incremental.
   void increments() {
     if (!def_.grammar.operator_i) return;
     for (int i = 0; i < 3; ++i) {
@@ -166,7 +166,7 @@ class Fitter {
       row.function = Function::increment_axis;
       row.axis = main.axis;
       row.unit = main.unit;
-      format(row.letter).increment = true;  // the operator I together with U, V, W is redundant (1.1)
+      format(row.letter).increment = true;  // U, V, W also accept the operator I, which is redundant (nct 1.1)
     }
   }
 

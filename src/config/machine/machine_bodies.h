@@ -21,7 +21,7 @@ struct BodyShape {
   std::string file;            // path of a file with a closed mesh, STL or 3MF
 };
 
-/// A body in machine coordinates, with all axes at 0; the gauge point of the spindle is then {}.
+/// A body in machine coordinates, with all axes at 0. The gauge point of the spindle, from which tool lengths count, is then the origin.
 struct MachineBody {
   std::string name;
   std::string on;  // name of the axis that carries the body; empty: the bed

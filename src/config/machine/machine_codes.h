@@ -44,7 +44,7 @@ class MachineCodes {
 
 /// Returns the row of an M code; nullptr if the control has no such row, or Kadr does not implement the code.
 const CodeRow* machine_row(const ControlDef& def, std::uint32_t code);
-/// is_of_machine(): true for a function of the machine, and for switching coolant.
+/// is_of_machine() returns true for a function of the machine, and for switching coolant; switches_coolant() only for the latter.
 bool is_of_machine(const CodeRow& row);
 bool switches_coolant(Function function);
 

@@ -17,7 +17,7 @@ namespace kadr {
 struct AxisJoint {
   bool turns = false;
   Vec3 direction;  // unit vector of the motion, or of the axis of rotation, with all axes at 0
-  Vec3 through;    // a point of the axis of rotation, machine coordinates, with all axes at 0; the gauge point of the spindle is then {}
+  Vec3 through;    // a point of the axis of rotation, machine coordinates, with all axes at 0 and the spindle's gauge point at the origin
   // If reversed, a positive rotation is left-handed; a positive linear motion moves the tool against `direction`, seen from the part.
   bool reversed = false;
   bool rolls_over = false;
@@ -25,9 +25,9 @@ struct AxisJoint {
 
 struct AxisProfile {
   double rapid = 10000;   // mm/min or degrees/min
-  double least = -1e300;  // machine coordinate, mm or degrees
+  double least = -1e300;  // end of the axis' travel, machine coordinate, mm or degrees
   double most = 1e300;
-  double acceleration = 500;  // mm/s² or degrees/s²; used for sampling and times if nothing else gives one
+  double acceleration = 500;  // mm/s² or degrees/s²; for samples and times, if neither set-up nor parameters give an acceleration
   double jerk = 10000;        // mm/s³ or degrees/s³
   AxisJoint joint{};
 };
@@ -40,15 +40,15 @@ struct AxisChains {
   bool given() const { return !tool.empty() || !part.empty(); }
 };
 
-/// What determines the machine's speed. programmed: the programmed feeds and the rapid rates, as long as the set-up states no
-/// accelerations. control: what a conventional control achieves with the machine's accelerations (docs/motion.md). optimal: the
-/// least-time planner (docs/planner.md).
+/// What determines the machine's speed. programmed: the programmed feeds and the rapid rates; with accelerations in the set-up, as
+/// `control`. control: what a conventional control achieves with the machine's accelerations (docs/motion.md). optimal: the least-time
+/// planner (docs/planner.md).
 enum class PlannerMode : std::uint8_t { programmed, control, optimal };
 
 struct MachineProfile {
   std::string id = "generic";
   std::string name_en, name_ru;
-  std::map<std::string, AxisProfile> axes;  // by axis name; axes that are not listed have AxisProfile{}
+  std::map<std::string, AxisProfile> axes;  // axes of the machine by name; axes that are not listed have AxisProfile{}
   AxisChains chains;
   std::vector<MachineBody> bodies;
   double tool_change_s = 10;

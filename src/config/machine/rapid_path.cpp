@@ -1,4 +1,4 @@
-// Whether rapid motions are straight lines. Used by cli/cut; tested by tests/config/rapid_path_test.cpp.
+// Decides whether rapid motions are straight lines. Used by cli/cut; tested by tests/config/rapid_path_test.cpp.
 
 #include "config/machine/rapid_path.h"
 
@@ -21,7 +21,7 @@ bool rapids_apart(const ControlDef& def, const Setup& setup, const std::vector<s
       if (bits ? given.of_channel(row.name.c_str(), {int(k), row.bits[k].c_str()}) : given.of_channel(row.name.c_str()) != 0) return false;
     }
   return def.has_parameter(straight) || def.behaviour.rapids_apart ||
-         given.of_channel("0421", {0, "ROL"});  // nct 4.1.2; the parameter's number is INFERRED (4.1.1)
+         given.of_channel("0421", {0, "ROL"});  // nct 4.1.2; the parameter's number is INFERRED (nct 4.1.1)
 }
 
 }  // namespace kadr

@@ -141,7 +141,7 @@ Rows rows_of(const toml::table& table, const std::string& file) {
     rows.push_back(reader.row(key.str()));
     if (!reader.fault().empty()) return Failed(reader.fault());
   }
-  // As an unsigned number, -1 sorts last
+  // As an unsigned number, -1 is the greatest, so parameters without a number are last
   const auto rank = [](const ParameterRow& row) { return static_cast<std::uint32_t>(row.number); };
   std::stable_sort(rows.begin(), rows.end(), [&](const ParameterRow& a, const ParameterRow& b) { return rank(a) < rank(b); });
   return rows;

@@ -25,7 +25,7 @@ void plane(const Json& value, const std::string& key, Setup& setup) {
   if (!known) wrong(key, "the names of its two axes, \"XY\"");
 }
 
-/// Returns readers for what a run starts with.
+/// Returns readers for the keys about the state in which a run starts: axes, start position, modes …
 Readers readers_of_state(Setup& s) {
   return {
       {"axes", [&](const Json& v, const std::string& k) { s.axes = list(v, k, word); }},
@@ -52,7 +52,7 @@ Readers readers_of_state(Setup& s) {
   };
 }
 
-/// Returns readers for every key of tests/golden/README.md, of the set-up and of the state.
+/// Returns readers for every key of a set-up or a printed state (tests/golden/README.md).
 Readers readers_of(Setup& setup) {
   Readers readers = readers_of_state(setup);
   readers.merge(readers_of_tables(setup));
@@ -77,7 +77,7 @@ namespace {
 
 using setup_reader::Json;
 
-/// Puts the place in front of a sentence: "shop.json:3: …", "--zero G54=X1: …"; for a text without a name, puts nothing.
+/// Returns the sentence with its place in front: "shop.json:3: …", "--zero G54=X1: …". If `place` is empty, returns the sentence alone.
 std::string placed(const std::string& place, std::uint32_t line, const std::string& sentence) {
   std::string text = place;
   if (line != 0 && !place.empty() && !place.starts_with("--")) text += ":" + std::to_string(line);
@@ -120,7 +120,7 @@ tl::expected<PlacedSetup, std::string> read_setup(const std::vector<SetupSource>
   try {
     setup_reader::read_table(whole, "", setup_reader::readers_of(result.setup));
     setup_reader::give_kinematics(result.setup);
-  } catch (const setup_reader::Wrong& error) {  // each source is valid by itself, but not all of them together
+  } catch (const setup_reader::Wrong& error) {  // each source is valid by itself, but the merged set-up is not
     return tl::unexpected(error.sentence);
   }
   result.stated = stated_in(whole);

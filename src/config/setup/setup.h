@@ -28,10 +28,10 @@ struct ToolOffset {
   double radius = 0;
   double length_wear = 0;
   double radius_wear = 0;
-  double corner = 0;  // rounding radius of the corner
+  double corner = 0;  // corner radius of the tool
   double corner_wear = 0;
   double length_x = 0, length_y = 0, length_x_wear = 0, length_y_wear = 0;  // turning offsets (nct 23.1.18, TOL=1)
-  double tip_position = 0;                                                  // code of the tip's orientation (turning)
+  double tip_position = 0;                                                  // code of the orientation of a turning tool's tip
   double whole_length() const { return length + length_wear; }
   double whole_radius() const { return radius + radius_wear; }
   friend bool operator==(const ToolOffset&, const ToolOffset&) = default;
@@ -46,7 +46,7 @@ struct AxisLimits {
   std::optional<double> apart;                        // mm: permitted deviation of a gantry axis from its master (nct 20.6)
   bool no_acceleration = false;                       // `"acceleration": null`: motions need no time to accelerate
   std::optional<double> acceleration;                 // mm/sÂ²
-  std::optional<double> jerk_time;                    // s; 0: the acceleration changes at once (linear)
+  std::optional<double> jerk_time;                    // s, time in which the acceleration reaches its value; 0: at once (linear)
   double position_error = 0;                          // mm; the axis stops short of its commanded position by this much
 };
 
@@ -54,8 +54,8 @@ struct AxisLimits {
 struct KinematicsSetup {
   std::string type;                                    // machine type: head-head, table-table, head-table; empty: not given
   std::string axes, reversed;                          // letters of the axes
-  std::map<std::string, std::vector<double>> vectors;  // T1, T2, E, D: mm
-  double singular = 0.01;  // degrees: if a direction is this close to one that needs no motion of an axis, the latter is used instead
+  std::map<std::string, std::vector<double>> vectors;  // by the manual's names T1, T2, E, D; mm
+  double singular = 0.01;  // degrees by which a tool direction may be changed if one rotary axis then need not move
 };
 
 struct SpindleSetup {
@@ -65,7 +65,7 @@ struct SpindleSetup {
   std::string dir = "stop";
   std::optional<double> angle;                    // degrees
   std::vector<std::pair<double, double>> ranges;  // least and greatest spindle speed of each gear, rev/min
-  // Used only if the set-up is the state that an earlier run printed:
+  // The following members are used only if the set-up is the state that an earlier run printed.
   std::string loop = "open";  // position loop of the spindle: open or closed
   double surface_speed = 0;   // m/min
   int css_axis = 0;
@@ -78,7 +78,7 @@ inline constexpr std::array<std::string_view, 5> tool_info_letters = {"IV", "CT"
 
 /// A row of the tool management table (nct 12.3.1).
 struct ToolRow {
-  double type = 0;         // column T of the table
+  double type = 0;         // type of the tool, column T of the tool management table
   std::uint32_t info = 0;  // info bits, see tool_info_letters
   std::uint32_t form = 0, status = 0;
   double counter = 0, life = 0, warn = 0;
@@ -98,8 +98,8 @@ using PocketTable = std::map<std::pair<int, int>, int>;  // {magazine, pocket} â
 /// The name of a parameter: "N0107.4#0" is name "0107", index "4", bit "0".
 struct ParameterKey {
   std::string name;   // "0107": the four digits after N; or "CLRG", a name without N
-  std::string index;  // axis name or number, channel, or spindle; empty: none
-  std::string bit;    // number or name; empty: none
+  std::string index;  // name or number of the axis, or number of the channel or spindle; empty: no index
+  std::string bit;    // number or name of the bit; empty: the parameter as a whole
   friend bool operator==(const ParameterKey&, const ParameterKey&) = default;
   friend bool operator<(const ParameterKey& a, const ParameterKey& b) {
     return std::tie(a.name, a.index, a.bit) < std::tie(b.name, b.index, b.bit);
@@ -159,7 +159,7 @@ struct ProbeHole {
 };
 
 struct Setup {
-  std::vector<std::string> axes;  // empty: the axes of the control
+  std::vector<std::string> axes;  // names of the axes; empty: the axes of the control
   AxisValues start;
   bool start_in_work = false;
   std::vector<std::string> modal;  // code words
@@ -170,8 +170,8 @@ struct Setup {
   std::map<int, AxisValues> zeros;
   std::map<int, double> correctors;
   std::map<std::string, std::optional<double>> variables;  // "#100", "#_ALM", "#_FOFS1[1]", "R2"; nullopt: vacant variable
-  std::map<std::string, AxisLimits> machine;               // by axis name, or "*" for all
-  // Not a key of the file: here the session combines the limits of set-up and machine file
+  std::map<std::string, AxisLimits> machine;               // limits of the axes by axis name, or "*" for all axes
+  // Limits that the session combines from set-up and machine file; not a key of the file
   std::map<std::string, std::pair<double, double>> axis_limits;
   KinematicsSetup kinematics;  // the same data may be given as parameters, which take precedence
   std::map<int, SpindleSetup> spindles;
@@ -180,7 +180,7 @@ struct Setup {
   PocketTable place_table;
   std::map<int, ToolForm> form_table;
   Parameters parameters;
-  std::string plane;                     // the axes of the plane, in order: "XC"
+  std::string plane;                     // the first and the second axis of the plane: "XC"
   std::map<std::string, bool> diameter;  // axes programmed as diameters
   bool single_block = false;
   std::string search;                     // "N50": the run starts with a block search for this block (nct 13.1); empty: at the beginning
@@ -198,12 +198,12 @@ struct Setup {
   std::vector<AlarmId> disabled;               // warnings and notes that are not reported
   std::vector<std::string> mirror;             // mirrored axes
   std::map<int, AxisValues> reference_points;  // machine coordinates
-  // By number of the probe input: where in the work system the signal comes; nullopt: it never comes
+  // By number of the probe input: position in work coordinates at which the probe gives its signal; nullopt: it never does
   std::map<int, std::optional<AxisValues>> probe;
   std::optional<ProbeHole> probe_hole;
   std::vector<double> points;
   std::vector<std::string> watch;
-  std::map<std::string, AxisValues> shifts;                                  // "G92", "G52"; only if the set-up is a printed state
+  std::map<std::string, AxisValues> shifts;                                  // by code, "G92", "G52"; only if the set-up is a printed state
   double feed_override = 100, rapid_override = 100, spindle_override = 100;  // %
 
   /// Returns spindle 1, for controls that have a single spindle.
@@ -212,7 +212,7 @@ struct Setup {
 
 /// The state at the end of a run: the tables, and also what a set-up cannot set.
 struct RunState {
-  Setup tables;  // offsets, work_offsets, parameters, tool and place tables, plane, diameter, in the form of a next set-up
+  Setup tables;  // offsets, work_offsets, parameters, tool and place tables, plane, diameter, as a set-up for the next run
   std::map<std::string, AxisValues> shifts;  // "G92", "G52"
   struct SpindleState {
     std::string loop = "open";  // position loop of the spindle: open or closed

@@ -33,7 +33,7 @@ bool is_neutral(const Json& value) {
 
 bool is_unsupported(std::string_view path) { return path == "frame"; }
 
-/// Returns "at most 5", "0 to 9"; empty if the range has no ends.
+/// Returns the range in words, such as "at most 5" or "0 to 9"; empty if the range has no ends.
 std::string range_words(SetupRange range, Lang lang) {
   const bool least = range.least > -1e299, most = range.most < 1e299;
   if (least && most && range.least == -range.most) return translated_in(lang, setup_faults::at_most, range.most);
@@ -52,7 +52,8 @@ std::string quoted_words(std::string_view words, Lang lang) {
   return alternatives(all, lang);
 }
 
-/// Returns the sentence for a name that is none of its kind: of a key, the name, and what may have been meant.
+/// Returns the text of the fault that a name does not exist among the names of a kind. Its placeholders are the key, the name, and the
+/// suggested names.
 TextId<3> no_such(SetupNames kind) {
   switch (kind) {
     case SetupNames::axis:

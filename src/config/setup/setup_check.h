@@ -12,13 +12,13 @@ namespace kadr {
 
 /// A key that is wrong, and why.
 struct KeyFault {
-  std::string key;  // "work_offsets.G54.x"; empty: the whole set-up
+  std::string key;  // name of the key, "work_offsets.G54.x"; empty: the whole set-up
   std::string sentence;
 };
 
 /// Returns the first fault in the order of the text's keys; nullopt if there is none.
 ///   def      nullptr: accept the keys of every control
-///   context  the whole set-up, if `value` is one of several sources: its axes count
+///   context  the set-up merged from all sources, of which `value` is one; the axes are taken from it
 std::optional<KeyFault> fault_of(const nlohmann::json& value, const nlohmann::json& context, const ControlDef* def,
                                  Lang lang = thread_language());
 

@@ -24,7 +24,7 @@ struct SetupFault {
   bool empty() const { return en.empty(); }
 };
 
-using KeyLines = std::map<std::string, std::uint32_t>;  // "offsets.1.length", "events[0].when" → line, from 1
+using KeyLines = std::map<std::string, std::uint32_t>;  // name of a key, "offsets.1.length", "events[0].when" → line, from 1
 
 /// Returns the line of the key, or of the nearest key above it in the hierarchy; 0 if unknown.
 std::uint32_t line_of(const KeyLines& lines, std::string_view key);

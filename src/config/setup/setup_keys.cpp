@@ -45,8 +45,8 @@ constexpr SetupRange spindles{1, 16};
 constexpr bool null = true, stated = false;
 
 // clang-format off
-// Order: as a person fills in the file; the rows of a table follow it. Columns: path, form, names, range, unit, null, needs, words,
-// example, instead, about.
+// Order: as a person fills in the file; after the row of a table come the rows of the keys in that table. Columns: path, form, names,
+// range, unit, null, needs, words, example, instead, about.
 constexpr SetupKey keys[] = {
   {"axes", F::texts, N::any, any, U::none, stated, H::nothing, "", R"(["X", "Y", "Z"])", "", keys_start::axes},
   {"start", F::table, N::axis, any, U::none, stated, H::nothing, "", R"({"X": 0, "Y": 150, "Z": -20})", "", keys_start::start},

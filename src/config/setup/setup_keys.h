@@ -14,8 +14,8 @@ namespace kadr {
 
 /// The form of a key's value.
 enum class SetupForm : std::uint8_t {
-  table,           // { … }, with fixed keys or names (SetupNames)
-  tables,          // [ { … }, … ]
+  table,           // a table { … }, with fixed keys or names (SetupNames)
+  tables,          // a list of tables [ { … }, … ]
   number,          //
   whole,           // a whole number
   flag,            // true, false
@@ -23,11 +23,11 @@ enum class SetupForm : std::uint8_t {
   one_of,          // one of the words in `words`
   number_or_text,  // the value of a parameter: a number or a text
   info,            // info bits of a tool, written as five letters or as a number
-  span,            // [least, most]
-  numbers,         // [1, 2]
+  span,            // a range [least, most]
+  numbers,         // a list of numbers [1, 2]
   wholes,          //
-  texts,           // ["X", "Y"]
-  spans,           // [[50, 1000], …]
+  texts,           // a list of texts ["X", "Y"]
+  spans,           // a list of ranges [[50, 1000], …]
 };
 
 /// The names that are allowed as keys of a table, or as the text of a value.
@@ -61,7 +61,7 @@ enum class SetupNeeds : std::uint8_t {
   work_offsets,   // work offsets G54 … that are named by their codes
   zeros,          // work offsets by number, in an order that the codes need not have (2С42: G55 is zero 3)
   correctors,     // axis correctors
-  variables,      // #n or R0 … R9
+  variables,      // variables #n or R0 … R9
   parameters,     // a parameter table
   corner_radius,  // variables for the corner radius of the tool offsets
   turning_lengths,
@@ -106,7 +106,7 @@ struct SetupSignal {
   std::string_view name;
   PlainText about;
   std::string_view manual;
-  bool of_axis = false;  // each axis has such a signal: AP_SYNCR.Z
+  bool of_axis = false;  // each axis has a signal of this name with the axis as ending: AP_SYNCR.Z
 };
 std::span<const SetupSignal> setup_signals();
 
@@ -117,7 +117,7 @@ struct AxisSignal {
 };
 AxisSignal axis_signal(std::string_view name);
 
-/// Returns "mm/min", «мм/мин»; empty for a number without unit.
+/// Returns the name of a unit for people: "mm/min", «мм/мин»; empty for a number without unit.
 const char* name_of(SetupUnit unit, Lang lang);
 
 }  // namespace kadr

@@ -72,7 +72,7 @@ void hole(const Json& value, const std::string& key, ProbeHole& to) {
               {"diameter", to_range(to.diameter, ranges::diameter)},
               {"top", to_range(to.top, ranges::position)},
               {"depth", to_range(to.depth, ranges::distance)}});
-  if (to.diameter == 0) wrong(key + ".diameter", range_in_words(ranges::diameter));  // 0 means that the key is missing
+  if (to.diameter == 0) wrong(key + ".diameter", range_in_words(ranges::diameter));  // the diameter 0 means that the key is missing
 }
 
 void probe_workpiece(const Json& value, const std::string& key, Setup& setup) {

@@ -18,11 +18,11 @@ namespace kadr {
 namespace {
 
 constexpr int max_row = 999'999'999;                               // greatest number that may be the name of a row
-constexpr int turning_zeros = 9;                                   // number of zeros: G92 /A/ of the 2С42 on turning machines
+constexpr int turning_zeros = 9;                                   // number of zeros on turning machines: G92 /A/ of the 2С42
 constexpr int dynamic_systems = 8;                                 // number of dynamic offsets: G54.2 P1 … P8 (nct 25.4)
 constexpr std::int32_t first_system = 54_g, last_system = 59.3_g;  // codes in tenths: G54 … G59, G59.3
 
-/// Returns true for "#100", "#_ALM", "#_FOFS1[1]".
+/// Returns true for the form of a macro variable's name: "#100", "#_ALM", "#_FOFS1[1]".
 bool names_macro_variable(std::string_view name) {
   constexpr std::size_t longest_number = 7, longest_symbol = 31;
   if (name.size() < 2 || name[0] != '#') return false;
@@ -38,7 +38,7 @@ bool names_macro_variable(std::string_view name) {
 
 bool names_formal_parameter(std::string_view name) { return name.size() == 2 && name[0] == 'R' && is_digit(name[1]); }
 
-/// Returns true for "10/1".
+/// Returns true for the form of a pocket's name, magazine/pocket: "10/1".
 bool names_pocket(std::string_view name) {
   constexpr std::size_t max_digits = 9;
   const std::size_t slash = name.find('/');
@@ -47,7 +47,7 @@ bool names_pocket(std::string_view name) {
   return all_are(magazine, is_digit) && all_are(pocket, is_digit) && std::max(magazine.size(), pocket.size()) <= max_digits;
 }
 
-/// Returns true for "common", "G54", "G54.1 P2": the names of work offsets on any control.
+/// Returns true for the form of a work offset's name on any control: "common", "G54", "G54.1 P2".
 bool is_like_work_offset(std::string_view name) {
   if (name == "common") return true;
   if (!name.starts_with("G")) return false;
@@ -290,7 +290,7 @@ std::optional<std::string> SetupNamesOf::parameter_fault(std::string_view name, 
   const bool whole = value == std::floor(value);
   if (text) {
     if (row->type != ParameterType::text) return plain_text(id::value_number, lang);
-    return std::nullopt;  // the control checks the characters
+    return std::nullopt;  // the control checks the characters of the value when it reads the parameter
   }
   if (!key->bit.empty()) {
     const bool number = key->bit.size() == 1 && key->bit[0] >= '0' && key->bit[0] <= '7';

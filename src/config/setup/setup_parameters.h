@@ -28,7 +28,7 @@ class SetupParameters {
   bool of_axis(const char* parameter, std::size_t axis, ParameterBit bit) const { return value(parameter, axes_[axis], bit); }
 
  private:
-  using Indices = std::vector<std::string>;  // the forms of an index, the most specific one first
+  using Indices = std::vector<std::string>;  // the indices under which a value may be given, the most specific one first
   double value(const char* parameter, const Indices& indices) const;
   bool value(const char* parameter, const Indices& indices, ParameterBit bit) const;
 

@@ -47,7 +47,7 @@ std::optional<double> number_or_vacant(const Json& value, const std::string& key
 
 inline constexpr std::pair<int, int> any_number = {0, max_number};
 
-/// Reads the number of a row: "3".
+/// Converts a key that is the number of a row, such as "3", to this number.
 int row_number(const std::string& name, const std::string& key, std::pair<int, int> range = any_number);
 
 template <class T>

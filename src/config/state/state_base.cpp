@@ -1,4 +1,4 @@
-// The SQLite database behind a state file: connection, marks, errors in words. Used by config/state/state_content.
+// The SQLite database of a state file: its connection, its application id and version, errors in words. Used by config/state/state_content.
 
 #include "config/state/state_base.h"
 
@@ -13,7 +13,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Small pages: a save writes only the pages that it changes. A merge of the log flushes the disk, so it is rare (state_file.cpp).
+// The pages are small, because a save writes only the pages that it changes. Merging the log into the file flushes the disk, so it is rare
+// (state_file.cpp).
 constexpr const char* before_opening = "PRAGMA page_size = 1024; PRAGMA locking_mode = EXCLUSIVE; PRAGMA trusted_schema = OFF";
 
 }  // namespace
@@ -95,7 +96,7 @@ Done vetted(const std::string& path) {
   if (path.empty()) return tl::unexpected(translated(texts::state_file::no_name));
   if (const std::string kind = file_type_in_words(path); !kind.empty())
     return tl::unexpected(translated(texts::state_file::is_not_a_file, path, kind));
-  std::error_code none;  // reads attributes only and does not open the file: closing it would release the locks of this process
+  std::error_code none;  // file_size() does not open the file: closing it would release the locks of this process
   const std::uintmax_t size = fs::file_size(path, none);
   if (!none && size == 0) return tl::unexpected(translated(texts::state_file::is_empty, path));
   if (!none && size > max_bytes) return tl::unexpected(translated(texts::state_file::too_long, path));

@@ -1,5 +1,5 @@
 #pragma once
-// The SQLite database behind a state file: connection, marks, errors in words. Only state_*.cpp use it.
+// The SQLite database of a state file: its connection, its application id and version, errors in words. Only state_*.cpp use it.
 
 #include <sqlite3.h>
 
@@ -18,7 +18,7 @@ using Done = tl::expected<void, std::string>;
 
 inline constexpr int application_id = 0x4B616472;  // "Kadr"
 inline constexpr int major_version = 2;            // changes if an older Kadr must not read the file; version 1 had no checksums
-inline constexpr int minor_version = 0;            // changes if there is additional data that an older version ignores
+inline constexpr int minor_version = 0;            // changes if the file gets additional data that an older Kadr ignores
 inline constexpr int minors_of_major = 1000;
 inline constexpr std::uintmax_t max_bytes = 256u << 20;  // greatest size of a state file; one with all tables full has 1 MB
 
@@ -54,26 +54,26 @@ class Base {
   /// Opens the existing file and locks it. As long as merges(false) applies, the file is not changed, not even by closing.
   Done connect();
   void merges(bool may);  // says whether closing may merge the log into the file
-  /// Call let_go() if the path now means another file: closing then leaves that other file and its log alone.
+  /// To be called if the path now means another file. Closing the database then changes neither that other file nor its log.
   void let_go() {
     merges(false);
     had_log_ = true;
   }
 
   SqlStatement prepared(const char* statement) const;
-  /// Returns the first column of the first row as text; nullopt if there is none, or it cannot be read.
+  /// Executes a query and returns the first column of its first row as text; nullopt if the query has no rows, or fails.
   std::optional<std::string> answer(const char* question) const;
   int run(const char* statements) const { return sqlite3_exec(connection_, statements, nullptr, nullptr, nullptr); }
   int last_error() const { return sqlite3_extended_errcode(connection_); }
   bool in_transaction() const { return sqlite3_get_autocommit(connection_) == 0; }
   int version() const;  // major and minor version as one number
 
-  /// Returns a text whose first placeholder is the file's name.
+  /// Returns an error with this text. The text's first placeholder is the file's name; `args` are for the others.
   template <std::size_t Holes, typename... Args>
   tl::unexpected<std::string> error(TextId<Holes> text, const Args&... args) const {
     return tl::unexpected(translated(text, name_, args...));
   }
-  /// Returns the sentence for a result code of SQLite.
+  /// Returns an error with the sentence for a result code of SQLite.
   tl::unexpected<std::string> failed(int code) const;
 
  private:
@@ -83,7 +83,7 @@ class Base {
   bool merges_ = false;
 };
 
-/// Returns "… is no state file of Kadr".
+/// Returns the error sentence "… is no state file of Kadr".
 std::string no_state_file_message(const std::string& name);
 
 /// Checks the file without opening it: the path is not empty, and the file is regular, not empty, and not too large. Never blocks.

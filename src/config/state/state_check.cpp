@@ -24,7 +24,7 @@ namespace fs = std::filesystem;
 
 constexpr std::size_t page_bytes = 1024;
 
-/// A temporary folder, removed with its owner.
+/// A temporary folder, which the destructor removes.
 class Folder {
  public:
   Folder() {

@@ -131,7 +131,7 @@ class Reader {
     sort();
   }
 
-  /// Takes one row. Returns false if the row was already read forwards.
+  /// Adds one row to the content, or reports its fault. Returns false if the row was already read forwards.
   bool take(sqlite3_stmt* row) {
     const std::string kind(text_at(row, 0)), key(text_at(row, 1));
     if (back_ && seen_ && std::pair(kind, key) <= *seen_) return false;

@@ -20,7 +20,7 @@
 
 namespace kadr::state {
 
-/// Returns the checksum of kind, key and value only.
+/// Returns the checksum of a row's kind, key and value only, without the totals.
 std::uint64_t sum_of_row(std::string_view kind, std::string_view key, const StateValue& value);
 
 /// The totals of the whole file, updated row by row.

@@ -55,11 +55,11 @@ class StateFile::Database {
   SqlStatement begin_, commit_, put_, remove_, whole_row_;
   Sums sums_;  // checksums of the rows in the file, by table and key
   Whole whole_;
-  // Checksums that the rows of a save had before it, until the save succeeds.
+  // Checksums that the rows had before the save in progress, to be restored if the save fails.
   std::vector<std::pair<std::string, std::optional<std::uint64_t>>> before_;
   std::vector<StateRow> unchecked_;   // all rows of a file without checksums
   bool old_ = false;                  // the file has no checksums yet
-  std::optional<FileId> file_, log_;  // identity of file and log when opened; nullopt: not yet
+  std::optional<FileId> file_, log_;  // identity of file and log when they were opened; nullopt: not opened yet
 };
 
 /// Returns true if the paths of file and log still mean the files that were opened. Otherwise, whatever is written to them is lost.
@@ -154,12 +154,12 @@ int StateFile::Database::step(const StateRow& row) {
   sum_is(name, sum);
   bind_row(put_.get(), row, sum, whole_);
   const int code = step(put_);
-  // For a new row, the totals are recorded as `whole` too: if the row were lost, the row of the turn before would have totals that fit a
-  // file without it.
+  // After a new row, the totals are recorded as `whole` too. Otherwise the loss of the new row would not be detected: the totals of the
+  // previous turn fit a file without this row.
   return code == SQLITE_OK && is_new ? put_whole() : code;
 }
 
-/// Records the totals as a turn that has no row.
+/// Stores the totals as `whole` in the table `about`: a turn that writes no row (state_content.h).
 int StateFile::Database::put_whole() {
   ++whole_.turn;
   const std::string text = whole_.text();
@@ -198,7 +198,7 @@ Done StateFile::Database::save(const std::vector<StateRow>& rows) {
   before_.clear();
   const bool alone = rows.size() == 1 && !old_ && !std::holds_alternative<std::monostate>(rows[0].value) &&
                      sums_.contains(static_cast<char>(rows[0].table) + rows[0].key);
-  int code = alone ? SQLITE_OK : step(begin_);  // a single statement is a transaction by itself
+  int code = alone ? SQLITE_OK : step(begin_);  // a single statement needs no BEGIN: it is a transaction by itself
   if (code == SQLITE_OK && old_) code = upgrade();
   for (std::size_t i = 0; i < rows.size() && code == SQLITE_OK; ++i) code = step(rows[i]);
   if (code == SQLITE_OK && !alone) code = step(commit_);

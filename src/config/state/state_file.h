@@ -32,7 +32,7 @@ enum class StateTable : std::uint8_t { offsets, work_offsets, variables, paramet
 inline constexpr std::array<std::string_view, 8> state_table_names = {"offsets",    "work_offsets", "variables",  "parameters",
                                                                       "tool_table", "place_table",  "form_table", "panel"};
 
-using StateValue = std::variant<std::monostate, double, std::string>;  // monostate: the row is removed
+using StateValue = std::variant<std::monostate, double, std::string>;  // in a change, monostate means that the row is removed
 
 /// One value. The keys use the names of the set-up:
 ///   offsets "5/length_wear" · work_offsets "G54.1 P2/X", "G54/G17" · variables "#500", the counters "#3901" and "#3902", the cutting
@@ -46,7 +46,7 @@ struct StateRow {
 };
 
 struct StoredState {
-  std::vector<StateRow> rows;  // sorted by table and key; empty: a new file
+  std::vector<StateRow> rows;  // the rows of the file, sorted by table and key; none in a new file
 };
 
 struct StateChanges {

@@ -30,7 +30,7 @@ OrderedJson axes(const AxisValues& values) {
   return to;
 }
 
-/// Adds {"name": row} for each row; adds nothing if there are none.
+/// Adds the table `key` to the object, with {"name": row} for each row. Adds nothing if there are no rows.
 template <class Map, class Name, class Row>
 void put_table(OrderedJson& to, const char* key, const Map& rows, Name name, Row row) {
   for (const auto& [number_or_name, value] : rows) to[key][name(number_or_name)] = row(value);

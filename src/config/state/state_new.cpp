@@ -80,7 +80,7 @@ int write_out(const std::string& path, const unsigned char* bytes, sqlite3_int64
 int name_anew(const std::string& from, const std::string& to) {
   if (::renameat2(AT_FDCWD, from.c_str(), AT_FDCWD, to.c_str(), RENAME_NOREPLACE) == 0) return 0;
   if (errno != EINVAL && errno != ENOSYS) return errno;
-  if (::link(from.c_str(), to.c_str()) == 0) {  // link() works on a file system that has no renameat2
+  if (::link(from.c_str(), to.c_str()) == 0) {  // link() also works on a file system that does not support RENAME_NOREPLACE
     ::unlink(from.c_str());
     return 0;
   }

@@ -1,4 +1,4 @@
-// Decomposes a polygon by ear clipping. Used by config/tools/convex_parts.
+// Decomposes a polygon into convex parts by ear clipping. Used by config/tools/insert_keys, stock/tool/insert_shape.
 
 #include "config/tools/convex_parts.h"
 

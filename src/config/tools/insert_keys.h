@@ -23,10 +23,11 @@ tl::expected<void, std::string> insert_of(const std::string& file, const toml::t
 /// Returns the value that the key `points` has for this insert: "-x-z", "centre".
 std::string_view name_of_tip(const InsertGeometry& insert);
 
-/// Sets the values that follow from others: `lead`, such that the bisector of the nose points straight away from the tip.
+/// Sets values that the file does not give: `flutes` of a round insert to its diameter, and the entering angle `lead`. The angle is such
+/// that the bisector of the nose points straight away from the tip; for a grooving insert it is 0° or 90°, as the tip points.
 void complete_insert(ToolGeometry& tool);
 
-/// Returns a message why the shape of the turning tool is not valid; empty if the shape is valid.
+/// Returns a message that says why the shape of the turning tool is not valid; empty if the shape is valid.
 std::string insert_fault_message(const ToolGeometry& tool);
 
 }  // namespace kadr

@@ -67,12 +67,13 @@ void merge(toml::table& under, toml::table&& over) {
   for (auto&& [key, node] : over) {
     toml::table* const old = under[key].as_table();
     if (toml::table* const table = node.as_table(); table != nullptr && old != nullptr) merge(*old, std::move(*table));
-    else node.visit([&, &name = key](auto& value) { under.insert_or_assign(name, std::move(value)); });  // moved, as a copy has no position
+    // The value is moved, because a copy of a node loses its position in the file
+    else node.visit([&, &name = key](auto& value) { under.insert_or_assign(name, std::move(value)); });
   }
 }
 
 std::string place(const std::string& file, const toml::node& node) {
-  const toml::source_path_ptr& path = node.source().path;  // this may be the path of the file that the file extends
+  const toml::source_path_ptr& path = node.source().path;  // path of the base file if the node comes from a file that `file` extends
   const auto line = node.source().begin.line;
   return (path ? *path : file) + ":" + (line == 0 ? "" : std::to_string(line) + ":") + " ";
 }

@@ -27,7 +27,7 @@ tl::expected<toml::table, std::string> parsed(std::string_view text, const std::
 /// Merges `over` into `under`: tables key by key; anything else is replaced.
 void merge(toml::table& under, toml::table&& over);
 
-/// Returns "file:line: ".
+/// Returns the location of a node, "file:line: ", as the beginning of an error sentence.
 std::string place(const std::string& file, const toml::node& node);
 
 /// Returns "file:line: " for a key of a row, or for the row if the key is missing. The key may come from another file than the row.

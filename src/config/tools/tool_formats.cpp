@@ -15,8 +15,8 @@
 namespace kadr {
 namespace {
 
-constexpr double assumed_length = 100;  // mm, length of a tool: a table of offsets does not contain it
-constexpr double assumed_edge = 10;     // mm, length of an insert's cutting edge: a table of offsets does not contain it
+constexpr double assumed_length = 100;  // mm; assumed length of a tool, which a table of offsets does not contain
+constexpr double assumed_edge = 10;     // mm; assumed length of an insert's cutting edge, which the table does not contain either
 
 bool ends_with_any(const std::string& path, std::initializer_list<std::string_view> endings) {
   const std::string small = in_small_letters(path);
@@ -44,7 +44,8 @@ ToolKind kind_in_words(std::string_view comment) {
   return ToolKind::flat;
 }
 
-/// Direction of the tip from the nose's centre, along x and z, by Q; as LinuxCNC's drawing of the tool (rs274/glcanon.py) has it.
+/// Direction from the nose's centre to the tip, along x and z; the index is the orientation Q. As in LinuxCNC's drawing of the tool
+/// (rs274/glcanon.py).
 constexpr struct { int x, z; } tips_by_q[] = {{0, 0}, {-1, 1}, {-1, -1}, {1, -1}, {1, 1}, {0, 1}, {-1, 0}, {0, -1}, {1, 0}, {0, 0}};
 
 /// Converts the direction of a cutting edge, in degrees from +z towards +x, to its angle from the feed direction along z that the

@@ -12,17 +12,17 @@
 namespace kadr {
 
 enum class ToolFormat : std::uint8_t {
-  toml,      // Kadr's own
-  linuxcnc,  // tool table, .tbl: T… P… D… ; diameters only
-  camotics,  // tool table or project, JSON: {"tools": {"1": {"shape": …}}}
-  freecad,   // .fctb, JSON: {"shape": "endmill.fcstd", "parameter": …}
+  toml,      // Kadr's own format
+  linuxcnc,  // LinuxCNC's tool table, .tbl, lines "T… P… D… ;…"; contains the diameters only
+  camotics,  // CAMotics' tool table or project, JSON: {"tools": {"1": {"shape": …}}}
+  freecad,   // FreeCAD's tool, .fctb, JSON: {"shape": "endmill.fcstd", "parameter": …}
   fusion,    // Fusion 360 library, JSON: {"data": [{"type": …, "geometry": …}]}
 };
 
 /// Recognises the format by the ending of the name (.toml, .tbl), else by the start of the text.
 ToolFormat tool_format_of(std::string_view text, const std::string& path);
 
-/// Return an error sentence with the file and, if known, the line.
+/// These functions read one format each. On failure they return an error sentence with the file and, if known, the line.
 tl::expected<ToolLibrary, std::string> tools_of_linuxcnc(std::string_view text, const std::string& file);
 tl::expected<ToolLibrary, std::string> tools_of_camotics(std::string_view text, const std::string& file);
 tl::expected<ToolLibrary, std::string> tools_of_freecad(std::string_view text, const std::string& file);

@@ -26,8 +26,8 @@ struct InsertPoint {
   friend bool operator==(const InsertPoint&, const InsertPoint&) = default;
 };
 
-/// The insert of a turning tool. ToolGeometry::corner is its nose radius, `angle` the included angle of the nose (0: a round insert),
-/// `flutes` the length of its cutting edges from the sharp corner, `length` the length of the insert's sides.
+/// The insert of a turning tool. ToolGeometry::corner is the nose radius of the insert, `angle` the included angle of the nose (0: a round
+/// insert), `flutes` the length of its cutting edges from the sharp corner, `length` the length of the insert's sides.
 struct InsertGeometry {
   /// Direction from the nose's centre to the programmed point: -1, 0, 1 along x and z. Both 0: the programmed point is the centre.
   int tip_x = 0, tip_z = 0;
@@ -44,7 +44,7 @@ struct ToolGeometry {
   ToolKind kind = ToolKind::flat;
   double diameter = 0;
   double corner = 0;                  // corner radius of a bull nose mill
-  double angle = 0;                   // see ToolKind
+  double angle = 0;                   // angle of a taper, drill or chamfer tool (see ToolKind), or of an insert's nose
   double tip = 0;                     // diameter of the flat end of a chamfer tool or drill
   double flutes = 0;                  // height of the cutting part (flute length)
   double length = 0;                  // stick-out: height of the holder's face above the tip

@@ -48,7 +48,7 @@ double amount(const json& value, double unit) {
   return number * (rest.find("in") != std::string_view::npos || rest.find('"') != std::string_view::npos ? mm_per_inch : 1);
 }
 
-/// Adds the tool if its shape is valid; else adds a note why not.
+/// Adds the tool to the library if its shape is valid; else adds a note that says why the tool is left out.
 void take(ToolLibrary& library, ToolGeometry tool, const std::string& file, const std::string& shape) {
   complete(tool);
   const std::string fault = tool_fault_message(tool);
@@ -196,7 +196,7 @@ tl::expected<ToolLibrary, std::string> tools_of_camotics(std::string_view text, 
   return not_empty(std::move(library), file);
 }
 
-/// Reads a single tool without a number: it stands for whatever tool the program calls.
+/// Reads a single tool, which has no number: the library then returns it for every tool that a program calls (ToolLibrary::find()).
 tl::expected<ToolLibrary, std::string> tools_of_freecad(std::string_view text, const std::string& file) {
   const auto root = parsed_json(text, file);
   if (!root) return Failed(root.error());

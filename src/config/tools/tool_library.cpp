@@ -34,7 +34,8 @@ constexpr std::string_view tool_keys[] = {"number",  "name",         "kind",   "
                                           "tip",     "flute_length", "length", "profile",  "shank",  "holder",
                                           "plunges", "flute_count",  "points", "lead",     "width"};
 
-/// Keys of older files whose names mean something else in the trade (`flutes` was a length). They are still read.
+/// Keys of files for earlier versions of Kadr, and their replacements. The old names mean something else in the trade (`flutes` was a
+/// length), but they are still read.
 struct OldKey {
   std::string_view old, now;
 };

@@ -20,7 +20,7 @@ inline constexpr int teeth = 1'000;                   // greatest number of cutt
 
 struct ToolLibrary {
   std::vector<ToolGeometry> tools;
-  bool in_machine_units = false;   // lengths are in the machine's units, as in a machine's own table; see take_unit()
+  bool in_machine_units = false;   // lengths are in the machine's units, as in a control's own tool table; take_unit() converts them
   std::vector<std::string> notes;  // one sentence for each thing that was left out or assumed
 
   /// Returns nullptr if there is no tool with this number. If the library has a single tool, whose number
@@ -28,17 +28,17 @@ struct ToolLibrary {
   const ToolGeometry* find(std::uint32_t number) const;
 };
 
-/// Returns a message why the shape is not valid: "diameter is missing"; empty if it is valid.
+/// Returns a message that says why the shape is not valid, such as "diameter is missing"; empty if the shape is valid.
 std::string tool_fault_message(const ToolGeometry& tool);
 
 /// If neither flute length nor stick-out is given, assumes the usual ones for the diameter: 3 and 5 diameters, for drills 8 and 10.
-///   returns  true if they were assumed
+///   returns  true if the two lengths were assumed
 bool assume_heights(ToolGeometry& tool);
 
-/// Derives what was not given: flutes as long as the tool, or a tool as long as its flutes.
+/// If only the flute length or only the stick-out is given, sets the other to the same length.
 void complete(ToolGeometry& tool);
 
-/// Converts a library in the machine's units to mm. `mm`: length of the machine's unit.
+/// Converts a library in the machine's units to mm. `mm`: length of the machine's unit in mm.
 void take_unit(double mm, ToolLibrary& library);
 
 /// Reads Kadr's own format.

@@ -13,7 +13,8 @@ namespace kadr {
 ///   returns  on failure, an error sentence that names the tool
 tl::expected<ToolLibrary, std::string> tools_of_list(std::string_view json);
 
-/// law  tools_of_list() reads the same tool from the result
+/// Converts a tool to a JSON object.
+///   law  tools_of_list() reads the same tool from the result
 nlohmann::ordered_json tool_json(const ToolGeometry& tool);
 
 }  // namespace kadr
