@@ -63,14 +63,14 @@ Status StatementReader::read(Keyword keyword) {
     case Keyword::goto_: return jump(begin);
     case Keyword::print_binary:
     case Keyword::print_decimal: return print(keyword, begin);
-    case Keyword::prm: return fail(alarm(AlarmId::illegal_address, span(begin, cursor_.at), "PRM"));  // PRM only right of = (24.2)
+    case Keyword::prm: return fail(alarm(AlarmId::illegal_address, span(begin, cursor_.at), "PRM"));  // nct 24.2: PRM only right of =
     case Keyword::names: return variable_names(begin);
     case Keyword::then_: return fail(alarm(AlarmId::expression_syntax, span(begin, cursor_.at), "THEN"));
     default: return device(keyword, begin);
   }
 }
 
-/// Reads IF[…] GOTOn, IF[…] THEN statement or words, IF[…] statement or words (23.2.9, 23.2.10). The lexer reads the words.
+/// Reads IF[…] GOTOn, IF[…] THEN statement or words, IF[…] statement or words (nct 23.2.9, 23.2.10). The lexer reads the words.
 Status StatementReader::branch() {
   block_.statement.with_if = true;
   KADR_TRY(condition());
@@ -87,13 +87,13 @@ Status StatementReader::branch() {
   if (next != Keyword::none) return read(next);
   const char c = cursor_.peek();
   const bool ends = c == '\0' || c == '(';
-  if (ends && grammar_.condition_alone) {  // spec/haas 2.3: a condition alone, without effect
+  if (ends && grammar_.condition_alone) {  // spec/haas 2.3: a condition may be alone in its block, and then has no effect
     block_.statement.kind = StatementKind::words;
     return {};
   }
   if (!is_letter(c) && c != ',' && !is_high(c)) return syntax(cursor_.at);
   if (!grammar_.condition_words) return fail(alarm(AlarmId::statement_not_alone, span(cursor_.at, cursor_.at + 1)));
-  block_.statement.kind = StatementKind::words;  // 23.2.10 does not say what may follow: words of a block too, as on a Fanuc
+  block_.statement.kind = StatementKind::words;  // nct 23.2.10 does not state what may follow; words of a block may, as on a Fanuc
   return {};
 }
 
@@ -182,7 +182,7 @@ Status StatementReader::assignment(std::size_t begin) {
   }
   Cursor ahead = cursor_;
   ahead.skip_blanks();
-  if (grammar_.assignment_and_words && ahead.peek() == '#')  // spec/haas 10: alarm 501
+  if (grammar_.assignment_and_words && ahead.peek() == '#')  // spec/haas 10: a second assignment raises alarm 501
     return fail(alarm(AlarmId::statement_not_alone, span(ahead.at, ahead.at + 1)));
   return ended(begin);
 }

@@ -23,7 +23,7 @@ class WordReader {
   /// Reads sign, digits, decimal point or expression after the address at the cursor. `begin`: start of the word, for alarms.
   Status value(Word& w, const WordFormat& format, std::size_t begin);
 
-  /// Reads `R2+50`, which sets R2; the sign is mandatory, INFERRED: without one it is + (2С42 6.3.7).
+  /// Reads `R2+50`, which sets R2. The manual demands the sign (2С42 6.3.7); INFERRED: a number without a sign is positive.
   Status formal_parameter(std::size_t begin);
   /// Reads `#12+50.`, a formal parameter with a special sign as its letter (spec/correctors 3); an alarm reports anything else as
   /// unexpected.

@@ -120,7 +120,8 @@ class Compiler : public StepWriter {
     const ExpressionRow* const found = row_here(grammar_.expression.relations, length);
     if (found == nullptr) {
       const bool holds_one = grammar_.conditions_are_values || is_condition_;
-      if (cursor_.peek() == ']' && holds_one && grammar_.expression.operators.compare()) return {};  // the comparison was an operator
+      // the condition was a comparison written with an operator
+      if (cursor_.peek() == ']' && holds_one && grammar_.expression.operators.compare()) return {};
       if (cursor_.peek() == '=') return fail(alarm(AlarmId::terminator_wrong, span(begin, begin + 1), '='));
       return wrong(begin);
     }
@@ -129,7 +130,7 @@ class Compiler : public StepWriter {
     return step(found->op, 0, begin, -1);
   }
 
-  /// Compiles #<name> (spec/linuxcnc 4.2). `use`: variable_at pushes the variable's value, number pushes its number.
+  /// Compiles #<name> (spec/linuxcnc 4.2). `use`: Op::variable_at pushes the variable's value, Op::number pushes the variable's number.
   Status named(std::size_t begin, Op use) {
     const std::size_t open = cursor_.at;
     const std::size_t close = cursor_.text.find('>', open);
@@ -249,7 +250,7 @@ class Compiler : public StepWriter {
     return step(row.op, 0, begin, -1);
   }
 
-  /// Warns of ATAN[a]/[b]: on a Fanuc it is a function of both numbers, here ATAN[a] is divided by b (23.2.6).
+  /// Warns of ATAN[a]/[b]: a Fanuc computes one function of both numbers, this control divides ATAN[a] by b (nct 23.2.6).
   void warn_of_quotient(std::size_t begin, std::size_t operand) {
     if (cursor_.text[operand] != '[') return;
     Cursor ahead = cursor_;
@@ -260,10 +261,11 @@ class Compiler : public StepWriter {
     if (ahead.peek() == '[') block_.warnings.push_back(warning(AlarmId::arctangent_divides, span(begin, ahead.at)));
   }
 
-  /// Compiles PRM[n], PRM[n,bit], …/[index] (24.2); an omitted bit or index is vacant.
+  /// Compiles PRM[n] and PRM[n,bit], each also with /[index] (nct 24.2). An omitted bit or index is vacant.
   Status control_value(std::size_t begin) {
     cursor_.at = begin + 3;
-    if (!reads_parameters_) return fail(alarm(AlarmId::illegal_address, span(begin, cursor_.at), "PRM"));  // 24.2: only in an assignment
+    // nct 24.2: PRM only in an assignment
+    if (!reads_parameters_) return fail(alarm(AlarmId::illegal_address, span(begin, cursor_.at), "PRM"));
     cursor_.skip_blanks();
     if (cursor_.peek() != '[') return wrong(cursor_.at);
     const std::size_t open = cursor_.at++;
