@@ -15,7 +15,8 @@ std::optional<double> lettered_drill(char letter);
 /// 1-8, 8-32. Returns nullopt if there is no such screw, or for a pipe thread (1/8-27 NPT), whose name is not its diameter. ASME B1.1,
 /// B1.20.1.
 std::optional<double> inch_thread(double size, double threads_per_inch);
-/// Returns true if there is such a metric thread (M8). ISO 261. (There is no M29: it is a code, rigid tapping.)
+/// Returns true if ISO 261 has a metric thread with this nominal diameter, mm: 8 for M8. (M29 is not a thread, but the code of rigid
+/// tapping.)
 bool is_metric_thread(double diameter);
 
 }  // namespace kadr

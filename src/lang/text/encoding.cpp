@@ -125,7 +125,7 @@ constexpr std::array<std::string_view, 33> pair_cost = {
     "xznrniqmzxrtjlzvmojzznnrzmzzzzkqb",  // я
     "nlhmjpsjjzinkihejhkkmpnmotzyyozrz",  // start of a word
 };
-// of a capital after a small letter, or a small letter after two capitals: this hints at a wrong encoding
+// cost of a capital after a small letter, or of a small letter after two capitals: such letters indicate the wrong encoding
 constexpr int mixed_case_cost = 24;
 constexpr int typography_cost = 20;  // №, quotes, dashes, degrees: rare, but they occur in text
 constexpr int other_sign_cost = 48;  // box-drawing characters, fractions, letters of other languages

@@ -19,7 +19,7 @@ struct CommentToken {
   bool has_point = false;     // has a decimal point or comma: 6. 0.5 6,5
   std::uint8_t decimals = 0;  // number of digits after the decimal point
   bool leads_point = false;   // starts with the decimal point: .5
-  bool is_fraction = false;   // 3/8: a fraction of an inch, with a denominator found on rulers
+  bool is_fraction = false;   // 3/8: a fraction of an inch, with a denominator as on rulers
   bool is_broken = false;     // 3/7, 3/4/21, 1.2.3: not a valid figure
 };
 

@@ -19,7 +19,7 @@ class ToolSize {
   std::optional<double> corner(std::optional<double> diameter) const;
 
  private:
-  using Sizes = std::vector<double>;  // mm, all found by one rule; they must agree
+  using Sizes = std::vector<double>;  // sizes in mm that one rule has found; they must agree
   bool has(std::size_t i) const { return i < pieces_.size(); }
   bool says(std::size_t i, WordHints what) const { return has(i) && pieces_[i].meaning.is(what); }
   bool is(std::size_t i, FigureIs what) const { return has(i) && pieces_[i].is_figure() && pieces_[i].figure == what; }
