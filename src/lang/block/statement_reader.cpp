@@ -25,7 +25,7 @@ constexpr KeywordRow keywords[] = {
     {"PRM", Keyword::prm},          {"SETVN", Keyword::names},
 };
 
-/// Returns true if #number is a variable to which a program writes to show a message (23.1.8).
+/// Returns true if #number is a variable to which a program writes to show a message (nct 23.1.8).
 bool is_message(double number) { return number == 3000 || number == 3006 || number == 3106 || number == 3107; }
 
 }  // namespace
@@ -131,7 +131,7 @@ Status StatementReader::loop_end(std::size_t begin) {
   return ended(begin);
 }
 
-/// Reads the number of a loop: 1, 2 or 3 (23.2.11).
+/// Reads the number of a loop: 1, 2 or 3 (nct 23.2.11).
 Status StatementReader::loop_number(std::size_t begin) {
   cursor_.skip_blanks();
   Number read;
@@ -209,7 +209,7 @@ Status StatementReader::variable_names(std::size_t begin) {
   return ended(begin);
 }
 
-/// Reads POPENn, PCLOSn, FOPENn Pp or <name>, FCLOS (23.2.13).
+/// Reads POPENn, PCLOSn, FOPENn Pp or <name>, FCLOS (nct 23.2.13).
 Status StatementReader::device(Keyword keyword, std::size_t begin) {
   Statement& s = block_.statement;
   s.kind = keyword == Keyword::open_port    ? StatementKind::open_port

@@ -67,7 +67,7 @@ class Compiler : public StepWriter {
     return is_small ? Status() : step(Op::element, symbol_own_number, begin, 0);
   }
 
-  /// Compiles the part after '#': digits, […], _NAME[…] (23.1.1); `##n` is an error.
+  /// Compiles the part after '#': digits, […], _NAME[…] (nct 23.1.1); `##n` is an error.
   Status reference(bool& constant_number, double& number) {
     cursor_.skip_blanks();
     const std::size_t begin = cursor_.at, first = block_.code.size();
@@ -101,7 +101,7 @@ class Compiler : public StepWriter {
     return constant_number ? step(Op::variable_at, number, begin, 1) : step(Op::variable, 0, begin, 0);
   }
 
-  /// Reports `WHILE #1=5`: an assignment in the place of a condition (23.2.11).
+  /// Reports `WHILE #1=5`: an assignment in the place of a condition (nct 23.2.11).
   Status no_assignment() {
     const std::size_t begin = cursor_.at++;
     KADR_TRY(variable(begin));
@@ -294,7 +294,7 @@ class Compiler : public StepWriter {
     return step(Op::control_value, 0, begin, -2);
   }
 
-  /// Compiles a named system variable: _ABSIO[3], _ALM (23.1.1).
+  /// Compiles a named system variable: _ABSIO[3], _ALM (nct 23.1.1).
   Status symbol(bool& constant_number, double& number) {
     const std::size_t begin = cursor_.at++;
     std::string name;

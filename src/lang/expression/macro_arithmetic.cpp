@@ -19,7 +19,7 @@ Result<std::uint32_t> bits_of(double v, Span where) {
   return static_cast<std::uint32_t>(std::llround(v));
 }
 
-/// Converts 32 bits back to a number, which is signed (23.2.3 item 4).
+/// Converts 32 bits back to a number, which is signed (nct 23.2.3 item 4).
 double number_of(std::uint32_t bits) { return static_cast<std::int32_t>(bits); }
 
 Result<double> logic(Op op, double a, double b, Span where) {

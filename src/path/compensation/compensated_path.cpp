@@ -36,7 +36,7 @@ void RadiusCompensation::release_first() {
   Held& first = held(0);
   if (mended != RepairOutcome::sound) {
     const Origin origin = held(mended == RepairOutcome::first_fails ? 0 : 1).origin;
-    // with a further look-ahead (N1404) the alarm comes before this motion
+    // if N1404 sets a further look-ahead, the alarm comes before this motion is emitted
     if (mended == RepairOutcome::next_fails && now_.check.further == 0) (void)let_go(first);
     const AlarmId id = first.end.count > 0 ? AlarmId::compensation_interference : AlarmId::compensation_no_intersection;
     if (!fault_) fault(alarm(id, {}), origin);
@@ -74,7 +74,7 @@ void RadiusCompensation::go_around_corner(const Held& first) {
   now_.vector = first.end.last();
 }
 
-/// Joins the first motion of the window with a later motion if that resolves an interference (15.5.7). The motions between are dropped,
+/// Joins the first motion of the window with a later motion if that resolves an interference (NCT 15.5.7). The motions between are dropped,
 /// but the actions after them are kept.
 RadiusCompensation::RepairOutcome RadiusCompensation::mend_first() {
   Held& first = held(0);
@@ -112,7 +112,7 @@ bool RadiusCompensation::let_go(Held& held) {
   } else if (is_arc(m.kind)) {
     const double turns = compensated_turns(held.element, held.start_vector, end_vector);
     if (turns * held.element.turns > 0) m.turns = std::fabs(turns);
-    // the tool does not fit into the arc, which becomes a line: the interference check is off (15.5.7, IEN=0)
+    // the interference check is off (NCT 15.5.7, IEN=0), and the tool does not fit into the arc: the arc becomes a line
     else m.kind = MotionKind::feed, m.turns = 0;
   }
   watch_path(held, end_vector);
@@ -123,7 +123,7 @@ bool RadiusCompensation::let_go(Held& held) {
   return true;
 }
 
-/// Handles a change of side without an intersection after an arc: an arc of the programmed radius joins the compensated ends (15.5.4).
+/// Handles a change of side without an intersection after an arc: an arc of the programmed radius joins the compensated ends (NCT 15.5.4).
 bool RadiusCompensation::rejoin(Motion& m, const Held& held, Vec2 end_vector) const {
   const ContourElement& e = held.element;
   const Vec2 a = e.from + held.start_vector, b = e.to + end_vector, chord = b - a;
@@ -138,7 +138,7 @@ bool RadiusCompensation::rejoin(Motion& m, const Held& held, Vec2 end_vector) co
   return true;
 }
 
-/// Moves the tool from the current vector to the vector `to` along an arc about the programmed point (15.5.6).
+/// Moves the tool from the current vector to the vector `to` along an arc about the programmed point (NCT 15.5.6).
 void RadiusCompensation::round(Vec2 to, const Origin& origin, const Motion& like) {
   const double swept = angle_deg({dot(now_.vector, to), cross(now_.vector, to)});  // swept angle, degrees, counter-clockwise positive
   const bool cw = like.side > 0;

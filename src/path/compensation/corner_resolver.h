@@ -5,8 +5,8 @@
 //
 //   programmed ──▶ held motion k · actions between ──▶ corner k/k+1 ──▶ motion k · chamfer or rounding · actions between · (k+1)
 //
-// The output consists of ordinary motions; cutter radius compensation comes after it. If an over-determined block may still move the end
-// of motion k+1, it cannot be checked yet whether k+1 is long enough for the chamfer or rounding at its start: motion k and its corner
+// The output consists of ordinary motions, which cutter radius compensation then processes. If an over-determined block may still move the
+// end of motion k+1, it is not known yet whether k+1 is long enough for the chamfer or rounding at its start. Then motion k and its corner
 // wait until motion k+1 has an end.
 
 #include "action/tool_position.h"
@@ -17,8 +17,8 @@ namespace kadr {
 
 class CornerResolver {
  public:
-  /// What follows a batch: more actions; nothing that could form a corner with the last motion; or an alarm, after which the corner stays
-  /// as programmed.
+  /// What follows a batch: more actions; nothing that could form a corner with the last motion; or an alarm, before which the last corner
+  /// is left as programmed.
   enum class Follows : std::uint8_t { more, nothing, alarm };
 
   /// `start`: position of the tool before the first action.

@@ -12,8 +12,8 @@
 namespace kadr {
 namespace {
 
-constexpr double least_speed_by_time = 0.1;  // least speed with inverse-time feed, units/min (inverse_time_rate_straight of the source)
-constexpr double least_way_by_time = 1e-7;   // least length with inverse-time feed, mm (find_straight_length of the source)
+constexpr double least_speed_by_time = 0.1;  // least speed with inverse-time feed, units/min (inverse_time_rate_straight of LinuxCNC)
+constexpr double least_way_by_time = 1e-7;   // least length with inverse-time feed, mm (find_straight_length of LinuxCNC)
 
 /// Returns the number of started revolutions of an arc, counter-clockwise positive.
 int turn_of(const Motion& m) {

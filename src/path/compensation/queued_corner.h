@@ -1,7 +1,7 @@
 #pragma once
 // Computes the corners of a compensated contour as LinuxCNC does (spec/linuxcnc 7.5; convert_straight_comp2, convert_arc_comp2 of its
-// source). The type of the corner follows from the angle between the elements on the tool's side, measured from the tool's position at
-// the end of the previous element before it is shortened.
+// source). The type of the corner follows from the angle between the elements on the tool's side. The angle is measured from the tool's
+// position at the end of the previous element, before a corner shortens that element.
 //
 //      outer: an arc about p            straight on: nothing           inner: both end at `at`
 //        ───────╮ (tool)                  ──────┬──────                   (tool) ──┼ at

@@ -12,8 +12,8 @@ namespace kadr {
 namespace {
 
 constexpr double radii_apart = 0.01;       // greatest difference of an arc's radii, in the block's length unit (move_endpoint_and_flush)
-constexpr double more_swept_mm = 0.0254;   // by how much an arc may become longer than programmed, rad, in a block in mm;
-constexpr double more_swept_inch = 0.001;  // in a block in inches: the source converts the angle like a length
+constexpr double more_swept_mm = 0.0254;   // rad; how much an arc's swept angle may exceed the programmed one, in a block in mm
+constexpr double more_swept_inch = 0.001;  // the same in a block in inches: LinuxCNC's source converts the angle like a length
 constexpr double no_arc = 1e-9;            // rad: a smaller swept angle counts as a full circle
 
 /// Directions from the centre of a turning tool's nose to its programmed tip, as (Z, X) (latheorigin_z, latheorigin_x).

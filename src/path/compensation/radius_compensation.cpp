@@ -27,7 +27,7 @@ CornerJoin join_of(const Motion& m, const Motion& next) {
   return rapid && m.join_corner == CornerJoin::arc ? CornerJoin::extended : m.join_corner;
 }
 
-/// Returns a single vector, to the point where the offsets meet, for inside and outside corners (15.5.1, 15.5.3, 15.5.4). `otherwise`:
+/// Returns a single vector, to the point where the offsets meet, for inside and outside corners (NCT 15.5.1, 15.5.3, 15.5.4). `otherwise`:
 /// the vector to return if the offsets do not meet.
 JunctionVectors meeting(const OffsetElement& first, const OffsetElement& second, Vec2 point, Vec2 otherwise) {
   return single(intersection(first, second, point).value_or(otherwise));
@@ -129,7 +129,7 @@ void RadiusCompensation::motion(Action& action) {
     leave();
     now_.at.take(m);
     deliver(std::move(action));
-  } else if (named && !now_.keeps_vector) {  // zero displacement (15.5.1, 15.5.2): the block moves the tool to the next vector
+  } else if (named && !now_.keeps_vector) {  // zero displacement (NCT 15.5.1, 15.5.2): the block moves the tool to the next vector
     flush({});
     now_.at.take(m);
     now_.zero = std::move(action);
@@ -196,7 +196,7 @@ void RadiusCompensation::hold(Action& action, const ContourElement& element, Vec
   Held& now = held(now_.count++);
   now.motion = std::move(std::get<Motion>(action.what));
   now.origin = action.origin;
-  if (&now.element != &element) now.element = element;  // the interference check has dropped blocks between
+  if (&now.element != &element) now.element = element;  // the interference check has dropped the blocks between the two motions
   now.start_vector = start_vector;
   now.end.count = 0;
   now.rejoins = now.regular = false;
@@ -222,8 +222,8 @@ void RadiusCompensation::corner(Action& action) {
   if (!fault_) round(before.tool_radius * side_normal(1 / length(*way) * *way, before.side), action.origin, before);
 }
 
-/// Ends the contour, because no motion in the plane follows. The last stored motion ends with `vector`; if it is empty, with the vector
-/// perpendicular to the motion's end.
+/// Ends the contour, because no motion in the plane follows. The last stored motion ends with `vector`. If `vector` is empty, the motion
+/// ends with the vector perpendicular to its end.
 void RadiusCompensation::flush(std::optional<Vec2> vector) {
   if (now_.zero) {
     auto& m = std::get<Motion>(now_.zero->what);
@@ -240,7 +240,7 @@ void RadiusCompensation::flush(std::optional<Vec2> vector) {
 }
 
 /// Handles G40 without a motion in the plane: the tool moves to the vector perpendicular to the end of the last block, then straight to
-/// the programmed point (15.5.3).
+/// the programmed point (NCT 15.5.3).
 void RadiusCompensation::leave() {
   if (now_.count == 0) return flush(Vec2{});
   const Motion like = last_held().motion;

@@ -1,7 +1,7 @@
 #pragma once
-// RadiusCompensation: cutter radius compensation: converts programmed actions to actions of the tool's centre. A motion, and the actions
-// after it, are stored until the next motion in the plane determines the corner between the two motions; the interference check needs
-// more stored motions. NCT 15.5.
+// RadiusCompensation converts programmed actions to actions of the tool's centre (cutter radius compensation). A motion, and the actions
+// after it, are stored until the next motion in the plane determines the corner between the two motions. The interference check needs more
+// stored motions. NCT 15.5.
 //
 //   programmed ──▶ window: motion k · actions between · motion k+1 … ──▶ junction k/k+1, check ──▶ motion k · actions between · corner
 //
@@ -54,7 +54,8 @@ class RadiusCompensation {
  private:
   // greatest number of actions between two motions in the plane; the limit of the NCT control is unknown
   static constexpr std::size_t max_waiting = 64;
-  // 3, up to 8 by N1404 (15.5.7), and the motion that arrives; rounded up to a power of two
+  // greatest number of stored motions: 3, or up to 8 by parameter N1404 (NCT 15.5.7), and the motion that arrives; rounded up to a power of
+  // two
   static constexpr std::size_t max_held = 16;
 
   /// A motion of the contour, and the actions between this motion and the next.
@@ -64,10 +65,10 @@ class RadiusCompensation {
     ContourElement element;
     Vec2 start_vector;
     JunctionVectors end;            // vectors at its end; empty: unknown, or the offsets do not meet
-    bool rejoins = false;           // an arc of the programmed radius joins the compensated ends (15.5.4)
+    bool rejoins = false;           // an arc of the programmed radius joins the compensated ends (NCT 15.5.4)
     bool regular = false;           // `end` follows from the corner rules, and the tool is on the same side of this motion and the next
     std::uint64_t number = 0;       // number of the motion's contour piece in GougeDetector
-    bool watched = false;           // true if the tool on this path must not cut into the contour
+    bool watched = false;           // true if GougeDetector checks that the tool on this path does not cut into the contour
     std::vector<Action> waiting{};  // actions after the motion
   };
 

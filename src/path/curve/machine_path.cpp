@@ -12,7 +12,7 @@
 namespace kadr {
 namespace {
 
-constexpr int max_chords_of_motion = 20'000;  // of one motion
+constexpr int max_chords_of_motion = 20'000;  // greatest number of chords of one motion
 
 /// Returns true if a rotary axis moves under tool centre point control: then the axes do not move along a straight line.
 bool turns_with_tip_control(const ToolPosition& from, const Motion& motion) {
@@ -97,8 +97,9 @@ int MachinePath::samples_with_tip_control() const {
   return std::clamp(static_cast<int>(way / between) + least, curve_.samples(), std::max(curve_.samples(), most));
 }
 
-/// Where rotary axes curve the path, the deviation from the chord is measured in the middle of a few pieces and extrapolated: it is
-/// proportional to h², with h the length of a piece. The aim is half of the permitted deviation, as a reserve.
+/// Where rotary axes curve the path, the deviation from the chord is measured in the middle of a few pieces. The number of pieces follows
+/// from it, because the deviation is proportional to h², with h the length of a piece. The aim is half of the permitted deviation, as a
+/// reserve.
 int MachinePath::pieces(double chord) const {
   const int of_curve = curve_.pieces(chord);
   // a motion that deviates by less than this multiple of `chord` stays one piece, because it meets its neighbours at corners anyway

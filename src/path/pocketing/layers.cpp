@@ -154,7 +154,7 @@ class Layers {
     descend(start, again);
   }
 
-  /// Moves to the point above the material or above the ground cut by the previous layer, then down.
+  /// Moves to a position at some height over `point` (above the material, or above the ground cut by the previous layer), then down.
   void descend(Vec2 point, bool again) {
     approach(point, again);
     go(MoveKind::plunge, {point.x, point.y, level_});
@@ -191,7 +191,8 @@ class Layers {
   void down_ramp(const Ramp& ramp) {
     const Polygon& corners = ramp.corners;
     const double drop = ground_ - level_, slope = std::tan(job_.ramp_deg * rad_per_deg), step = job_.level_step;
-    // bound, in case rounding prevents progress between close corners; the last motions are then as steep as necessary
+    // greatest number of strokes, in case rounding of Z prevents progress between close corners; the last motions are then as steep as
+    // necessary
     const int most = 4 * ramp.times + 4;
     double gone = 0, z = ground_;
     for (int i = 0; i < ramp.times || (z > level_ && i < most) || (!ramp.round && i % 2 == 1); ++i)

@@ -21,8 +21,8 @@ struct PassStart {
   Edges path;
 };
 
-/// Returns the pass with the path from `from`, where the tool has arrived in the direction `out`. A closed pass (ring) is entered along a
-/// double arc if there is room.
+/// Returns the start of a pass, and the path to this start from `from`, where the tool has arrived in the direction `out`. A closed pass
+/// (ring) is entered along a double arc if there is clearance for the arcs.
 std::optional<PassStart> pass_start_from(const Field& field, const Job& job, const Pass& pass, Vec2 from, std::optional<Vec2> out);
 
 /// Returns the ring with its start moved to the point nearest to `p`.

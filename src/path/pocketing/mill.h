@@ -22,7 +22,8 @@ enum class Scheme : std::uint8_t {
   comb_then_contour,    // 1ШТИП: comb, then a pass along the boundary
   contour_then_comb,    // 2ШТИП: a pass along the boundary, then comb
 };
-enum class Direction : std::uint8_t { ccw, cw };  // direction of travel around the zone, ПЧС and ЧС; ccw is climb milling along a wall (M3)
+// direction of travel around the zone, ПЧС and ЧС; with M3, ccw is climb milling along a wall
+enum class Direction : std::uint8_t { ccw, cw };
 enum class Plunge : std::uint8_t {
   hole,        // ЗАСВ: straight down into a predrilled hole
   tangential,  // КАС: down next to the pass, then into the pass along an arc
@@ -69,13 +70,13 @@ struct Move {
   double bulge = 0;  // arc shape, defined as in Edge; 0: straight
 };
 
-/// Counts how often the tool plunges into uncut material, by the way it does so.
+/// Counts how often the tool plunges into uncut material, by the type of the plunge.
 struct Plunges {
   std::size_t ramps = 0;     // plunges back and forth along a ramp
   std::size_t helices = 0;   // plunges along a helix
   std::size_t straight = 0;  // vertical plunges into the material, for Plunge::tangential
   std::size_t drilled = 0;   // plunges into predrilled holes
-  std::size_t no_room = 0;   // number of plunges into predrilled holes that replace a ramp for which there was no room
+  std::size_t no_room = 0;   // plunges into predrilled holes where a ramp had no clearance
 };
 
 struct AreaPath {

@@ -16,7 +16,7 @@ constexpr double fine = tol::area_wall / 4;         // chord tolerance, mm, of a
 constexpr double coarse = 0.02;                     // chord tolerance, mm, of a ramp away from walls; gives fewer blocks
 constexpr double shortest = 2, longest = 6;         // length of a stroke in tool radii, where there is room
 constexpr double good_extent = 2;                   // extent in tool radii with which the search for a wider ramp ends
-constexpr double helices[] = {0.8, 0.5, 0.3, 0.2};  // helix radii to try, in tool radii; up to 1 no core remains
+constexpr double helices[] = {0.8, 0.5, 0.3, 0.2};  // helix radii to try, in tool radii; a radius up to 1 leaves no core
 constexpr double good_helix = 0.5;
 constexpr double lines[] = {6, 4, 2, 1, 0.4};  // lengths of straight ramps to try, in tool radii
 constexpr int directions = 24;                 // directions tried around the start

@@ -11,7 +11,7 @@
 namespace kadr::area {
 namespace {
 
-constexpr double nudge = 2e-5;  // mm: distance of the first and the last row from the edge of the area, so that they cross the loops
+constexpr double nudge = 2e-5;  // mm: distance of the first and the last row from the border of the area, so that they cross the loops
 
 /// A point where a row crosses a loop.
 struct Crossing {
@@ -197,7 +197,8 @@ class Rows {
     return cell;
   }
 
-  /// Returns the back-and-forth path through a cell; if rows follow the boundary, they do so at both ends.
+  /// Returns the back-and-forth path through a cell. If the rows are joined along the boundary, the boundary is cut at both ends of each
+  /// row.
   Edges through(const std::vector<std::size_t>& cell, bool up, bool right) const {
     Edges path;
     for (std::size_t i = 0; i < cell.size() && !job_.watch.stop.asked(); ++i, right = !right) {

@@ -16,7 +16,7 @@ constexpr double straight_on = 1e-12;  // |Δu| below which two pieces count as 
 constexpr double sharp = 0.3;          // |Δu| from which a corner is rounded singly
 // as a share of |Δu|: a corner whose neighbour has at least this share of its |Δu| forms a chain with the neighbour
 constexpr double alike = 0.1;
-constexpr double feed_alike = 1e-6;  // relative difference of equal feeds, because a feed is calculated as length / time
+constexpr double feed_alike = 1e-6;  // relative difference of feeds that count as equal, because a feed is calculated as length / time
 // share of the tolerance that the chain uses; the rest is for the positions between the samples
 constexpr double used_by_chain = 0.95;
 // mm: a corner's width in the chain can be computed once the path is known this far beyond it
@@ -88,8 +88,8 @@ double SmoothPath::square_moved(double s, std::size_t around, double width) {
   return squares;
 }
 
-/// Returns the greatest squared displacement at a vertex and at positions near it, which are chosen for this width; ends as soon as one
-/// exceeds `most`.
+/// Returns the greatest squared displacement at a vertex and at positions near it. The positions are chosen for this width. The search ends
+/// as soon as a squared displacement exceeds `most`.
 double SmoothPath::square_near_vertex(std::size_t vertex, double width, double most) {
   constexpr double flank = 0.65;  // distance of a single corner's greatest outward deviation, as a share of the width
   const double s = at_[vertex], behind = length_[vertex], before = length_[vertex - 1];
@@ -126,7 +126,7 @@ double SmoothPath::widest_in_chain(std::size_t vertex, double width) {
     square = square_near_vertex(vertex, wider, most);
     if (square > most) break;
     width = wider;
-    if (length_[vertex - 1] < 0.25 * width) break;  // the neighbouring vertex is so near that its own search starts from this result
+    if (length_[vertex - 1] < 0.25 * width) break;  // the vertices are so close that the search at the next one continues from here
   }
   return width;
 }
@@ -185,7 +185,7 @@ SmoothPath::Looks SmoothPath::looks(std::size_t piece, double tolerance) const {
 template <class Look>
 void SmoothPath::look_at_edges(std::size_t piece, const Look& look) const {
   constexpr double just = 1e-6;  // distance of the positions from the end of the rounding, mm
-  constexpr int rounds = 4;      // iterations suffice, because the chain's width changes by at most 0.15 mm/mm
+  constexpr int rounds = 4;      // number of iterations; few suffice, because the chain's width changes by at most 0.15 mm/mm
   const double from = at_[piece], length = length_[piece];
   corners_near(from, piece, widest + length, [&](std::size_t i) {
     for (const double side : {-1.0, 1.0}) {
@@ -224,7 +224,7 @@ double SmoothPath::farthest(std::size_t piece) {
 /// roundings narrowed in the previous call can affect.
 ///   returns  false if nothing was narrowed
 bool SmoothPath::narrow(double known, bool first_round) {
-  constexpr double rounding = 1e-9;   // relative tolerance for rounding errors, for a single corner that uses its tolerance exactly
+  constexpr double rounding = 1e-9;   // relative tolerance for numerical errors, where a single corner uses exactly its tolerance
   constexpr double in_chain = 0.997;  // share of the tolerance that a chain may use; the rest is for the positions between the samples
   const double felt = SlowWidth::felt() + 2 * widest;
   std::vector<std::size_t> last;
