@@ -99,7 +99,7 @@ struct Statement {
   Expression value;    // assign: the value; go_to: the block number; ports and files: the number n written after the keyword
   Expression program;  // number of the program in FOPENn P…
   Span where;
-  Span text;  // text between the brackets of DPRNT, BPRNT; the label of an O line if it is a name (a number is in `value`); a system line
+  Span text;  // text in the brackets of DPRNT, BPRNT; label of an O line, if it is a name (a number is in `value`); text of a system line
   OWord o_word = OWord::label;
   Span label_where;  // location of the label of an O line
 };

@@ -17,7 +17,7 @@ class BlockReader {
   static constexpr std::uint64_t no_mark = ~std::uint64_t{0};
 
  public:
-  /// `encoding`: named by the user; otherwise it is guessed from the first bytes that need it.
+  /// `encoding`: the encoding that the user gives; nullopt: the encoding is guessed when a line first needs decoding.
   BlockReader(std::shared_ptr<ByteSource> source, const Grammar& grammar, std::optional<Encoding> encoding);
 
   enum class Got : std::uint8_t { block, end };
@@ -61,7 +61,7 @@ class BlockReader {
   Memory memory_;
   Line line_;
   std::string decoded_;    // the line in UTF-8, if the file has another encoding
-  std::string joined_;     // the line joined with the next lines, if a comment spans them (nct 14.3)
+  std::string joined_;     // the lines of a comment over several lines, joined (nct 14.3)
   std::string_view text_;  // text of the current line
   std::size_t rest_ = 0;   // offset in text_ at which the next block starts
   bool in_line_ = false;

@@ -90,8 +90,8 @@ class Descriptor {
     return {};
   }
 
-  /// Sets a word's format, and keeps its properties that a descriptor cannot express (a second number, parameters, a count that is not
-  /// written).
+  /// Sets the format of a word. Properties that a descriptor cannot express are kept: a second number, parameters, a count that is not
+  /// written.
   void set(char letter, WordFormat format, std::uint8_t count) {
     WordFormat& word = grammar_.word(letter);
     format.at_most = count > 0 ? count : word.at_most;

@@ -129,7 +129,7 @@ struct Grammar {
   bool percent_frames = false;                 // a program starts after the first % and ends at the next (spec/fanuc 1.1)
   std::shared_ptr<VariableNames> given_names;  // names that SETVN gives to variables, [#NAME] (spec/fanuc 5.1); nullptr: no SETVN
   bool rounds_in_address = false;              // ROUND in a word's value rounds to 0.001 mm, 0.0001 in (spec/haas 2.2)
-  bool semicolon_ends = false;                 // `;` ends the block; the next one may follow it (spec/fanuc 1.2)
+  bool semicolon_ends = false;                 // `;` ends the block; another block may follow in the same line (spec/fanuc 1.2)
   std::string least_increments;       // addresses whose numbers are in units of 0.001 if written without a decimal point (spec/fanuc 1.3)
   std::vector<AddressName> names;     // in the order of their addresses
   std::uint32_t named = 0;            // bit per letter: set if a name starts with this letter

@@ -14,7 +14,7 @@ struct Lexed {
   bool marked = false;         // the block ended with a literal ПС or LF
   bool open_comment = false;   // a comment continues in the next line: append that line and call again
   std::size_t comment_at = 0;  // offset where this comment starts
-  bool needs_utf8 = false;     // the text has bytes above 127 outside comments and is not known to be UTF-8: decode it and call again
+  bool needs_utf8 = false;     // the text has bytes above 127 outside comments and is not known to be UTF-8: decode the text and call again
 };
 
 /// Reads the block that starts at `from`.

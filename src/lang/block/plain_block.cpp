@@ -14,7 +14,8 @@ namespace {
 
 constexpr char letter_of(char c) { return static_cast<char>(c & ~0x20); }
 
-/// Returns true for a name that continues after a digit and needs no '=': this reader cannot distinguish it from two words (nct 2.2).
+/// Returns true for a name that continues after a digit and needs no '='. PlainBlocks cannot distinguish such a name from two words (nct
+/// 2.2).
 bool looks_like_words(const AddressName& name) {
   return std::any_of(name.text.begin(), name.text.end() - 1, is_digit) && !is_digit(name.text.back());
 }

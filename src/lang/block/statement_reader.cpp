@@ -265,7 +265,7 @@ Status StatementReader::print(Keyword keyword, std::size_t begin) {
   return ended(begin);
 }
 
-/// Checks that only a comment follows the statement (INFERRED: one statement per block, 23.2.1).
+/// Checks that only a comment follows the statement (INFERRED: one statement per block, nct 23.2.1).
 Status StatementReader::ended(std::size_t begin) {
   block_.statement.where = span(block_.statement.where.begin, cursor_.at);
   (void)begin;

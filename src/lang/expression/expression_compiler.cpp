@@ -1,7 +1,7 @@
-// Compiles expressions to instructions. Operators, functions and relations are rows of the control's file
-// (ExpressionRules); what a row cannot describe differs between two families, by Grammar::custom_macros:
-// RS274/NGC (spec/mach3 1) and custom macros (spec/nct/23, grammar at its end). Used by lexer, word_reader
-// and statement_reader; tested by tests/lang/expression_test.cpp, macro_test.cpp, expression_rules_test.cpp.
+// Compiles expressions to instructions. Operators, functions and relations are rows of the control's file (ExpressionRules). What a row
+// cannot describe follows from Grammar::custom_macros: true for custom macros (spec/nct/23, with their grammar at the end), false for
+// RS274/NGC (spec/mach3 1). Used by lexer, word_reader and statement_reader; tested by tests/lang/expression_test.cpp, macro_test.cpp,
+// expression_rules_test.cpp.
 
 #include <algorithm>
 
@@ -218,7 +218,8 @@ class Compiler : public StepWriter {
     cursor_.skip_blanks();
     if (cursor_.peek() != ']') return fail(alarm(AlarmId::exists_bracket, span(begin, cursor_.at + 1)));
     ++cursor_.at;
-    return step(Op::element, is_name ? symbol_name_exists : symbol_number_exists, begin, 0);  // the control checks whether it exists
+    // the control checks whether the variable exists
+    return step(Op::element, is_name ? symbol_name_exists : symbol_number_exists, begin, 0);
   }
 
   /// Compiles a function of the next operand only, with the operand's signs (nct 23.2.4).

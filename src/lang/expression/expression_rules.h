@@ -26,7 +26,7 @@ struct ExpressionRow {
   Op of_two = Op::number;              // operation of ATAN[a]/[b] where ATAN[a] alone is also a function; Op::number: no such operation
 };
 
-/// Operators or functions by their text. If one text is the start of another, the longer one is matched.
+/// Operators or functions, found by their text. If one text is the start of another, the longer text is matched.
 class ExpressionRows {
  public:
   static constexpr std::size_t most = 64;

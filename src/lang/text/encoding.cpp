@@ -17,7 +17,7 @@
 namespace kadr {
 namespace {
 
-// ---- one-byte encodings: iconv converts all 128 bytes once, into a table
+// ---- one-byte encodings: iconv converts all bytes above 127 once, into a table
 
 struct Utf8 {
   std::array<char, 4> bytes{};
@@ -127,7 +127,7 @@ constexpr std::array<std::string_view, 33> pair_cost = {
 };
 // cost of a capital after a small letter, or of a small letter after two capitals: such letters indicate the wrong encoding
 constexpr int mixed_case_cost = 24;
-constexpr int typography_cost = 20;  // №, quotes, dashes, degrees: rare, but they occur in text
+constexpr int typography_cost = 20;  // cost of №, quotes, dashes, degrees: rare, but they occur in text
 constexpr int other_sign_cost = 48;  // box-drawing characters, fractions, letters of other languages
 
 struct Sign {

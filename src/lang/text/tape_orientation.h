@@ -12,9 +12,9 @@ namespace kadr {
 /// The orientation in which a tape was put into the reader.
 enum class TapeOrientation : std::uint8_t {
   right,
-  wrong_end,   // read from its end: the rows are in reverse order
-  wrong_side,  // turned over: track 1 is read as track 8
-  both,        // read from its end and turned over
+  wrong_end,   // the tape was read from its end: the rows are in reverse order
+  wrong_side,  // the tape was turned over: track 1 is read as track 8
+  both,        // the tape was read from its end and turned over
 };
 
 struct TapeFinding {

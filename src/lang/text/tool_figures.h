@@ -13,10 +13,10 @@
 namespace kadr {
 
 enum class FigureIs : std::uint8_t {
-  open,          // unknown: it may be the size of the tool
+  open,          // unknown: the figure may be the size of the tool
   other,         // not a size of the tool: a count, a length, a name, a second size, or a figure without a known meaning
   tool,          // tool number: T1
-  diameter,      // a diameter, because the comment calls it one
+  diameter,      // a diameter, because a word of the comment says so: DIA 20
   corner,        // corner radius
   angle,         //
   metric,        // M8

@@ -129,7 +129,8 @@ bool ToolSize::is_offset(std::size_t i) const {
   return std::any_of(sizes.begin(), sizes.end(), [&](double size) { return !agree(size, mm(d), roughly_part); });
 }
 
-/// Returns true if the figure describes the workpiece: by a word before it in its clause, or by the word after it: DRILL .25 HOLES.
+/// Returns true if the figure describes the workpiece. This follows from a word before the figure in its clause, or from the word after the
+/// figure: DRILL .25 HOLES.
 bool ToolSize::is_of_part(std::size_t figure) const {
   for (std::size_t i = 0; i < figure; ++i)
     if (pieces_[i].clause == pieces_[figure].clause && says(i, of_part)) return true;
@@ -231,7 +232,8 @@ void ToolSize::add_named_drills(Sizes& sizes) const {
   }
 }
 
-/// Returns true if the word DRILL is after piece `at` (across words that describe a drill), or before it at the end of a clause.
+/// Returns true if the word DRILL is after piece `at` (words that describe a drill may be between them), or before this piece at the end of
+/// a clause.
 bool ToolSize::names_drill(std::size_t at) const {
   const auto is_drill = [&](std::size_t i) { return has(i) && pieces_[i].meaning.kind == ToolWord::drill && says(i, tool); };
   const bool is_letter = pieces_[at].is_word();

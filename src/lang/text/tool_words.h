@@ -14,7 +14,7 @@ constexpr std::uint64_t bit(unsigned n) { return std::uint64_t{1} << n; }
 enum class WordHints : std::uint64_t {
   no_meaning = 0,
   // ---- about the tool
-  tool = bit(0),          // the word names a tool: a size may be before it
+  tool = bit(0),          // the word names a tool: a size may be before the word
   size_after = bit(1),    // a size may also be after the word: ENDMILL 10
   work_too = bit(2),      // the word names a tool or its operation: DRILL 4 is the fourth operation, DRILL 4.2 a drill
   no_bare_size = bit(3),  // only a figure with a unit, or a fraction, is the size of this tool: BIT, BROCA

@@ -40,7 +40,7 @@ ByteOrder order_of(std::string_view sample, Utf16 said);
 ///   returns  number of bytes used: the bytes of an incomplete character at the end are not used, unless `last`
 std::size_t append_utf16(std::string_view bytes, ByteOrder order, bool last, std::string& text);
 
-/// Converts a whole text. Returns false, with nothing changed, if it is not UTF-16.
+/// Appends a whole text as UTF-8, if its bytes are UTF-16. Returns false, with nothing changed, if they are not.
 bool append_if_utf16(std::string_view bytes, const GivenEncoding& said, std::string& text);
 
 /// The source of a program's text for a BlockReader, with the encoding if it is known.

@@ -17,7 +17,7 @@ struct WrittenLetters {
   friend bool operator==(const WrittenLetters&, const WrittenLetters&) = default;
 };
 
-/// Reads "ascii", or an encoding by any of its names.
+/// Returns the letters for "ascii", or for an encoding given by any of its names.
 std::optional<WrittenLetters> written_letters_named(std::string_view name);
 /// Returns true if the characters include Russian letters.
 bool has_russian(const WrittenLetters& letters);

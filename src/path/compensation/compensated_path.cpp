@@ -184,8 +184,8 @@ void RadiusCompensation::shift(FrameChange& frame) const {
   frame.work[now_.second] += now_.vector.y;
 }
 
-/// Decides whether GougeDetector checks the last motion for cuts into the contour. It checks motions at feed along the contour; not the
-/// start and end of compensation, not the neighbours of a change of side, and not a motion that keeps its vector (G38), which leaves the
+/// Decides whether GougeDetector checks the last motion for cuts into the contour. Motions at feed along the contour are checked. These are
+/// not: the start and end of compensation, the neighbours of a change of side, and a motion that keeps its vector (G38), which leaves the
 /// contour on purpose.
 void RadiusCompensation::watch_last() {
   Held& now = last_held();

@@ -72,7 +72,7 @@ std::optional<Vec2> intersection(const OffsetElement& first, const OffsetElement
 enum class Corner : std::uint8_t { inside, obtuse, acute };
 Corner corner_of(Vec2 end_tangent, Vec2 start_tangent, double side);
 
-/// The vectors at a junction, in order; the tool's centre moves straight from one to the next.
+/// The vectors at a junction, in order. The tool's centre moves straight from the end of one vector to the end of the next.
 struct JunctionVectors {
   std::array<Vec2, 8> at{};  // up to four vectors at a corner; more if the interference check joins two corners (NCT 15.5.7)
   std::uint8_t count = 0;
@@ -98,7 +98,7 @@ std::optional<JunctionVectors> junction(const ContourElement& first, const Conto
 /// Returns the vectors at the end of the line that switches compensation on (NCT 15.5.1, type B of the INFERRED rule).
 JunctionVectors start_up(const ContourElement& first, const ContourElement& second, double radius, double side);
 
-/// Returns the vectors at the end of the last compensated block, before the line that switches it off (NCT 15.5.3, type B).
+/// Returns the vectors at the end of the last compensated block, before the line that switches compensation off (NCT 15.5.3, type B).
 JunctionVectors cancel(const ContourElement& first, const ContourElement& second, double radius, double side);
 
 /// Returns the vectors at a junction for controls that join the offset path at an outside corner by an arc, or by extending the offset
@@ -121,7 +121,7 @@ bool fits(const ContourElement& element, Vec2 start_vector, Vec2 end_vector, dou
 /// Returns true if the path from one vector to the other lies on the element's offset and goes forward along it.
 bool lies_on_offset(const ContourElement& element, Vec2 start_vector, Vec2 end_vector, double radius, double side);
 
-/// Returns true if the direction changes by at most 180° in total over the two elements, so that they cannot meet again after their
+/// Returns true if the direction changes by at most 180° in total over the two elements. Then the elements cannot meet again after their
 /// junction.
 bool gentle(const ContourElement& first, const ContourElement& second);
 

@@ -34,10 +34,11 @@ class CornerResolver {
   enum class End : std::uint8_t { programmed, open };  // open: a following over-determined block may still move the end
   enum class Certainty : std::uint8_t { certain, settled_later };
 
-  /// The start of a motion: the corner with the previous motion, and the length that a chamfer or rounding removes there.
+  /// The start of a motion: the corner with the previous motion, and the length that a chamfer or rounding removes from the motion at this
+  /// corner.
   struct Start {
     Vec2 corner;
-    Vec2 direction;           // direction of the motion's element at the corner, before it was shortened
+    Vec2 direction;           // direction of the motion's element at the corner, before a corner shortened the element
     double cut = 0;           // travel removed from the start of the motion (unit: corner_geometry.h)
     bool calculated = false;  // true if the corner is not the programmed end of the previous motion
   };

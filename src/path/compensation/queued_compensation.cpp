@@ -158,8 +158,8 @@ void QueuedCompensation::enter(Queued& queued, const Motion& m) {
   push(queued);
 }
 
-/// Queues, before an entry arc, a line that moves the tool's centre to the position of the tip; without it the arc's radii would differ
-/// (convert_arc_comp1).
+/// Queues a line before an entry arc. The line moves the tool's centre to the position of the tip; without it the radii at the start and
+/// the end of the arc would differ (convert_arc_comp1).
 void QueuedCompensation::lead_tip_in(const Queued& arc, Vec2 from) {
   Queued way;
   way.action = arc.action;
@@ -179,7 +179,7 @@ void QueuedCompensation::lead_tip_in(const Queued& arc, Vec2 from) {
 
 void QueuedCompensation::line(Queued& queued, const Motion& m) {
   const Vec2 from = in_plane(now_.at.work), to = in_plane(m.to);
-  if (from == to) {  // a motion of the third axis or rotary axes only: it ends where the previous motion ends
+  if (from == to) {  // only the third axis or rotary axes move: the motion ends where the previous motion ends
     if (m.kind == MotionKind::thread) return void(fault(alarm(AlarmId::compensated_thread, {})));
     queued.end = now_.tool;
     return push(queued);
@@ -241,8 +241,8 @@ double QueuedCompensation::programmed_speed(const Motion& m) const {
   return std::max(least_speed_by_time * unit(), way * m.feed);
 }
 
-/// Adds an element to GougeDetector, which compares all motions emitted later with it. Only motions at feed along the contour are added;
-/// not the start and the end of compensation.
+/// Adds an element to GougeDetector, which compares this element with all motions emitted later. Only motions at feed along the contour are
+/// added; not the start and the end of compensation.
 void QueuedCompensation::watch_element(Queued& queued, const Motion& m) {
   if (m.kind == MotionKind::rapid) return;
   const Vec2 from = in_plane(now_.at.work), to = in_plane(m.to);

@@ -45,7 +45,7 @@ class QueuedCompensation {
   bool beside() const { return now_.dropped || dot(now_.beside, now_.beside) > tol::same_point * tol::same_point; }
 
  private:
-  static constexpr std::size_t max_queued = 4096;  // a limit of this implementation; LinuxCNC is limited only by its memory
+  static constexpr std::size_t max_queued = 4096;  // a limit of this implementation; LinuxCNC has no limit but its memory
 
   struct Queued {
     Action action;
@@ -66,7 +66,7 @@ class QueuedCompensation {
     std::size_t first = 0, second = 1;  // indices of the two axes of the plane
     bool on = false;                    // true after the first compensated motion has been read
     bool inch = false;                  // true if the unit of the first compensated block, or of the last block, is the inch
-    Vec2 tool;                          // tool position at the end of the last element, before a corner shortens it
+    Vec2 tool;                          // tool position at the end of the last element, before a corner shortens that element
     std::optional<Vec2> start;          // tool position at the start of the queue; empty: unknown, so the queued motions are not checked
     std::vector<Queued> queue;          // in the order of the program
     // the arc that is the first motion of the queue; if the queue is empty: that of the previous queue, which LinuxCNC's source still reads

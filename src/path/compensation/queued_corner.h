@@ -44,7 +44,7 @@ enum class CornerKind : std::uint8_t { inner, outer, straight };
 struct QueuedCorner {
   CornerKind way = CornerKind::straight;
   Vec2 at;   // inner: where the tool leaves the first element and starts the second; outer: where the second element starts
-  Vec2 end;  // end of the second element, before the next corner shortens it
+  Vec2 end;  // end of the second element, before the next corner shortens this element
 };
 
 /// Returns the corner to a line that ends at `to`, which must differ from the corner point.

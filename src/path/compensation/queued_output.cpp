@@ -66,8 +66,8 @@ void QueuedCompensation::push(Queued& queued) {
   now_.queue.push_back(std::move(queued));
 }
 
-/// Emits the motion around an outer corner to the point `to`: an arc, or a line at rapid. It has the feed and unit of the motion `next`;
-/// the rotary axes of `next` move in it, its third axis does not.
+/// Emits the motion around an outer corner to the point `to`: an arc, or a line at rapid. The feed and unit are those of the motion `next`.
+/// The rotary axes of `next` move in this motion, the third axis does not.
 void QueuedCompensation::go_around_corner(const Queued& next, Vec2 to) {
   Queued round;
   round.action = next.action;

@@ -144,8 +144,8 @@ void RadiusCompensation::motion(Action& action) {
   }
 }
 
-/// Emits a motion without compensation. It goes to the programmed point, but axes of the plane that are not programmed in its block keep
-/// the vector's component.
+/// Emits a motion without compensation to the programmed point. Axes of the plane that are not programmed in the motion's block keep the
+/// component of the vector.
 void RadiusCompensation::outside_contour(Action& action) {
   auto& m = std::get<Motion>(action.what);
   const bool stays = m.side != 0 && (m.named & (AxisMask{1} << now_.first | AxisMask{1} << now_.second)) == 0;
@@ -209,7 +209,7 @@ void RadiusCompensation::hold(Action& action, const ContourElement& element, Vec
   while (!fault_ && now_.count >= looked_at()) release_first();
 }
 
-/// Handles G39: if its block states a direction, it acts at once; else when the next motion is known.
+/// Handles G39. If the block of G39 states a direction, the corner is emitted at once; else when the next motion is known.
 void RadiusCompensation::corner(Action& action) {
   if (now_.count == 0) return;
   const auto& way = std::get<CompensationCorner>(action.what).way;

@@ -64,7 +64,7 @@ class RadiusCompensation {
     Origin origin;
     ContourElement element;
     Vec2 start_vector;
-    JunctionVectors end;            // vectors at its end; empty: unknown, or the offsets do not meet
+    JunctionVectors end;            // vectors at the end of the motion; empty: unknown, or the offsets do not meet
     bool rejoins = false;           // an arc of the programmed radius joins the compensated ends (NCT 15.5.4)
     bool regular = false;           // `end` follows from the corner rules, and the tool is on the same side of this motion and the next
     std::uint64_t number = 0;       // number of the motion's contour piece in GougeDetector

@@ -58,9 +58,9 @@ Extents MachinePath::tip_control_extents(double from, double to) const {
   return box;
 }
 
-/// Returns an upper bound, mm, of the distance between the axes' path along a straight motion and its chord: a point travels the length L
-/// while it is rotated by the angle ω (rad) about axes at most R away. Its second derivative over the motion is at most ω²R + 2ωL, and
-/// the distance from the chord is at most an eighth of that.
+/// Returns an upper bound, mm, of the distance between the axes' path along a straight motion and its chord. A point travels the length L
+/// while it is rotated by the angle ω (rad) about axes at most R away. The second derivative of its path over the motion is at most ω²R +
+/// 2ωL, and the distance from the chord is at most an eighth of that.
 double MachinePath::most_off_chord() const {
   double turn = 0;
   for (AxisMask left = from_.space->rotary_axes(); left != 0; left &= left - 1) {
@@ -83,8 +83,8 @@ Extents MachinePath::rough_extents() const {
   return box;
 }
 
-/// Returns the number of samples along the motion under tool centre point control. A quarter revolution of a rotary axis contains about
-/// one extreme of a linear axis, so the samples must be close enough that at most about one extreme lies between two of them.
+/// Returns the number of samples along the motion under tool centre point control. While a rotary axis turns by a quarter revolution, the
+/// position of a linear axis has about one extreme. The samples must be so close that at most about one extreme lies between two of them.
 int MachinePath::samples_with_tip_control() const {
   constexpr double between = 15;  // rotation between two samples, degrees
   double way = 0;
@@ -102,7 +102,7 @@ int MachinePath::samples_with_tip_control() const {
 /// reserve.
 int MachinePath::pieces(double chord) const {
   const int of_curve = curve_.pieces(chord);
-  // a motion that deviates by less than this multiple of `chord` stays one piece, because it meets its neighbours at corners anyway
+  // a motion that deviates by less than this multiple of `chord` stays one piece, because the motion meets its neighbours at corners anyway
   constexpr double few = 6;
   if (!bends_ || (tip_moves_straight() && most_off_chord() <= few * chord)) return of_curve;
   constexpr int looked_at = 8;

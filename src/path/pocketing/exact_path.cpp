@@ -61,8 +61,8 @@ std::vector<Vec2> meetings(const Carrier& a, const Carrier& b) {
   return points;
 }
 
-/// Returns the angle from a to b about the centre, degrees, counter-clockwise positive: of the values that differ by 360°, the one
-/// nearest to `about`.
+/// Returns the angle from a to b about the centre, degrees, counter-clockwise positive. Of the values that differ by 360° the value nearest
+/// to `about` is returned.
 double turned(Vec2 centre, Vec2 a, Vec2 b, double about) {
   const double deg = std::atan2(cross(a - centre, b - centre), dot(a - centre, b - centre)) / rad_per_deg;
   return about + std::remainder(deg - about, 360);

@@ -18,8 +18,8 @@ Edges all_edges(const std::vector<Edges>& loops) {
   return all;
 }
 
-/// Appends the parts of a loop that are walls (with `open`: open sides) to `lines` as polylines. A polyline around the whole loop repeats
-/// its first two corners at its end.
+/// Appends those parts of a loop that are walls to `lines` as polylines; with `open`, those that are open sides. A polyline around the
+/// whole loop repeats its first two corners at its end.
 void add_stretches(const Edges& loop, bool open, Polygons& lines) {
   const auto begin = std::find_if(loop.begin(), loop.end(), [&](const Edge& e) { return e.open != open; });
   if (begin == loop.end()) {

@@ -60,8 +60,8 @@ class Layers {
     out_.reset();
   }
 
-  /// Chooses one start of the first ring for all layers: where the hole is to be drilled, or next to the given hole, or next to a
-  /// position outside the material.
+  /// Chooses the start of the first ring, which is the same in all layers. The start is next to the given hole, or next to a position
+  /// outside the material, or else at the middle of the longest edge of the ring.
   void begin_first(Pass& first) {
     const bool own_hole = job_.plunge == Plunge::hole && job_.hole && contains(field_->roomy.area(), *job_.hole);
     if (!first.closed) return;
@@ -72,7 +72,7 @@ class Layers {
 
   void pass(const Pass& pass, bool first) {
     if (first) return first_pass(pass);
-    if (!pass.lifted || length(pass.path.front().from - here()) < job_.radius)  // avoids a lift that would end where it started
+    if (!pass.lifted || length(pass.path.front().from - here()) < job_.radius)  // if so near, a lift would end where it started
       if (const auto begun = pass_start_from(*field_, job_, pass, here(), out_)) {
         cut(begun->way);
         return cut(begun->path);
@@ -91,7 +91,7 @@ class Layers {
     cut(path);
   }
 
-  /// Moves the tool away from a wall before it is lifted.
+  /// Moves the tool away from a wall before the tool is lifted.
   void leave(const Pass& pass) {
     if (!pass.closed || cut_.empty()) return;
     if (const auto arc = arc_out_of(*field_, job_, cut_)) cut({*arc});
@@ -141,7 +141,8 @@ class Layers {
       path_.holes.push_back(hole);
   }
 
-  /// Plunges through a predrilled hole because there is no room for a ramp; uses a hole of the list if the start can be reached from it.
+  /// Plunges through a predrilled hole, because there is no clearance for a ramp. Uses a hole of AreaPath::holes if the start can be
+  /// reached from that hole.
   void enter_drilled(Vec2 start, bool again) {
     ++path_.plunges.no_room;
     for (const Vec2 hole : path_.holes)

@@ -31,11 +31,11 @@ Edges begun_near(const Edges& ring, Vec2 p);
 /// Returns the ring with its start moved to the middle of its longest edge.
 Edges begun_at_longest(const Edges& ring);
 
-/// Returns a quarter circle that leads tangentially into the start of a pass, with the largest radius for which there is room.
+/// Returns a quarter circle that leads tangentially into the start of a pass, with the largest radius for which there is clearance.
 std::optional<Edge> arc_into(const Field& field, const Job& job, const Edges& path);
 
 /// Returns a quarter circle that leads tangentially out of the end of a pass, away from the wall, with the largest radius for which there
-/// is room.
+/// is clearance.
 std::optional<Edge> arc_out_of(const Field& field, const Job& job, const Edges& path);
 
 }  // namespace kadr::area

@@ -32,7 +32,7 @@ enum class Plunge : std::uint8_t {
 
 enum class Stage : std::uint8_t { passes, path, verification };
 
-/// Lets the caller of a long computation stop it (alarm interrupted) and receive its progress.
+/// Lets the caller of a long computation stop the computation (alarm interrupted) and receive its progress.
 struct Watch {
   StopToken stop;
   std::function<void(Stage, double part)> show;
@@ -81,7 +81,7 @@ struct Plunges {
 
 struct AreaPath {
   std::vector<Move> moves;  // in order; the first move is at the clearance level
-  std::vector<Vec2> holes;  // holes to drill before milling: for Plunge::hole, and where there is no room for a ramp
+  std::vector<Vec2> holes;  // holes to drill before milling: for Plunge::hole, and where a ramp has no clearance
   Plunges plunges;
   std::size_t layers = 0;
   std::size_t lifts = 0;   // number of times the tool is lifted within a layer

@@ -132,7 +132,8 @@ class Rows {
     }
   }
 
-  /// Links neighbouring rows. The zone is on the left of its loops, so a loop goes up at the right end of a row and down at the left end.
+  /// Links neighbouring rows. The zone is on the left of its loops, so a loop leads upwards at the right end of a row and downwards at the
+  /// left end.
   void link_spans() {
     for (std::size_t r = 0; r + 1 < rows_.size(); ++r)
       for (const std::size_t low : rows_[r])
@@ -217,7 +218,7 @@ class Rows {
     return path;
   }
 
-  /// Returns the zigzag passes. After each cell the next one is the unfinished cell with the start nearest to the tool.
+  /// Returns the zigzag passes. After each cell comes the unfinished cell whose start is nearest to the tool.
   Passes zigzag_passes() {
     Passes passes;
     Vec2 here{job_.direction == Direction::ccw ? range_.most.x : range_.least.x, range_.least.y};

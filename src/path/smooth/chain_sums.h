@@ -59,7 +59,7 @@ class ChainSums {
 
   std::size_t axes_, groups_;
   double from_ = 1, to_ = 0;               // the sums are valid for path lengths from from_ to to_
-  double origin_ = 0;                      // path length from which the sums count lengths, so that they stay small
+  double origin_ = 0;                      // path length that counts as 0 in the sums, so that their numbers stay small
   std::vector<double> at_;                 // path lengths of the corners; the last entry is infinite
   std::vector<Sums> sums_;                 // sums over the first 0, 1, 2, … corners, for each group of axes
   std::array<std::size_t, nodes> seen_{};  // number of corners before each node, at the position evaluated last

@@ -24,7 +24,7 @@ class SlowWidth {
   /// Limits the width at the length `at`; ignored in the settled range.
   void limit(double at, double width);
   void close();
-  /// Settles the width before the length `before`: it will not change any more.
+  /// Settles the width before the length `before`: there the width will not change any more.
   void settle(double before);
   /// Drops the data before the length `before`.
   void forget(double before);

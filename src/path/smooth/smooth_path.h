@@ -82,7 +82,8 @@ class SmoothPath {
   /// Computes, for each axis, the position at s and its first two derivatives with respect to the length. `piece`: piece_at(s).
   void evaluate(double s, std::size_t piece, double* x, double* x1, double* x2);
 
-  /// True if, along the rounding of the vertex, the feed changes smoothly from that of the piece before it to that of the piece after it.
+  /// True if the feed changes smoothly along the rounding of the vertex, from the feed of the piece before it to the feed of the piece
+  /// after it.
   bool is_paced(std::size_t vertex) const { return paced_[vertex] != 0 && width_[vertex] > 0; }
   /// Returns the feed at s, mm/s. At a corner with is_paced(), the inverse of the feed (the time per mm) is smoothed in the same manner
   /// as the axis positions.

@@ -141,8 +141,8 @@ void SmoothPath::open_widths() {
   slow_.close();
 }
 
-/// Rounds the corners of chains: first each corner as wide as its tolerance allows; then the width is smoothed along the path; finally it
-/// is narrowed where the path still exceeds the tolerance.
+/// Rounds the corners of chains. First each corner is as wide as its tolerance allows; then the width is smoothed along the path; finally
+/// the width is reduced where the path still exceeds the tolerance.
 void SmoothPath::round_chain(bool last, const StopToken& stop) {
   constexpr int max_rounds = 30;
   const double known = last ? at_.back() : at_.back() - felt_ahead;
