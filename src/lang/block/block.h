@@ -35,7 +35,7 @@ struct Word {
   double value = 0;
   double second = std::numeric_limits<double>::quiet_NaN();  // the second number of `L2 15`; NaN if there is none
   Span where;
-  Expression expression;   // if not empty: computes the value of the word when the block is executed
+  Expression expression;   // the expression that gives the value when the block is executed; empty: the value is known
   Expression axis;         // number of the axis in AX[n]=…
   std::int32_t code = -1;  // for G and M: ten times the number (G54.1 = 541); -1: not a code
   char address = 0;
@@ -150,7 +150,7 @@ struct Block {
   std::uint32_t label = 0;   // number written after O or '%'
   std::uint32_t word_count = 0;
   std::uint64_t letters = 0;                     // the bit (address - 'A') is set for each address in the block
-  std::array<std::uint8_t, max_addresses> at{};  // for each address that is present: index of its first word
+  std::array<std::uint8_t, max_addresses> at{};  // index of the first word with each address that is present
   std::array<Word, limits::block_words> words;
   BlockShape shape;
   std::vector<Instruction> code;

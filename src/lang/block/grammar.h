@@ -59,12 +59,12 @@ struct VariableName {
 
 /// The format of the digits of one address (ISO 6983 / GOST 20999-83 format descriptor, spec/gost 3).
 struct WordFormat {
-  bool known = false;             // the control has this address
+  bool known = false;             // true if the control has this address
   bool sign = false;              // a sign is allowed before the digits
   bool drop_zeros = true;         // leading zeros may be dropped; if not, every digit must be written
   bool point = false;             // an explicit decimal point is allowed
   std::uint8_t counted = 0;       // a number without a point is divided by ten to this power, unless a variable gives it (spec/fanuc 1.3)
-  bool implied = false;           // if no decimal point is written, the last `fraction_digits` digits are the fraction
+  bool implied = false;           // a number without a decimal point: its last `fraction_digits` digits are the fraction
   std::uint8_t whole_digits = 0;  // maximum number of digits before the decimal point; 0 = any number
   std::uint8_t fraction_digits = 0;  // maximum number of digits after the decimal point; with whole_digits 0: any number
   std::uint8_t at_most = 1;          // maximum number of words with this address in a block; 0 = any number
@@ -85,7 +85,7 @@ enum class EndOfBlock : std::uint8_t {
 struct Grammar {
   std::array<WordFormat, max_addresses> words{};  // by address
   EndOfBlock end_of_block = EndOfBlock::line;
-  bool mark_everywhere = true;         // if one block of the file ends with ПС or LF, all blocks must
+  bool mark_everywhere = true;         // if one block of the file ends with ПС or LF, every block must end so
   bool block_number_required = false;  // every block begins with N or ':' (2С42 6.2)
   bool main_blocks = false;            // a main block, written as ':' and a number, is allowed
   bool percent_ignored = false;        // a line of '%' has no meaning (Mach3)
@@ -93,8 +93,8 @@ struct Grammar {
   std::uint8_t percent_digits = 5;
   bool program_start_required = false;  // the main program begins with '%'
   bool skip_levels = false;             // block skip may have a level: '/n' as well as '/'
-  bool semicolon_comments = false;      // ';' to the end of the line
-  bool slash_comments = false;          // '//' to the end of the line
+  bool semicolon_comments = false;      // comments from ';' to the end of the line
+  bool slash_comments = false;          // comments from '//' to the end of the line
   std::string comment_forbidden;        // characters that are not allowed in ( )
   bool expressions = false;             // #n and [expr] are allowed in words, and #n=expr in a block (Mach3)
   ExpressionRules expression;           // operators and functions that expressions may contain
@@ -131,8 +131,8 @@ struct Grammar {
   bool rounds_in_address = false;              // ROUND in a word's value rounds to 0.001 mm, 0.0001 in (spec/haas 2.2)
   bool semicolon_ends = false;                 // `;` ends the block; another block may follow in the same line (spec/fanuc 1.2)
   std::string least_increments;       // addresses whose numbers are in units of 0.001 if written without a decimal point (spec/fanuc 1.3)
-  std::vector<AddressName> names;     // in the order of their addresses
-  std::uint32_t named = 0;            // bit per letter: set if a name starts with this letter
+  std::vector<AddressName> names;     // names of several characters, in the order of their addresses
+  std::uint32_t named = 0;            // one bit for each letter: set if a name in `names` starts with this letter
   std::vector<VariableName> symbols;  // sorted by text
   std::array<std::uint8_t, max_addresses> axis_numbers{};  // control-wide number of each axis address, 0: not an axis
 

@@ -6,7 +6,8 @@ namespace kadr {
 
 /// Asks whether a variable exists: EXISTS[#<name>] by its name, EXISTS[#5] by its number (spec/linuxcnc 5). The answer is 1 or 0.
 inline constexpr double symbol_name_exists = -1, symbol_number_exists = -3;
-/// Asks for the variable number itself, unchanged. The control checks that the program has not computed a number that stands for a name.
+/// Asks for the variable number itself, unchanged. The control checks that the program has not computed a number that stands for the name
+/// of a variable.
 ///   alarms  the control's own alarm for such a number
 inline constexpr double symbol_own_number = -2;
 

@@ -252,7 +252,7 @@ std::optional<Encoding> detect_encoding(std::string_view sample) {
   if (ascii_run(sample) == sample.size()) return std::nullopt;
   if (const auto tape = inspect_tape(sample)) return tape->code == TapeCode::eia ? Encoding::eia : Encoding::iso7;
   if (is_utf8(sample) && !is_small_cp866(sample)) return Encoding::utf8;
-  auto best = Encoding::cp1251;  // if costs are equal, the most frequent encoding wins
+  auto best = Encoding::cp1251;  // if two encodings have the same cost, the more frequent encoding wins
   std::uint64_t least = cost_of(sample, best);
   for (const Encoding encoding : {Encoding::cp866, Encoding::koi8r}) {
     const std::uint64_t cost = cost_of(sample, encoding);

@@ -155,7 +155,7 @@ std::unique_ptr<ByteSource> open_file(const std::string& path, const FileAccess*
     Kept text = Pipes::keep(path, read_whole(file, is_device ? limits::device_bytes : limits::piped_bytes));
     return text ? shared_source(std::move(text)) : nullptr;
   }
-  posix_fadvise(file.descriptor(), 0, 0, POSIX_FADV_SEQUENTIAL);  // only advice to the system: its result does not matter
+  posix_fadvise(file.descriptor(), 0, 0, POSIX_FADV_SEQUENTIAL);  // this is only advice to the system, so its result does not matter
   return std::make_unique<FileSource>(std::move(file), static_cast<std::uint64_t>(status.st_size));
 }
 

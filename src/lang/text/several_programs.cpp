@@ -123,7 +123,7 @@ class Contents {
   BlockReader reader_;
   const bool sections_, labels_, may_begin_;
   TapeContents contents_;
-  std::vector<bool> has_words_;  // for each program: it has a block with words
+  std::vector<bool> has_words_;  // for each program: true if it has a block with words
   In in_ = In::nothing;
   bool open_ = false;         // the end of a subprogram has not been reached yet
   bool after_start_ = false;  // the block processed last was the one with %

@@ -20,7 +20,7 @@ struct CommentToken {
   std::uint8_t decimals = 0;  // number of digits after the decimal point
   bool leads_point = false;   // starts with the decimal point: .5
   bool is_fraction = false;   // 3/8: a fraction of an inch, with a denominator as on rulers
-  bool is_broken = false;     // 3/7, 3/4/21, 1.2.3: not a valid figure
+  bool is_broken = false;     // not a valid figure: 3/7, 3/4/21, 1.2.3
 };
 
 /// Splits a comment in UTF-8. Signs with the same meaning are unified: Ø and similar signs become the word DIA, × becomes X, ° becomes

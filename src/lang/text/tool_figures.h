@@ -29,7 +29,7 @@ struct CommentPiece : CommentToken {
   FigureIs figure = FigureIs::open;
   double unit = 0;           // for a figure with a unit next to it: mm per unit; else 0
   double threads = 0;        // for an inch_thread
-  bool braced = false;       // {6 mm}: as a Vectric library writes the size in its tool names
+  bool braced = false;       // the figure is in braces, {6 mm}, as a Vectric library writes the size in tool names
   bool named = false;        // a diameter after `=`, as CAM systems write it
   std::uint32_t clause = 0;  // number of the clause, which is the part of the comment between two of | , ; : or free dashes
   bool of_another = false;   // the piece comes after FOR or WITH, so it describes another thing, not the tool

@@ -18,11 +18,11 @@ using enum WordHints;
 // Limits for a figure without a unit. A figure beyond them is in the other unit, or is something other than a size.
 constexpr double max_inches = 3, most_inches_wide = 8;  // in; greatest size of a tool; of a face mill or saw
 constexpr std::uint8_t decimals_of_inches = 4;          // 0.5000 with four decimals is in inches
-constexpr double least_mm = 0.5, max_mm = 160;          // mm; a smaller figure is mostly in inches (.375)
+constexpr double least_mm = 0.5, max_mm = 160;          // mm; limits of a size; a figure below them is mostly in inches (.375)
 constexpr double max_drill_mm = 80;                     // mm; limit for drills
 constexpr double least_whole_mm = 3;                    // mm; a smaller whole number counts tools: 1 END MILL is the first end mill
 constexpr double most_of_any = 400;                     // mm; limit for all figures, even with a unit
-constexpr double least_chamfer_mm = 3;                  // mm; for a chamfer mill; a smaller figure is the size of the chamfer
+constexpr double least_chamfer_mm = 3;                  // mm; least size of a chamfer mill; a smaller figure is the size of the chamfer
 constexpr double alike_part = 0.01, alike_mm = 0.05;    // maximum difference of two sizes of one tool: 27/64 and .422
 // maximum relative difference of D10 and the size in the name; if more, D10 is an offset number
 constexpr double roughly_part = 0.1;

@@ -48,7 +48,7 @@ enum class WordHints : std::uint64_t {
   joins = bit(28),        // the word joins two tools or sizes: DRILL AND TAP, 3/8 OR 1/2
   of_part = bit(29),      // the comment may be about the workpiece: HOLES, BOSS
   of_tool = bit(30),      // the word names a thing that only tools have: FLUTE, LOC
-  offset = bit(31),       // in the clause of this word, D10 is an offset number
+  offset = bit(31),       // D10 in the clause of this word is an offset number
   no_diameter = bit(32),  // a DIA after the word is not the diameter of the tool: MINOR DIA
 };
 

@@ -13,7 +13,7 @@ namespace kadr {
 
 struct WrittenLetters {
   Encoding encoding = Encoding::utf8;
-  bool ascii = false;  // only the ASCII part of UTF-8
+  bool ascii = false;  // true: only the ASCII part of UTF-8 is allowed
   friend bool operator==(const WrittenLetters&, const WrittenLetters&) = default;
 };
 

@@ -130,7 +130,8 @@ bool RadiusCompensation::rejoin(Motion& m, const Held& held, Vec2 end_vector) co
   const double way = length(chord), radius = e.start_radius;
   if (way > 2 * radius + tol::same_point || way == 0) return false;
   const double height = std::sqrt(std::max(radius * radius - way * way / 4, 0.0));
-  const double minor = std::fabs(e.turns) <= 0.5 ? 1 : -1;  // INFERRED: at most half a circle if the programmed arc is, else more
+  // INFERRED: the arc is at most half a circle if the programmed arc is, else it is more
+  const double minor = std::fabs(e.turns) <= 0.5 ? 1 : -1;
   const Vec2 center = 0.5 * (a + b) + minor * e.sense() * height / way * left_of(chord);
   const double half = std::asin(std::min(way / (2 * radius), 1.0)) / rad_per_deg / 180;
   m.turns = minor > 0 ? half : 1 - half;

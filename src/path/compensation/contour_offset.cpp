@@ -246,7 +246,7 @@ bool lies_on_offset(const ContourElement& e, Vec2 start_vector, Vec2 end_vector,
 
 bool gentle(const ContourElement& first, const ContourElement& second) {
   if (dot(first.end, second.start) < 0) return false;
-  constexpr double quarter = 0.25;  // in revolutions: the greatest change of direction at the corner
+  constexpr double quarter = 0.25;  // greatest change of direction at the corner, in revolutions
   const double rest = tangential(first.end, second.start) ? 2 * quarter : quarter;
   return std::fabs(first.turns) + std::fabs(second.turns) <= rest;
 }

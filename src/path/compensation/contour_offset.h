@@ -22,7 +22,7 @@ struct ContourElement {
   // (NCT 15.5.2)
   Vec2 start, end;
   Vec2 center;       // centre of an arc
-  double turns = 0;  // of an arc: swept angle / 360, counter-clockwise positive
+  double turns = 0;  // swept angle of an arc / 360, counter-clockwise positive
   double start_radius = 0, end_radius = 0;
   bool is_arc = false;
 
@@ -38,8 +38,8 @@ inline Vec2 side_normal(Vec2 tangent, double side) { return side * left_of(tange
 
 /// The line or circle that the tool's centre follows along an element, relative to one of the element's ends.
 struct OffsetElement {
-  Vec2 normal;   // of a line: unit normal; the offset line is `distance` away in this direction
-  Vec2 tangent;  // of a line: unit direction
+  Vec2 normal;   // unit normal of a line; the offset line is `distance` away in this direction
+  Vec2 tangent;  // unit direction of a line
   Vec2 center;   // centre of a circle
   double distance = 0;
   double radius = 0;  // radius of a circle; negative if the tool radius exceeds that of the concave arc
@@ -74,7 +74,7 @@ Corner corner_of(Vec2 end_tangent, Vec2 start_tangent, double side);
 
 /// The vectors at a junction, in order. The tool's centre moves straight from the end of one vector to the end of the next.
 struct JunctionVectors {
-  std::array<Vec2, 8> at{};  // up to four vectors at a corner; more if the interference check joins two corners (NCT 15.5.7)
+  std::array<Vec2, 8> at{};  // the vectors: up to four at a corner; more if the interference check joins two corners (NCT 15.5.7)
   std::uint8_t count = 0;
   bool round = false;  // the tool's centre moves from the first to the second vector along an arc about the programmed point
   void add(Vec2 v) { at[count++] = v; }

@@ -54,8 +54,8 @@ class CornerResolver {
     ToolPosition at;  // programmed position after the last action received
     std::optional<Held> held{};
     std::vector<Action> waiting{};  // actions between the held motion and the next motion
-    std::vector<Action> settled{};  // actions before the held motion that wait until the held motion's length is known
-    Origin settled_origin{};        // the block in `settled` that has the corner
+    std::vector<Action> settled{};  // actions before the held motion; they wait until the held motion's length is known
+    Origin settled_origin{};        // block of the last motion in `settled`; an alarm about the corner at its end names this block
   };
   const Memory& memory() const { return now_; }
   void resume_from(const Memory& memory) { now_ = memory; }

@@ -56,7 +56,7 @@ std::optional<ContourJoin> join_at_corners(Window window, std::size_t j) {
     const std::size_t i = a.count - 1U - q;
     if (opposed(way, way + b.at[q] - a.at[i])) continue;
     const auto x = crossing(p1 + a.at[i], p1 + a.at[i + 1], p2 + b.at[q - 1], p2 + b.at[q]);
-    if (!x) continue;  // INFERRED: without an intersection the interference counts as not resolved
+    if (!x) continue;  // INFERRED: without an intersection the interference is not resolved
     ContourJoin join{j + 1, {}, b.last()};
     for (std::size_t k = 0; k <= i; ++k) join.vectors.add(a.at[k]);
     join.vectors.add(*x - p1);

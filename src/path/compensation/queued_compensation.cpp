@@ -39,7 +39,7 @@ QueuedCompensation::QueuedCompensation(const ToolPosition& start) {
 
 std::optional<CompensationFault> QueuedCompensation::take(ActionBatch& batch, Follows follows) {
   warnings_.clear();
-  if (!at_work()) {  // the usual case: only the tool's position is updated
+  if (!at_work()) {  // no compensation is active, which is the usual case: only the tool's position is updated
     const bool any = std::any_of(batch.begin(), batch.end(), [](const Action& action) {
       const auto* const m = motion_of(action);
       return m != nullptr && m->side != 0;

@@ -49,9 +49,9 @@ class QueuedCompensation {
 
   struct Queued {
     Action action;
-    bool moves = false;              // false: not a motion; the action only waits in the queue
+    bool moves = false;              // false for an action that is not a motion and only waits in the queue
     Vec2 end;                        // end position of the tool's centre, in the plane
-    Vec2 direction;                  // programmed direction of a straight motion; {}: along the third axis
+    Vec2 direction;                  // programmed direction of a straight motion; {} for a motion along the third axis
     std::optional<QueuedArc> arc{};  // the tool's path along an arc; the member `end` above replaces the end in it
     double swept = 0;                // swept angle of the programmed arc, rad
     double speed = 0;                // inverse-time feed: programmed length divided by programmed time, mm/min; 0: the action's own feed
@@ -68,7 +68,7 @@ class QueuedCompensation {
     bool inch = false;                  // true if the unit of the first compensated block, or of the last block, is the inch
     Vec2 tool;                          // tool position at the end of the last element, before a corner shortens that element
     std::optional<Vec2> start;          // tool position at the start of the queue; empty: unknown, so the queued motions are not checked
-    std::vector<Queued> queue;          // in the order of the program
+    std::vector<Queued> queue;          // the queued actions, in the order of the program
     // the arc that is the first motion of the queue; if the queue is empty: that of the previous queue, which LinuxCNC's source still reads
     std::optional<QueuedArc> first_arc{};
     Axes stands{};         // work coordinates of the tool after the last emitted action

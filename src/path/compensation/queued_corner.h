@@ -43,7 +43,7 @@ enum class CornerKind : std::uint8_t { inner, outer, straight };
 
 struct QueuedCorner {
   CornerKind way = CornerKind::straight;
-  Vec2 at;   // inner: where the tool leaves the first element and starts the second; outer: where the second element starts
+  Vec2 at;   // inner corner: where the tool leaves the first element and starts the second; outer corner: where the second starts
   Vec2 end;  // end of the second element, before the next corner shortens this element
 };
 

@@ -46,7 +46,8 @@ void RadiusCompensation::drop() {
 
 std::optional<CompensationFault> RadiusCompensation::take(ActionBatch& batch, bool last) {
   warnings_.clear();
-  if (now_.count == 0 && !now_.zero && !beside()) {  // the usual case: only the tool's position is updated
+  // no compensation is active, which is the usual case: only the tool's position is updated
+  if (now_.count == 0 && !now_.zero && !beside()) {
     bool any = false;
     for (const Action& action : batch) {
       if (const auto* const m = motion_of(action)) any = any || m->side != 0;

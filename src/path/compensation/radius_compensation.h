@@ -23,7 +23,7 @@ namespace kadr {
 struct CompensationFault {
   Alarm alarm;
   Origin origin;
-  Origin other{};  // for contour_cut: the block of the contour that the tool cuts into
+  Origin other{};  // warning contour_cut: the block of the contour that the tool cuts into
 };
 
 class RadiusCompensation {
@@ -78,9 +78,9 @@ class RadiusCompensation {
     ToolPosition at;     // programmed position after the last action received
     ToolPosition stand;  // programmed position after the last emitted action
     std::size_t first = 0, second = 1;
-    bool keeps_vector =
-        false;    // as on controls that state their own CompensationApproach: the vector stays until a programmed motion changes it
-    Vec2 vector;  // from the programmed point to the tool's centre, after the last emitted action
+    // true on controls that state their own CompensationApproach: the vector stays until a programmed motion changes it
+    bool keeps_vector = false;
+    Vec2 vector;  // vector from the programmed point to the tool's centre, after the last emitted action
     std::array<Held, max_held> window;
     std::size_t head = 0, count = 0;
     Motion round_first;  // the motion that is followed by an arc about the programmed point

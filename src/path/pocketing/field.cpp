@@ -110,7 +110,8 @@ class Fields {
 std::vector<Field> fields_of(const Zone& zone, const Job& job) {
   const double off_walls = job.radius + job.allowance;
   std::vector<Field> fields = Fields(zone, job, off_walls).make();
-  if (fields.empty()) fields = Fields(zone, job, off_walls - tol::area_wall / 2).make();  // for a slot exactly as wide as the tool
+  // a slot exactly as wide as the tool needs this tolerance
+  if (fields.empty()) fields = Fields(zone, job, off_walls - tol::area_wall / 2).make();
   return fields;
 }
 

@@ -118,7 +118,7 @@ class Layers {
     }
   }
 
-  /// Moves sideways to the start from a position that is already cut on this level; else plunges through a hole.
+  /// Moves to the start in the plane, from a position that is already cut on this level; else plunges through a hole.
   void enter_by_hole(Vec2 start, bool again) {
     if (const auto beside = again ? cut_beside(start) : std::nullopt) {
       descend(*beside, again);

@@ -61,7 +61,7 @@ struct Job {
   Watch watch;
 };
 
-enum class MoveKind : std::uint8_t { rapid, feed, plunge };  // plunge: downwards at the plunge feed
+enum class MoveKind : std::uint8_t { rapid, feed, plunge };  // `plunge`: the tool moves downwards at the plunge feed
 
 /// A straight move, or an arc in the XY plane, from the end of the previous move.
 struct Move {
@@ -80,7 +80,7 @@ struct Plunges {
 };
 
 struct AreaPath {
-  std::vector<Move> moves;  // in order; the first move is at the clearance level
+  std::vector<Move> moves;  // moves in order; the first move is at the clearance level
   std::vector<Vec2> holes;  // holes to drill before milling: for Plunge::hole, and where a ramp has no clearance
   Plunges plunges;
   std::size_t layers = 0;

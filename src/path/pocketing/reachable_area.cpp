@@ -9,7 +9,7 @@
 namespace kadr::area {
 namespace {
 
-constexpr double touch = 1e-5;  // mm: lines nearer to each other than this count as meeting; ten of Clipper's units
+constexpr double touch = 1e-5;  // mm: lines nearer to each other than this count as meeting; this is ten units of Clipper
 constexpr std::size_t least_across = 4, most_across = 256;
 
 /// Returns true if the distance between the lines a–b and c–d is, or might be, less than `touch`.

@@ -85,8 +85,7 @@ void SmoothPath::look_at_roundings(std::size_t first) {
 /// Narrows the roundings that move the path further than the tolerance. Returns false if there are none.
 bool SmoothPath::shrink(std::size_t first, std::size_t end) {
   constexpr double rounding = 1e-9;  // relative tolerance for numerical errors, where several roundings together use exactly the tolerance
-  // as a share of the permitted displacement; below it the widths are reduced in small steps, so that the most important roundings stay
-  // widest
+  // share of the permitted displacement below which the widths are reduced in small steps, so that the most important roundings stay widest
   constexpr double far_off = 1.3;
   constexpr double between = 0.99;  // share of the tolerance that is used; the rest is for the positions between the samples
   constexpr double aim = 0.999;     // the widths are reduced until this share of the permitted displacement, so that the iteration ends

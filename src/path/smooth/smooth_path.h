@@ -139,7 +139,7 @@ class SmoothPath {
   std::vector<double> at_;         // path length at each vertex, mm
   std::vector<double> squeezed_;   // path length at each vertex, where no piece counts more than squeezed_to
   std::vector<double> width_;      // width of the rounding at each vertex
-  std::vector<double> in_chain_;   // the vertex' own limit of the chain's width; 0: not computed yet
+  std::vector<double> in_chain_;   // limit that the vertex itself sets to the chain's width; 0: not computed yet
   std::vector<double> tolerance_;  // corner tolerance of each vertex
   std::vector<double> room_;       // room() of each vertex
   std::vector<double> direction_;  // unit vector of each piece

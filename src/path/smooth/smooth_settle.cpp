@@ -14,12 +14,12 @@ namespace {
 
 constexpr double straight_on = 1e-12;  // |Δu| below which two pieces count as collinear; covers rounding errors
 constexpr double sharp = 0.3;          // |Δu| from which a corner is rounded singly
-// as a share of |Δu|: a corner whose neighbour has at least this share of its |Δu| forms a chain with the neighbour
+// share of |Δu|: a corner and its neighbour form a chain if the neighbour has at least this share of the corner's |Δu|
 constexpr double alike = 0.1;
 constexpr double feed_alike = 1e-6;  // relative difference of feeds that count as equal, because a feed is calculated as length / time
 // share of the tolerance that the chain uses; the rest is for the positions between the samples
 constexpr double used_by_chain = 0.95;
-// mm: a corner's width in the chain can be computed once the path is known this far beyond it
+// mm: the width of a corner in the chain can be computed once the path is known this far beyond the corner
 constexpr double felt_ahead = 2.5 * SoftCorner::widest;
 
 }  // namespace
@@ -157,8 +157,8 @@ void SmoothPath::round_chain(bool last, const StopToken& stop) {
     if (is_chained_[i] != 0) width_[i] = slow_.at(squeezed_[i]).w;
 }
 
-/// Returns how densely a piece is sampled, mm: as densely as the narrowest rounding there requires, and so densely that between two
-/// samples the sharpest corner changes the displacement by only a small part of the tolerance.
+/// Returns how densely a piece is sampled, mm. The samples are as dense as the narrowest rounding on the piece requires. They are also so
+/// dense that between two samples the sharpest corner changes the displacement by only a small part of the tolerance.
 SmoothPath::Looks SmoothPath::looks(std::size_t piece, double tolerance) const {
   constexpr double in_chain = 4, alone = 24;  // samples per rounding width
   constexpr double unseen = 0.02;             // greatest change of displacement between two samples, as a share of the tolerance
