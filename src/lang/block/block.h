@@ -19,8 +19,8 @@ namespace kadr {
 
 struct Instruction {
   Op op;
-  double number = 0;  // the operand of `number` and `scale`; for `parameter` the index of the parameter
-  Span where;         // for the alarm, if the step fails
+  double number = 0;  // operand of the operations `number` and `scale`; for `parameter`: index of the formal parameter
+  Span where;         // location in the block's text, for the alarm if the step fails
 };
 
 /// A range of the block's instructions; empty if there is no expression.
@@ -30,12 +30,12 @@ struct Expression {
   explicit operator bool() const { return end > begin; }
 };
 
-/// Address and value. The value is in the unit of the address as written (mm or inch, degrees, …).
+/// A word: an address and a value. The value is in the unit in which the program writes it (mm or inch, degrees, …).
 struct Word {
   double value = 0;
   double second = std::numeric_limits<double>::quiet_NaN();  // the second number of `L2 15`; NaN if there is none
   Span where;
-  Expression expression;   // the value is known only when the block is executed
+  Expression expression;   // the expression that gives the value when the block is executed; empty: the value is known
   Expression axis;         // number of the axis in AX[n]=…
   std::int32_t code = -1;  // for G and M: ten times the number (G54.1 = 541); -1: not a code
   char address = 0;
@@ -64,7 +64,7 @@ enum class StatementKind : std::uint8_t {
   print_decimal,
   names,   // SETVN n[NAME,…]: has no effect at run time (spec/fanuc 5.1)
   o_word,  // a line of flow control or a call (spec/linuxcnc 6)
-  system,  // `$H`, `$110=500`, `$J=X10 F100`: the words of a jog are words of the block (spec/grbl 9, 11)
+  system,  // a line of Grbl: `$H`, `$110=500`, `$J=X10 F100`; the words after `$J=` become words of the block (spec/grbl 9, 11)
 };
 
 /// The commands of an O line (spec/linuxcnc 6.1).
@@ -96,10 +96,10 @@ struct Statement {
   bool words_follow = false;  // words of the block follow an assignment after IF (spec/haas 2.3)
   std::array<Expression, limits::conditions> conditions{};
   Expression target;   // assign: number of the variable
-  Expression value;    // assign: the value; go_to: the number N; ports and files: their number n
+  Expression value;    // assign: the value; go_to: the block number; ports and files: the number n written after the keyword
   Expression program;  // number of the program in FOPENn P…
   Span where;
-  Span text;  // text between the brackets of DPRNT, BPRNT; the label of an O line if it is a name (a number is in `value`); a system line
+  Span text;  // text in the brackets of DPRNT, BPRNT; label of an O line, if it is a name (a number is in `value`); text of a system line
   OWord o_word = OWord::label;
   Span label_where;  // location of the label of an O line
 };
@@ -137,7 +137,7 @@ struct BlockShape {
 };
 
 struct Block {
-  std::string_view text;  // UTF-8 text of its line; valid until the next block is read
+  std::string_view text;  // UTF-8 text of the line that the block is in; valid until the next block is read
   Position position;
   Span where;         // location of the whole block in `text`
   Span number_where;  // location of the word N10
@@ -145,12 +145,12 @@ struct Block {
   bool has_number = false;
   bool main_block = false;  // ':'
   std::uint8_t number_digits = 0;
-  std::uint8_t skip = 0;     // 0: not marked for skipping; else the switch, 1..9
+  std::uint8_t skip = 0;     // block skip; 0: the block has no slash; else the number of the switch, 1..9
   std::uint32_t number = 0;  // block number, written after N or ':'
   std::uint32_t label = 0;   // number written after O or '%'
   std::uint32_t word_count = 0;
-  std::uint64_t letters = 0;                     // bit (address - 'A') for each address present
-  std::array<std::uint8_t, max_addresses> at{};  // for each address that is present: index of its first word
+  std::uint64_t letters = 0;                     // the bit (address - 'A') is set for each address in the block
+  std::array<std::uint8_t, max_addresses> at{};  // index of the first word with each address that is present
   std::array<Word, limits::block_words> words;
   BlockShape shape;
   std::vector<Instruction> code;
@@ -163,11 +163,11 @@ struct Block {
   std::optional<Alarm> broken;  // a fault after the words; faults of the words themselves are reported first (spec/grbl 1.3)
   bool evaluates = false;       // the value of at least one word is an expression
   bool codes_vary = false;      // the number of at least one code is an expression
-  bool kept = false;            // stays in memory at its address, because a loop executes it again
-  bool no_clock = false;        // was checked: none of its expressions reads a clock
-  std::uint64_t checked = 0;    // addresses of the block when its words were last checked and found correct
-  bool calls_macro = false;     // the same check has found a call of a macro
-  bool altered = false;         // words were removed during execution: the address of such a word is 0
+  bool kept = false;            // the block stays at its place in memory, because a loop executes it again
+  bool no_clock = false;        // a check has found that no expression of the block reads a clock
+  std::uint64_t checked = 0;    // value of `letters` when the words were last checked and found correct; 0: not checked
+  bool calls_macro = false;     // that check has found that the block calls a macro
+  bool altered = false;         // words were removed during execution; the address of a removed word is 0
 
   bool has(char letter) const { return (letters >> (letter - 'A') & 1u) != 0; }
   /// Returns the first word with this address, or nullptr.
@@ -178,7 +178,7 @@ struct Block {
   }
   std::string_view text_of(Span s) const { return text.substr(s.begin, s.end - s.begin); }
 
-  /// Prepares for the next block; the lists keep their memory.
+  /// Clears the block, so that the next one can be read into it. The lists keep their allocated memory.
   void clear() {
     marker = Marker::none;
     has_number = main_block = evaluates = altered = codes_vary = kept = no_clock = false;
@@ -186,7 +186,7 @@ struct Block {
     file_name = {};
     broken.reset();
     if (statement.kind != StatementKind::none || statement.condition_count != 0 || statement.with_if)
-      statement = {};  // also after a faulty IF, which has no kind yet
+      statement = {};  // the kind alone does not decide: a faulty IF has conditions but no kind yet
     number_digits = skip = 0;
     number = label = word_count = 0;
     letters = 0;
@@ -199,7 +199,7 @@ struct Block {
   }
 };
 
-/// Bit of a letter in Block::letters.
+/// Returns the bit of an address in Block::letters.
 constexpr std::uint64_t letter_bit(char letter) { return std::uint64_t{1} << (letter - 'A'); }
 
 }  // namespace kadr

@@ -33,7 +33,7 @@ Status read_assignment(Cursor& cursor, const Grammar& grammar, Block& block, std
   return {};
 }
 
-/// Checks that ПС is not a separate word in a comment, because it ends the block on the tape (2С42 6.2).
+/// Checks that ПС is not a separate word in a comment, because the word ПС ends the block on a tape (2С42 6.2).
 Status no_mark_inside(std::string_view text, std::size_t begin, std::size_t end) {
   constexpr std::string_view mark = end_mark_in_text;
   const auto apart = [&](std::size_t i) { return i < begin || i >= end || is_blank(text[i]); };

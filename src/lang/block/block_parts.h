@@ -11,7 +11,7 @@ namespace kadr {
 ///   alarms  those of compile_value; expression_syntax or equal_sign_missing, too_many_words
 Status read_assignment(Cursor& cursor, const Grammar& grammar, Block& block, std::size_t begin);
 
-/// Checks that ПС is not a separate word in a comment, because it ends the block on the tape (2С42 6.2).
+/// Checks that ПС is not a separate word in a comment, because the word ПС ends the block on a tape (2С42 6.2).
 ///   alarms  comment_character
 Status no_mark_inside(std::string_view text, std::size_t begin, std::size_t end);
 

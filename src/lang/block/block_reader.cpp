@@ -96,7 +96,8 @@ bool BlockReader::is_sign_of_end() const {
          !(memory_.encoding && is_tape(*memory_.encoding));
 }
 
-/// Handles a tape that was read in the wrong orientation, in which no blocks can be read: one alarm, then the end of the program.
+/// Handles a tape that was read in the wrong orientation, so that no block of it is readable: returns one alarm, then the end of the
+/// program.
 Result<BlockReader::Got> BlockReader::reversed_tape(Block& block) {
   block.clear();
   block.text = {};
@@ -112,7 +113,7 @@ Status BlockReader::begin_line(Block& block, std::uint32_t nth) {
   is_text_ = false;
   if ((memory_.encoding && is_tape(*memory_.encoding)) || memory_.expects_high_bytes) {
     const Status decoded = decode_line();
-    if (!decoded && is_tape(encoding())) {  // else the damaged byte may be in a comment: lex_line decides
+    if (!decoded && is_tape(encoding())) {  // in another encoding the damaged byte may be in a comment: lex_line decides
       block.clear();
       block.position = {line_.offset, line_.number, 0};
       block.text = text_;
@@ -143,7 +144,7 @@ Status BlockReader::lex_line(Block& block) {
       rest_ = text_.size();
       return decoded;
     }
-    if (rest_ != 0) {  // earlier blocks of the line were read undecoded: find the same position in the text
+    if (rest_ != 0) {  // the line's earlier blocks were read undecoded: rest_ becomes the offset in the decoded text
       std::string before;
       (void)append_utf8(line_.bytes.substr(0, rest_), *memory_.encoding, before);
       rest_ = before.size();
@@ -151,7 +152,8 @@ Status BlockReader::lex_line(Block& block) {
     block.clear();
     lexed = lex_block(text_, rest_, true, grammar_, block);
   }
-  for (std::uint32_t joined = 0; lexed && lexed->open_comment; ++joined) {  // one block may contain several such comments
+  // one block may contain several comments that continue in the next line
+  for (std::uint32_t joined = 0; lexed && lexed->open_comment; ++joined) {
     if (joined == limits::long_comments) {
       rest_ = text_.size();
       return fail(alarm(AlarmId::too_many_words, {0, 1}, double{limits::long_comments}));
@@ -202,7 +204,7 @@ Status BlockReader::join_comment(Block& block, std::size_t open) {
       joined_ += '\n';
       joined_ += next.bytes;
     } else {
-      if (joined_.size() < limits::line_bytes) joined_ += '\n';  // locations after the comment are counted by lines
+      if (joined_.size() < limits::line_bytes) joined_ += '\n';  // every line is kept: later locations are counted by lines
       if (closed) joined_ += next.bytes.substr(end);
     }
   }

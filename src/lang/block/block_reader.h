@@ -17,7 +17,7 @@ class BlockReader {
   static constexpr std::uint64_t no_mark = ~std::uint64_t{0};
 
  public:
-  /// `encoding`: named by the user; otherwise it is guessed from the first bytes that need it.
+  /// `encoding`: the encoding that the user gives; nullopt: the encoding is guessed when a line first needs decoding.
   BlockReader(std::shared_ptr<ByteSource> source, const Grammar& grammar, std::optional<Encoding> encoding);
 
   enum class Got : std::uint8_t { block, end };
@@ -31,13 +31,13 @@ class BlockReader {
   Position position() const { return position_; }
   /// Returns the text of the last block as UTF-8, whatever its encoding; `place` is converted to a location in the returned text.
   std::string shown(std::string_view text, Span& place) const;
-  /// What earlier lines have shown about later lines; with the position this is all that a reader needs to continue.
+  /// What the reader has learned from the lines read so far. Together with the position this is all that a reader needs to continue.
   struct Memory {
     std::optional<Encoding> encoding;
     bool guessed = false;
     std::uint64_t first_mark = no_mark;  // offset of the first line with a block that ends with ПС or LF
     bool orientation_reported = false;
-    bool expects_high_bytes = false;  // an earlier line needed decoding, so the next ones probably do
+    bool expects_high_bytes = false;  // an earlier line had bytes above 127, so the next lines probably have them too
     friend bool operator==(const Memory&, const Memory&) = default;
   };
   const Memory& memory() const { return memory_; }
@@ -61,9 +61,9 @@ class BlockReader {
   Memory memory_;
   Line line_;
   std::string decoded_;    // the line in UTF-8, if the file has another encoding
-  std::string joined_;     // the line joined with the next lines, if a comment spans them (nct 14.3)
+  std::string joined_;     // the lines of a comment over several lines, joined (nct 14.3)
   std::string_view text_;  // text of the current line
-  std::size_t rest_ = 0;   // offset in the line where its next block starts
+  std::size_t rest_ = 0;   // offset in text_ at which the next block starts
   bool in_line_ = false;
   bool is_text_ = false;  // text_ is known to be UTF-8
   TapeOrientation lie_ = TapeOrientation::right;

@@ -15,7 +15,7 @@ using Failed = tl::unexpected<std::string>;
 
 constexpr std::string_view decimal_sign = "DS";
 constexpr std::string_view code_letters = "GM";    // codes: written G0, G01, M2, whatever the format requires about leading zeros
-constexpr std::string_view without_point = "NGM";  // a block number or a code has no fraction, even with DS
+constexpr std::string_view without_point = "NGM";  // a block number or a code has no fraction, even if the descriptor has DS
 
 bool holds(std::string_view letters, char letter) { return letters.find(letter) != std::string_view::npos; }
 
@@ -90,8 +90,8 @@ class Descriptor {
     return {};
   }
 
-  /// Sets a word's format, and keeps its properties that a descriptor cannot express (a second number, parameters, a count that is not
-  /// written).
+  /// Sets the format of a word. Properties that a descriptor cannot express are kept: a second number, parameters, a count that is not
+  /// written.
   void set(char letter, WordFormat format, std::uint8_t count) {
     WordFormat& word = grammar_.word(letter);
     format.at_most = count > 0 ? count : word.at_most;
@@ -119,7 +119,7 @@ tl::expected<WordFormat, std::string> parse_word_format(std::string_view digits,
   format.known = true;
   format.point = point;
   format.sign = take_sign(digits);
-  const bool one_more = take(digits, "*");  // T*2 of the 2С42: "an additional digit" (6.2, the note); INFERRED: the star means this digit
+  const bool one_more = take(digits, "*");  // 2С42 6.2, the note on T*2: "an additional digit"; INFERRED: the star means this digit
   if (digits.starts_with('-')) return Failed("a sign is written + or ±");
   format.drop_zeros = take(digits, "0");
   if (digits.empty() || digits.size() > 2) return Failed("one or two digits say how many stand before and after the point");

@@ -14,7 +14,7 @@ namespace kadr {
 ///   returns  an error sentence that names the part of the descriptor that is not understood
 tl::expected<void, std::string> apply_descriptor(std::string_view descriptor, Grammar& grammar);
 
-/// Parses the format of one address: "+053", "04", "2", "031", "*2". `point`: DS is in force, so that a decimal point is allowed.
+/// Parses the format of one address: "+053", "04", "2", "031", "*2". `point`: the descriptor contains DS, so a decimal point is allowed.
 tl::expected<WordFormat, std::string> parse_word_format(std::string_view digits, bool point);
 
 }  // namespace kadr

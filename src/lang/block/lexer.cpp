@@ -92,7 +92,7 @@ class Lexer {
     return {};
   }
 
-  /// Reads `%` alone in its line; elsewhere it is not a word (spec/linuxcnc 2.1).
+  /// Reads `%`, which must be alone in its line (spec/linuxcnc 2.1).
   Status sign_of_file(std::size_t begin) {
     cursor_.skip_blanks();
     if (cursor_.at < cursor_.text.size()) {
@@ -116,7 +116,7 @@ class Lexer {
   Status item() {
     const char c = cursor_.text[cursor_.at];
     if (block_.statement.kind > StatementKind::words && !is_blank(c) && c != '(' && c != ';' && !block_.statement.words_follow)
-        [[unlikely]]  // text after the statement's comment
+        [[unlikely]]  // text after the comment that follows a statement
       return fail(alarm(AlarmId::statement_not_alone, span(cursor_.at, cursor_.at + 1)));
     if (is_capital(c)) return word(c, 1);
     if (is_blank(c)) {
@@ -346,7 +346,7 @@ class Lexer {
   Status end_of_dos_file() { return passes_dos_end(cursor_) ? Status() : unexpected(); }
   Status unexpected() const { return fail(unexpected_at(cursor_.text, cursor_.at)); }
 
-  /// Returns the alarm for a surplus `]` (nct 23.2.6), or for `=` after a name that the channel does not have (2.2): Z2=5.
+  /// Returns the alarm for a surplus `]` (nct 23.2.6), or for `=` after a name that the channel does not have (nct 2.2): Z2=5.
   Status out_of_place(char c) {
     const Span where = span(cursor_.at, cursor_.at + 1);
     if (c == ']') return fail(alarm(AlarmId::expression_syntax, where, c));
@@ -359,7 +359,7 @@ class Lexer {
   Status whole_block() {
     if (grammar_.block_length != 0 && !grammar_.filtered_lines && !block_.empty()) {
       if (!is_utf8_ && cursor_.at - begin_ > grammar_.block_length && has_high(cursor_.at)) {
-        result_.needs_utf8 = true;  // a byte above 127 is not a character
+        result_.needs_utf8 = true;  // bytes above 127 that are not decoded cannot be counted as characters
         return {};
       }
       const std::uint32_t length = characters_of(cursor_.text.substr(begin_, cursor_.at - begin_));

@@ -1,5 +1,5 @@
 #pragma once
-// Splits the text of one block into words. One pass, no allocation once the lists of the block have grown.
+// Splits the text of one block into words, in one pass. No memory is allocated once the lists of the block are long enough.
 
 #include <string_view>
 
@@ -14,13 +14,13 @@ struct Lexed {
   bool marked = false;         // the block ended with a literal ПС or LF
   bool open_comment = false;   // a comment continues in the next line: append that line and call again
   std::size_t comment_at = 0;  // offset where this comment starts
-  bool needs_utf8 = false;     // the text has bytes above 127 outside comments and is not known to be UTF-8: decode it and call again
+  bool needs_utf8 = false;     // the text has bytes above 127 outside comments and is not known to be UTF-8: decode the text and call again
 };
 
 /// Reads the block that starts at `from`.
-///   text   one line, UTF-8 if `is_utf8`
-///   block  cleared by the caller; its text, position and where are set here
-///   alarms each names the exact characters; the block's number is set if it is before the fault
+///   text    one line, UTF-8 if `is_utf8`
+///   block   cleared by the caller; its members `text` and `where` are set here
+///   alarms  each has the location of the faulty characters; the block number is set if it is written before the fault
 Result<Lexed> lex_block(std::string_view text, std::size_t from, bool is_utf8, const Grammar& grammar, Block& block);
 
 }  // namespace kadr

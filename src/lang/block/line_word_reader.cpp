@@ -102,7 +102,7 @@ bool LineWordReader::word(std::size_t& at) {
 
 namespace {
 
-/// The digits of a number that are used, and the power of ten to multiply them by.
+/// The digits of a number that Grbl uses, and the power of ten by which they are multiplied.
 struct CountedDigits {
   std::uint32_t digits = 0;
   int exponent = 0;
@@ -167,8 +167,8 @@ void LineWordReader::add(char letter, std::string_view number, Span where) {
   ++block_.word_count;
 }
 
-/// Sets the code to ten times the number, rounded to hundredths (1.3: G17.004 is G17); sets -1 if no code has so many digits, or if the
-/// number is negative.
+/// Sets the code to ten times the number, rounded to hundredths (spec/grbl 1.3: G17.004 is G17). Sets the code to -1 if the number is
+/// negative, or has more digits than any code.
 void LineWordReader::code_of(Word& w) const {
   constexpr double most = 1e5;
   if (!(w.value >= 0 && w.value < most)) return;

@@ -13,16 +13,16 @@
 
 namespace kadr {
 
-/// Returns the characters that pass the filter of protocol.c, in capitals:
-/// no blanks, control characters, `/`, comments, real-time characters.
+/// Returns the line as the filter of Grbl's protocol.c passes it: in capitals, without blanks, control characters, `/`, comments and
+/// real-time characters.
 ///   place  output: the offset of each of these characters in the line
 std::string filtered(std::string_view line, std::vector<std::uint32_t>& place);
 
 /// Returns the length of a number as Grbl writes it at the start of the text: a sign, digits, one decimal point. 0 if there is no digit.
 std::size_t size_of_number(std::string_view text);
 
-/// Returns the value as read_float of nuts_bolts.c does: only the first eight digits are used, leading zeros included; further digits
-/// before the decimal point are read as zeros (1.3).
+/// Returns the value as read_float of Grbl's nuts_bolts.c does: only the first eight digits are used, leading zeros included; further
+/// digits before the decimal point are read as zeros (spec/grbl 1.3).
 double value_of_digits(std::string_view number);
 /// Like value_of_digits(), with each step of read_float rounded to 32 bits, as on the control.
 float float32_of_digits(std::string_view number);
@@ -31,8 +31,8 @@ class LineWordReader {
  public:
   LineWordReader(Cursor& cursor, const Grammar& grammar, Block& block) : cursor_(cursor), grammar_(grammar), block_(block) {}
 
-  /// Reads the whole line. A fault after some words is stored in Block::broken, because the control reports faults of these words first:
-  /// unexpected_character, number_missing, address_unknown, too_many_words.
+  /// Reads the whole line. A fault after some words is stored in Block::broken instead of being returned, because the control reports the
+  /// faults of these words first. Such a fault is unexpected_character, number_missing, address_unknown or too_many_words.
   ///   alarms  block_too_long
   Status read();
 
@@ -47,7 +47,7 @@ class LineWordReader {
   Cursor& cursor_;
   const Grammar& grammar_;
   Block& block_;
-  std::string kept_;                  // the characters that pass the filter, in capitals
+  std::string kept_;                  // the characters of the line that pass the filter, in capitals
   std::vector<std::uint32_t> place_;  // offset of each of these characters in the line
 };
 

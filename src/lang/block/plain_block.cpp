@@ -14,7 +14,8 @@ namespace {
 
 constexpr char letter_of(char c) { return static_cast<char>(c & ~0x20); }
 
-/// Returns true for a name that continues after a digit and needs no '=': this reader cannot distinguish it from two words (nct 2.2).
+/// Returns true for a name that continues after a digit and needs no '='. PlainBlocks cannot distinguish such a name from two words (nct
+/// 2.2).
 bool looks_like_words(const AddressName& name) {
   return std::any_of(name.text.begin(), name.text.end() - 1, is_digit) && !is_digit(name.text.back());
 }
@@ -30,8 +31,9 @@ struct PlainBlocks::Digits {
 };
 
 PlainBlocks::PlainBlocks(const Grammar& grammar) : grammar_(grammar) {
-  constexpr std::size_t exact_digits = 15, number_digits = 9;     // digits of whole numbers that a double, and 32 bits, hold exactly
-  constexpr std::size_t lone_digits = 8, lone_number_digits = 7;  // all digits that count; no such number is too large (spec/grbl 1.3)
+  constexpr std::size_t exact_digits = 15, number_digits = 9;  // digits of whole numbers that a double, and 32 bits, hold exactly
+  // Grbl uses so many digits, and no such number is too large (spec/grbl 1.3)
+  constexpr std::size_t lone_digits = 8, lone_number_digits = 7;
   most_digits_ = grammar.filtered_lines ? lone_digits : exact_digits;
   most_number_digits_ = grammar.filtered_lines ? lone_number_digits : number_digits;
   for (const char c : {' ', '\t', '\r', '\0', '\x7f'}) kinds_[static_cast<unsigned char>(c)] = Kind::blank;
@@ -141,7 +143,8 @@ const char* PlainBlocks::word(const char* at, const char* end, Block& block) con
     if (!digits.has_point) decimals += w.counted = format.counted;
     if (format.second_number) w.second = std::numeric_limits<double>::quiet_NaN();
   }
-  const double value = static_cast<double>(digits.mantissa) / powers_of_ten[decimals];  // both exact: correctly rounded
+  // an exact divided by an exact number: correctly rounded
+  const double value = static_cast<double>(digits.mantissa) / powers_of_ten[decimals];
   w.value = sign == '-' ? -value : value;
   w.where = {static_cast<std::uint32_t>(begin - block.text.data()), static_cast<std::uint32_t>(at - block.text.data())};
   w.expression = {};

@@ -1,5 +1,5 @@
-// The record mark % and the label skip (spec/fanuc 1.1). Used by lang/block/block_reader, control/macro_b/programs/program_search;
-// tested by tests/cases/fanuc/programs.cases.
+// The record mark %, and the text that is skipped before the program (spec/fanuc 1.1, label skip). Used by lang/block/block_reader,
+// control/macro_b/programs/program_search; tested by tests/cases/fanuc/programs.cases.
 
 #include "lang/block/program_frame.h"
 
@@ -62,7 +62,7 @@ ProgramFrame frame_of(std::string_view sample, const Grammar& grammar) {
     at = std::min(sample.find('\n', at), sample.size() - 1) + 1;
     if (at == sample.size() || !has_sign(sample.substr(at, std::min(sample.find('\n', at), sample.size()) - at))) continue;
     std::size_t behind = std::min(sample.find('\n', at), sample.size() - 1) + 1;
-    if (first_line(sample, behind).empty()) return {};  // this % is the sign of the end: no line follows
+    if (first_line(sample, behind).empty()) return {};  // no line follows this %, so it ends the program
     return {at, at};
   }
   return {};

@@ -1,5 +1,6 @@
 #pragma once
-// ProgramFrame: where a program starts and ends in its file: the record mark % and the label skip (spec/fanuc 1.1).
+// ProgramFrame: where a program starts and ends in its file. The record mark % gives both; the text before the program is skipped
+// (spec/fanuc 1.1, label skip).
 
 #include <cstdint>
 #include <string_view>
@@ -14,7 +15,7 @@ struct ProgramFrame {
   std::uint64_t sign = none;  // offset of the line with the first %; none: the file has no %, or has it only after the first block
 };
 
-/// Analyses the start of a file. Text before the first % is skipped if it is not a block: then it is a title.
+/// Finds the start of the program in the first bytes of a file. Text before the first % that is not a block is a title, and is skipped.
 ProgramFrame frame_of(std::string_view sample, const Grammar& grammar);
 
 /// Returns true if the line starts with %, apart from blanks.

@@ -25,7 +25,7 @@ constexpr KeywordRow keywords[] = {
     {"PRM", Keyword::prm},          {"SETVN", Keyword::names},
 };
 
-/// Returns true if #number is a variable to which a program writes to show a message (23.1.8).
+/// Returns true if #number is a variable to which a program writes to show a message (nct 23.1.8).
 bool is_message(double number) { return number == 3000 || number == 3006 || number == 3106 || number == 3107; }
 
 }  // namespace
@@ -63,14 +63,14 @@ Status StatementReader::read(Keyword keyword) {
     case Keyword::goto_: return jump(begin);
     case Keyword::print_binary:
     case Keyword::print_decimal: return print(keyword, begin);
-    case Keyword::prm: return fail(alarm(AlarmId::illegal_address, span(begin, cursor_.at), "PRM"));  // PRM only right of = (24.2)
+    case Keyword::prm: return fail(alarm(AlarmId::illegal_address, span(begin, cursor_.at), "PRM"));  // nct 24.2: PRM only right of =
     case Keyword::names: return variable_names(begin);
     case Keyword::then_: return fail(alarm(AlarmId::expression_syntax, span(begin, cursor_.at), "THEN"));
     default: return device(keyword, begin);
   }
 }
 
-/// Reads IF[…] GOTOn, IF[…] THEN statement or words, IF[…] statement or words (23.2.9, 23.2.10). The lexer reads the words.
+/// Reads IF[…] GOTOn, IF[…] THEN statement or words, IF[…] statement or words (nct 23.2.9, 23.2.10). The lexer reads the words.
 Status StatementReader::branch() {
   block_.statement.with_if = true;
   KADR_TRY(condition());
@@ -87,13 +87,13 @@ Status StatementReader::branch() {
   if (next != Keyword::none) return read(next);
   const char c = cursor_.peek();
   const bool ends = c == '\0' || c == '(';
-  if (ends && grammar_.condition_alone) {  // spec/haas 2.3: a condition alone, without effect
+  if (ends && grammar_.condition_alone) {  // spec/haas 2.3: a condition may be alone in its block, and then has no effect
     block_.statement.kind = StatementKind::words;
     return {};
   }
   if (!is_letter(c) && c != ',' && !is_high(c)) return syntax(cursor_.at);
   if (!grammar_.condition_words) return fail(alarm(AlarmId::statement_not_alone, span(cursor_.at, cursor_.at + 1)));
-  block_.statement.kind = StatementKind::words;  // 23.2.10 does not say what may follow: words of a block too, as on a Fanuc
+  block_.statement.kind = StatementKind::words;  // nct 23.2.10 does not state what may follow; words of a block may, as on a Fanuc
   return {};
 }
 
@@ -131,7 +131,7 @@ Status StatementReader::loop_end(std::size_t begin) {
   return ended(begin);
 }
 
-/// Reads the number of a loop: 1, 2 or 3 (23.2.11).
+/// Reads the number of a loop: 1, 2 or 3 (nct 23.2.11).
 Status StatementReader::loop_number(std::size_t begin) {
   cursor_.skip_blanks();
   Number read;
@@ -182,7 +182,7 @@ Status StatementReader::assignment(std::size_t begin) {
   }
   Cursor ahead = cursor_;
   ahead.skip_blanks();
-  if (grammar_.assignment_and_words && ahead.peek() == '#')  // spec/haas 10: alarm 501
+  if (grammar_.assignment_and_words && ahead.peek() == '#')  // spec/haas 10: a second assignment raises alarm 501
     return fail(alarm(AlarmId::statement_not_alone, span(ahead.at, ahead.at + 1)));
   return ended(begin);
 }
@@ -209,7 +209,7 @@ Status StatementReader::variable_names(std::size_t begin) {
   return ended(begin);
 }
 
-/// Reads POPENn, PCLOSn, FOPENn Pp or <name>, FCLOS (23.2.13).
+/// Reads POPENn, PCLOSn, FOPENn Pp or <name>, FCLOS (nct 23.2.13).
 Status StatementReader::device(Keyword keyword, std::size_t begin) {
   Statement& s = block_.statement;
   s.kind = keyword == Keyword::open_port    ? StatementKind::open_port
@@ -265,7 +265,7 @@ Status StatementReader::print(Keyword keyword, std::size_t begin) {
   return ended(begin);
 }
 
-/// Checks that only a comment follows the statement (INFERRED: one statement per block, 23.2.1).
+/// Checks that only a comment follows the statement (INFERRED: one statement per block, nct 23.2.1).
 Status StatementReader::ended(std::size_t begin) {
   block_.statement.where = span(block_.statement.where.begin, cursor_.at);
   (void)begin;

@@ -45,7 +45,7 @@ Status WordReader::value(Word& w, const WordFormat& format, std::size_t begin) {
   const char c = cursor_.peek();
   if (grammar_.operator_i && sign == 0 && (c == 'I' || c == 'i') && cursor_.at == begin + 1)
     return fail(alarm(AlarmId::increment_not_allowed, span(begin, cursor_.at + 1), w.address));
-  if (is_digit(c) || c == '.') [[likely]] {  // a macro's argument may have any sign (nct 23.3); else the range is checked later
+  if (is_digit(c) || c == '.') [[likely]] {  // a macro's argument may have any sign (nct 23.3); the range of other words is checked later
     if (sign != 0 && !format.sign && (!grammar_.custom_macros || (sign == '-' && format.code)))
       return fail(alarm(AlarmId::sign_not_allowed, span(sign_at, sign_at + 1), w.address));
     return number(w, format, sign, begin);
@@ -108,7 +108,7 @@ Status WordReader::number(Word& w, const WordFormat& format, char sign, std::siz
     const std::size_t end = cursor_.at;
     cursor_.skip_blanks();
     const char c = cursor_.peek();
-    const double constant = format.implied ? read.mantissa : read.value;  // raw digits, because the value of a parameter is in raw digits
+    const double constant = format.implied ? read.mantissa : read.value;  // unscaled digits, because the parameter is unscaled too
     if ((c == '+' || c == '-')) return parameter_sum(w, format, sign == '-' ? -constant : constant, c, begin);
     cursor_.at = end;  // blanks after the word are not part of it
   }
@@ -168,7 +168,7 @@ Status WordReader::code_of(Word& w, std::size_t begin) const {
     return fail(alarm(AlarmId::code_unknown, span(begin, cursor_.at), cursor_.text.substr(begin, cursor_.at - begin)));
   w.code = static_cast<std::int32_t>(nearest);
   const WordFormat& format = grammar_.word(w.address);
-  if (w.digits < format.code_digits && !w.has_point && block_.warnings.size() < limits::block_words)  // spec/gost 3: 3G2 prints G01
+  if (w.digits < format.code_digits && !w.has_point && block_.warnings.size() < limits::block_words)  // spec/gost 3: 3G2 means G01
     block_.warnings.push_back(
         warning(AlarmId::code_digits, span(begin, cursor_.at), cursor_.text.substr(begin, cursor_.at - begin), double(format.code_digits)));
   return {};
@@ -275,7 +275,7 @@ Status WordReader::parameter_sum(Word& w, const WordFormat& format, double const
   return {};
 }
 
-/// Reads `R2+50`, which sets R2; the sign is mandatory, INFERRED: without one it is +.
+/// Reads `R2+50`, which sets R2. The manual demands the sign (2С42 6.3.7); INFERRED: a number without a sign is positive.
 Status WordReader::formal_parameter(std::size_t begin) {
   if (!is_digit(cursor_.peek())) return fail(alarm(AlarmId::number_missing, span(begin, cursor_.at), grammar_.parameter_address));
   const double index = cursor_.text[cursor_.at++] - '0';

@@ -16,14 +16,14 @@ class WordReader {
  public:
   WordReader(Cursor& cursor, const Grammar& grammar, Block& block) : cursor_(cursor), grammar_(grammar), block_(block) {}
 
-  /// Checks that the block may have one more word with this address; the format of the address limits their number.
+  /// Checks that the block may have one more word with this address. The format of the address limits the number of such words.
   ///   alarms  too_many_words, address_twice, too_many_codes
   Status room_for(char letter, const WordFormat& format, std::size_t begin);
 
   /// Reads sign, digits, decimal point or expression after the address at the cursor. `begin`: start of the word, for alarms.
   Status value(Word& w, const WordFormat& format, std::size_t begin);
 
-  /// Reads `R2+50`, which sets R2; the sign is mandatory, INFERRED: without one it is + (2С42 6.3.7).
+  /// Reads `R2+50`, which sets R2. The manual demands the sign (2С42 6.3.7); INFERRED: a number without a sign is positive.
   Status formal_parameter(std::size_t begin);
   /// Reads `#12+50.`, a formal parameter with a special sign as its letter (spec/correctors 3); an alarm reports anything else as
   /// unexpected.
@@ -39,11 +39,11 @@ class WordReader {
   /// Reads the number after O.
   Status label(std::size_t begin, const WordFormat& format);
 
-  /// Reads AX[n]=v, the axis by its number (nct 23.2.12); the address is known only when the block is executed.
+  /// Reads AX[n]=v, a word that gives its axis by number (nct 23.2.12). The address is known only when the block is executed.
   Status axis_by_number(std::size_t begin);
 
-  /// Returns the longest name of several characters at the cursor; a name that ends with a digit needs '=' after it (nct 2.2). nullopt if
-  /// there is none.
+  /// Returns the longest name of several characters at the cursor; nullptr if there is no name. A name that ends with a digit needs '='
+  /// after it (nct 2.2).
   const AddressName* name_here() const;
 
   /// Returns true if the text at the cursor cannot be the start of a value.

@@ -1,13 +1,14 @@
 #pragma once
-// Numbers of symbols for Op::element that no control's table contains: queries about a variable number, where named variables have
-// numbers too (VariableNames).
+// Symbol numbers that the compiler itself passes to Op::element; no control's table of system variables contains them. Each is a question
+// about the number of a variable. Variables with a name have such a number too (VariableNames).
 
 namespace kadr {
 
-/// EXISTS[#<name>], EXISTS[#5] (spec/linuxcnc 5): 1 or 0.
+/// Asks whether a variable exists: EXISTS[#<name>] by its name, EXISTS[#5] by its number (spec/linuxcnc 5). The answer is 1 or 0.
 inline constexpr double symbol_name_exists = -1, symbol_number_exists = -3;
-/// Passes the number on as the program has it, after the check that it is not the number of a name.
-///   alarms  an alarm of the control if it is
+/// Asks for the variable number itself, unchanged. The control checks that the program has not computed a number that stands for the name
+/// of a variable.
+///   alarms  the control's own alarm for such a number
 inline constexpr double symbol_own_number = -2;
 
 }  // namespace kadr

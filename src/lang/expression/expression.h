@@ -1,6 +1,6 @@
 #pragma once
-// Expressions of a block: the text is compiled to instructions once; the instructions are evaluated each time.
-// Operators and functions: Mach3 / RS274-NGC, spec/mach3 1; custom macros, spec/nct/23 23.2. Angles in degrees.
+// Expressions of a block. Their text is compiled to instructions once; the instructions are evaluated each time the block is executed.
+// Operators and functions: spec/mach3 1 (Mach3, RS274/NGC); spec/nct/23 23.2 (custom macros). Angles are in degrees.
 
 #include <array>
 #include <cmath>
@@ -25,11 +25,11 @@ struct Cursor {
 inline constexpr double vacant = std::numeric_limits<double>::quiet_NaN();
 inline bool is_vacant(double value) { return value != value; }
 
-/// Compiles a value as it is written after an address: number, #n, ##n, #[…], […], function. Appends to block.code.
+/// Compiles a value as it is written after an address: number, #n, ##n, #[…], […], function. Appends the instructions to block.code.
 ///   alarms  expression_syntax, bracket_not_closed, nesting_too_deep, operator_unknown, function_unknown, number_damaged
 Result<Expression> compile_value(Cursor& cursor, const Grammar& grammar, Block& block);
 
-/// Compiles the part between `#` and `=` of an assignment, a variable's number or name, like compile_value.
+/// Compiles the number or name of the variable between `#` and `=` of an assignment. The alarms are those of compile_value.
 Result<Expression> compile_target(Cursor& cursor, const Grammar& grammar, Block& block);
 
 /// How much of the text at the cursor belongs to the value.
@@ -41,7 +41,8 @@ enum class MacroValue : std::uint8_t {
 /// Like compile_value, for the language of custom macros (nct 23). Warns of ATAN[a]/[b], which other controls read differently.
 ///   alarms  expression_syntax (nct 2064), bracket_not_closed, nesting_too_deep, number_damaged, illegal_address
 Result<Expression> compile_macro_value(Cursor& cursor, const Grammar& grammar, Block& block, MacroValue extent);
-/// Compiles the text in the brackets of IF[…] and WHILE[…]: one relation (nct 23.2.7). alarms also terminator_wrong
+/// Compiles the condition in the brackets of IF[…] and WHILE[…], which is one comparison (nct 23.2.7).
+///   alarms  those of compile_macro_value; terminator_wrong
 Result<Expression> compile_condition(Cursor& cursor, const Grammar& grammar, Block& block);
 /// Compiles the number of a variable as it is written after '#': digits, […], _NAME[…].
 Result<Expression> compile_macro_target(Cursor& cursor, const Grammar& grammar, Block& block);
@@ -61,7 +62,7 @@ bool read_number(Cursor& cursor, Number& number);
 /// Reads a number with more digits than a double holds exactly.
 bool read_long_number(std::string_view digits, Number& number);
 
-/// Executes one step on the operands `a`, `b`.
+/// Executes one step of an expression of RS274/NGC on the operands `a` and `b`.
 ///   alarms  division_by_zero, not_a_number
 Result<double> apply(Op op, double a, double b, Span where);
 
@@ -98,14 +99,14 @@ inline bool compare(Op op, double a, double b) {
   }
 }
 
-/// Evaluates the instructions. `variable(double number, Span)` and `parameter(int)` return Result<double>;
-/// `known(double number, double& value)` is a fast access to variables; it returns false for variables that it does not cover;
-/// `increments()` is the number of increments in one unit of the program;
-/// `control_value(number, bit, index, Span)` and `element(symbol, index, Span)` belong to custom macros.
+/// Evaluates an expression. `variables` is an object with these functions: `variable(number, Span)` and `parameter(index, Span)` return the
+/// value or an alarm; `known(number, value)` is a fast access to the value of a variable, and returns false for a variable that it does not
+/// cover; `increments()` returns the number of least increments in one unit of the program; `control_value(number, bit, index, Span)` and
+/// `element(symbol, index, Span)` return the results of the operations with these names.
 template <class Variables>
 // NOLINTNEXTLINE(readability-function-size): one switch over the steps
 Result<double> evaluate(const Block& block, Expression expression, Variables&& variables) {
-  std::array<double, limits::expression_depth * 2> stack;  // the compiler bounds the depth
+  std::array<double, limits::expression_depth * 2> stack;  // the compiler limits the number of values on the stack
   std::size_t top = 0;
   for (std::size_t i = expression.begin; i < expression.end; ++i) {
     const Instruction& step = block.code[i];

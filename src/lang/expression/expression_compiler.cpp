@@ -1,7 +1,7 @@
-// Compiles expressions to instructions. Operators, functions and relations are rows of the control's file
-// (ExpressionRules); what a row cannot describe differs between two families, by Grammar::custom_macros:
-// RS274/NGC (spec/mach3 1) and custom macros (spec/nct/23, grammar at its end). Used by lexer, word_reader
-// and statement_reader; tested by tests/lang/expression_test.cpp, macro_test.cpp, expression_rules_test.cpp.
+// Compiles expressions to instructions. Operators, functions and relations are rows of the control's file (ExpressionRules). What a row
+// cannot describe follows from Grammar::custom_macros: true for custom macros (spec/nct/23, with their grammar at the end), false for
+// RS274/NGC (spec/mach3 1). Used by lexer, word_reader and statement_reader; tested by tests/lang/expression_test.cpp, macro_test.cpp,
+// expression_rules_test.cpp.
 
 #include <algorithm>
 
@@ -67,7 +67,7 @@ class Compiler : public StepWriter {
     return is_small ? Status() : step(Op::element, symbol_own_number, begin, 0);
   }
 
-  /// Compiles the part after '#': digits, […], _NAME[…] (23.1.1); `##n` is an error.
+  /// Compiles the part after '#': digits, […], _NAME[…] (nct 23.1.1); `##n` is an error.
   Status reference(bool& constant_number, double& number) {
     cursor_.skip_blanks();
     const std::size_t begin = cursor_.at, first = block_.code.size();
@@ -101,7 +101,7 @@ class Compiler : public StepWriter {
     return constant_number ? step(Op::variable_at, number, begin, 1) : step(Op::variable, 0, begin, 0);
   }
 
-  /// Reports `WHILE #1=5`: an assignment in the place of a condition (23.2.11).
+  /// Reports `WHILE #1=5`: an assignment in the place of a condition (nct 23.2.11).
   Status no_assignment() {
     const std::size_t begin = cursor_.at++;
     KADR_TRY(variable(begin));
@@ -120,7 +120,8 @@ class Compiler : public StepWriter {
     const ExpressionRow* const found = row_here(grammar_.expression.relations, length);
     if (found == nullptr) {
       const bool holds_one = grammar_.conditions_are_values || is_condition_;
-      if (cursor_.peek() == ']' && holds_one && grammar_.expression.operators.compare()) return {};  // the comparison was an operator
+      // the condition was a comparison written with an operator
+      if (cursor_.peek() == ']' && holds_one && grammar_.expression.operators.compare()) return {};
       if (cursor_.peek() == '=') return fail(alarm(AlarmId::terminator_wrong, span(begin, begin + 1), '='));
       return wrong(begin);
     }
@@ -129,7 +130,7 @@ class Compiler : public StepWriter {
     return step(found->op, 0, begin, -1);
   }
 
-  /// Compiles #<name> (spec/linuxcnc 4.2). `use`: variable_at pushes the variable's value, number pushes its number.
+  /// Compiles #<name> (spec/linuxcnc 4.2). `use`: Op::variable_at pushes the variable's value, Op::number pushes the variable's number.
   Status named(std::size_t begin, Op use) {
     const std::size_t open = cursor_.at;
     const std::size_t close = cursor_.text.find('>', open);
@@ -217,7 +218,8 @@ class Compiler : public StepWriter {
     cursor_.skip_blanks();
     if (cursor_.peek() != ']') return fail(alarm(AlarmId::exists_bracket, span(begin, cursor_.at + 1)));
     ++cursor_.at;
-    return step(Op::element, is_name ? symbol_name_exists : symbol_number_exists, begin, 0);  // the control checks whether it exists
+    // the control checks whether the variable exists
+    return step(Op::element, is_name ? symbol_name_exists : symbol_number_exists, begin, 0);
   }
 
   /// Compiles a function of the next operand only, with the operand's signs (nct 23.2.4).
@@ -249,7 +251,7 @@ class Compiler : public StepWriter {
     return step(row.op, 0, begin, -1);
   }
 
-  /// Warns of ATAN[a]/[b]: on a Fanuc it is a function of both numbers, here ATAN[a] is divided by b (23.2.6).
+  /// Warns of ATAN[a]/[b]: a Fanuc computes one function of both numbers, this control divides ATAN[a] by b (nct 23.2.6).
   void warn_of_quotient(std::size_t begin, std::size_t operand) {
     if (cursor_.text[operand] != '[') return;
     Cursor ahead = cursor_;
@@ -260,10 +262,11 @@ class Compiler : public StepWriter {
     if (ahead.peek() == '[') block_.warnings.push_back(warning(AlarmId::arctangent_divides, span(begin, ahead.at)));
   }
 
-  /// Compiles PRM[n], PRM[n,bit], …/[index] (24.2); an omitted bit or index is vacant.
+  /// Compiles PRM[n] and PRM[n,bit], each also with /[index] (nct 24.2). An omitted bit or index is vacant.
   Status control_value(std::size_t begin) {
     cursor_.at = begin + 3;
-    if (!reads_parameters_) return fail(alarm(AlarmId::illegal_address, span(begin, cursor_.at), "PRM"));  // 24.2: only in an assignment
+    // nct 24.2: PRM only in an assignment
+    if (!reads_parameters_) return fail(alarm(AlarmId::illegal_address, span(begin, cursor_.at), "PRM"));
     cursor_.skip_blanks();
     if (cursor_.peek() != '[') return wrong(cursor_.at);
     const std::size_t open = cursor_.at++;
@@ -292,7 +295,7 @@ class Compiler : public StepWriter {
     return step(Op::control_value, 0, begin, -2);
   }
 
-  /// Compiles a named system variable: _ABSIO[3], _ALM (23.1.1).
+  /// Compiles a named system variable: _ABSIO[3], _ALM (nct 23.1.1).
   Status symbol(bool& constant_number, double& number) {
     const std::size_t begin = cursor_.at++;
     std::string name;

@@ -21,12 +21,12 @@ enum class Operand : std::uint8_t {
 struct ExpressionRow {
   std::string text;  // text of the operator or function in upper case
   Op op = Op::number;
-  std::uint8_t binding = 0;  // priority of an operator; 0: the operator exists, but not on this control, so that an alarm can name it
+  std::uint8_t binding = 0;            // priority of an operator; 0: this control does not have the operator, but an alarm can name it
   Operand operand = Operand::bracket;  // how a function's operand is written
-  Op of_two = Op::number;              // operation of ATAN[a]/[b], if ATAN[a] alone is a function too; Op::number: none
+  Op of_two = Op::number;              // operation of ATAN[a]/[b] where ATAN[a] alone is also a function; Op::number: no such operation
 };
 
-/// Operators or functions by their text. If one text is the start of another, the longer one is matched.
+/// Operators or functions, found by their text. If one text is the start of another, the longer text is matched.
 class ExpressionRows {
  public:
   static constexpr std::size_t most = 64;
@@ -49,13 +49,13 @@ class ExpressionRows {
   const ExpressionRow* find_short(std::string_view text, std::size_t& length) const;
 
  private:
-  std::vector<ExpressionRow> rows_;        // sorted by first character, then the longest texts first
-  std::array<std::uint8_t, 128> first_{};  // for each first character: index of its first row, plus 1; 0: none
+  std::vector<ExpressionRow> rows_;        // sorted by first character; of one first character, longer texts come first
+  std::array<std::uint8_t, 128> first_{};  // for each character: index, plus 1, of the first row that starts with it; 0: no row
 };
 
 struct ExpressionRules {
   ExpressionRows operators, functions;
-  ExpressionRows relations;  // comparisons in the brackets of a condition of custom macros
+  ExpressionRows relations;  // comparisons that are allowed in the brackets of a condition of custom macros
 };
 
 }  // namespace kadr

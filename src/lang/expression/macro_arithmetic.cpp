@@ -9,17 +9,17 @@
 namespace kadr {
 namespace {
 
-constexpr double least_bits = -4294967297.0;  // least operand of AND, OR, XOR, as 23.2.3 prints it
+constexpr double least_bits = -4294967297.0;  // least operand of AND, OR, XOR, as nct 23.2.3 prints it
 constexpr double beyond_bits = 4294967296.0;
 
-/// Converts an operand of AND, OR, XOR to its bits: the nearest whole number modulo 2^32. INFERRED: the rounding; 2^31 … 2^32−1 have the
-/// same bits as the negative numbers.
+/// Converts an operand of AND, OR, XOR to its bits: rounds it to a whole number, and takes that modulo 2^32. INFERRED: the rounding. The
+/// numbers 2^31 … 2^32−1 have the same bits as negative numbers.
 Result<std::uint32_t> bits_of(double v, Span where) {
   if (!(v >= least_bits && v < beyond_bits)) return fail(alarm(AlarmId::bits_out_of_range, where, v));
   return static_cast<std::uint32_t>(std::llround(v));
 }
 
-/// Converts 32 bits back to a number, which is signed (23.2.3 item 4).
+/// Converts 32 bits back to a number, which is signed (nct 23.2.3 item 4).
 double number_of(std::uint32_t bits) { return static_cast<std::int32_t>(bits); }
 
 Result<double> logic(Op op, double a, double b, Span where) {

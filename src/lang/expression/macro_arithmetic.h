@@ -6,7 +6,7 @@
 
 namespace kadr {
 
-/// Executes one step on the operands `a`, `b`.
+/// Executes one step of an expression of custom macros on the operands `a` and `b`.
 ///   alarms  division_by_zero, bits_out_of_range, root_of_negative, tangent_of_right_angle, argument_above_one,
 ///           argument_not_positive, not_a_number
 Result<double> apply_macro(Op op, double a, double b, Span where);

@@ -10,7 +10,7 @@ namespace kadr {
 enum class Op : std::uint8_t {
   number,
   variable,
-  parameter,  // pushes the value of a formal parameter; `variable` replaces the number on top of the stack by the variable's value
+  parameter,  // pushes the value of a formal parameter; `variable` replaces the number on top of the stack by that variable's value
   add,
   subtract,
   multiply,
@@ -45,7 +45,7 @@ enum class Op : std::uint8_t {
   sin,
   sqrt,
   tan,
-  scale,  // divides by `number`: converts raw digits to the unit of the address
+  scale,  // divides the top of the stack by Instruction::number: converts raw digits to the unit of the address
   // ---- custom macros (nct 23.2)
   remainder,
   bit_and,
@@ -68,18 +68,18 @@ enum class Op : std::uint8_t {
   logarithm,
   arc_sine_turn,  // ASIN with results 270 … 90 (spec/fanuc 5.3)
   atan_turn,      // ATAN[a]/[b] with results 0 … 360 (spec/fanuc 5.3)
-  to_bcd,         // 25 → 37: each decimal digit becomes a group of four bits; the next operation converts back
+  to_bcd,         // converts 25 to 37: each decimal digit becomes a group of four bits; `from_bcd` converts back
   from_bcd,
-  keep_negate,   // negates a word's value: a vacant value stays vacant
+  keep_negate,   // negates the value of a word; a vacant value stays vacant
   variable_at,   // pushes the value of variable `number`
-  element,       // replaces the index on top of the stack by the number of the variable that is this element of symbol `number`
+  element,       // replaces the index on top of the stack by the number of the variable with this index in the symbol `number`
   control_value  // PRM: replaces number, bit and index on top of the stack by the value of the parameter
 };
 
 /// Returns the operation of an operator, function or relation by its name in control files ("add", "sine").
 ///   returns  nullopt if no operation has this name and number of operands
 std::optional<Op> operation_named(std::string_view name, int operands);
-/// Names of all operations with this number of operands, for messages.
+/// Returns the name of the operation at the index `place` among those with this number of operands, for messages; empty after the last one.
 std::string_view operation_name(std::size_t place, int operands);
 
 constexpr bool is_comparison(Op op) { return op >= Op::equal && op <= Op::less_equal_by_value; }

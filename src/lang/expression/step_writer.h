@@ -23,7 +23,7 @@ class StepWriter {
     return {};
   }
 
-  /// Returns true if the bracket at `begin` is not closed in the rest of the block (23.2.6).
+  /// Returns true if the bracket at `begin` is not closed in the rest of the block (nct 23.2.6).
   bool is_open(std::size_t begin) const {
     int depth = 0;
     for (std::size_t i = begin; i < cursor_.text.size() && cursor_.text[i] != '('; ++i) {
@@ -49,8 +49,9 @@ class StepWriter {
   }
 
  protected:
-  /// Checks the operands of an operator where conditions are not values (spec/fanuc 5.3, 5.4): a comparison takes two numbers and is
-  /// allowed only in the brackets of a condition; AND, OR, XOR take two conditions or two numbers; all other operators take numbers.
+  /// Checks the operands of an operator on controls where a condition is not a value (spec/fanuc 5.3, 5.4). There a comparison takes two
+  /// numbers and is allowed only in the brackets of a condition. AND, OR and XOR take two conditions or two numbers; all other operators
+  /// take numbers.
   Status joined(Op op, std::size_t at, bool left_is_condition) {
     if (grammar_.conditions_are_values) return {};
     const bool compares = is_comparison(op), joins = op == Op::bit_and || op == Op::bit_or || op == Op::bit_xor;
@@ -90,7 +91,7 @@ class StepWriter {
     return {};
   }
 
-  /// Reads AXNUM[X], the control-wide number of an axis (23.2.12).
+  /// Reads AXNUM[X], the control-wide number of an axis (nct 23.2.12).
   Status axis_number(std::size_t begin) {
     cursor_.at = begin + 5;
     cursor_.skip_blanks();
@@ -166,8 +167,8 @@ class StepWriter {
   Block& block_;
   int depth_ = 0;
   int pushed_ = 0;
-  bool in_condition_ = false;  // where conditions are not values: a condition is allowed at the cursor …
-  bool is_condition_ = false;  // … and the part of the expression read last is a condition
+  bool in_condition_ = false;  // where conditions are not values: true if a condition is allowed at the cursor
+  bool is_condition_ = false;  // where conditions are not values: true if the part of the expression read last is a condition
 };
 
 }  // namespace kadr

@@ -11,11 +11,12 @@ std::optional<double> numbered_drill(std::uint32_t number);
 /// Returns the diameter of drill letter A … Z, mm: F is 0.2570 in. ASME B94.11M.
 std::optional<double> lettered_drill(char letter);
 
-/// Returns the major diameter of a thread, mm, from its size in inches or the number of the screw, and the threads per inch: 0.25-20,
-/// 1-8, 8-32. Returns nullopt if there is no such screw, or for a pipe thread (1/8-27 NPT), whose name is not its diameter. ASME B1.1,
-/// B1.20.1.
+/// Returns the major diameter of a thread, mm: (0.25, 20) is the thread 1/4-20, (8, 32) is 8-32. `size`: inches, or the number of the
+/// screw. Returns nullopt if there is no such screw, or for a pipe thread (1/8-27 NPT), because the name of a pipe thread is not its
+/// diameter. ASME B1.1, B1.20.1.
 std::optional<double> inch_thread(double size, double threads_per_inch);
-/// Returns true if there is such a metric thread (M8). ISO 261. (There is no M29: it is a code, rigid tapping.)
+/// Returns true if ISO 261 has a metric thread with this nominal diameter, mm: 8 for M8. (M29 is not a thread, but the code of rigid
+/// tapping.)
 bool is_metric_thread(double diameter);
 
 }  // namespace kadr

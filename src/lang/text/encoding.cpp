@@ -17,7 +17,7 @@
 namespace kadr {
 namespace {
 
-// ---- one-byte encodings: iconv converts all 128 bytes once, into a table
+// ---- one-byte encodings: iconv converts all bytes above 127 once, into a table
 
 struct Utf8 {
   std::array<char, 4> bytes{};
@@ -28,7 +28,7 @@ using HighHalf = std::array<Utf8, 128>;
 HighHalf load_high_half(const char* iconv_name) {
   HighHalf half;
   const iconv_t converter = iconv_open("UTF-8", iconv_name);
-  if (converter == reinterpret_cast<iconv_t>(-1)) return half;  // no byte above 127 has a meaning then
+  if (converter == reinterpret_cast<iconv_t>(-1)) return half;  // without a converter no byte above 127 has a meaning
   for (std::size_t i = 0; i < half.size(); ++i) {
     char byte = static_cast<char>(128 + i);
     char* from = &byte;
@@ -125,12 +125,13 @@ constexpr std::array<std::string_view, 33> pair_cost = {
     "xznrniqmzxrtjlzvmojzznnrzmzzzzkqb",  // я
     "nlhmjpsjjzinkihejhkkmpnmotzyyozrz",  // start of a word
 };
-constexpr int mixed_case_cost = 24;  // a capital after a small letter, or a small letter after two capitals: a sign of the wrong encoding
-constexpr int typography_cost = 20;  // №, quotes, dashes, degrees: rare, but they occur in text
+// cost of a capital after a small letter, or of a small letter after two capitals: such letters indicate the wrong encoding
+constexpr int mixed_case_cost = 24;
+constexpr int typography_cost = 20;  // cost of №, quotes, dashes, degrees: rare, but they occur in text
 constexpr int other_sign_cost = 48;  // box-drawing characters, fractions, letters of other languages
 
 struct Sign {
-  std::size_t letter = word_edge;  // а..я are 0..31
+  std::size_t letter = word_edge;  // index of the letter: а..я are 0..31
   bool capital = false;
   int cost = 0;  // cost of a character that is not a Russian letter
 };
@@ -207,7 +208,7 @@ Character first_character(std::string_view text) {
     if ((next & 0xC0) != 0x80) return {};
     code = code << 6 | (next & 0x3Fu);
   }
-  constexpr std::array<char32_t, 5> smallest = {0, 0, 0x80, 0x800, 0x10000};  // by length: smaller codes are invalid
+  constexpr std::array<char32_t, 5> smallest = {0, 0, 0x80, 0x800, 0x10000};  // by length in bytes: smaller codes are invalid
   const bool surrogate = code >= 0xD800 && code <= 0xDFFF;
   if (code < smallest[size] || code > 0x10FFFF || surrogate) return {};
   return {code, size};
@@ -251,7 +252,7 @@ std::optional<Encoding> detect_encoding(std::string_view sample) {
   if (ascii_run(sample) == sample.size()) return std::nullopt;
   if (const auto tape = inspect_tape(sample)) return tape->code == TapeCode::eia ? Encoding::eia : Encoding::iso7;
   if (is_utf8(sample) && !is_small_cp866(sample)) return Encoding::utf8;
-  auto best = Encoding::cp1251;  // if costs are equal, the most frequent encoding wins
+  auto best = Encoding::cp1251;  // if two encodings have the same cost, the more frequent encoding wins
   std::uint64_t least = cost_of(sample, best);
   for (const Encoding encoding : {Encoding::cp866, Encoding::koi8r}) {
     const std::uint64_t cost = cost_of(sample, encoding);

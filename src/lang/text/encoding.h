@@ -23,9 +23,10 @@ enum class Encoding : std::uint8_t {
 std::string_view name_of(Encoding encoding);                    // "utf-8", "cp1251", …
 std::optional<Encoding> encoding_named(std::string_view name);  // "koi8-r", "CP866", …
 
-/// Returns the most likely encoding of a sample of program text. A tape image is recognised as a program on tape
-/// (lang/text/tape_orientation). Valid UTF-8 is UTF-8 (its last character may be cut), unless it reads as small Russian letters in CP866.
-/// Among the one-byte Russian encodings the frequencies of letter pairs decide, so that a single word such as ПС is enough.
+/// Returns the most likely encoding of a sample of program text. The image of a tape is recognised by its rows
+/// (lang/text/tape_orientation). A sample of valid UTF-8 counts as UTF-8, even if its last character is incomplete; an exception is a
+/// sample that reads as small Russian letters in CP866. Among the one-byte Russian encodings the frequencies of letter pairs decide, so
+/// that a single word such as ПС is enough.
 ///   returns  nullopt if the sample has no byte above 127: every encoding fits
 std::optional<Encoding> detect_encoding(std::string_view sample);
 

@@ -1,6 +1,6 @@
 #pragma once
-// The mark of the end of a block in the text of a program for a Soviet control: ПС, for «перевод строки», line feed (2С42 6.2). A tape has
-// the character LF in its place.
+// The text that marks the end of a block in a program for a Soviet control: ПС, for «перевод строки», line feed (2С42 6.2). On a tape the
+// character LF is used instead.
 
 #include <string_view>
 

@@ -21,8 +21,8 @@ namespace kadr {
 namespace {
 
 constexpr std::size_t window_bytes = 256 * 1024;
-/// The end of a line is searched for within this number of bytes: with blanks and CRs before its end a line may exceed the permitted
-/// length.
+/// The end of a line is searched for within this number of bytes. CRs before the end do not count, so a line may have more bytes than its
+/// permitted length.
 constexpr std::size_t searched_bytes = 2 * limits::line_bytes;
 constexpr std::size_t first_read = 16 * 1024;  // bytes; few after a jump, because a subprogram is short; doubled with each further read
 constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
@@ -98,8 +98,8 @@ Kept read_whole(const OpenFile& file, std::uint64_t most) {
   }
 }
 
-/// A pipe delivers its text only once, but the control is guessed from the text before the program is read: a second reader of the pipe
-/// gets the stored text.
+/// Keeps the text of each pipe. A pipe delivers its text only once, but there are two readers: the first guesses the control from the text,
+/// the second reads the program.
 class Pipes {
  public:
   static Kept known(const std::string& path) {
@@ -155,7 +155,7 @@ std::unique_ptr<ByteSource> open_file(const std::string& path, const FileAccess*
     Kept text = Pipes::keep(path, read_whole(file, is_device ? limits::device_bytes : limits::piped_bytes));
     return text ? shared_source(std::move(text)) : nullptr;
   }
-  posix_fadvise(file.descriptor(), 0, 0, POSIX_FADV_SEQUENTIAL);  // only advice to the system: its result does not matter
+  posix_fadvise(file.descriptor(), 0, 0, POSIX_FADV_SEQUENTIAL);  // this is only advice to the system, so its result does not matter
   return std::make_unique<FileSource>(std::move(file), static_cast<std::uint64_t>(status.st_size));
 }
 
@@ -227,7 +227,7 @@ std::size_t LineReader::find_end() {
   }
 }
 
-/// Skips the rest of a line that is longer than the window. Returns false if the file ends with this line.
+/// Skips the rest of a line that does not end within searched_bytes. Returns false if the file ends with this line.
 bool LineReader::skip_rest() {
   while (true) {
     const std::size_t end = find_end();

@@ -17,8 +17,8 @@ struct Line {
   std::string_view bytes;    // bytes of the line without the end of line; valid until the next call
   std::uint64_t offset = 0;  // offset of the line's first byte in the file
   std::uint32_t number = 1;  // line number, counted from 1
-  bool ended = true;         // false: the file ends without an end of line
-  bool too_long = false;     // longer than limits::line_bytes; `bytes` is its start, the rest is skipped
+  bool ended = true;         // false for a last line without an end of line
+  bool too_long = false;     // the line is longer than limits::line_bytes; `bytes` is the start of the line, the rest is skipped
 };
 
 /// A source of bytes: a file, or text in memory.
@@ -30,23 +30,23 @@ class ByteSource {
   virtual std::uint64_t size() const = 0;
 };
 
-/// Opens a file. Returns nullptr if it cannot be read (the reason is in errno). Input that cannot be read twice (a pipe, a device; "-"
-/// is the standard input) is stored in a TextSpool, up to limits::piped_bytes or limits::device_bytes; EMSGSIZE if it is longer.
-/// Through a door only a regular file can be opened.
+/// Opens a file. Returns nullptr if it cannot be read (the reason is in errno). Input that cannot be read twice (a pipe, a device; "-" is
+/// the standard input) is stored in a TextSpool, up to limits::piped_bytes or limits::device_bytes; errno is EMSGSIZE if the input is
+/// longer. `door`: if given, it opens the file, and only a regular file can be opened.
 std::unique_ptr<ByteSource> open_file(const std::string& path, const FileAccess* door = nullptr);
 std::unique_ptr<ByteSource> text_source(std::string text);
-/// Returns a source for a text that others also keep in memory.
+/// Returns a source for a text in memory that has other owners too.
 std::unique_ptr<ByteSource> shared_text_source(std::shared_ptr<const std::string> text);
 
 /// Lines end with LF or CR LF (CRs before an LF are not part of the line), or with CR alone if the sample has no LF. A UTF-8 byte order
-/// mark at the start is skipped. No line follows the last end of line.
+/// mark at the start is skipped. The last end of line is not followed by an empty line.
 class LineReader {
  public:
   explicit LineReader(std::shared_ptr<ByteSource> source);
 
   /// Reads the next line; returns false at the end.
   bool next(Line& line);
-  /// Continues at the start of a line read before.
+  /// Continues at the start of a line that was read before, given by its Line::offset and Line::number.
   void seek(std::uint64_t offset, std::uint32_t number);
   /// Sets the byte that ends lines: the end of a block on a tape in EIA code. To be called before the first line is read.
   void end_lines_with(char byte) { end_of_line_ = byte; }

@@ -16,7 +16,7 @@ namespace {
 constexpr std::size_t max_entries = 10'000;
 constexpr std::size_t search_bytes = 64 * 1024;
 
-/// A source that gives the file with some ranges blanked; ends of lines remain.
+/// A source with the bytes of a file, in which some ranges are replaced by blanks; ends of lines remain.
 class BlankedSource final : public ByteSource {
  public:
   BlankedSource(std::shared_ptr<ByteSource> source, std::vector<ByteRange> blank, bool tape)
@@ -81,7 +81,8 @@ class Contents {
       in_ = In::section;
       return;
     }
-    if (in_ == In::nothing && !block.empty() && may_begin_ && contents_.programs.empty()) begin_program(at, 0);  // no % needed
+    // this control needs no % before a program
+    if (in_ == In::nothing && !block.empty() && may_begin_ && contents_.programs.empty()) begin_program(at, 0);
     if (in_ == In::program && block.word_count > 0) has_words_.back() = true;
     if (in_ == In::section) subprogram_block(block);
   }
@@ -122,10 +123,10 @@ class Contents {
   BlockReader reader_;
   const bool sections_, labels_, may_begin_;
   TapeContents contents_;
-  std::vector<bool> has_words_;  // for each program: it has a block with words
+  std::vector<bool> has_words_;  // for each program: true if it has a block with words
   In in_ = In::nothing;
   bool open_ = false;         // the end of a subprogram has not been reached yet
-  bool after_start_ = false;  // the block read is the one after the block with %
+  bool after_start_ = false;  // the block processed last was the one with %
 };
 
 }  // namespace

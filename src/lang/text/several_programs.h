@@ -32,7 +32,7 @@ struct TapeContents {
   std::vector<TapeSubprogram> subprograms;
 };
 
-/// Counts the signs % of a file, whatever their meaning: a file with fewer than two has only one program and need not be analysed.
+/// Counts the signs % of a file, whatever each of them means. A file with fewer than two has only one program and need not be analysed.
 std::size_t count_program_signs(ByteSource& source, std::optional<Encoding> encoding);
 
 /// Analyses a whole file, up to some thousand programs. A sign % without a block after it starts no program. Unreadable blocks are
@@ -42,9 +42,9 @@ TapeContents contents_of(const std::shared_ptr<ByteSource>& source, const Gramma
 /// Returns the index of the program with this number; if no program has a number, programs are counted from 1 (our choice).
 std::optional<std::size_t> program_numbered(const TapeContents& contents, std::uint32_t number);
 
-/// Returns the file reduced to one of its programs. The other programs are blanked, and so are the subprograms that would not be in the
-/// memory of a control that reads the tape: of two subprograms with the same number the last one before the program is used, else the
-/// first one after it (INFERRED). Byte offsets and line numbers stay as in the file.
+/// Returns the file reduced to one of its programs: everything else is replaced by blanks, so byte offsets and line numbers stay as in the
+/// file. The subprograms remain that would be in the memory of a control that reads the tape. Of two subprograms with the same number this
+/// is the last one before the program, else the first one after it (INFERRED).
 std::unique_ptr<ByteSource> only_program(std::shared_ptr<ByteSource> source, const TapeContents& contents, std::size_t index,
                                          std::optional<Encoding> encoding);
 

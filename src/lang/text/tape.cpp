@@ -80,7 +80,7 @@ bool remove_mark(std::string_view& line) {
     if (!rest.ends_with(mark)) continue;
     rest.remove_suffix(mark.size());
     const auto before = static_cast<unsigned char>(rest.empty() ? ' ' : rest.back());
-    if (before >= 'A' && before != '_') return false;  // a letter before it, or the last byte of a non-ASCII letter
+    if (before >= 'A' && before != '_') return false;  // a letter precedes the mark, or the last byte of a non-ASCII letter
     trim_right(rest);
     line = rest;
     return true;

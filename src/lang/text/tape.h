@@ -15,12 +15,12 @@ std::uint8_t with_even_parity(std::uint8_t code);
 bool has_even_parity(std::uint8_t row);
 
 enum class TapeCode : std::uint8_t {
-  iso,  // ISO 7-bit, even parity in the eighth track; Russian letters in its other register (KOI-7 Н1)
+  iso,  // ISO 7-bit, even parity in the eighth track; SO switches to Russian letters (KOI-7 Н1)
   eia,  // EIA RS-244, odd parity in the fifth track
 };
 
-/// Converts the code of a tape to text, row by row. The register (Latin or Russian letters) that SO and SI select remains in force. Each
-/// line starts with Latin letters, so that a line can be read alone.
+/// Converts the code of a tape to text, row by row. SO and SI select the register: Russian or Latin letters. The selected register remains
+/// in force up to the end of the line. Each line starts with Latin letters, so that a line can be read alone.
 class TapeLetters {
  public:
   /// Appends the character of one row, given without its eighth track; nothing for NUL, DEL, CR, SO and SI.
@@ -44,10 +44,11 @@ struct TapeText {
 /// Converts rows to text. NUL (blank tape), DEL (deleted row) and CR are left out; SO and SI switch to Russian letters and back.
 TapeText decode_tape(std::string_view rows, TapeCode code = TapeCode::iso);
 
-/// Converts UTF-8 text to rows, with a leader and trailer of blank tape. The end of a line, with a literal ПС or LF before it, becomes
-/// one LF; a last line without an end gets one. Russian letters are put between SO and SI; in EIA code small letters become capitals.
-///   alarms  bad_encoding for a character that the code does not have, with its place in the text (Ё and Ъ have no code;
-///           NUL, DEL, SO, SI and CR within a line would be lost in reading; EIA has no ':' and no Russian letters)
+/// Converts UTF-8 text to rows, with a leader and trailer of blank tape. Each end of line, together with a literal ПС or LF before it,
+/// becomes one row LF; a last line without an end gets such a row too. Russian letters are put between SO and SI; in EIA code small letters
+/// become capitals.
+///   alarms  bad_encoding for a character that the code does not have, with the location of the character in the text. Ё and Ъ have no
+///           code; NUL, DEL, SO, SI and CR within a line would be lost in reading; EIA has no ':' and no Russian letters
 ///   law     decode_tape(encode_tape(t)) == t for text of the code with one line end per block
 Result<std::string> encode_tape(std::string_view text, std::size_t leader_rows, TapeCode code = TapeCode::iso);
 

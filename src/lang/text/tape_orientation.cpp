@@ -11,10 +11,11 @@
 namespace kadr {
 namespace {
 
-constexpr double least_valid = 0.95;      // minimum fraction of valid rows: a torn tape has some invalid ones
-constexpr std::size_t least_rows = 8;     // with fewer rows a match may be chance
-constexpr std::size_t least_turned = 16;  // minimum for a wrongly inserted tape: with eight variants to try, chance matches are more likely
-constexpr double sure = 0.1;              // minimum surplus of pairs with the address before the number, as a fraction of all pairs
+constexpr double least_valid = 0.95;   // minimum fraction of valid rows: a torn tape has some invalid ones
+constexpr std::size_t least_rows = 8;  // minimum number of rows: with fewer rows a match may be chance
+// minimum for a wrongly inserted tape: eight variants are tried, so chance matches are more likely
+constexpr std::size_t least_turned = 16;
+constexpr double sure = 0.1;  // minimum surplus of pairs with the address before the number, as a fraction of all pairs
 constexpr std::size_t looked_at = 64 * 1024;
 
 std::uint8_t mirrored(std::uint8_t row) {
@@ -36,7 +37,7 @@ std::optional<char> character_of(TapeCode code, std::uint8_t row) {
 /// How similar the rows are to a program in a given code.
 struct Likeness {
   bool is_tape = false;
-  double forward = 0;  // from -1 (numbers before their addresses) to 1 (addresses before their numbers)
+  double forward = 0;  // order of words: from -1 (numbers before their addresses) to 1 (addresses before their numbers)
 };
 
 Likeness likeness(std::string_view rows, TapeCode code, std::size_t least_count) {

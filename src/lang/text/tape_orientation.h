@@ -12,9 +12,9 @@ namespace kadr {
 /// The orientation in which a tape was put into the reader.
 enum class TapeOrientation : std::uint8_t {
   right,
-  wrong_end,   // read from its end: the rows are in reverse order
-  wrong_side,  // turned over: track 1 is read as track 8
-  both,        // read from its end and turned over
+  wrong_end,   // the tape was read from its end: the rows are in reverse order
+  wrong_side,  // the tape was turned over: track 1 is read as track 8
+  both,        // the tape was read from its end and turned over
 };
 
 struct TapeFinding {
@@ -23,7 +23,7 @@ struct TapeFinding {
 };
 
 /// Accepts the rows as a tape if 19 of 20 rows have the parity of the code and are codes of program text, with at least eight rows and a
-/// digit. If that leaves the orientation open, words decide: an address is before its number.
+/// digit. If several orientations are possible, the words of the text decide: the address of a word is before its number.
 ///   returns  nullopt if the rows are not a tape
 std::optional<TapeFinding> inspect_tape(std::string_view rows);
 
@@ -31,7 +31,7 @@ std::optional<TapeFinding> inspect_tape(std::string_view rows);
 ///   law  turned(turned(t, lie), lie) == t
 std::string turned(std::string_view rows, TapeOrientation lie);
 
-/// Returns the names of orientations for messages: "wrong_end", …
+/// Returns the name of an orientation for messages: "wrong_end", …
 std::string_view name_of(TapeOrientation lie);
 
 }  // namespace kadr

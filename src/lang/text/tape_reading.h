@@ -17,11 +17,11 @@ struct TapeReading {
   std::string text;               // UTF-8, one line per block; '?' for unreadable rows
   std::vector<TapeFault> faults;  // at most 1000
   TapeCode code = TapeCode::iso;
-  TapeOrientation lie = TapeOrientation::right;  // how the tape was read; `text` is already that of the correct orientation
+  TapeOrientation lie = TapeOrientation::right;  // how the tape was read; `text` is the text of the correctly inserted tape
   bool looks_like_tape = false;
 };
 
-/// Converts the rows to text. `said`: the code given by the user; nullopt: the code is detected from the rows; if that fails, ISO.
+/// Converts the rows to text. `said`: the code given by the user; nullopt: the code is detected from the rows, and is ISO if that fails.
 TapeReading read_tape(std::string_view rows, std::optional<TapeCode> said);
 
 }  // namespace kadr

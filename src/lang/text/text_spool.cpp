@@ -23,7 +23,7 @@ class SpoolFile {
     if (none) return;
     descriptor_ = open(folder.c_str(), O_TMPFILE | O_RDWR | O_CLOEXEC, S_IRUSR | S_IWUSR);
     if (descriptor_ >= 0) return;
-    std::string name = folder + "/kadr-XXXXXX";  // for file systems that cannot create a file without a name
+    std::string name = folder + "/kadr-XXXXXX";  // name of the file, for file systems that cannot create a file without a name
     descriptor_ = mkostemp(name.data(), O_CLOEXEC);
     if (descriptor_ >= 0) unlink(name.c_str());
   }

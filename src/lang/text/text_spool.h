@@ -1,6 +1,6 @@
 #pragma once
-// TextSpool: collects a text of any length piece by piece, so that the text can be read more than once. It is in memory while it is
-// short, else in a temporary file without a name.
+// TextSpool: collects a text of any length piece by piece, so that the text can be read more than once. A short text is in memory, a long
+// one in a temporary file without a name.
 
 #include <cstdint>
 #include <functional>
@@ -44,7 +44,7 @@ class TextSpool {
   std::uint64_t written_ = 0;        // bytes in the file
 };
 
-/// Returns a source for a text that other readers read too.
+/// Returns a source for a text that has other readers too.
 std::unique_ptr<ByteSource> shared_source(std::shared_ptr<ByteSource> text);
 
 /// Returns the whole text.

@@ -23,9 +23,9 @@ struct ToolComment {
   bool empty() const { return !tool && !diameter && !corner; }
 };
 
-/// Returns what the comment says for certain: a number that may be something other than a size is left out.
+/// Returns what the comment states for certain. A number that may be something other than a size is left out.
 ///   text  UTF-8
-///   inch  numbers without a unit are inches; fractions always are
+///   inch  true: numbers without a unit are in inches; fractions are always in inches
 ToolComment read_tool_comment(std::string_view text, bool inch);
 
 /// Returns the comments of a line, written in brackets or after a semicolon, as UTF-8.

@@ -11,16 +11,16 @@ namespace kadr {
 struct CommentToken {
   enum class Is : std::uint8_t { word, figure, sign };
   Is is = Is::sign;
-  std::string text;          // in capitals, Russian ones too; a sign is one character
+  std::string text;          // in capitals, also Russian letters; a sign is one character
   double value = 0;          // value of a figure
-  bool joined = false;       // nothing is between it and the token before
-  bool underscored = false;  // only `_` is between it and the token before
+  bool joined = false;       // no character is between this token and the token before
+  bool underscored = false;  // only `_` is between this token and the token before
   // ---- properties of a figure
   bool has_point = false;     // has a decimal point or comma: 6. 0.5 6,5
   std::uint8_t decimals = 0;  // number of digits after the decimal point
   bool leads_point = false;   // starts with the decimal point: .5
-  bool is_fraction = false;   // 3/8: a fraction of an inch, with a denominator found on rulers
-  bool is_broken = false;     // 3/7, 3/4/21, 1.2.3: not a valid figure
+  bool is_fraction = false;   // 3/8: a fraction of an inch, with a denominator as on rulers
+  bool is_broken = false;     // not a valid figure: 3/7, 3/4/21, 1.2.3
 };
 
 /// Splits a comment in UTF-8. Signs with the same meaning are unified: Ø and similar signs become the word DIA, × becomes X, ° becomes

@@ -102,7 +102,8 @@ void FigureMarker::read_abbreviations() {
   }
 }
 
-/// IN is a unit only where it cannot be the preposition: not in "4 IN VISE", but in "1/4 IN DRILL" and ".5IN".
+/// Returns true if the word at `at` is the unit of the figure. IN is a unit only where it cannot be the preposition: not in "4 IN VISE",
+/// but in "1/4 IN DRILL" and ".5IN".
 bool FigureMarker::is_unit(std::size_t figure, std::size_t at) const {
   if (!says(at, unit_mm | unit_inch)) return false;
   if (all_[at].text == "\"") return joined(at) || !joined(at + 1);  // a quote, not inches: T5 "F" DRILL
@@ -194,7 +195,7 @@ void FigureMarker::mark_next_to_words() {
   }
 }
 
-/// Returns true if the word before the figure already defines it: in DIA .5 LOC 1.0 the .5 does not belong to LOC.
+/// Returns true if the word before the figure already gives the figure's meaning: in DIA .5 LOC 1.0 the .5 does not belong to LOC.
 bool FigureMarker::is_called(std::size_t figure) const {
   std::size_t i = figure - 1;
   while (has(i) && all_[i].is == Is::sign && !is_sign(i, '|') && !is_sign(i, ',')) --i;
@@ -253,8 +254,8 @@ void FigureMarker::mark_inch_thread(std::size_t size) {
   all_[size + 2].figure = FigureIs::other;
 }
 
-/// Marks chains such as 03-0086, 2016-01-30, 10:30, A881-02, which are not sizes. A dash after a word of the tool only separates:
-/// DIA-0.5, .500-DRILL.
+/// Marks chains of numbers such as 03-0086, 2016-01-30, 10:30, A881-02, which are not sizes. A dash after a word of the tool only
+/// separates: DIA-0.5, .500-DRILL.
 void FigureMarker::mark_chains_of_numbers() {
   for (std::size_t i = 1; i + 1 < count(); ++i) {
     if (!(is_sign(i, '-') || is_sign(i, ':')) || !joined(i) || !joined(i + 1)) continue;
@@ -276,7 +277,7 @@ void FigureMarker::mark_signed() {
   }
 }
 
-/// Returns the figure that DIA refers to: the one after it in DIA 20, DIA-0.5, DIA. - .75, D=8.; else the one before it: .828 DIA.
+/// Returns the figure that DIA refers to: the figure after DIA in DIA 20, DIA-0.5, DIA. - .75, D=8.; else the figure before DIA: .828 DIA.
 std::size_t FigureMarker::figure_called_by(std::size_t word) const {
   const bool is_single = is_letter(all_[word]);
   const std::size_t at = behind(word, is_single ? "=:." : "=:.-");

@@ -13,10 +13,10 @@
 namespace kadr {
 
 enum class FigureIs : std::uint8_t {
-  open,          // unknown: it may be the size of the tool
+  open,          // unknown: the figure may be the size of the tool
   other,         // not a size of the tool: a count, a length, a name, a second size, or a figure without a known meaning
   tool,          // tool number: T1
-  diameter,      // a diameter, because the comment calls it one
+  diameter,      // a diameter, because a word of the comment says so: DIA 20
   corner,        // corner radius
   angle,         //
   metric,        // M8
@@ -27,12 +27,12 @@ enum class FigureIs : std::uint8_t {
 struct CommentPiece : CommentToken {
   ToolWordMeaning meaning;  // meaning of a word or sign
   FigureIs figure = FigureIs::open;
-  double unit = 0;           // for a figure: mm per unit if one is written next to it; else 0
+  double unit = 0;           // for a figure with a unit next to it: mm per unit; else 0
   double threads = 0;        // for an inch_thread
-  bool braced = false;       // {6 mm}: as a Vectric library writes the size in its tool names
+  bool braced = false;       // the figure is in braces, {6 mm}, as a Vectric library writes the size in tool names
   bool named = false;        // a diameter after `=`, as CAM systems write it
-  std::uint32_t clause = 0;  // number of the clause: the part of the comment between two of | , ; : and a free dash
-  bool of_another = false;   // after FOR, WITH: the piece describes another thing, not the tool
+  std::uint32_t clause = 0;  // number of the clause, which is the part of the comment between two of | , ; : or free dashes
+  bool of_another = false;   // the piece comes after FOR or WITH, so it describes another thing, not the tool
   bool is_word() const { return is == Is::word; }
   bool is_figure() const { return is == Is::figure; }
   bool is_sign(char c) const { return is == Is::sign && text[0] == c; }

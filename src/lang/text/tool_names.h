@@ -13,7 +13,7 @@ struct ToolName {
   std::size_t first = 0, last = 0;  // indices of the first and last piece of the name
   ToolWord kind = ToolWord::none;
   bool is_tap_drill = false;
-  bool size_after = false, work_too = false, no_bare_size = false, only_called = false;  // as in WordHints
+  bool size_after = false, work_too = false, no_bare_size = false, only_called = false;  // the name has the WordHints of these names
 };
 
 class ToolNames {

@@ -16,16 +16,17 @@ namespace {
 using enum WordHints;
 
 // Limits for a figure without a unit. A figure beyond them is in the other unit, or is something other than a size.
-constexpr double max_inches = 3, most_inches_wide = 8;  // in; `wide`: face mills and saws
+constexpr double max_inches = 3, most_inches_wide = 8;  // in; greatest size of a tool; of a face mill or saw
 constexpr std::uint8_t decimals_of_inches = 4;          // 0.5000 with four decimals is in inches
-constexpr double least_mm = 0.5, max_mm = 160;          // mm; a smaller figure is mostly in inches (.375)
+constexpr double least_mm = 0.5, max_mm = 160;          // mm; limits of a size; a figure below them is mostly in inches (.375)
 constexpr double max_drill_mm = 80;                     // mm; limit for drills
-constexpr double least_whole_mm = 3;                    // mm; below this 1 END MILL means the first end mill
+constexpr double least_whole_mm = 3;                    // mm; a smaller whole number counts tools: 1 END MILL is the first end mill
 constexpr double most_of_any = 400;                     // mm; limit for all figures, even with a unit
-constexpr double least_chamfer_mm = 3;                  // mm; for a chamfer mill; a smaller figure is the size of the chamfer
+constexpr double least_chamfer_mm = 3;                  // mm; least size of a chamfer mill; a smaller figure is the size of the chamfer
 constexpr double alike_part = 0.01, alike_mm = 0.05;    // maximum difference of two sizes of one tool: 27/64 and .422
-constexpr double roughly_part = 0.1;                    // … of D10 and the size in the name; if more, D10 is an offset number
-constexpr std::size_t max_strangers = 2;                // unknown words between a size and the tool: 2" MITSUBISHI FACE MILL
+// maximum relative difference of D10 and the size in the name; if more, D10 is an offset number
+constexpr double roughly_part = 0.1;
+constexpr std::size_t max_strangers = 2;  // unknown words between a size and the tool: 2" MITSUBISHI FACE MILL
 
 bool agree(double a, double b, double part) { return std::fabs(a - b) <= std::max(alike_mm, part * std::max(a, b)); }
 
@@ -107,8 +108,8 @@ bool ToolSize::is_called(std::size_t i) const {
   return f.value >= least_mm && f.value <= most_of_any && !looks_like_inches(f);
 }
 
-/// Recognises D as an offset number, as in T1 H1 D1: D is without `=` and decimal point, and is next to an H with the same number, or
-/// next to an H that is not the tool number either.
+/// Returns true if the figure is an offset number, as in T1 H1 D1. D then has neither `=` nor a decimal point, and the comment has an H
+/// with the same number, or with a number that is not the tool number.
 bool ToolSize::is_offset(std::size_t i) const {
   const CommentPiece& d = pieces_[i];
   const bool is_d = i > 0 && (pieces_[i - 1].text == "D" || pieces_[i - 1].text == "Д");
@@ -128,7 +129,8 @@ bool ToolSize::is_offset(std::size_t i) const {
   return std::any_of(sizes.begin(), sizes.end(), [&](double size) { return !agree(size, mm(d), roughly_part); });
 }
 
-/// Returns true if the figure describes the workpiece: by a word before it in its clause, or by the word after it: DRILL .25 HOLES.
+/// Returns true if the figure describes the workpiece. This follows from a word before the figure in its clause, or from the word after the
+/// figure: DRILL .25 HOLES.
 bool ToolSize::is_of_part(std::size_t figure) const {
   for (std::size_t i = 0; i < figure; ++i)
     if (pieces_[i].clause == pieces_[figure].clause && says(i, of_part)) return true;
@@ -230,7 +232,8 @@ void ToolSize::add_named_drills(Sizes& sizes) const {
   }
 }
 
-/// Returns true if the word DRILL is after piece `at` (across words that describe a drill), or before it at the end of a clause.
+/// Returns true if the word DRILL is after piece `at` (words that describe a drill may be between them), or before this piece at the end of
+/// a clause.
 bool ToolSize::names_drill(std::size_t at) const {
   const auto is_drill = [&](std::size_t i) { return has(i) && pieces_[i].meaning.kind == ToolWord::drill && says(i, tool); };
   const bool is_letter = pieces_[at].is_word();
@@ -304,8 +307,8 @@ bool ToolSize::fits_after(std::size_t at, const ToolName& name, bool divided) co
   return !bare_whole || ((name.size_after || of_number) && !divided);
 }
 
-/// Finds the size in a comment without a tool's name: 3MM CRB 2FL 12 LOC; TOOL NAME : Topo 16 mm. It is the only size with a unit, among
-/// words that only tools have.
+/// Finds the size in a comment without a tool's name: 3MM CRB 2FL 12 LOC; TOOL NAME : Topo 16 mm. The size is the only figure with a unit,
+/// and the comment has words that only tools have.
 ToolSize::Sizes ToolSize::without_name() const {
   const bool called = std::any_of(pieces_.begin(), pieces_.end(), [](const CommentPiece& p) { return p.text == "TOOL"; }) &&
                       std::any_of(pieces_.begin(), pieces_.end(), [](const CommentPiece& p) { return p.text == "NAME"; });

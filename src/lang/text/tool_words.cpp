@@ -17,7 +17,8 @@ struct Row {
 };
 
 constexpr WordHints names_tool = tool | size_after;
-constexpr WordHints foreign = tool | size_after | no_bare_size;  // so uncertain that only a size with its unit counts
+// a word of another language, so uncertain that only a size with its unit counts
+constexpr WordHints foreign = tool | size_after | no_bare_size;
 constexpr WordHints either = other_before | other_after;
 
 /// English, Russian, Russian in Latin letters; of other languages only the commonest names. Each word occurs once.

@@ -38,7 +38,8 @@ void append_character(char32_t code, std::string& text) {
   }
 }
 
-/// Returns true for a control character other than tabs and ends of lines: text has none; binary files and a tape's blank leader have.
+/// Returns true for a control character other than tabs and ends of lines. Program text has no such characters; binary files and a tape's
+/// blank leader have.
 bool is_control(char16_t unit) {
   const bool of_text = unit == '\t' || unit == '\n' || unit == '\r' || unit == '\f';
   return (unit < 0x20 && !of_text) || (unit >= 0x7F && unit < 0xA0) || unit >= 0xFFFE;
@@ -62,7 +63,8 @@ std::optional<ByteOrder> order_by_mark(std::string_view sample) {
   return std::nullopt;
 }
 
-/// Reads from any offset of the text by converting the piece that contains it again. It has no mutable state, so threads may share it.
+/// Reads from any offset of the UTF-8 text: it converts again the piece of the file that contains the offset. The source has no mutable
+/// state, so threads may share it.
 class Utf16Source final : public ByteSource {
  public:
   Utf16Source(std::unique_ptr<ByteSource> source, ByteOrder order) : source_(std::move(source)), order_(order) {

@@ -14,7 +14,7 @@ namespace {
 constexpr std::size_t leader_rows = 100;
 constexpr std::size_t high_bytes = 128;  // number of byte values above 127
 
-/// Latin letters for А to Я by GOST 7.79-2000, system B, without its accents and apostrophes.
+/// Latin letters for А to Я by GOST 7.79-2000, system B, without the accents and apostrophes of that system.
 constexpr std::array<std::string_view, 32> romanized = {"A", "B",  "V",  "G",   "D", "E", "ZH", "Z", "I",  "J", "K",
                                                         "L", "M",  "N",  "O",   "P", "R", "S",  "T", "U",  "F", "X",
                                                         "C", "CH", "SH", "SHH", "",  "Y", "",   "E", "YU", "YA"};

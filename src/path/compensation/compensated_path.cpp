@@ -36,7 +36,7 @@ void RadiusCompensation::release_first() {
   Held& first = held(0);
   if (mended != RepairOutcome::sound) {
     const Origin origin = held(mended == RepairOutcome::first_fails ? 0 : 1).origin;
-    // with a further look-ahead (N1404) the alarm comes before this motion
+    // if N1404 sets a further look-ahead, the alarm comes before this motion is emitted
     if (mended == RepairOutcome::next_fails && now_.check.further == 0) (void)let_go(first);
     const AlarmId id = first.end.count > 0 ? AlarmId::compensation_interference : AlarmId::compensation_no_intersection;
     if (!fault_) fault(alarm(id, {}), origin);
@@ -74,7 +74,7 @@ void RadiusCompensation::go_around_corner(const Held& first) {
   now_.vector = first.end.last();
 }
 
-/// Joins the first motion of the window with a later motion if that resolves an interference (15.5.7). The motions between are dropped,
+/// Joins the first motion of the window with a later motion if that resolves an interference (NCT 15.5.7). The motions between are dropped,
 /// but the actions after them are kept.
 RadiusCompensation::RepairOutcome RadiusCompensation::mend_first() {
   Held& first = held(0);
@@ -112,7 +112,7 @@ bool RadiusCompensation::let_go(Held& held) {
   } else if (is_arc(m.kind)) {
     const double turns = compensated_turns(held.element, held.start_vector, end_vector);
     if (turns * held.element.turns > 0) m.turns = std::fabs(turns);
-    // the tool does not fit into the arc, which becomes a line: the interference check is off (15.5.7, IEN=0)
+    // the interference check is off (NCT 15.5.7, IEN=0), and the tool does not fit into the arc: the arc becomes a line
     else m.kind = MotionKind::feed, m.turns = 0;
   }
   watch_path(held, end_vector);
@@ -123,14 +123,15 @@ bool RadiusCompensation::let_go(Held& held) {
   return true;
 }
 
-/// Handles a change of side without an intersection after an arc: an arc of the programmed radius joins the compensated ends (15.5.4).
+/// Handles a change of side without an intersection after an arc: an arc of the programmed radius joins the compensated ends (NCT 15.5.4).
 bool RadiusCompensation::rejoin(Motion& m, const Held& held, Vec2 end_vector) const {
   const ContourElement& e = held.element;
   const Vec2 a = e.from + held.start_vector, b = e.to + end_vector, chord = b - a;
   const double way = length(chord), radius = e.start_radius;
   if (way > 2 * radius + tol::same_point || way == 0) return false;
   const double height = std::sqrt(std::max(radius * radius - way * way / 4, 0.0));
-  const double minor = std::fabs(e.turns) <= 0.5 ? 1 : -1;  // INFERRED: at most half a circle if the programmed arc is, else more
+  // INFERRED: the arc is at most half a circle if the programmed arc is, else it is more
+  const double minor = std::fabs(e.turns) <= 0.5 ? 1 : -1;
   const Vec2 center = 0.5 * (a + b) + minor * e.sense() * height / way * left_of(chord);
   const double half = std::asin(std::min(way / (2 * radius), 1.0)) / rad_per_deg / 180;
   m.turns = minor > 0 ? half : 1 - half;
@@ -138,7 +139,7 @@ bool RadiusCompensation::rejoin(Motion& m, const Held& held, Vec2 end_vector) co
   return true;
 }
 
-/// Moves the tool from the current vector to the vector `to` along an arc about the programmed point (15.5.6).
+/// Moves the tool from the current vector to the vector `to` along an arc about the programmed point (NCT 15.5.6).
 void RadiusCompensation::round(Vec2 to, const Origin& origin, const Motion& like) {
   const double swept = angle_deg({dot(now_.vector, to), cross(now_.vector, to)});  // swept angle, degrees, counter-clockwise positive
   const bool cw = like.side > 0;
@@ -184,8 +185,8 @@ void RadiusCompensation::shift(FrameChange& frame) const {
   frame.work[now_.second] += now_.vector.y;
 }
 
-/// Decides whether GougeDetector checks the last motion for cuts into the contour. It checks motions at feed along the contour; not the
-/// start and end of compensation, not the neighbours of a change of side, and not a motion that keeps its vector (G38), which leaves the
+/// Decides whether GougeDetector checks the last motion for cuts into the contour. Motions at feed along the contour are checked. These are
+/// not: the start and end of compensation, the neighbours of a change of side, and a motion that keeps its vector (G38), which leaves the
 /// contour on purpose.
 void RadiusCompensation::watch_last() {
   Held& now = last_held();

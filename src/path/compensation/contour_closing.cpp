@@ -16,9 +16,9 @@ namespace {
 constexpr double touches = 0.01;
 // least length of a closed loop as a share of the whole length; a shorter loop is a self-crossing of an open contour
 constexpr double least_share = 0.25;
-// with more candidates, the contour goes around several times, and the whole path counts as the contour
+// greatest number of closed loops; a contour with more of them goes around several times, and the whole path counts as the contour
 constexpr std::size_t max_candidates = 1000;
-// as a share of the longest loop: if two nested loops are both longer than this, the inner one is the workpiece contour
+// share of the longest loop: if two nested loops are both longer than this, the inner loop is the workpiece contour
 constexpr double inner_share = 0.5;
 
 double length_of(const PlanePiece& p) { return p.is_arc ? p.radius * std::fabs(p.turns) * 2 * pi : length(p.to - p.from); }

@@ -25,7 +25,7 @@ inline bool is_element(const Motion& m) {
   return (m.kind == MotionKind::feed || is_arc(m.kind)) && !(m.detail && m.detail->surface != PathSurface::plane);
 }
 
-/// True if the next motion may determine the end of this motion; that is possible while radius compensation is on (17.3).
+/// True if the next motion may determine the end of this motion; that is possible while radius compensation is on (NCT 17.3).
 inline bool may_end_elsewhere(const Motion& m) { return m.side != 0 && is_element(m); }
 
 inline Vec2 in_plane(const Axes& axes, const Motion& of) { return {axes[of.first], axes[of.second]}; }
@@ -33,14 +33,15 @@ inline Vec2 in_plane(const Axes& axes, const Motion& of) { return {axes[of.first
 /// Returns +1 for a counter-clockwise arc, -1 for a clockwise arc.
 inline double sense_of(const Motion& arc) { return arc.kind == MotionKind::arc_ccw ? 1 : -1; }
 
-/// Returns true for actions that must be executed before later blocks are read: codes that empty the look-ahead buffer (15.5.2), stops,
+/// Returns true for actions that must be executed before later blocks are read: codes that empty the look-ahead buffer (NCT 15.5.2), stops,
 /// G39, and G40 alone in its block.
 bool ends_look_ahead(const Action& action);
 
-/// Returns the line or circle on which a motion between the two points lies (17.3 rule 9); nullopt for a line of zero length.
+/// Returns the line or circle on which a motion between the two points lies (NCT 17.3 rule 9); nullopt for a line of zero length.
 std::optional<Support> support_of(const Motion& motion, Vec2 from, Vec2 end);
 
-/// Returns the swept angle / 360 of an arc whose ends are calculated; a full circle if the ends coincide, as for a programmed arc (4.3).
+/// Returns the swept angle / 360 of an arc whose ends are calculated; a full circle if the ends coincide, as for a programmed arc
+/// (NCT 4.3).
 double calculated_turns(Vec2 from, Vec2 to, Vec2 center, double sense);
 
 /// Returns true for a line or a circular arc, false for a spiral (an arc whose radius changes). Corners with a spiral cannot be rounded.

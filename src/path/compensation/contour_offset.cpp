@@ -13,7 +13,7 @@ namespace {
 
 Vec2 unit(Vec2 v) { return 1 / length(v) * v; }
 
-/// Returns true if the tangents agree except for rounding errors: |delta| below a millionth of a radian (15.5.0, INFERRED guard).
+/// Returns true if the tangents agree except for rounding errors: |delta| below a millionth of a radian (NCT 15.5.0, INFERRED guard).
 bool tangential(Vec2 a, Vec2 b) { return std::fabs(cross(a, b)) < tol::tangential && dot(a, b) > 0; }
 
 Meetings none() { return {}; }
@@ -68,7 +68,8 @@ OffsetElement offset(const ContourElement& element, Vec2 tangent, double arc_rad
   return beside;
 }
 
-/// In tool radii: if the offset lines meet further away than this, the path reverses to within a degree and has no corner (INFERRED).
+/// Greatest distance of the corner of the offset lines, in tool radii. If these lines meet further away, the path reverses to within about
+/// a degree and has no corner (INFERRED).
 constexpr double farthest_corner = 100;
 
 /// Returns the vector to the intersection of the offset tangents with the normals n1, n2; used at an outside corner of at most 90°.
@@ -232,7 +233,7 @@ JunctionVectors cancel(const ContourElement& first, const ContourElement& second
 }
 
 bool lies_on_offset(const ContourElement& e, Vec2 start_vector, Vec2 end_vector, double radius, double side) {
-  constexpr double beside = tol::same_point / 10;  // results about a path are accurate to same_point
+  constexpr double beside = tol::same_point / 10;  // a tenth of same_point, the accuracy of results about a path
   const Vec2 from = e.from + start_vector, to = e.to + end_vector;
   if (e.is_arc) {
     const double inside = side * e.sense() * radius, first = e.start_radius - inside, last = e.end_radius - inside;
@@ -245,7 +246,7 @@ bool lies_on_offset(const ContourElement& e, Vec2 start_vector, Vec2 end_vector,
 
 bool gentle(const ContourElement& first, const ContourElement& second) {
   if (dot(first.end, second.start) < 0) return false;
-  constexpr double quarter = 0.25;  // in revolutions: the greatest change of direction at the corner
+  constexpr double quarter = 0.25;  // greatest change of direction at the corner, in revolutions
   const double rest = tangential(first.end, second.start) ? 2 * quarter : quarter;
   return std::fabs(first.turns) + std::fabs(second.turns) <= rest;
 }

@@ -18,10 +18,11 @@ inline Vec2 left_of(Vec2 v) { return {-v.y, v.x}; }
 /// A line or an arc of the programmed contour.
 struct ContourElement {
   Vec2 from, to;
-  // unit tangents; if the radius of an arc changes, the tangents of the circles around its centre through its ends (15.5.2)
+  // unit tangents at both ends; if the radius of an arc changes, the tangents of the circles around its centre through its ends
+  // (NCT 15.5.2)
   Vec2 start, end;
   Vec2 center;       // centre of an arc
-  double turns = 0;  // of an arc: swept angle / 360, counter-clockwise positive
+  double turns = 0;  // swept angle of an arc / 360, counter-clockwise positive
   double start_radius = 0, end_radius = 0;
   bool is_arc = false;
 
@@ -37,8 +38,8 @@ inline Vec2 side_normal(Vec2 tangent, double side) { return side * left_of(tange
 
 /// The line or circle that the tool's centre follows along an element, relative to one of the element's ends.
 struct OffsetElement {
-  Vec2 normal;   // of a line: unit normal; the offset line is `distance` away in this direction
-  Vec2 tangent;  // of a line: unit direction
+  Vec2 normal;   // unit normal of a line; the offset line is `distance` away in this direction
+  Vec2 tangent;  // unit direction of a line
   Vec2 center;   // centre of a circle
   double distance = 0;
   double radius = 0;  // radius of a circle; negative if the tool radius exceeds that of the concave arc
@@ -47,7 +48,7 @@ struct OffsetElement {
 OffsetElement offset_at_end(const ContourElement& element, double radius, double side);
 OffsetElement offset_at_start(const ContourElement& element, double radius, double side);
 
-/// The up to two points where two lines or circles meet, as vectors from a given point.
+/// The points where two lines or circles meet, at most two, as vectors from a given point.
 struct Meetings {
   std::array<Vec2, 2> at{};
   std::uint8_t count = 0;
@@ -66,14 +67,14 @@ Meetings intersections(const OffsetElement& first, const OffsetElement& second, 
 ///   law      the intersection lies on both offsets within tol::same_point
 std::optional<Vec2> intersection(const OffsetElement& first, const OffsetElement& second, Vec2 point);
 
-/// The type of a corner seen from the tool's side (15.5.0), by the angle alpha: inside above 180°, obtuse from 90° to 180°, acute below
+/// The type of a corner seen from the tool's side (NCT 15.5.0), by the angle alpha: inside above 180°, obtuse from 90° to 180°, acute below
 /// 90°.
 enum class Corner : std::uint8_t { inside, obtuse, acute };
 Corner corner_of(Vec2 end_tangent, Vec2 start_tangent, double side);
 
-/// The vectors at a junction, in order; the tool's centre moves straight from one to the next.
+/// The vectors at a junction, in order. The tool's centre moves straight from the end of one vector to the end of the next.
 struct JunctionVectors {
-  std::array<Vec2, 8> at{};  // up to four vectors at a corner; more if the interference check joins two corners (15.5.7)
+  std::array<Vec2, 8> at{};  // the vectors: up to four at a corner; more if the interference check joins two corners (NCT 15.5.7)
   std::uint8_t count = 0;
   bool round = false;  // the tool's centre moves from the first to the second vector along an arc about the programmed point
   void add(Vec2 v) { at[count++] = v; }
@@ -86,18 +87,18 @@ inline JunctionVectors single(Vec2 vector) {
   return v;
 }
 
-/// Removes each vector that differs from the previous vector by less than `least` mm in both axes (N1405 DELTV, 15.5.2; which of the two
-/// vectors remains is INFERRED).
+/// Removes each vector that differs from the previous vector by less than `least` mm in both axes (NCT N1405 DELTV, 15.5.2; which of the
+/// two vectors remains is INFERRED).
 JunctionVectors without_short_steps(const JunctionVectors& vectors, double least);
 
-/// Returns the vectors at a junction in offset mode, where the tool is on the same side of both elements (15.5.2).
+/// Returns the vectors at a junction in offset mode, where the tool is on the same side of both elements (NCT 15.5.2).
 ///   returns  nullopt for an inside corner whose offsets do not meet (alarm 2047)
 std::optional<JunctionVectors> junction(const ContourElement& first, const ContourElement& second, double radius, double side);
 
-/// Returns the vectors at the end of the line that switches compensation on (15.5.1, type B of the INFERRED rule).
+/// Returns the vectors at the end of the line that switches compensation on (NCT 15.5.1, type B of the INFERRED rule).
 JunctionVectors start_up(const ContourElement& first, const ContourElement& second, double radius, double side);
 
-/// Returns the vectors at the end of the last compensated block, before the line that switches it off (15.5.3, type B).
+/// Returns the vectors at the end of the last compensated block, before the line that switches compensation off (NCT 15.5.3, type B).
 JunctionVectors cancel(const ContourElement& first, const ContourElement& second, double radius, double side);
 
 /// Returns the vectors at a junction for controls that join the offset path at an outside corner by an arc, or by extending the offset
@@ -120,12 +121,12 @@ bool fits(const ContourElement& element, Vec2 start_vector, Vec2 end_vector, dou
 /// Returns true if the path from one vector to the other lies on the element's offset and goes forward along it.
 bool lies_on_offset(const ContourElement& element, Vec2 start_vector, Vec2 end_vector, double radius, double side);
 
-/// Returns true if the direction changes by at most 180° in total over the two elements, so that they cannot meet again after their
+/// Returns true if the direction changes by at most 180° in total over the two elements. Then the elements cannot meet again after their
 /// junction.
 bool gentle(const ContourElement& first, const ContourElement& second);
 
 /// Returns the swept angle / 360 of an arc's compensated path, counter-clockwise positive. It may exceed the swept angle of the
-/// programmed arc, and it changes sign if the tool does not fit (15.5.0, 15.5.7).
+/// programmed arc, and it changes sign if the tool does not fit (NCT 15.5.0, 15.5.7).
 double compensated_turns(const ContourElement& arc, Vec2 start_vector, Vec2 end_vector);
 
 }  // namespace kadr

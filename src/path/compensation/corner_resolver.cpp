@@ -32,7 +32,7 @@ std::optional<CompensationFault> CornerResolver::take(ActionBatch& batch, Follow
   return fault_;
 }
 
-/// Puts a held motion back at the start of the batch if the next motion shows that it ends at its programmed end.
+/// Puts a held motion back at the start of the batch if the next motion shows that the held motion ends at its programmed end.
 void CornerResolver::put_back(ActionBatch& batch) {
   if (!now_.held || contour_of(held()) != nullptr || now_.held->start.cut > 0 || now_.held->start.calculated) return;
   if (!now_.waiting.empty() || !now_.settled.empty()) return;
@@ -143,7 +143,8 @@ std::optional<CornerResolver::Start> CornerResolver::join(const Action& action, 
   return start;
 }
 
-/// Returns the next motion as an element that starts at the corner; if its end is open, only its start and direction are valid.
+/// Returns the next motion as an element that starts at the corner. If the end of the motion is open, only the element's start and
+/// direction are valid.
 std::optional<ContourElement> CornerResolver::element_from(Vec2 corner, const Motion& m, End end) const {
   const CornerData* const c = contour_of(m);
   const Vec2 to = in_plane(m.to, m);
@@ -247,8 +248,8 @@ void CornerResolver::release() {
   let_go(now_.held->end, nothing, Certainty::certain);
 }
 
-/// Emits the held motion, because no motion follows that could form a corner with it. Before an alarm the corner stays as programmed; a
-/// line whose end is unknown is not emitted.
+/// Emits the held motion, because no motion follows that could form a corner with the held motion. Before an alarm the corner stays as
+/// programmed; a line whose end is unknown is not emitted.
 void CornerResolver::finish(Follows follows) {
   if (!now_.held) return;
   const CornerData* const c = contour_of(held());

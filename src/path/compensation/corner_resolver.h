@@ -5,8 +5,8 @@
 //
 //   programmed ──▶ held motion k · actions between ──▶ corner k/k+1 ──▶ motion k · chamfer or rounding · actions between · (k+1)
 //
-// The output consists of ordinary motions; cutter radius compensation comes after it. If an over-determined block may still move the end
-// of motion k+1, it cannot be checked yet whether k+1 is long enough for the chamfer or rounding at its start: motion k and its corner
+// The output consists of ordinary motions, which cutter radius compensation then processes. If an over-determined block may still move the
+// end of motion k+1, it is not known yet whether k+1 is long enough for the chamfer or rounding at its start. Then motion k and its corner
 // wait until motion k+1 has an end.
 
 #include "action/tool_position.h"
@@ -17,8 +17,8 @@ namespace kadr {
 
 class CornerResolver {
  public:
-  /// What follows a batch: more actions; nothing that could form a corner with the last motion; or an alarm, after which the corner stays
-  /// as programmed.
+  /// What follows a batch: more actions; nothing that could form a corner with the last motion; or an alarm, before which the last corner
+  /// is left as programmed.
   enum class Follows : std::uint8_t { more, nothing, alarm };
 
   /// `start`: position of the tool before the first action.
@@ -34,10 +34,11 @@ class CornerResolver {
   enum class End : std::uint8_t { programmed, open };  // open: a following over-determined block may still move the end
   enum class Certainty : std::uint8_t { certain, settled_later };
 
-  /// The start of a motion: the corner with the previous motion, and the length that a chamfer or rounding removes there.
+  /// The start of a motion: the corner with the previous motion, and the length that a chamfer or rounding removes from the motion at this
+  /// corner.
   struct Start {
     Vec2 corner;
-    Vec2 direction;           // direction of the motion's element at the corner, before it was shortened
+    Vec2 direction;           // direction of the motion's element at the corner, before a corner shortened the element
     double cut = 0;           // travel removed from the start of the motion (unit: corner_geometry.h)
     bool calculated = false;  // true if the corner is not the programmed end of the previous motion
   };
@@ -53,8 +54,8 @@ class CornerResolver {
     ToolPosition at;  // programmed position after the last action received
     std::optional<Held> held{};
     std::vector<Action> waiting{};  // actions between the held motion and the next motion
-    std::vector<Action> settled{};  // actions before the held motion that wait until the held motion's length is known
-    Origin settled_origin{};        // the block in `settled` that has the corner
+    std::vector<Action> settled{};  // actions before the held motion; they wait until the held motion's length is known
+    Origin settled_origin{};        // block of the last motion in `settled`; an alarm about the corner at its end names this block
   };
   const Memory& memory() const { return now_; }
   void resume_from(const Memory& memory) { now_ = memory; }

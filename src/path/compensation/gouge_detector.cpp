@@ -44,8 +44,8 @@ std::uint64_t GougeDetector::contour(const ContourElement& element, double radiu
   return seen.number;
 }
 
-/// Handles the contour piece that leaves the ring buffer: the cut into one of the first pieces is stored; of the cuts into later pieces
-/// only the deepest is stored.
+/// Handles the contour piece that leaves the ring buffer. If this piece is one of the first pieces, the cut into it is stored; of the cuts
+/// into later pieces only the deepest is stored.
 void GougeDetector::make_room() {
   ContourGouge& cut = cuts_[contour_.place];
   if (contour_.loses_first()) {

@@ -58,7 +58,7 @@ class GougeDetector {
     Origin origin;
     std::uint64_t number = 0;
   };
-  /// The last pieces, in groups with a bounding box each: most groups are far away and are skipped as a whole. `first` has the first
+  /// The last pieces, in groups. Each group has a bounding box: most groups are far away and are skipped as a whole. `first` has the first
   /// pieces after they have left the ring buffer.
   struct Ring {
     std::array<Seen, group_size * groups> at;

@@ -48,7 +48,7 @@ std::optional<Vec2> crossing(Vec2 a0, Vec2 a1, Vec2 b0, Vec2 b1) {
   return a0 + s * a;
 }
 
-/// Steps 1 to 3: joins the blocks at the point where the paths around the two corners cross.
+/// Steps 1 to 3 of NCT 15.5.7: joins the blocks at the point where the paths around the two corners cross.
 std::optional<ContourJoin> join_at_corners(Window window, std::size_t j) {
   const JunctionVectors &a = *window[0].end, &b = *window[j].end;
   const Vec2 p1 = window[0].element->to, p2 = window[j].element->to, way = p2 - p1;
@@ -56,7 +56,7 @@ std::optional<ContourJoin> join_at_corners(Window window, std::size_t j) {
     const std::size_t i = a.count - 1U - q;
     if (opposed(way, way + b.at[q] - a.at[i])) continue;
     const auto x = crossing(p1 + a.at[i], p1 + a.at[i + 1], p2 + b.at[q - 1], p2 + b.at[q]);
-    if (!x) continue;  // INFERRED: without an intersection the interference counts as not resolved
+    if (!x) continue;  // INFERRED: without an intersection the interference is not resolved
     ContourJoin join{j + 1, {}, b.last()};
     for (std::size_t k = 0; k <= i; ++k) join.vectors.add(a.at[k]);
     join.vectors.add(*x - p1);
@@ -66,7 +66,7 @@ std::optional<ContourJoin> join_at_corners(Window window, std::size_t j) {
   return std::nullopt;
 }
 
-/// Step 4: joins the blocks at the point where the offset of the first block meets the offset of the block after `j`.
+/// Step 4 of NCT 15.5.7: joins the blocks at the point where the offset of the first block meets the offset of the block after `j`.
 std::optional<ContourJoin> join_by_offsets(Window window, std::size_t j) {
   const CompensatedBlock &first = window[0], &next = window[j + 1];
   if (!first.plain || !next.plain || first.side != next.side) return std::nullopt;

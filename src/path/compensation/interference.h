@@ -1,6 +1,6 @@
 #pragma once
 // Interference check: finds contour blocks whose compensated path runs opposite to the programmed direction. The check covers a window of
-// blocks. If it resolves the interference, the first block is joined with a later block. NCT 15.5.7.
+// blocks. If the check resolves the interference, the first block is joined with a later block. NCT 15.5.7.
 
 #include <span>
 
@@ -15,7 +15,8 @@ struct CompensatedBlock {
   double side = 0;
   bool plain = true;  // false for the block that starts compensation and the block that ends it
   Vec2 start_vector;
-  const JunctionVectors* end = nullptr;  // vectors at its end; nullptr: the next block is unknown; empty: the offsets do not meet
+  // vectors at the end of the block; nullptr: the next block is unknown; empty: the offsets do not meet
+  const JunctionVectors* end = nullptr;
 };
 
 /// The result of the check: block `next` of the window follows the first block directly, and the blocks between them are dropped.

@@ -12,8 +12,8 @@
 namespace kadr {
 namespace {
 
-constexpr double least_speed_by_time = 0.1;  // least speed with inverse-time feed, units/min (inverse_time_rate_straight of the source)
-constexpr double least_way_by_time = 1e-7;   // least length with inverse-time feed, mm (find_straight_length of the source)
+constexpr double least_speed_by_time = 0.1;  // least speed with inverse-time feed, units/min (inverse_time_rate_straight of LinuxCNC)
+constexpr double least_way_by_time = 1e-7;   // least length with inverse-time feed, mm (find_straight_length of LinuxCNC)
 
 /// Returns the number of started revolutions of an arc, counter-clockwise positive.
 int turn_of(const Motion& m) {
@@ -39,7 +39,7 @@ QueuedCompensation::QueuedCompensation(const ToolPosition& start) {
 
 std::optional<CompensationFault> QueuedCompensation::take(ActionBatch& batch, Follows follows) {
   warnings_.clear();
-  if (!at_work()) {  // the usual case: only the tool's position is updated
+  if (!at_work()) {  // no compensation is active, which is the usual case: only the tool's position is updated
     const bool any = std::any_of(batch.begin(), batch.end(), [](const Action& action) {
       const auto* const m = motion_of(action);
       return m != nullptr && m->side != 0;
@@ -158,8 +158,8 @@ void QueuedCompensation::enter(Queued& queued, const Motion& m) {
   push(queued);
 }
 
-/// Queues, before an entry arc, a line that moves the tool's centre to the position of the tip; without it the arc's radii would differ
-/// (convert_arc_comp1).
+/// Queues a line before an entry arc. The line moves the tool's centre to the position of the tip; without it the radii at the start and
+/// the end of the arc would differ (convert_arc_comp1).
 void QueuedCompensation::lead_tip_in(const Queued& arc, Vec2 from) {
   Queued way;
   way.action = arc.action;
@@ -179,7 +179,7 @@ void QueuedCompensation::lead_tip_in(const Queued& arc, Vec2 from) {
 
 void QueuedCompensation::line(Queued& queued, const Motion& m) {
   const Vec2 from = in_plane(now_.at.work), to = in_plane(m.to);
-  if (from == to) {  // a motion of the third axis or rotary axes only: it ends where the previous motion ends
+  if (from == to) {  // only the third axis or rotary axes move: the motion ends where the previous motion ends
     if (m.kind == MotionKind::thread) return void(fault(alarm(AlarmId::compensated_thread, {})));
     queued.end = now_.tool;
     return push(queued);
@@ -241,8 +241,8 @@ double QueuedCompensation::programmed_speed(const Motion& m) const {
   return std::max(least_speed_by_time * unit(), way * m.feed);
 }
 
-/// Adds an element to GougeDetector, which compares all motions emitted later with it. Only motions at feed along the contour are added;
-/// not the start and the end of compensation.
+/// Adds an element to GougeDetector, which compares this element with all motions emitted later. Only motions at feed along the contour are
+/// added; not the start and the end of compensation.
 void QueuedCompensation::watch_element(Queued& queued, const Motion& m) {
   if (m.kind == MotionKind::rapid) return;
   const Vec2 from = in_plane(now_.at.work), to = in_plane(m.to);

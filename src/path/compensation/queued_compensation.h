@@ -45,18 +45,18 @@ class QueuedCompensation {
   bool beside() const { return now_.dropped || dot(now_.beside, now_.beside) > tol::same_point * tol::same_point; }
 
  private:
-  static constexpr std::size_t max_queued = 4096;  // a limit of this implementation; LinuxCNC is limited only by its memory
+  static constexpr std::size_t max_queued = 4096;  // a limit of this implementation; LinuxCNC has no limit but its memory
 
   struct Queued {
     Action action;
-    bool moves = false;              // false: not a motion; the action only waits in the queue
+    bool moves = false;              // false for an action that is not a motion and only waits in the queue
     Vec2 end;                        // end position of the tool's centre, in the plane
-    Vec2 direction;                  // programmed direction of a straight motion; {}: along the third axis
-    std::optional<QueuedArc> arc{};  // the tool's path along an arc; the field `end` replaces the end in it
+    Vec2 direction;                  // programmed direction of a straight motion; {} for a motion along the third axis
+    std::optional<QueuedArc> arc{};  // the tool's path along an arc; the member `end` above replaces the end in it
     double swept = 0;                // swept angle of the programmed arc, rad
     double speed = 0;                // inverse-time feed: programmed length divided by programmed time, mm/min; 0: the action's own feed
-    bool watched = false;            // true if the tool on this path must not cut into the contour
-    ContourSpan known{};             // contour pieces that the path is not compared with
+    bool watched = false;            // true if GougeDetector checks that the tool on this path does not cut into the contour
+    ContourSpan known{};             // contour pieces with which GougeDetector does not compare this path
   };
 
  public:
@@ -64,16 +64,16 @@ class QueuedCompensation {
   struct Memory {
     ToolPosition at;                    // programmed position after the last action received
     std::size_t first = 0, second = 1;  // indices of the two axes of the plane
-    bool on = false;                    // the first compensated motion has been read
+    bool on = false;                    // true after the first compensated motion has been read
     bool inch = false;                  // true if the unit of the first compensated block, or of the last block, is the inch
-    Vec2 tool;                          // tool position at the end of the last element, before a corner shortens it
+    Vec2 tool;                          // tool position at the end of the last element, before a corner shortens that element
     std::optional<Vec2> start;          // tool position at the start of the queue; empty: unknown, so the queued motions are not checked
-    std::vector<Queued> queue;          // in the order of the program
-    // the arc that is the queue's first motion; for an empty queue, of the previous queue (LinuxCNC's source reads it)
+    std::vector<Queued> queue;          // the queued actions, in the order of the program
+    // the arc that is the first motion of the queue; if the queue is empty: that of the previous queue, which LinuxCNC's source still reads
     std::optional<QueuedArc> first_arc{};
     Axes stands{};         // work coordinates of the tool after the last emitted action
     Vec2 beside;           // offset of the tool from the programmed point after the last emitted action
-    bool dropped = false;  // a dropped queue left the programmed point unreached
+    bool dropped = false;  // true if a queue was dropped, so that the tool has not reached the programmed point
     GougeDetector watch;
   };
   const Memory& memory() const { return now_; }

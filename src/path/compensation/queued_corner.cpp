@@ -9,16 +9,16 @@ namespace kadr {
 namespace {
 
 constexpr double half_turn = pi, quarter_turn = pi / 2;
-constexpr double small_angle = 0.05;        // rad, TOLERANCE_CONCAVE_CORNER of the source
-constexpr double least_entry_cos = 0.0001;  // TOLERANCE_EQUAL of the source
+constexpr double small_angle = 0.05;        // rad, TOLERANCE_CONCAVE_CORNER of LinuxCNC's source
+constexpr double least_entry_cos = 0.0001;  // TOLERANCE_EQUAL of LinuxCNC's source
 
 double angle_of(Vec2 v) { return std::atan2(v.y, v.x); }
 Vec2 at_angle(double radius, double angle) { return {radius * std::cos(angle), radius * std::sin(angle)}; }
 bool off_sine(double l) { return l > 1.0 || l < -1.0; }
 double apart_by(Vec2 a, Vec2 b) { return std::hypot(a.x - b.x, a.y - b.y); }
 
-/// True if the tool is on the outer side of an arc that ends at the next line, so that it must not pass around the arc's end (the shapes
-/// "h" and "m" in the source).
+/// True if the tool is on the outer side of an arc that ends at the next line, so that the tool must not pass around the arc's end (the
+/// shapes "h" and "m" in LinuxCNC's source).
 bool comes_over_arc(const CornerSituation& p, double beta) {
   return beta > half_turn - small_angle && p.held && p.arc && (p.side > 0 ? p.arc->turn < 0 : p.arc->turn > 0);
 }

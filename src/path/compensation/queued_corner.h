@@ -1,7 +1,7 @@
 #pragma once
 // Computes the corners of a compensated contour as LinuxCNC does (spec/linuxcnc 7.5; convert_straight_comp2, convert_arc_comp2 of its
-// source). The type of the corner follows from the angle between the elements on the tool's side, measured from the tool's position at
-// the end of the previous element before it is shortened.
+// source). The type of the corner follows from the angle between the elements on the tool's side. The angle is measured from the tool's
+// position at the end of the previous element, before a corner shortens that element.
 //
 //      outer: an arc about p            straight on: nothing           inner: both end at `at`
 //        ───────╮ (tool)                  ──────┬──────                   (tool) ──┼ at
@@ -43,8 +43,8 @@ enum class CornerKind : std::uint8_t { inner, outer, straight };
 
 struct QueuedCorner {
   CornerKind way = CornerKind::straight;
-  Vec2 at;   // inner: where the tool leaves the first element and starts the second; outer: where the second element starts
-  Vec2 end;  // end of the second element, before the next corner shortens it
+  Vec2 at;   // inner corner: where the tool leaves the first element and starts the second; outer corner: where the second starts
+  Vec2 end;  // end of the second element, before the next corner shortens this element
 };
 
 /// Returns the corner to a line that ends at `to`, which must differ from the corner point.

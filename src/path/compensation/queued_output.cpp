@@ -12,8 +12,8 @@ namespace kadr {
 namespace {
 
 constexpr double radii_apart = 0.01;       // greatest difference of an arc's radii, in the block's length unit (move_endpoint_and_flush)
-constexpr double more_swept_mm = 0.0254;   // by how much an arc may become longer than programmed, rad, in a block in mm;
-constexpr double more_swept_inch = 0.001;  // in a block in inches: the source converts the angle like a length
+constexpr double more_swept_mm = 0.0254;   // rad; how much an arc's swept angle may exceed the programmed one, in a block in mm
+constexpr double more_swept_inch = 0.001;  // the same in a block in inches: LinuxCNC's source converts the angle like a length
 constexpr double no_arc = 1e-9;            // rad: a smaller swept angle counts as a full circle
 
 /// Directions from the centre of a turning tool's nose to its programmed tip, as (Z, X) (latheorigin_z, latheorigin_x).
@@ -66,8 +66,8 @@ void QueuedCompensation::push(Queued& queued) {
   now_.queue.push_back(std::move(queued));
 }
 
-/// Emits the motion around an outer corner to the point `to`: an arc, or a line at rapid. It has the feed and unit of the motion `next`;
-/// the rotary axes of `next` move in it, its third axis does not.
+/// Emits the motion around an outer corner to the point `to`: an arc, or a line at rapid. The feed and unit are those of the motion `next`.
+/// The rotary axes of `next` move in this motion, the third axis does not.
 void QueuedCompensation::go_around_corner(const Queued& next, Vec2 to) {
   Queued round;
   round.action = next.action;

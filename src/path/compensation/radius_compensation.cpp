@@ -27,7 +27,7 @@ CornerJoin join_of(const Motion& m, const Motion& next) {
   return rapid && m.join_corner == CornerJoin::arc ? CornerJoin::extended : m.join_corner;
 }
 
-/// Returns a single vector, to the point where the offsets meet, for inside and outside corners (15.5.1, 15.5.3, 15.5.4). `otherwise`:
+/// Returns a single vector, to the point where the offsets meet, for inside and outside corners (NCT 15.5.1, 15.5.3, 15.5.4). `otherwise`:
 /// the vector to return if the offsets do not meet.
 JunctionVectors meeting(const OffsetElement& first, const OffsetElement& second, Vec2 point, Vec2 otherwise) {
   return single(intersection(first, second, point).value_or(otherwise));
@@ -46,7 +46,8 @@ void RadiusCompensation::drop() {
 
 std::optional<CompensationFault> RadiusCompensation::take(ActionBatch& batch, bool last) {
   warnings_.clear();
-  if (now_.count == 0 && !now_.zero && !beside()) {  // the usual case: only the tool's position is updated
+  // no compensation is active, which is the usual case: only the tool's position is updated
+  if (now_.count == 0 && !now_.zero && !beside()) {
     bool any = false;
     for (const Action& action : batch) {
       if (const auto* const m = motion_of(action)) any = any || m->side != 0;
@@ -129,7 +130,7 @@ void RadiusCompensation::motion(Action& action) {
     leave();
     now_.at.take(m);
     deliver(std::move(action));
-  } else if (named && !now_.keeps_vector) {  // zero displacement (15.5.1, 15.5.2): the block moves the tool to the next vector
+  } else if (named && !now_.keeps_vector) {  // zero displacement (NCT 15.5.1, 15.5.2): the block moves the tool to the next vector
     flush({});
     now_.at.take(m);
     now_.zero = std::move(action);
@@ -144,8 +145,8 @@ void RadiusCompensation::motion(Action& action) {
   }
 }
 
-/// Emits a motion without compensation. It goes to the programmed point, but axes of the plane that are not programmed in its block keep
-/// the vector's component.
+/// Emits a motion without compensation to the programmed point. Axes of the plane that are not programmed in the motion's block keep the
+/// component of the vector.
 void RadiusCompensation::outside_contour(Action& action) {
   auto& m = std::get<Motion>(action.what);
   const bool stays = m.side != 0 && (m.named & (AxisMask{1} << now_.first | AxisMask{1} << now_.second)) == 0;
@@ -196,7 +197,7 @@ void RadiusCompensation::hold(Action& action, const ContourElement& element, Vec
   Held& now = held(now_.count++);
   now.motion = std::move(std::get<Motion>(action.what));
   now.origin = action.origin;
-  if (&now.element != &element) now.element = element;  // the interference check has dropped blocks between
+  if (&now.element != &element) now.element = element;  // the interference check has dropped the blocks between the two motions
   now.start_vector = start_vector;
   now.end.count = 0;
   now.rejoins = now.regular = false;
@@ -209,7 +210,7 @@ void RadiusCompensation::hold(Action& action, const ContourElement& element, Vec
   while (!fault_ && now_.count >= looked_at()) release_first();
 }
 
-/// Handles G39: if its block states a direction, it acts at once; else when the next motion is known.
+/// Handles G39. If the block of G39 states a direction, the corner is emitted at once; else when the next motion is known.
 void RadiusCompensation::corner(Action& action) {
   if (now_.count == 0) return;
   const auto& way = std::get<CompensationCorner>(action.what).way;
@@ -222,8 +223,8 @@ void RadiusCompensation::corner(Action& action) {
   if (!fault_) round(before.tool_radius * side_normal(1 / length(*way) * *way, before.side), action.origin, before);
 }
 
-/// Ends the contour, because no motion in the plane follows. The last stored motion ends with `vector`; if it is empty, with the vector
-/// perpendicular to the motion's end.
+/// Ends the contour, because no motion in the plane follows. The last stored motion ends with `vector`. If `vector` is empty, the motion
+/// ends with the vector perpendicular to its end.
 void RadiusCompensation::flush(std::optional<Vec2> vector) {
   if (now_.zero) {
     auto& m = std::get<Motion>(now_.zero->what);
@@ -240,7 +241,7 @@ void RadiusCompensation::flush(std::optional<Vec2> vector) {
 }
 
 /// Handles G40 without a motion in the plane: the tool moves to the vector perpendicular to the end of the last block, then straight to
-/// the programmed point (15.5.3).
+/// the programmed point (NCT 15.5.3).
 void RadiusCompensation::leave() {
   if (now_.count == 0) return flush(Vec2{});
   const Motion like = last_held().motion;

@@ -1,7 +1,7 @@
 #pragma once
-// RadiusCompensation: cutter radius compensation: converts programmed actions to actions of the tool's centre. A motion, and the actions
-// after it, are stored until the next motion in the plane determines the corner between the two motions; the interference check needs
-// more stored motions. NCT 15.5.
+// RadiusCompensation converts programmed actions to actions of the tool's centre (cutter radius compensation). A motion, and the actions
+// after it, are stored until the next motion in the plane determines the corner between the two motions. The interference check needs more
+// stored motions. NCT 15.5.
 //
 //   programmed ──▶ window: motion k · actions between · motion k+1 … ──▶ junction k/k+1, check ──▶ motion k · actions between · corner
 //
@@ -23,7 +23,7 @@ namespace kadr {
 struct CompensationFault {
   Alarm alarm;
   Origin origin;
-  Origin other{};  // for contour_cut: the block of the contour that the tool cuts into
+  Origin other{};  // warning contour_cut: the block of the contour that the tool cuts into
 };
 
 class RadiusCompensation {
@@ -54,7 +54,8 @@ class RadiusCompensation {
  private:
   // greatest number of actions between two motions in the plane; the limit of the NCT control is unknown
   static constexpr std::size_t max_waiting = 64;
-  // 3, up to 8 by N1404 (15.5.7), and the motion that arrives; rounded up to a power of two
+  // greatest number of stored motions: 3, or up to 8 by parameter N1404 (NCT 15.5.7), and the motion that arrives; rounded up to a power of
+  // two
   static constexpr std::size_t max_held = 16;
 
   /// A motion of the contour, and the actions between this motion and the next.
@@ -63,11 +64,11 @@ class RadiusCompensation {
     Origin origin;
     ContourElement element;
     Vec2 start_vector;
-    JunctionVectors end;            // vectors at its end; empty: unknown, or the offsets do not meet
-    bool rejoins = false;           // an arc of the programmed radius joins the compensated ends (15.5.4)
+    JunctionVectors end;            // vectors at the end of the motion; empty: unknown, or the offsets do not meet
+    bool rejoins = false;           // an arc of the programmed radius joins the compensated ends (NCT 15.5.4)
     bool regular = false;           // `end` follows from the corner rules, and the tool is on the same side of this motion and the next
     std::uint64_t number = 0;       // number of the motion's contour piece in GougeDetector
-    bool watched = false;           // true if the tool on this path must not cut into the contour
+    bool watched = false;           // true if GougeDetector checks that the tool on this path does not cut into the contour
     std::vector<Action> waiting{};  // actions after the motion
   };
 
@@ -77,9 +78,9 @@ class RadiusCompensation {
     ToolPosition at;     // programmed position after the last action received
     ToolPosition stand;  // programmed position after the last emitted action
     std::size_t first = 0, second = 1;
-    bool keeps_vector =
-        false;    // as on controls that state their own CompensationApproach: the vector stays until a programmed motion changes it
-    Vec2 vector;  // from the programmed point to the tool's centre, after the last emitted action
+    // true on controls that state their own CompensationApproach: the vector stays until a programmed motion changes it
+    bool keeps_vector = false;
+    Vec2 vector;  // vector from the programmed point to the tool's centre, after the last emitted action
     std::array<Held, max_held> window;
     std::size_t head = 0, count = 0;
     Motion round_first;  // the motion that is followed by an arc about the programmed point

@@ -1,6 +1,7 @@
 #pragma once
-// Bezier: a cubic curve between two points of the axes' space with given directions at its ends. INFERRED (NCT 4.7 leaves its
-// construction open): each inner control point is a third of the chord length away from its end, along the given direction.
+// Bezier: a cubic curve between two points of the axes' space with given directions at its ends. Each inner control point is a third of the
+// chord length away from the end of the curve next to it, along the given direction (INFERRED: NCT 4.7 leaves the construction of the curve
+// open).
 
 #include "base/vec.h"
 
@@ -26,8 +27,8 @@ class Bezier {
   Axes start_pull_, end_pull_;  // the inner control points are from + start_pull and to - end_pull
 };
 
-/// Returns the direction, a unit vector, that a curve through the point between two straight pieces has there. It is the mean of the
-/// pieces' directions, in which the shorter piece has more weight (chord-length weighted, INFERRED, NCT 4.7).
+/// Returns the direction, a unit vector, that a curve through the point between two straight pieces has at this point. It is the mean of
+/// the pieces' directions, in which the shorter piece has more weight (chord-length weighted, INFERRED, NCT 4.7).
 ///   pre  the path does not reverse there
 Axes way_between(const Axes& before, double before_length, const Axes& behind, double after_length);
 

@@ -25,7 +25,7 @@ OffsetElement seen_from(const Support& s, Vec2 point) {
 }
 
 /// Returns true if the second intersection comes before the first, clockwise on the circle from the start of the circle's element
-/// (17.3.4, INFERRED).
+/// (NCT 17.3.4, INFERRED).
 bool second_comes_first(const Support& circle, const Meetings& meet, bool mirrored) {
   const Vec2 start = circle.point - circle.center;
   const double sense = mirrored ? 1 : -1;

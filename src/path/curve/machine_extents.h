@@ -6,9 +6,9 @@
 
 namespace kadr {
 
-/// Returns the box. For axes with rollover, the box covers only the start and the end of the motion. If the difference between machine
-/// and work coordinates changes along the motion, the box is the work-coordinate box extended by the smaller and the greater difference
-/// at the ends; so it contains the exact box.
+/// Returns the bounding box of a motion in machine coordinates. For axes with rollover, the box covers only the start and the end of the
+/// motion. If the difference between machine and work coordinates changes along the motion, the box is the work-coordinate box extended by
+/// the smaller and the greater difference at the ends; so it contains the exact box.
 ///   curve  the curve of the motion that starts at `from`
 Extents machine_extents(const AxisRoles& roles, const ToolPosition& from, const Motion& motion, const Curve& curve);
 inline Extents machine_extents(const AxisRoles& roles, const ToolPosition& from, const Motion& motion) {

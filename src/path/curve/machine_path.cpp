@@ -12,7 +12,7 @@
 namespace kadr {
 namespace {
 
-constexpr int max_chords_of_motion = 20'000;  // of one motion
+constexpr int max_chords_of_motion = 20'000;  // greatest number of chords of one motion
 
 /// Returns true if a rotary axis moves under tool centre point control: then the axes do not move along a straight line.
 bool turns_with_tip_control(const ToolPosition& from, const Motion& motion) {
@@ -58,9 +58,9 @@ Extents MachinePath::tip_control_extents(double from, double to) const {
   return box;
 }
 
-/// Returns an upper bound, mm, of the distance between the axes' path along a straight motion and its chord: a point travels the length L
-/// while it is rotated by the angle ω (rad) about axes at most R away. Its second derivative over the motion is at most ω²R + 2ωL, and
-/// the distance from the chord is at most an eighth of that.
+/// Returns an upper bound, mm, of the distance between the axes' path along a straight motion and its chord. A point travels the length L
+/// while it is rotated by the angle ω (rad) about axes at most R away. The second derivative of its path over the motion is at most ω²R +
+/// 2ωL, and the distance from the chord is at most an eighth of that.
 double MachinePath::most_off_chord() const {
   double turn = 0;
   for (AxisMask left = from_.space->rotary_axes(); left != 0; left &= left - 1) {
@@ -83,8 +83,8 @@ Extents MachinePath::rough_extents() const {
   return box;
 }
 
-/// Returns the number of samples along the motion under tool centre point control. A quarter revolution of a rotary axis contains about
-/// one extreme of a linear axis, so the samples must be close enough that at most about one extreme lies between two of them.
+/// Returns the number of samples along the motion under tool centre point control. While a rotary axis turns by a quarter revolution, the
+/// position of a linear axis has about one extreme. The samples must be so close that at most about one extreme lies between two of them.
 int MachinePath::samples_with_tip_control() const {
   constexpr double between = 15;  // rotation between two samples, degrees
   double way = 0;
@@ -97,11 +97,12 @@ int MachinePath::samples_with_tip_control() const {
   return std::clamp(static_cast<int>(way / between) + least, curve_.samples(), std::max(curve_.samples(), most));
 }
 
-/// Where rotary axes curve the path, the deviation from the chord is measured in the middle of a few pieces and extrapolated: it is
-/// proportional to h², with h the length of a piece. The aim is half of the permitted deviation, as a reserve.
+/// Where rotary axes curve the path, the deviation from the chord is measured in the middle of a few pieces. The number of pieces follows
+/// from it, because the deviation is proportional to h², with h the length of a piece. The aim is half of the permitted deviation, as a
+/// reserve.
 int MachinePath::pieces(double chord) const {
   const int of_curve = curve_.pieces(chord);
-  // a motion that deviates by less than this multiple of `chord` stays one piece, because it meets its neighbours at corners anyway
+  // a motion that deviates by less than this multiple of `chord` stays one piece, because the motion meets its neighbours at corners anyway
   constexpr double few = 6;
   if (!bends_ || (tip_moves_straight() && most_off_chord() <= few * chord)) return of_curve;
   constexpr int looked_at = 8;

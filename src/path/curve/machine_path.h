@@ -21,7 +21,7 @@ class MachinePath {
 
   /// True if all axes move along one straight line, from start() to end().
   bool straight() const { return straight_; }
-  /// True under tool centre point control ("the tip is led") if the axis speeds are not proportional to the tip's speed.
+  /// True if the motion is under tool centre point control and the axis speeds are not proportional to the tip's speed.
   bool bends() const { return bends_; }
   const Axes& start() const { return from_.machine; }
 

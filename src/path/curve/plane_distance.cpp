@@ -34,8 +34,8 @@ bool lines_cross(const PlanePiece& a, const PlanePiece& b) {
   return ((a0 < 0) != (a1 < 0)) && ((b0 < 0) != (b1 < 0));
 }
 
-/// Returns the distance between a line and an arc, apart from distances at their ends: 0 if they cross, else the distance at the foot of
-/// the perpendicular from the arc's centre to the line; HUGE_VAL if there is no such point on both.
+/// Returns the distance between a line and an arc, without regard to their ends: 0 if they cross, else the distance at the foot of the
+/// perpendicular from the arc's centre to the line; HUGE_VAL if this foot is not on both.
 double inner_line_arc(const PlanePiece& line, const PlanePiece& arc) {
   constexpr double none = HUGE_VAL;
   const Vec2 way = line.to - line.from;
@@ -51,8 +51,8 @@ double inner_line_arc(const PlanePiece& line, const PlanePiece& arc) {
   return none;
 }
 
-/// Returns the distance between two arcs, apart from distances at their ends: 0 if they cross, else the distance on the line through
-/// their centres.
+/// Returns the distance between two arcs, without regard to their ends: 0 if they cross, else the distance on the line through their
+/// centres.
 double inner_arcs(const PlanePiece& a, const PlanePiece& b) {
   double least = HUGE_VAL;
   const Vec2 between = b.center - a.center;

@@ -12,7 +12,7 @@ struct PlanePiece {
   Vec2 center;
   Box2 box;
   double turns = 0;   // swept angle / 360, counter-clockwise positive
-  double radius = 0;  // of an arc: the mean of the radii at its start and end
+  double radius = 0;  // radius of an arc: the mean of the radii at its start and end
   double slack = 0;   // how much the radius changes along the arc, mm
   bool is_arc = false;
   static PlanePiece of(const ContourElement& element) {

@@ -80,7 +80,8 @@ Edges follow(const Edges& edges, End start, const std::vector<End>& partner, std
 
 double turning_area(const Edges& loop) { return area_of({flattened(loop, tol::contour_gap)}); }
 
-/// Returns a point where two edges cross or touch; nullopt if their only common point is the end at which one edge follows the other.
+/// Returns a point where two edges cross or touch; nullopt if they have no point in common except the end at which one edge follows the
+/// other.
 std::optional<Vec2> crossing(const Edge& a, const Edge& b, bool b_follows, bool a_follows) {
   for (const Vec2 p : meetings(a, b)) {
     const bool shared = (b_follows && length(p - a.to) < tol::contour_gap) || (a_follows && length(p - b.to) < tol::contour_gap);

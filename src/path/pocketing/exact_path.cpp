@@ -13,7 +13,8 @@
 namespace kadr::area {
 namespace {
 
-// greatest distance between a corner and its carrier, mm: the sum of three chord errors (source, offset, one in reserve)
+// greatest distance between a corner and its carrier, mm: the sum of three chord errors (of the source, of the offset, and one as a
+// reserve)
 constexpr double off = 3 * tol::area_chord;
 constexpr std::size_t across = 64;  // grid cells of the carrier index in each direction
 
@@ -29,7 +30,7 @@ bool carries(const Carrier& c, Vec2 a, Vec2 b) {
   if (away(c, a) > off || away(c, b) > off) return false;
   if (c.line) return true;
   const double chord = length(b - a);
-  return chord * chord <= 16 * off * c.radius && c.radius > off;  // condition: the chord's height over the circle is at most 2 · off
+  return chord * chord <= 16 * off * c.radius && c.radius > off;  // the chord is at most 2 · off away from the circle
 }
 
 void add_feet(std::vector<Vec2>& points, const Carrier& line, const Carrier& circle) {
@@ -60,8 +61,8 @@ std::vector<Vec2> meetings(const Carrier& a, const Carrier& b) {
   return points;
 }
 
-/// Returns the angle from a to b about the centre, degrees, counter-clockwise positive: of the values that differ by 360°, the one
-/// nearest to `about`.
+/// Returns the angle from a to b about the centre, degrees, counter-clockwise positive. Of the values that differ by 360° the value nearest
+/// to `about` is returned.
 double turned(Vec2 centre, Vec2 a, Vec2 b, double about) {
   const double deg = std::atan2(cross(a - centre, b - centre), dot(a - centre, b - centre)) / rad_per_deg;
   return about + std::remainder(deg - about, 360);
@@ -146,7 +147,7 @@ std::vector<std::uint32_t> Carriers::on(Vec2 a, Vec2 b) const {
 std::vector<Carriers::Run> Carriers::runs(const Polygon& corners, bool closed) const {
   const std::size_t count = corners.size(), chords = closed ? count : count - 1;
   std::size_t start = 0;
-  // cosine of the change of direction at the sharpest corner; the search starts there because no run continues over it
+  // cosine of the change of direction at the sharpest corner; the search for runs starts at this corner, because no run continues over it
   double sharpest = 2;
   for (std::size_t i = 0; closed && i < count; ++i) {
     const Vec2 in = corners[i] - corners[(i + count - 1) % count], out = corners[(i + 1) % count] - corners[i];
@@ -176,7 +177,7 @@ Edges Carriers::recovered(const Polygon& corners, bool closed) const {
   if (corners.size() < 2) return path;
   const std::size_t count = corners.size();
   const std::vector<Run> all = runs(corners, closed);
-  const auto reach = [&](const Run& run) {  // greatest displacement of the run's end points
+  const auto reach = [&](const Run& run) {  // how far an end point of the run may be moved, mm
     return 0.45 * length(corners[(run.first + run.count) % count] - corners[run.first]) + (run.count == count ? 1e300 : 0);
   };
   const auto joint = [&](const Run& before, const Run& after) {
@@ -199,7 +200,7 @@ Edges Carriers::recovered(const Polygon& corners, bool closed) const {
       continue;
     }
     const Carrier& c = all_[*run.carrier];
-    double about = 0;  // angle over all chords of the run; a single chord may go backwards if it is short compared with the corners' error
+    double about = 0;  // swept angle of the run; one chord may go backwards if it is short compared with the corners' error
     for (std::size_t k = 0; k < run.count; ++k)
       about += turned(c.point, corners[(run.first + k) % count], corners[(run.first + k + 1) % count], 0);
     emit_arc(path, c, a, b, about);

@@ -18,8 +18,8 @@ Edges all_edges(const std::vector<Edges>& loops) {
   return all;
 }
 
-/// Appends the parts of a loop that are walls (with `open`: open sides) to `lines` as polylines. A polyline around the whole loop repeats
-/// its first two corners at its end.
+/// Appends those parts of a loop that are walls to `lines` as polylines; with `open`, those that are open sides. A polyline around the
+/// whole loop repeats its first two corners at its end.
 void add_stretches(const Edges& loop, bool open, Polygons& lines) {
   const auto begin = std::find_if(loop.begin(), loop.end(), [&](const Edge& e) { return e.open != open; });
   if (begin == loop.end()) {
@@ -110,7 +110,8 @@ class Fields {
 std::vector<Field> fields_of(const Zone& zone, const Job& job) {
   const double off_walls = job.radius + job.allowance;
   std::vector<Field> fields = Fields(zone, job, off_walls).make();
-  if (fields.empty()) fields = Fields(zone, job, off_walls - tol::area_wall / 2).make();  // for a slot exactly as wide as the tool
+  // a slot exactly as wide as the tool needs this tolerance
+  if (fields.empty()) fields = Fields(zone, job, off_walls - tol::area_wall / 2).make();
   return fields;
 }
 

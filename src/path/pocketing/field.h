@@ -12,7 +12,8 @@ namespace kadr::area {
 struct Field {
   std::vector<Edges> reach;  // boundary of the area that the tool's centre may reach, as exact closed loops
   Polygons reach_area;
-  // boundary of the area that the scheme's passes cover, with less overrun; the rest of `wanted` is cut along `reach`
+  // boundary of the area that the passes of the scheme cover; at open sides it is smaller than `reach`. What these passes leave uncut of
+  // `wanted` is cut along `reach`
   std::vector<Edges> work;
   Polygons work_area;
   Room roomy;   // `reach_area`, slightly enlarged: the tool's centre must stay inside

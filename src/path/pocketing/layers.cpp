@@ -60,8 +60,8 @@ class Layers {
     out_.reset();
   }
 
-  /// Chooses one start of the first ring for all layers: where the hole is to be drilled, or next to the given hole, or next to a
-  /// position outside the material.
+  /// Chooses the start of the first ring, which is the same in all layers. The start is next to the given hole, or next to a position
+  /// outside the material, or else at the middle of the longest edge of the ring.
   void begin_first(Pass& first) {
     const bool own_hole = job_.plunge == Plunge::hole && job_.hole && contains(field_->roomy.area(), *job_.hole);
     if (!first.closed) return;
@@ -72,7 +72,7 @@ class Layers {
 
   void pass(const Pass& pass, bool first) {
     if (first) return first_pass(pass);
-    if (!pass.lifted || length(pass.path.front().from - here()) < job_.radius)  // avoids a lift that would end where it started
+    if (!pass.lifted || length(pass.path.front().from - here()) < job_.radius)  // if so near, a lift would end where it started
       if (const auto begun = pass_start_from(*field_, job_, pass, here(), out_)) {
         cut(begun->way);
         return cut(begun->path);
@@ -91,7 +91,7 @@ class Layers {
     cut(path);
   }
 
-  /// Moves the tool away from a wall before it is lifted.
+  /// Moves the tool away from a wall before the tool is lifted.
   void leave(const Pass& pass) {
     if (!pass.closed || cut_.empty()) return;
     if (const auto arc = arc_out_of(*field_, job_, cut_)) cut({*arc});
@@ -118,7 +118,7 @@ class Layers {
     }
   }
 
-  /// Moves sideways to the start from a position that is already cut on this level; else plunges through a hole.
+  /// Moves to the start in the plane, from a position that is already cut on this level; else plunges through a hole.
   void enter_by_hole(Vec2 start, bool again) {
     if (const auto beside = again ? cut_beside(start) : std::nullopt) {
       descend(*beside, again);
@@ -141,7 +141,8 @@ class Layers {
       path_.holes.push_back(hole);
   }
 
-  /// Plunges through a predrilled hole because there is no room for a ramp; uses a hole of the list if the start can be reached from it.
+  /// Plunges through a predrilled hole, because there is no clearance for a ramp. Uses a hole of AreaPath::holes if the start can be
+  /// reached from that hole.
   void enter_drilled(Vec2 start, bool again) {
     ++path_.plunges.no_room;
     for (const Vec2 hole : path_.holes)
@@ -154,7 +155,7 @@ class Layers {
     descend(start, again);
   }
 
-  /// Moves to the point above the material or above the ground cut by the previous layer, then down.
+  /// Moves to a position at some height over `point` (above the material, or above the ground cut by the previous layer), then down.
   void descend(Vec2 point, bool again) {
     approach(point, again);
     go(MoveKind::plunge, {point.x, point.y, level_});
@@ -191,7 +192,8 @@ class Layers {
   void down_ramp(const Ramp& ramp) {
     const Polygon& corners = ramp.corners;
     const double drop = ground_ - level_, slope = std::tan(job_.ramp_deg * rad_per_deg), step = job_.level_step;
-    // bound, in case rounding prevents progress between close corners; the last motions are then as steep as necessary
+    // greatest number of strokes, in case rounding of Z prevents progress between close corners; the last motions are then as steep as
+    // necessary
     const int most = 4 * ramp.times + 4;
     double gone = 0, z = ground_;
     for (int i = 0; i < ramp.times || (z > level_ && i < most) || (!ramp.round && i % 2 == 1); ++i)

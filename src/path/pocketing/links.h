@@ -21,8 +21,8 @@ struct PassStart {
   Edges path;
 };
 
-/// Returns the pass with the path from `from`, where the tool has arrived in the direction `out`. A closed pass (ring) is entered along a
-/// double arc if there is room.
+/// Returns the start of a pass, and the path to this start from `from`, where the tool has arrived in the direction `out`. A closed pass
+/// (ring) is entered along a double arc if there is clearance for the arcs.
 std::optional<PassStart> pass_start_from(const Field& field, const Job& job, const Pass& pass, Vec2 from, std::optional<Vec2> out);
 
 /// Returns the ring with its start moved to the point nearest to `p`.
@@ -31,11 +31,11 @@ Edges begun_near(const Edges& ring, Vec2 p);
 /// Returns the ring with its start moved to the middle of its longest edge.
 Edges begun_at_longest(const Edges& ring);
 
-/// Returns a quarter circle that leads tangentially into the start of a pass, with the largest radius for which there is room.
+/// Returns a quarter circle that leads tangentially into the start of a pass, with the largest radius for which there is clearance.
 std::optional<Edge> arc_into(const Field& field, const Job& job, const Edges& path);
 
 /// Returns a quarter circle that leads tangentially out of the end of a pass, away from the wall, with the largest radius for which there
-/// is room.
+/// is clearance.
 std::optional<Edge> arc_out_of(const Field& field, const Job& job, const Edges& path);
 
 }  // namespace kadr::area

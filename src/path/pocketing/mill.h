@@ -22,7 +22,8 @@ enum class Scheme : std::uint8_t {
   comb_then_contour,    // 1ШТИП: comb, then a pass along the boundary
   contour_then_comb,    // 2ШТИП: a pass along the boundary, then comb
 };
-enum class Direction : std::uint8_t { ccw, cw };  // direction of travel around the zone, ПЧС and ЧС; ccw is climb milling along a wall (M3)
+// direction of travel around the zone, ПЧС and ЧС; with M3, ccw is climb milling along a wall
+enum class Direction : std::uint8_t { ccw, cw };
 enum class Plunge : std::uint8_t {
   hole,        // ЗАСВ: straight down into a predrilled hole
   tangential,  // КАС: down next to the pass, then into the pass along an arc
@@ -31,7 +32,7 @@ enum class Plunge : std::uint8_t {
 
 enum class Stage : std::uint8_t { passes, path, verification };
 
-/// Lets the caller of a long computation stop it (alarm interrupted) and receive its progress.
+/// Lets the caller of a long computation stop the computation (alarm interrupted) and receive its progress.
 struct Watch {
   StopToken stop;
   std::function<void(Stage, double part)> show;
@@ -60,7 +61,7 @@ struct Job {
   Watch watch;
 };
 
-enum class MoveKind : std::uint8_t { rapid, feed, plunge };  // plunge: downwards at the plunge feed
+enum class MoveKind : std::uint8_t { rapid, feed, plunge };  // `plunge`: the tool moves downwards at the plunge feed
 
 /// A straight move, or an arc in the XY plane, from the end of the previous move.
 struct Move {
@@ -69,18 +70,18 @@ struct Move {
   double bulge = 0;  // arc shape, defined as in Edge; 0: straight
 };
 
-/// Counts how often the tool plunges into uncut material, by the way it does so.
+/// Counts how often the tool plunges into uncut material, by the type of the plunge.
 struct Plunges {
   std::size_t ramps = 0;     // plunges back and forth along a ramp
   std::size_t helices = 0;   // plunges along a helix
   std::size_t straight = 0;  // vertical plunges into the material, for Plunge::tangential
   std::size_t drilled = 0;   // plunges into predrilled holes
-  std::size_t no_room = 0;   // number of plunges into predrilled holes that replace a ramp for which there was no room
+  std::size_t no_room = 0;   // plunges into predrilled holes where a ramp had no clearance
 };
 
 struct AreaPath {
-  std::vector<Move> moves;  // in order; the first move is at the clearance level
-  std::vector<Vec2> holes;  // holes to drill before milling: for Plunge::hole, and where there is no room for a ramp
+  std::vector<Move> moves;  // moves in order; the first move is at the clearance level
+  std::vector<Vec2> holes;  // holes to drill before milling: for Plunge::hole, and where a ramp has no clearance
   Plunges plunges;
   std::size_t layers = 0;
   std::size_t lifts = 0;   // number of times the tool is lifted within a layer

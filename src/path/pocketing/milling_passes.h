@@ -14,7 +14,8 @@ struct Pass {
 };
 using Passes = std::vector<Pass>;
 
-inline constexpr std::size_t max_passes = 20'000;  // of one layer: beyond it the drawing's unit or the step is wrong
+// greatest number of passes of one layer; if more, the drawing's unit or the step is wrong
+inline constexpr std::size_t max_passes = 20'000;
 
 /// Returns the passes of the job's scheme, which together cut everything that the tool can cut.
 ///   alarms  mill_too_long

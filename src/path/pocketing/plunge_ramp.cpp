@@ -14,9 +14,9 @@ namespace {
 
 constexpr double fine = tol::area_wall / 4;         // chord tolerance, mm, of a ramp that may run along a wall
 constexpr double coarse = 0.02;                     // chord tolerance, mm, of a ramp away from walls; gives fewer blocks
-constexpr double shortest = 2, longest = 6;         // length of a stroke in tool radii, where there is room
+constexpr double shortest = 2, longest = 6;         // length of a stroke in tool radii, where there is clearance
 constexpr double good_extent = 2;                   // extent in tool radii with which the search for a wider ramp ends
-constexpr double helices[] = {0.8, 0.5, 0.3, 0.2};  // helix radii to try, in tool radii; up to 1 no core remains
+constexpr double helices[] = {0.8, 0.5, 0.3, 0.2};  // helix radii to try, in tool radii; a radius up to 1 leaves no core
 constexpr double good_helix = 0.5;
 constexpr double lines[] = {6, 4, 2, 1, 0.4};  // lengths of straight ramps to try, in tool radii
 constexpr int directions = 24;                 // directions tried around the start
@@ -51,7 +51,7 @@ class Search {
  public:
   Search(const Field& field, const Job& job, const Edges& path, double drop)
       : field_(field), job_(job), path_(path), needed_(drop / std::tan(job.ramp_deg * rad_per_deg)) {
-    // a flat ramp uses longer strokes, which avoids thousands of them
+    // a ramp with a small slope uses longer strokes, which avoids thousands of strokes
     stroke_ = std::clamp(needed_ / 2, shortest * job.radius, std::max(longest * job.radius, needed_ / 100));
   }
 
@@ -128,7 +128,8 @@ class Search {
       }
   }
 
-  /// Returns the direction to try as number `i`: 0 is the direction of the pass, further directions lie on alternating sides of it.
+  /// Returns the direction to try as number `i`. Number 0 is the direction of the pass; further directions lie on alternating sides of this
+  /// direction.
   Vec2 heading(int i) const {
     const int turn = (i + 1) / 2 * (i % 2 == 0 ? 1 : -1);
     return kadr::rotated(direction(path_.front(), 0), 360.0 * turn / directions);

@@ -7,8 +7,8 @@
 
 namespace kadr::area {
 
-/// Extent of the smallest ramp, in tool radii. INFERRED: end teeth leave a core of about a tenth of the diameter; a movement by twice the
-/// core's size removes it (a bore of 1.2 tool diameters, the least that tool makers allow for a helix).
+/// Extent of the smallest ramp, in tool radii. INFERRED: the teeth at the end of the tool leave a core of about a tenth of its diameter. A
+/// movement by twice the size of the core removes the core (a bore of 1.2 tool diameters, the least that tool makers allow for a helix).
 inline constexpr double ramp_core = 0.4;
 
 /// The plan view of a ramp: a path from the start of a pass, followed back and forth or in circles while the tool goes down. It ends
@@ -20,9 +20,9 @@ struct Ramp {
   double along = 0;  // total horizontal length, mm
 };
 
-/// Returns the first of these ramps for which there is full room: along the pass, a helix, a straight line, along the boundary of the
-/// field. If there is none, returns the one with the greatest extent; nullopt if the tool could move by less than ramp_core of its
-/// radius, because it would then drill.
+/// Returns the first of these ramps for which there is enough clearance: along the pass, a helix, a straight line, along the boundary of
+/// the field. If none of them has it, returns the ramp with the greatest extent; nullopt if even this extent is less than ramp_core,
+/// because the tool would then drill.
 ///   drop  depth to go down, mm
 ///   law   drop <= along · tan(job.ramp_deg); the whole ramp lies in the field
 std::optional<Ramp> ramp_for(const Field& field, const Job& job, const Edges& path, double drop);

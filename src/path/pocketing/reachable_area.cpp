@@ -9,7 +9,7 @@
 namespace kadr::area {
 namespace {
 
-constexpr double touch = 1e-5;  // mm: lines nearer to each other than this count as meeting; ten of Clipper's units
+constexpr double touch = 1e-5;  // mm: lines nearer to each other than this count as meeting; this is ten units of Clipper
 constexpr std::size_t least_across = 4, most_across = 256;
 
 /// Returns true if the distance between the lines a–b and c–d is, or might be, less than `touch`.
@@ -58,7 +58,7 @@ bool Room::any_cell(Vec2 a, Vec2 b, Take take) const {
   const std::size_t first = column(a.x - touch), last = column(b.x + touch);
   const double width = std::max(box_.most.x - box_.least.x, touch) / static_cast<double>(across_);
   for (std::size_t x = first; x <= last; ++x) {
-    // the column of grid cells, slightly enlarged; the line is cut at its borders
+    // borders of the column of grid cells, slightly further apart than the column is wide; the line is cut at them
     const double left = box_.least.x + width * static_cast<double>(x) - touch, right = left + width + 2 * touch;
     const double run = b.x - a.x;
     const double from = x == first || run <= 0 ? 0 : std::clamp((left - a.x) / run, 0.0, 1.0);

@@ -1,5 +1,5 @@
-// Rings: computes equidistant closed passes. The rings of level k are k steps inside the work area. In a spiral outwards a ring is cut
-// after the neighbouring rings one step further in; in a spiral inwards before them.
+// Rings: computes equidistant closed passes. A ring of level k is k steps away from the boundary of the work area, on its inner side. In a
+// spiral outwards a ring is cut after the neighbouring rings one step further in; in a spiral inwards before them.
 
 #include <algorithm>
 
@@ -68,7 +68,8 @@ class RingTree {
   Passes passes() {
     seen_.assign(rings_.size(), false);
     for (std::size_t root = 0; root < roots_; ++root) visit(root);
-    for (std::size_t i = roots_; i < rings_.size(); ++i) visit(i);  // starts with the rings for which no neighbour was found
+    // starts with rings that visit() has not reached yet: no outer neighbour was found for them
+    for (std::size_t i = roots_; i < rings_.size(); ++i) visit(i);
     return std::move(passes_);
   }
 

@@ -11,7 +11,7 @@
 namespace kadr::area {
 namespace {
 
-constexpr double nudge = 2e-5;  // mm: distance of the first and the last row from the edge of the area, so that they cross the loops
+constexpr double nudge = 2e-5;  // mm: distance of the first and the last row from the border of the area, so that they cross the loops
 
 /// A point where a row crosses a loop.
 struct Crossing {
@@ -132,7 +132,8 @@ class Rows {
     }
   }
 
-  /// Links neighbouring rows. The zone is on the left of its loops, so a loop goes up at the right end of a row and down at the left end.
+  /// Links neighbouring rows. The zone is on the left of its loops, so a loop leads upwards at the right end of a row and downwards at the
+  /// left end.
   void link_spans() {
     for (std::size_t r = 0; r + 1 < rows_.size(); ++r)
       for (const std::size_t low : rows_[r])
@@ -197,7 +198,8 @@ class Rows {
     return cell;
   }
 
-  /// Returns the back-and-forth path through a cell; if rows follow the boundary, they do so at both ends.
+  /// Returns the back-and-forth path through a cell. If the rows are joined along the boundary, the boundary is cut at both ends of each
+  /// row.
   Edges through(const std::vector<std::size_t>& cell, bool up, bool right) const {
     Edges path;
     for (std::size_t i = 0; i < cell.size() && !job_.watch.stop.asked(); ++i, right = !right) {
@@ -216,7 +218,7 @@ class Rows {
     return path;
   }
 
-  /// Returns the zigzag passes. After each cell the next one is the unfinished cell with the start nearest to the tool.
+  /// Returns the zigzag passes. After each cell comes the unfinished cell whose start is nearest to the tool.
   Passes zigzag_passes() {
     Passes passes;
     Vec2 here{job_.direction == Direction::ccw ? range_.most.x : range_.least.x, range_.least.y};

@@ -50,7 +50,7 @@ class Check {
     Polygons left = job_.allowance > 0 ? less(area, swept(walls, job_.allowance, verified_chord)) : area;
     outcome_.out_of_reach += area_of(left) - area_of(area);
     Polygons wanted = reachable(area, open, walls);
-    for (const Field& field : fields_of(zone, job_)) wanted = joined(wanted, field.wanted);  // needed for a slot as wide as the tool
+    for (const Field& field : fields_of(zone, job_)) wanted = joined(wanted, field.wanted);  // a slot as wide as the tool needs this
     outcome_.out_of_reach = std::max(0.0, outcome_.out_of_reach - area_of(common(wanted, left)));
     wanted_ = joined(wanted_, wanted);
   }

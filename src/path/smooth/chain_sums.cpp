@@ -18,8 +18,8 @@ struct Pulse {
   std::array<double, 5> node, kink;  // positions r_n of the nodes, changes of slope κ_n
 };
 
-/// Returns the pulse k of a gentle corner by its nodes. It is the acceleration of an axis start as SoftCorner defines it, reversed and
-/// mirrored, and scaled to the integral 1.
+/// Returns the pulse k of a gentle corner by its nodes. The pulse is the acceleration of an axis that starts, as SoftCorner defines it,
+/// reversed and mirrored, and scaled to the integral 1.
 const Pulse& gentle_pulse_nodes() {
   constexpr double equal = SoftCorner::equal_swings;
   static const Pulse pulse = [] {
@@ -31,7 +31,7 @@ const Pulse& gentle_pulse_nodes() {
 
 }  // namespace
 
-/// Computes the sums for the path from s on, over all corners that affect it.
+/// Computes the sums for the path from s on, over all corners that affect this part of the path.
 void ChainSums::reach(const Corners& corners, double s) {
   if (s >= from_ && s <= to_) return;
   constexpr double widest = SoftCorner::widest;

@@ -4,8 +4,8 @@
 //
 // With one width W for all corners nearby, the rounded path is the polyline convolved with the pulse k_W of a gentle corner
 // (path/smooth/soft_corner). k is piecewise linear with five nodes r_n: k(r) = Σ κ_n max(0, r − r_n), where κ_n is the change of slope at
-// node n. P is the polyline, s the length, s_i the length at corner i, Δu_i the change of direction there. With y_n = s − r_n W and sums
-// over the corners before y = y_n:
+// node n. P is the polyline, s the path length, s_i the path length at corner i, Δu_i the change of direction there. With y_n = s − r_n W
+// and sums over the corners before y = y_n:
 //
 //   U = Σ Δu_i (y − s_i),  Q = Σ Δu_i (y − s_i)²,  C = Σ Δu_i (y − s_i)³
 //   x″ = Σ_n κ_n/W² U(y_n);  x′ = P′ + Σ_n κ_n/(2W²) Q(y_n) − Σ_(s_i < s) Δu_i;  x = P + Σ_n κ_n/(6W²) C(y_n) − U(s)
@@ -59,7 +59,7 @@ class ChainSums {
 
   std::size_t axes_, groups_;
   double from_ = 1, to_ = 0;               // the sums are valid for path lengths from from_ to to_
-  double origin_ = 0;                      // path length from which the sums count lengths, so that they stay small
+  double origin_ = 0;                      // path length that counts as 0 in the sums, so that their numbers stay small
   std::vector<double> at_;                 // path lengths of the corners; the last entry is infinite
   std::vector<Sums> sums_;                 // sums over the first 0, 1, 2, … corners, for each group of axes
   std::array<std::size_t, nodes> seen_{};  // number of corners before each node, at the position evaluated last

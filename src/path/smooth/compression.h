@@ -41,7 +41,7 @@ class Compression {
   ActionBatch out_;
   Axes from_{};  // the last emitted point
   std::optional<Action> held_;
-  std::optional<Action> stop_;  // a single_block stop after the held motion (4.7: it stops after the joined block)
+  std::optional<Action> stop_;  // a single_block stop after the held motion (NCT 4.7: it stops after the joined block)
   bool held_before_ = false;    // true: the motion in `held_` belongs to an earlier batch
   std::size_t of_before_ = 0;
 };

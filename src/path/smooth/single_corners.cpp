@@ -31,9 +31,9 @@ void SmoothPath::add_single_ways(double s, std::size_t around, double* x) const 
   });
 }
 
-/// Returns the greatest displacement of the path by the roundings on one side of a vertex, mm. Within the vertex' own rounding, or up to
-/// a neighbour that needs samples as dense, the samples are as dense as this rounding requires; from there to the middle of the next
-/// piece there are a few samples.
+/// Returns the greatest displacement of the path by the roundings on one side of a vertex, mm. The samples are as dense as the rounding of
+/// this vertex requires, up to the end of the rounding, or up to a neighbour that needs equally dense samples. From there to the middle of
+/// the next piece there are a few samples.
 double SmoothPath::moved_near_vertex(std::size_t vertex, int side) const {
   constexpr int places = 6;   // samples between the vertex and the greatest deviation to the outside
   constexpr int farther = 4;  // samples farther away from the vertex
@@ -84,12 +84,11 @@ void SmoothPath::look_at_roundings(std::size_t first) {
 
 /// Narrows the roundings that move the path further than the tolerance. Returns false if there are none.
 bool SmoothPath::shrink(std::size_t first, std::size_t end) {
-  constexpr double rounding = 1e-9;  // relative tolerance for rounding errors, for roundings that together use the tolerance exactly
-  // as a share of the tolerance; below this displacement the widths are reduced in small steps, so that the most important roundings stay
-  // widest
+  constexpr double rounding = 1e-9;  // relative tolerance for numerical errors, where several roundings together use exactly the tolerance
+  // share of the permitted displacement below which the widths are reduced in small steps, so that the most important roundings stay widest
   constexpr double far_off = 1.3;
   constexpr double between = 0.99;  // share of the tolerance that is used; the rest is for the positions between the samples
-  constexpr double aim = 0.999;     // the narrowing aims at this share of the allowed displacement, so that the iteration ends
+  constexpr double aim = 0.999;     // the widths are reduced until this share of the permitted displacement, so that the iteration ends
   bool any = false;
   look_at_roundings(done_);
   factor_.assign(at_.size(), 1);

@@ -1,11 +1,12 @@
 #pragma once
-// SlowWidth: the width of the roundings of a chain of corners, as a function of the path length. The width nowhere exceeds what the
-// nearby corners allow, and changes so slowly and evenly that the rounded path stays smooth (a jump of the width would increase the
-// path's third derivative, and so reduce the speed).
+// SlowWidth: the width of the roundings of a chain of corners, as a function of the path length. The width nowhere exceeds what the nearby
+// corners allow. It changes so slowly and evenly that the rounded path stays smooth: a jump of the width would increase the path's third
+// derivative, and so reduce the speed.
 //
-// The path is divided into intervals of 0.1 mm. Each interval gets the minimum of its corners' limits; then the slope along the path is
-// limited; then the minimum and the mean within half a width are taken. A cubic B-spline interpolates between the intervals, so that the
-// second derivative of the rounded path has no jumps. Settled values do not change any more when the path is extended.
+// The path is divided into intervals of 0.1 mm. Each interval gets the least of the limits of its corners. Then the slope of the width
+// along the path is limited. Then each interval gets the minimum, and after that the mean, of the intervals within half a width around it.
+// A cubic B-spline interpolates between the intervals, so that the second derivative of the rounded path has no jumps. Settled values do
+// not change any more when the path is extended.
 
 #include <cstddef>
 #include <vector>
@@ -23,7 +24,7 @@ class SlowWidth {
   /// Limits the width at the length `at`; ignored in the settled range.
   void limit(double at, double width);
   void close();
-  /// Settles the width before the length `before`: it will not change any more.
+  /// Settles the width before the length `before`: there the width will not change any more.
   void settle(double before);
   /// Drops the data before the length `before`.
   void forget(double before);

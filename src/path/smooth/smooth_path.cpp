@@ -15,7 +15,7 @@ namespace kadr {
 namespace {
 
 constexpr double shortest = 1e-9;        // mm: a shorter piece has no meaningful direction
-constexpr double same_feed = 1e-6;       // relative difference of equal feeds, because a feed is calculated as length / time
+constexpr double same_feed = 1e-6;       // relative difference of feeds that count as equal, because a feed is calculated as length / time
 constexpr double straight_bend = 1e-12;  // |Δu| below which two pieces count as collinear; covers rounding errors
 
 }  // namespace

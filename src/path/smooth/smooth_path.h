@@ -27,10 +27,10 @@ class SmoothPath {
   /// Clears the path. The path starts at the position `at`, with length 0.
   void begin(const double* at);
 
-  /// Adds a straight piece; a piece of zero length is ignored. `feed`: the greatest speed, mm/s. `tolerance`: how far the corner at its
-  /// start may be rounded, mm; it is above 0, because a corner that must not be rounded is an end of the path. `on_curve`: that corner
-  /// lies between two chords of a curve. `tag`: any number, its meaning is the caller's. `paced`: the feed changes smoothly from that of
-  /// the previous piece to that of this piece, along the rounding between them.
+  /// Adds a straight piece; a piece of zero length is ignored. `feed`: the greatest speed, mm/s. `tolerance`: how far the corner at the
+  /// start of the piece may be rounded, mm; it is above 0, because a corner that must not be rounded is an end of the path. `on_curve`:
+  /// that corner lies between two chords of a curve. `tag`: any number, its meaning is the caller's. `paced`: the feed changes smoothly
+  /// from that of the previous piece to that of this piece, along the rounding between them.
   void line_to(const double* to, double feed, double tolerance, bool on_curve, std::uint64_t tag, bool paced = false);
 
   /// Computes the widths of the roundings. Roundings near the end are left open unless the path is complete (`last`).
@@ -38,7 +38,7 @@ class SmoothPath {
   ///        the result is not valid
   void settle(bool last, StopToken stop = {});
 
-  /// Drops the pieces that end before the length `before`, except pieces whose roundings extend beyond it.
+  /// Drops the pieces that end before the length `before`, except pieces whose roundings extend beyond this length.
   void forget(double before);
   /// Number of pieces dropped since begin().
   std::size_t forgotten() const { return forgotten_; }
@@ -82,21 +82,23 @@ class SmoothPath {
   /// Computes, for each axis, the position at s and its first two derivatives with respect to the length. `piece`: piece_at(s).
   void evaluate(double s, std::size_t piece, double* x, double* x1, double* x2);
 
-  /// True if, along the rounding of the vertex, the feed changes smoothly from that of the piece before it to that of the piece after it.
+  /// True if the feed changes smoothly along the rounding of the vertex, from the feed of the piece before it to the feed of the piece
+  /// after it.
   bool is_paced(std::size_t vertex) const { return paced_[vertex] != 0 && width_[vertex] > 0; }
   /// Returns the feed at s, mm/s. At a corner with is_paced(), the inverse of the feed (the time per mm) is smoothed in the same manner
   /// as the axis positions.
   double feed_at(double s, std::size_t piece) const;
 
-  /// Returns by how much the distance of x, the position at s, from the nearby straight pieces exceeds `part` times the tolerance of the
-  /// corners that cover s, as a share of that product; 0 if the distance does not exceed it.
+  /// Checks the position `x` at the length s. Its distance from the nearby straight pieces may be `part` times the tolerance of the corners
+  /// whose roundings cover s.
+  ///   returns  by how much the distance exceeds this limit, as a share of the limit; 0 if it does not exceed it
   double beyond(double s, std::size_t piece, const double* x, double part = 1) const;
 
   static constexpr double widest = SoftCorner::widest;
 
  private:
   static constexpr double turning_back = 2 - 1e-9;  // |Δu| above which the path reverses at a vertex
-  static constexpr double squeezed_to = 40;         // mm; in slow_, longer pieces count with this length
+  static constexpr double squeezed_to = 40;         // mm; the length with which a longer piece counts in slow_
   double squeezed(double s, std::size_t piece) const;
   ChainSums::Corners chained() const { return {at_, bend_, is_chained_}; }
   void find_ends(std::size_t first, bool last);
@@ -137,7 +139,7 @@ class SmoothPath {
   std::vector<double> at_;         // path length at each vertex, mm
   std::vector<double> squeezed_;   // path length at each vertex, where no piece counts more than squeezed_to
   std::vector<double> width_;      // width of the rounding at each vertex
-  std::vector<double> in_chain_;   // the vertex' own limit of the chain's width; 0: not computed yet
+  std::vector<double> in_chain_;   // limit that the vertex itself sets to the chain's width; 0: not computed yet
   std::vector<double> tolerance_;  // corner tolerance of each vertex
   std::vector<double> room_;       // room() of each vertex
   std::vector<double> direction_;  // unit vector of each piece

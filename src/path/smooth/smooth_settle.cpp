@@ -14,12 +14,12 @@ namespace {
 
 constexpr double straight_on = 1e-12;  // |Δu| below which two pieces count as collinear; covers rounding errors
 constexpr double sharp = 0.3;          // |Δu| from which a corner is rounded singly
-// as a share of |Δu|: a corner whose neighbour has at least this share of its |Δu| forms a chain with the neighbour
+// share of |Δu|: a corner and its neighbour form a chain if the neighbour has at least this share of the corner's |Δu|
 constexpr double alike = 0.1;
-constexpr double feed_alike = 1e-6;  // relative difference of equal feeds, because a feed is calculated as length / time
+constexpr double feed_alike = 1e-6;  // relative difference of feeds that count as equal, because a feed is calculated as length / time
 // share of the tolerance that the chain uses; the rest is for the positions between the samples
 constexpr double used_by_chain = 0.95;
-// mm: a corner's width in the chain can be computed once the path is known this far beyond it
+// mm: the width of a corner in the chain can be computed once the path is known this far beyond the corner
 constexpr double felt_ahead = 2.5 * SoftCorner::widest;
 
 }  // namespace
@@ -88,8 +88,8 @@ double SmoothPath::square_moved(double s, std::size_t around, double width) {
   return squares;
 }
 
-/// Returns the greatest squared displacement at a vertex and at positions near it, which are chosen for this width; ends as soon as one
-/// exceeds `most`.
+/// Returns the greatest squared displacement at a vertex and at positions near it. The positions are chosen for this width. The search ends
+/// as soon as a squared displacement exceeds `most`.
 double SmoothPath::square_near_vertex(std::size_t vertex, double width, double most) {
   constexpr double flank = 0.65;  // distance of a single corner's greatest outward deviation, as a share of the width
   const double s = at_[vertex], behind = length_[vertex], before = length_[vertex - 1];
@@ -126,7 +126,7 @@ double SmoothPath::widest_in_chain(std::size_t vertex, double width) {
     square = square_near_vertex(vertex, wider, most);
     if (square > most) break;
     width = wider;
-    if (length_[vertex - 1] < 0.25 * width) break;  // the neighbouring vertex is so near that its own search starts from this result
+    if (length_[vertex - 1] < 0.25 * width) break;  // the vertices are so close that the search at the next one continues from here
   }
   return width;
 }
@@ -141,8 +141,8 @@ void SmoothPath::open_widths() {
   slow_.close();
 }
 
-/// Rounds the corners of chains: first each corner as wide as its tolerance allows; then the width is smoothed along the path; finally it
-/// is narrowed where the path still exceeds the tolerance.
+/// Rounds the corners of chains. First each corner is as wide as its tolerance allows; then the width is smoothed along the path; finally
+/// the width is reduced where the path still exceeds the tolerance.
 void SmoothPath::round_chain(bool last, const StopToken& stop) {
   constexpr int max_rounds = 30;
   const double known = last ? at_.back() : at_.back() - felt_ahead;
@@ -157,8 +157,8 @@ void SmoothPath::round_chain(bool last, const StopToken& stop) {
     if (is_chained_[i] != 0) width_[i] = slow_.at(squeezed_[i]).w;
 }
 
-/// Returns how densely a piece is sampled, mm: as densely as the narrowest rounding there requires, and so densely that between two
-/// samples the sharpest corner changes the displacement by only a small part of the tolerance.
+/// Returns how densely a piece is sampled, mm. The samples are as dense as the narrowest rounding on the piece requires. They are also so
+/// dense that between two samples the sharpest corner changes the displacement by only a small part of the tolerance.
 SmoothPath::Looks SmoothPath::looks(std::size_t piece, double tolerance) const {
   constexpr double in_chain = 4, alone = 24;  // samples per rounding width
   constexpr double unseen = 0.02;             // greatest change of displacement between two samples, as a share of the tolerance
@@ -185,7 +185,7 @@ SmoothPath::Looks SmoothPath::looks(std::size_t piece, double tolerance) const {
 template <class Look>
 void SmoothPath::look_at_edges(std::size_t piece, const Look& look) const {
   constexpr double just = 1e-6;  // distance of the positions from the end of the rounding, mm
-  constexpr int rounds = 4;      // iterations suffice, because the chain's width changes by at most 0.15 mm/mm
+  constexpr int rounds = 4;      // number of iterations; few suffice, because the chain's width changes by at most 0.15 mm/mm
   const double from = at_[piece], length = length_[piece];
   corners_near(from, piece, widest + length, [&](std::size_t i) {
     for (const double side : {-1.0, 1.0}) {
@@ -224,7 +224,7 @@ double SmoothPath::farthest(std::size_t piece) {
 /// roundings narrowed in the previous call can affect.
 ///   returns  false if nothing was narrowed
 bool SmoothPath::narrow(double known, bool first_round) {
-  constexpr double rounding = 1e-9;   // relative tolerance for rounding errors, for a single corner that uses its tolerance exactly
+  constexpr double rounding = 1e-9;   // relative tolerance for numerical errors, where a single corner uses exactly its tolerance
   constexpr double in_chain = 0.997;  // share of the tolerance that a chain may use; the rest is for the positions between the samples
   const double felt = SlowWidth::felt() + 2 * widest;
   std::vector<std::size_t> last;

@@ -22,8 +22,8 @@ class SoftCorner {
  public:
   // greatest width of a rounding to either side, mm; wider roundings cost computing time and gain little below 12 m/min
   static constexpr double widest = 2;
-  /// For the sharp corner: the time at which the starting axis, which first moves backwards, is as far on one side as it was on the
-  /// other: start(equal_swings) = −start(2 + √2).
+  /// A time in the sharp corner's shape. The starting axis moves backwards at first; at this time it is as far in front of its start
+  /// position as it was behind it at most: start(equal_swings) = −start(2 + √2), with start() of soft_corner.cpp.
   static constexpr double equal_swings = 5.3558125;
 
   /// Returns the shape for a corner where the change of direction has the magnitude |Δu| = `bend` (0 … 2).
