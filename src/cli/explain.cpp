@@ -55,7 +55,7 @@ std::string unknown_code(const ControlDef& def, const std::string& code, Lang la
 
 /// Prints what all built-in controls state about a code, an alarm or words; controls with the same text are grouped.
 int explain_everywhere(const std::string& what, const std::string& refusal, Lang lang) {
-  std::vector<std::pair<std::string, std::vector<std::string>>> said;  // the texts, and the controls that state each
+  std::vector<std::pair<std::string, std::vector<std::string>>> said;  // each text with the controls that state it
   const std::vector<std::string> all = built_in_controls();
   for (const std::string& id : all) {
     const auto def = load_control(id);

@@ -43,7 +43,7 @@ bool needs_planner(const Options& options, const MachineProfile& profile) {
   return counts || !options.samples.empty() || options.why || !options.plot_speed.empty() || !options.colour.empty();
 }
 
-/// True if only the samples use the planner: its time is then shown in the summary as additional information.
+/// True if only the samples need the planner of least time. The summary then shows the planner's time in addition to the machining time.
 bool is_for_samples_alone(const Options& options, const MachineProfile& profile) {
   const bool counts = profile.planner == PlannerMode::optimal && (!options.quiet || options.json);
   return !counts && !options.why && options.plot_speed.empty() && options.colour.empty();
@@ -123,7 +123,7 @@ class RunCommand {
   }
 
  private:
-  /// Returns the functions that observe one channel, except the one for steps.
+  /// Returns the functions that observe one channel. The function that observes steps is not among them.
   Outlets outlets_of(View& view) {
     const auto say = [this, &view](const AlarmReport& report) {
       view.statistics.count(report.alarm.severity);
@@ -152,7 +152,7 @@ class RunCommand {
       outlets.step = [&view](const Step& step) { view.show(step); };
       outlets.timed = [&view](const Step& step, double longer) { view.show_timed(step, longer); };
     } else if (!channels_.front().control->may_read_clock()) {
-      outlets.clock = nullptr;  // nothing reads the summary
+      outlets.clock = nullptr;  // without a summary nothing needs the times
     }
     session_.change_outlets();
     drive_.execute(session_);

@@ -17,7 +17,7 @@
 namespace kadr::cli {
 namespace {
 
-constexpr std::size_t longest_tape = 256u << 20;  // bytes: 680 km of tape
+constexpr std::size_t longest_tape = 256u << 20;  // size of the longest tape image, bytes: 680 km of tape
 
 int decode(const TapeOptions& options, const std::string& rows, std::string& output, Lang lang) {
   const TapeReading read = read_tape(rows, tape_code_named(options.code));

@@ -13,7 +13,8 @@ namespace kadr::cli {
 class Drive {
  public:
   virtual ~Drive() = default;
-  /// Called before observers are attached. Returns an exit status if there is nothing to execute; it has printed the reason.
+  /// Called before observers are attached. Returns nullopt to continue. If there is nothing to execute, prints the reason and returns the
+  /// exit status.
   virtual std::optional<Exit> begin(Session& session, const Job& job);
   virtual void execute(Session& session) { (void)session.run(); }
   virtual bool wants_summary() const { return true; }
@@ -41,8 +42,8 @@ class PartOfProgram : public Drive {
  private:
   std::optional<Exit> go_there(Session& session, const Job& job);
 
-  StopPoint from_;    // line 0: start at the beginning
-  std::uint32_t to_;  // line number; 0: run to the end
+  StopPoint from_;    // location of --from; line 0: start at the beginning
+  std::uint32_t to_;  // line number of --to; 0: run to the end
   std::unique_ptr<Stepping> stepping_;
 };
 

@@ -100,7 +100,7 @@ void add_pages(CLI::App& app, Commands& c) {
     type_out("{}", codes_of(control));
     throw CLI::Success();
   };
-  complete->add_option_function<std::string>("--codes", print_codes, "")->trigger_on_parse()->group("");  // only the scripts call it
+  complete->add_option_function<std::string>("--codes", print_codes, "")->trigger_on_parse()->group("");  // for the completion scripts
   language_option(*complete, c.options.lang);
   complete->footer(plain_text(texts::help_examples::completion));
 }

@@ -63,7 +63,7 @@ void section(PlainText heading, const std::string& text, std::string& page) {
   page += fmt::format(".SH \"{}\"\n{}", plain_text(heading), text);
 }
 
-/// Returns a list of items with their meanings.
+/// Returns a list in roff: each item, followed by its meaning.
 std::string list(std::initializer_list<std::pair<std::string, std::string>> items) {
   std::string text;
   for (const auto& [what, meaning] : items) text += fmt::format(".TP\n{}\n{}\n", what, roff(meaning));

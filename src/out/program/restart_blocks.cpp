@@ -102,7 +102,7 @@ class RestartWriter {
     const CodeRow* const row = one.kind == Kind::code ? row_of(def_, one) : nullptr;
     return row != nullptr && (row->function == Function::inch || row->function == Function::millimetre);
   }
-  /// True if a word with this letter was already written together with its code.
+  /// True if a word with this letter was already written, in the block of the code that uses it.
   bool has_written(char letter) const { return (said_ & letter_bit(letter)) != 0; }
   Status way(const BlockMove& to) {
     if (to.along_tool && !with_way_.empty()) add(std::exchange(with_way_, {}));
@@ -192,7 +192,7 @@ Result<RestartBlocks> restart_blocks(const ControlDef& def, const std::vector<In
     if (writer.is_unit(one)) writer.line(one.code);
   for (const InForce& one : wanted) {
     if (one.kind != Kind::variable) continue;
-    // Written before the motions, since work offsets may be among the variables.
+    // Variables are set before the motions, since work offsets may be among them.
     if (one.name.starts_with('#') && def.grammar.expressions) writer.line(fmt::format("{}={:.9g}", one.name, one.value));
     else writer.by_hand(one);
   }

@@ -20,7 +20,7 @@ struct BlockMove {
 
 struct RestartBlocks {
   std::vector<std::string> blocks;
-  std::vector<InForce> by_hand;  // state that no block can set: work offsets, tool lengths, variables whose value only the program computes
+  std::vector<InForce> by_hand;  // state that no block can set: work offsets, tool lengths, variables that only the program computes
 };
 
 /// Writes the blocks in this order: unit, variables, tool, speed, codes in the order of their groups, offsets, spindle, coolant, the

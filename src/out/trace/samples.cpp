@@ -45,7 +45,7 @@ void SampleWriter::write_tips(std::FILE* file, const AxisRoles& roles) {
 
 void SampleWriter::take_place(std::uint64_t motion, const ToolPosition& from) {
   if (tip_file_ == nullptr) return;
-  if (!places_.empty()) {  // usually only the position has changed since the previous motion
+  if (!places_.empty()) {  // between motions, usually only the position changes, and no new place is needed
     const ToolPosition& last = places_.back().from;
     bool same = last.space == from.space && last.turn == from.turn;
     for (std::size_t a = 0; same && a < axes_ && (!from.space || !from.space->has_rotary()); ++a)

@@ -50,7 +50,7 @@ void Plot::take_frame(const FrameChange& frame) {
   shift_ = origin - first_origin_;
 }
 
-/// Defines the work system of the first cut as that of the picture; moves everything drawn before into it.
+/// Makes the work system of the first cut the coordinate system of the picture, and moves everything drawn before into that system.
 void Plot::take_reference() {
   path_.move_all(-1.0 * shift_);
   if (shaded_) shaded_->move_all(-1.0 * shift_);
@@ -101,7 +101,7 @@ void Plot::draw(PlotPath& path, const Step& step, Vec3 shift, Stroke stroke, Pro
   path.go(chain_.tip(step.from.space.get(), motion.to) + shift, stroke, 0, line);
 }
 
-/// Adds a programmed contour at feed, without the motions that lead in and out.
+/// Adds a motion of the programmed contour at feed. The motions on which cutter compensation starts and ends are not drawn.
 void Plot::follow_programmed(const Action& action) {
   if (const auto* frame = std::get_if<FrameChange>(&action.what)) {
     programmed_origin_ = work_origin_of(chain_, frame->placement);
