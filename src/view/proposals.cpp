@@ -38,7 +38,7 @@ bool take_setup(const ProgramRun& run, ProposedTool& to) {
   return true;
 }
 
-/// Sets kind and dimensions from a comment. Dimensions that it does not state are set to usual ones of tools of that kind.
+/// Sets kind and dimensions of the tool from a comment. Dimensions that the comment does not state get usual values for tools of that kind.
 bool take_comment(const ToolProposal& proposal, ProposedTool& to) {
   ToolGeometry& t = to.tool;
   const std::string_view kind = kind_word(proposal.said);
