@@ -91,9 +91,9 @@ Checked check_file(const Options& options, const GuessedControls& controls, cons
   if (!job) return Checked::unreadable;
   const std::size_t programs = options.program == 0 ? count_programs(*job) : 1;
   RunLimits limits = options.limits;
-  const bool one_pass = limits.restarts == RunLimits{}.restarts;  // --max-passes requests no more passes
+  const bool one_pass = limits.restarts == RunLimits{}.restarts;  // true unless --max-passes requests several runs of each program
   if (one_pass) limits.restarts = 0;
-  const bool only_program = programs == 1 && options.program == 0;  // false: one of several programs on a tape
+  const bool only_program = programs == 1 && options.program == 0;  // false if the program is one of several on a tape
   if (!basis.tools) basis.tools = tool_table_next_to(file);
   basis.own_tools = only_program && (basis.own_tools || (basis.tools && basis.tools->kind == ToolTable::Kind::own));
   basis.own_setup = only_program && basis.own_setup;
@@ -204,12 +204,12 @@ int check(const Options& given) {
     const bool named = std::find(options.programs.begin(), options.programs.end(), file) != options.programs.end();
     checked += result == Checked::clean || result == Checked::faulty;
     if (result == Checked::faulty) status = std::max<int>(status, alarms);
-    if (result == Checked::unreadable || (result == Checked::unknown && named)) {  // not every file of a folder is a program
+    if (result == Checked::unreadable || (result == Checked::unknown && named)) {  // a folder may contain files that are no programs
       report.unreadable.push_back({file, translated(texts::check_command::cannot_be_checked)});
       status = wrong_usage;
     }
     if (interrupted()) return interrupted_status();
-    if (report.text != nullptr && std::ferror(report.text) != 0) break;  // the program that reads the pipe has closed it
+    if (report.text != nullptr && std::ferror(report.text) != 0) break;  // standard output is a pipe that its reader has closed
   }
   if (report.text == nullptr) write_findings(output->get(), options, report, status);
   if (checked == 0 && status == ok) {  // no file of the named folders is a program

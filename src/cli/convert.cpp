@@ -28,7 +28,7 @@ namespace {
 
 constexpr double least_apart = 1e-5, most_apart = 10;  // limits of --tolerance, mm
 
-constexpr std::array<const char*, 5> ways = {"text", "words", "codes", "centre", "plain"};  // in the order of the enum ConvertedAs
+constexpr std::array<const char*, 5> ways = {"text", "words", "codes", "centre", "plain"};  // names of the enum ConvertedAs, in its order
 
 class ConvertCommand {
  public:
@@ -142,7 +142,7 @@ class ConvertCommand {
 
   /// Returns the first part of the text, which is long enough for guessing the control.
   static std::string beginning_of(const ConversionTry& one) {
-    constexpr std::size_t looked_at = std::size_t{256} << 10;  // length of that part, bytes
+    constexpr std::size_t looked_at = std::size_t{256} << 10;  // greatest length of the returned text, bytes
     std::string text;
     (void)each_piece(*one.text, [&](std::string_view piece) {
       text += piece.substr(0, looked_at - text.size());

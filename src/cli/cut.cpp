@@ -63,10 +63,10 @@ struct Cut {
   const Surface& surface;
   const PartComparison& held;
   const CutRun& run;
-  const Stock& stock;  // the stock that has this surface
+  const Stock& stock;  // the stock whose surface is `surface`
 };
 
-/// Draws the picture if --plot requests one. Returns an error sentence.
+/// Draws the picture if --plot requests one. Returns an error sentence if that fails.
 tl::expected<void, std::string> draw(const CutOptions& options, const Job& job, const Outputs& outputs, const Cut& cut,
                                      const CutResult& result) {
   if (options.run.plot.empty()) return {};

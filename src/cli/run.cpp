@@ -113,7 +113,7 @@ class RunCommand {
     bool written = write_last_lines(stopped);
     if (needs_planner(options_, job_.profile)) written = finish_planned() && written;
     written = draw() && written;
-    erase_bar();  // the summary may go to the same terminal
+    erase_bar();  // the bar may be on the terminal to which the summary goes
     if (!options_.quiet && !options_.json && drive_.wants_summary()) print_summary();
     if (options_.why) print_why();
     if (!written) return wrong_usage;
@@ -152,7 +152,7 @@ class RunCommand {
       outlets.step = [&view](const Step& step) { view.show(step); };
       outlets.timed = [&view](const Step& step, double longer) { view.show_timed(step, longer); };
     } else if (!channels_.front().control->may_read_clock()) {
-      outlets.clock = nullptr;  // without a summary nothing needs the times
+      outlets.clock = nullptr;  // without a summary, nothing needs the times of steps
     }
     session_.change_outlets();
     drive_.execute(session_);
@@ -357,7 +357,8 @@ int run_by(const Options& options, Drive& drive) {
   limits.untouched = outputs.all();
   const auto session = make_session(*job, std::move(*program), limits);
   if (!session || !outputs.open()) return wrong_usage;
-  const std::unique_ptr<Drive, void (*)(Drive*)> leaves(&drive, [](Drive* left) { left->leave(); });  // before the session is destroyed
+  // Drive::leave() is called before the session is destroyed.
+  const std::unique_ptr<Drive, void (*)(Drive*)> leaves(&drive, [](Drive* left) { left->leave(); });
   std::string state_fault;
   if (state_file) save_changes(*state_file, session->control(), state_fault);
   if (const auto nothing = drive.begin(*session, *job)) return interrupted() ? interrupted_status() : *nothing;

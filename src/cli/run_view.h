@@ -28,8 +28,8 @@ struct View {
 
   Statistics statistics;
   std::optional<TraceWriter> trace;
-  std::optional<Plot> plot;    // only for the channel of the program itself
-  Planned* planned = nullptr;  // only for the channel of the program itself
+  std::optional<Plot> plot;    // the picture, only for the channel of the program itself
+  Planned* planned = nullptr;  // the plan, only for the channel of the program itself
   double waited = 0;           // time that the channel waited for others, s
 };
 

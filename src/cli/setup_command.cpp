@@ -216,7 +216,7 @@ ExecutedBlocks execute_past_faults(Session& session) {
     if (!fatal) ++done.faults;
     return !fatal && done.faults < gives_up_at;
   };
-  session.control().set_waiting(Control::Waiting::pass);  // the other channels' programs are missing
+  session.control().set_waiting(Control::Waiting::pass);  // programs of other channels are missing: do not wait for them
   (void)session.run();
   return done;
 }

@@ -72,7 +72,7 @@ int tape(const TapeOptions& options) {
   const int status = options.decode ? decode(options, *bytes, output, lang) : encode(options, *bytes, output, lang);
   if (output.empty() && status != ok) return status;
   if (!outputs.open()) return wrong_usage;
-  write_data(outputs.stream("OUTPUT"), output);  // keep() reports whether all was written
+  write_data(outputs.stream("OUTPUT"), output);  // Outputs::keep() reports whether all was written
   return outputs.keep() ? status : wrong_usage;
 }
 

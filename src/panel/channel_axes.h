@@ -63,7 +63,7 @@ class ChannelAxes {
   PanelBlock on;                                 // the block that the axes are executing, or executed last
   Placement placement;                           // position of the work coordinate system
   std::uint32_t modes_of = ~0u;                  // Origin::number of the block to which pending.modes belongs
-  bool holds_next = false, holds_again = false;  // hold before the next block; then once more before that same block
+  bool holds_next = false, holds_again = false;  // the control must hold before the next block; it will ask once more before that block
   bool has_ended = false;                        // the channel's program has ended: nothing is left to plan
   bool enters = false;        // this channel, which is not the program's own, is executing a line that the operator entered
   std::uint64_t entered = 0;  // number of blocks executed in lines that the operator entered in this channel
@@ -120,12 +120,12 @@ class ChannelAxes {
     Playback playback;
     PanelBlocks blocks;
     std::deque<PanelLimit> limits;   // limits of the motion not played yet, by time
-    std::deque<TimedCells> to_come;  // cells of the plan not yet offered to the playback …
-    std::size_t offered = 0;         // … and how many cells of the first element are already offered
+    std::deque<TimedCells> to_come;  // cells of the plan that are not yet offered to the playback
+    std::size_t offered = 0;         // number of cells of the first element of to_come that are offered
     double seconds = 0;              // planned duration
     bool planned_all = false;
-    std::shared_ptr<PanelMeeting> meeting;  // the meeting at the end of the leg; its waiting code is in this block:
-    Origin waits_in;
+    std::shared_ptr<PanelMeeting> meeting;  // the meeting at the end of the leg
+    Origin waits_in;                        // the block of that meeting's waiting code
   };
   static constexpr double enough = 3 * Playback::reserve;  // planning continues while less than this is planned ahead of the clock, s
   // limit of stored cells, some 40 MB; reached only if another channel needs much more planning than this one

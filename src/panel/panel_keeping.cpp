@@ -103,7 +103,7 @@ void PanelMachine::keep_tables(const Setup& before) {
 }
 
 tl::expected<PanelTables, std::string> PanelMachine::tables() {
-  const auto tables = std::make_shared<PanelTables>();  // shared: the request may time out before the function runs
+  const auto tables = std::make_shared<PanelTables>();  // shared with the request, which may run after this call has timed out
   const Answer answer = ask([this, tables]() -> Answer {
     if (!stretch_) note_variables(last_line_);
     tables->state = session_->control().run_state();

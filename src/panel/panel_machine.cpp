@@ -273,7 +273,7 @@ PanelMachine::Answer PanelMachine::reset() {
 void PanelMachine::stop_at_once() {
   for (const auto& lane : lanes_) lane->clock.stop_at_once();
   stops_ = true;
-  const std::lock_guard hold(lock_);  // with the lock held, the thread waits, or will check the flag before it waits
+  const std::lock_guard hold(lock_);  // under this lock the thread is waiting, or checks for a stop before it waits
   wakes_.notify_all();
 }
 
@@ -372,7 +372,7 @@ PanelMachine::Answer PanelMachine::jog(const std::string& axis, double way, doub
 }
 
 tl::expected<std::size_t, std::string> PanelMachine::add_stop(StopPoint point) {
-  const auto number = std::make_shared<std::size_t>(0);  // shared: the request may time out before the function runs
+  const auto number = std::make_shared<std::size_t>(0);  // shared with the request, which may run after this call has timed out
   const Answer answer = ask([this, number, point = std::move(point)]() -> Answer {
     if (kept_.stops.size() == max_stops) return Failed(translated(texts::panel::too_many_stops));
     if (!point.condition.empty())

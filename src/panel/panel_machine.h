@@ -44,7 +44,7 @@ struct PanelChannel {
   ServoSample sample;
   PanelBlock block;                   // the block that the channel's axes are executing, or executed last
   AlarmReport::Line line;             // text and location of that block
-  std::optional<PanelMeeting> waits;  // the meeting where this channel waits, from when its axes have arrived there
+  std::optional<PanelMeeting> waits;  // the meeting at which this channel waits; set when its axes have arrived
 };
 
 /// Everything that an operator sees.
@@ -68,7 +68,7 @@ struct PanelState {
   std::optional<AlarmReport> alarm;
   std::size_t can_undo = 0;         // number of entered lines that undo() can revert
   std::optional<PanelLimit> limit;  // what limits the speed now
-  std::uint64_t blocks = 0;         // number of blocks that the control has executed; it is ahead of the machine
+  std::uint64_t blocks = 0;         // number of blocks that the control has executed; the control is ahead of the machine
   // All channels, if the machine has several. The members above describe the channel of the program itself.
   std::vector<PanelChannel> channels;
 };
@@ -95,8 +95,8 @@ struct PanelRecorder {
   /// Saves table changes that a line of the operator has made, so that later sessions start with the changed tables.
   ///   returns  an error sentence if they cannot be saved
   std::function<std::string(const Setup& before, const Setup& after)> tables;
-  /// Called when the program is about to start from its beginning. It reads the program file from the disk; changes of the file have no
-  /// effect until the next call.
+  /// Called when the program is about to start from its beginning. The function reads the program file from the disk; changes of the file
+  /// have no effect until the next call.
   std::function<void()> begins;
 };
 
@@ -153,6 +153,7 @@ class PanelMachine {
   static constexpr double rate = 1000;  // rate of the servo clock, Hz
   static constexpr std::size_t max_entered = 1000, most_undone = 50, max_stops = 100;
 
+  /// Switches on a machine, with its program at the beginning.
   ///   opens    opens sessions of the program
   ///   start    machine coordinates of the axes; nullopt: the start position is in the set-up
   ///   stands   on a machine with several channels, their start positions by index; empty: they are in the set-up
@@ -338,7 +339,7 @@ class PanelMachine {
   Control* asks_ = nullptr;           // the control whose program waits for an answer to its question
   std::vector<Before> before_;
   std::optional<PanelApproach> going_;
-  // Number of blocks in lines of the operator; number of blocks that were executed before the line that is being executed.
+  // Numbers of executed blocks: in all lines of the operator; before the line of the operator that is being executed.
   std::uint64_t entered_ = 0, entering_from_ = 0;
   // While edited tables are applied: the search for the present location in a run with these tables; else nullopt.
   std::optional<PanelSearch::SearchRequest> retables_;

@@ -42,7 +42,7 @@ tl::expected<PanelSheet, std::string> PanelMachine::sheet_of_channel(std::size_t
 
 tl::expected<std::vector<PanelSheet>, std::string> PanelMachine::sheets(const std::shared_ptr<const RestartPoint>& place,
                                                                         const WayRules& rules) {
-  const auto sheets = std::make_shared<std::vector<PanelSheet>>();  // shared: the request may time out before the function runs
+  const auto sheets = std::make_shared<std::vector<PanelSheet>>();  // shared with the request, which may run after this call has timed out
   const Answer answer = ask([sheets, this, place, rules]() -> Answer {
     if (const Answer may = may_go_there(); !may) return may;
     WayRules of_others = rules;

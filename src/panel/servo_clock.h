@@ -19,7 +19,7 @@ namespace kadr {
 struct ServoSample {
   std::uint64_t instant = 0;  // number of instants so far at which motion was played
   Axes machine{};             // mm, degrees
-  std::uint64_t tag = 0;      // Spent::of(tag): the program line of this position
+  std::uint64_t tag = 0;      // tag of the plan at this position; Spent::of() returns its program line
   std::uint64_t motion = 0;   // Playback::motion()
   double share = 1;           // share of the planned speed that is reached
   double played = 0;          // how much of the plan has been played, s

@@ -1,5 +1,5 @@
 #pragma once
-// PanelContent: the program, tables and edits that belong to a panel machine, and the JSON form in which its events are saved.
+// PanelContent: what belongs to a panel machine besides the machine itself; and the JSON form in which its events are saved.
 
 #include <mutex>
 

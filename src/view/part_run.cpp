@@ -103,7 +103,7 @@ tl::expected<std::unique_ptr<PartRun>, std::string> PartRun::make(const OpenedPr
 
 void PartRun::report_progress() {
   if (!progress_clock_.is_due()) return;
-  too_much_ = double(run_->cutting().bytes()) > max_bytes * 1.25;  // besides the stock, its sweeps need memory
+  too_much_ = double(run_->cutting().bytes()) > max_bytes * 1.25;  // the memory of the sweeps adds to that of the stock
   if (!on_progress) return;
   const Control& control = session_->settled_control();
   const double bytes = double(control.bytes());

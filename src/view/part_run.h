@@ -40,7 +40,7 @@ class PartRun {
  public:
   static constexpr double max_bytes = 400e6;  // memory limit for both stocks, with the earlier states of the displayed one, bytes
 
-  ///   opened   must outlive this object
+  ///   opened   the program; must outlive this object
   ///   returns  an error sentence
   static tl::expected<std::unique_ptr<PartRun>, std::string> make(const OpenedProgram& opened, const PartRequest& request,
                                                                   const StopToken& stop);

@@ -46,7 +46,7 @@ void divide(std::vector<PathVertex>& v, std::size_t first, std::size_t last, dou
     }
     const double off = std::min(farthest, most);
     v[at].level = level_of(off);
-    // recursion for the shorter segment, loop for the longer one: the depth is at most log2 of the number of vertices
+    // Recursion for the shorter segment and a loop for the longer one limit the depth to log2 of the number of vertices.
     if (at - first < last - at) divide(v, first, at, off), first = at;
     else divide(v, at, last, off), last = at;
     most = off;

@@ -65,7 +65,7 @@ class PathRecord {
   std::vector<float> stand_, last_stand_;  // joint positions: at the vertex that is being added; at the previous vertex
   std::uint32_t tool_;
   std::vector<PathSegment> ways_;
-  std::deque<ViewPiece> pieces_;  // the last piece is not complete, except after flush()
+  std::deque<ViewPiece> pieces_;  // the last piece is being filled, except after flush()
   bool open_ = false;
   std::size_t vertices_ = 0;
   double last_time_ = 0;

@@ -60,7 +60,7 @@ class StockGuess {
 
   std::optional<Box3> all_;           // box around the path at feed
   Boxes certain_;                     // boxes around the path at feed, without the ends in starts_ and ends_
-  std::vector<Place> starts_, ends_;  // sideways travel after a rapid: its starts; before a rapid: its ends
+  std::vector<Place> starts_, ends_;  // starts of sideways travel after a rapid; ends of sideways travel before a rapid
   std::optional<Place> end_;          // end of the last sideways travel, until the next motion is known
   bool after_rapid_ = true;
   std::map<int, Level> levels_;  // by height

@@ -1,5 +1,5 @@
 #pragma once
-// Drive: how a session is executed: the whole program, a part of it, or step by step in the debugger.
+// Drive: executes a session as a whole, in part (--from, --to), or step by step in the debugger.
 
 #include <memory>
 #include <optional>
@@ -53,7 +53,7 @@ struct Part {
   std::uint32_t to = 0;
   bool is_whole() const { return from.line == 0 && to == 0; }
 };
-/// Returns nullopt if an option is wrong; the error has been printed.
+/// Reads --from and --to. Returns nullopt, after printing the error, if one of them is wrong.
 std::optional<Part> part_of(const Options& options);
 /// Returns the drive that --from and --to select; nullptr if an option is wrong, after printing the error.
 std::unique_ptr<Drive> drive_of(const Options& options);

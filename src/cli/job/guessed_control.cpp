@@ -17,7 +17,7 @@ namespace {
 
 GivenEncoding encoding_of(const Options& options) {
   GivenEncoding said;
-  (void)read_encoding(options.encoding, said);  // make_job() refuses an unknown name later
+  (void)read_encoding(options.encoding, said);  // make_job() refuses an unknown encoding later
   return said;
 }
 

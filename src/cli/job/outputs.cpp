@@ -47,7 +47,7 @@ void Outputs::reads(const std::string& path) {
 void Outputs::writes(const std::string& option, const std::string& name, Opened opened) {
   if (name.empty()) return;
   outputs_.push_back({option, name, opened, std::nullopt});
-  if (opened == Opened::by_its_owner)  // the files of an SQLite database, which SQLite reads at its next opening
+  if (opened == Opened::by_its_owner)  // a state file: SQLite reads these files too when it opens the state file again
     for (const char* const log : {"-wal", "-shm", "-journal"}) reads(name + log);
 }
 

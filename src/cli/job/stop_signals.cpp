@@ -24,7 +24,7 @@
 namespace kadr::cli {
 namespace {
 
-constexpr int first_of_signals = 128;                   // added to the signal's number: the exit status, as in shells
+constexpr int first_of_signals = 128;                   // the exit status is this plus the signal's number, as in shells
 constexpr auto grace = std::chrono::milliseconds(150);  // time that a command has to end by itself, so that it ends within 0.2 s in all
 
 std::atomic<bool> asked = false;

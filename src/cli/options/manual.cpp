@@ -14,7 +14,7 @@
 namespace kadr::cli {
 namespace {
 
-/// Escapes text for roff: backslashes, dashes, and what would be a request at the beginning of a line.
+/// Escapes text for roff: backslashes, dashes, and characters that roff would read as a request at the beginning of a line.
 std::string roff(const std::string& text) {
   std::string out;
   for (const char c : text) {

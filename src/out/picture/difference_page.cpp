@@ -18,7 +18,7 @@ constexpr double page_wide = 1600, views_height = 1082, edge_room = 28, room_bet
 constexpr double head_height = 70, key_height = 56, key_row = 24, right_width = 560;
 constexpr double line_height = 21, line_size = 13, caption_room = 24;
 constexpr double most_large = 4, most_flat = 1.5;  // path / cutting size up to which all rapids are shown: isometric, flat views
-constexpr std::size_t few_lines = 5;               // up to this number of lines, each has a table row of its own
+constexpr std::size_t few_lines = 5;               // up to this number of lines below the picture, each has its own row
 constexpr std::size_t max_line_length = 300;
 constexpr Colour faint = colour(0x5B6775), fine = colour(0x1A7F37), warns = colour(0xB04A00);
 

@@ -152,7 +152,7 @@ void SvgCanvas::program_line(const ProgramLine& line, std::string_view file_name
 }
 
 void SvgCanvas::move_to(Vec2 p) {
-  constexpr std::size_t most = 64;  // greatest length of what is written, characters
+  constexpr std::size_t most = 64;  // greatest number of characters that a point needs
   if (!in_path_) {
     take_group();
     put("<path d=\"");

@@ -25,7 +25,7 @@ class TraceWriter {
   /// another channel writes.
   ///   writes_program_ends  also writes the codes that the control executes itself (MachineFunction::by_control)
   void set_channel(int channel, bool writes_program_ends = true) { channel_ = channel, writes_program_ends_ = writes_program_ends; }
-  /// True if the step before was a probe motion: the trace line of the next motion then also contains its path length.
+  /// True if the step before was a probe motion: the trace line of the next motion then also contains how far each axis moves.
   bool after_probe() const { return after_probe_; }
   void go_on_behind_probe(bool is) { after_probe_ = is; }
   void flush() { out_.flush(); }

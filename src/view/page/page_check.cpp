@@ -8,7 +8,7 @@ namespace kadr {
 namespace {
 
 constexpr std::size_t max_problems = 1000;
-constexpr std::size_t max_explained = 10'000;  // bytes of a line that can be explained
+constexpr std::size_t max_explained = 10'000;  // greatest length of a line that is explained, bytes
 
 }  // namespace
 

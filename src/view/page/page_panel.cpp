@@ -221,7 +221,7 @@ PageSession::Inside::Answer PageSession::Inside::press(const PageJson& question)
   if (key == "hold") return answer_of((*machine)->hold());
   if (key == "reset") return answer_of((*machine)->reset());
   if (key != "off") return refused(translated(texts::panel_page::no_such_key, key));
-  (*machine)->switch_off();  // nothing is saved any more when the data are deleted
+  (*machine)->switch_off();  // before the data are deleted, so that the machine saves nothing afterwards
   note("off", {}, 0);
   const auto forgotten = server.journal->forget(hub_machine->name);
   server.hub->remove(hub_machine->name);

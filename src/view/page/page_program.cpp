@@ -8,7 +8,7 @@
 namespace kadr {
 namespace {
 
-constexpr std::uint64_t max_text = std::uint64_t{8} << 20;  // bytes; a longer program can be viewed line by line, but not edited
+constexpr std::uint64_t max_text = std::uint64_t{8} << 20;  // greatest size of a program that can be edited, not only viewed; bytes
 constexpr std::uint32_t max_lines = 5000;
 constexpr std::size_t max_passes = 1000;
 
@@ -26,7 +26,8 @@ std::string PageSession::Inside::place_of(const PageJson& question, const char* 
   return {};
 }
 
-/// Returns the request with the paths of the files that it names. They must be in the folder; a control or machine may also be built-in.
+/// Returns the request, with the paths of the files that it names. The files must be in the folder; a control or machine may also be
+/// built-in.
 tl::expected<OpeningRequest, Refusal> PageSession::Inside::opening_request_in(const PageJson& question) const {
   OpeningRequest request;
   request.lang = lang;

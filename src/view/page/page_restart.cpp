@@ -1,4 +1,4 @@
-// Answers the requests restart and go_there (continuing in mid program), and lead (motion by hand along a path). Used by
+// Answers the requests restart and go_there (continuing in mid-program), and lead (motion by hand along a path). Used by
 // view/page/page_session; tested by tests/panel_restart.py.
 
 #include <fmt/core.h>

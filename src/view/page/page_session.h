@@ -76,7 +76,7 @@ class PageSession {
   void stop();
   /// True if the message requests stop() and nothing else. Such a message must be passed to take() too.
   static bool asks_to_stop(std::string_view message);
-  /// True if the message requests an emergency stop. Then emergency() must be called at once; any thread may call it.
+  /// True if the message requests an emergency stop. The caller must then call emergency() at once; any thread may call it.
   static bool asks_for_emergency(std::string_view message);
   void emergency();
 

@@ -46,7 +46,7 @@ PageSession::Inside::Answer PageSession::Inside::punch(const PageJson& question,
   const std::string text = is_edited ? question["text"].get<std::string>() : SourceText(as_text(text_source(found->bytes))).whole();
   if (text.find_first_not_of(" \t\r\n") == std::string::npos) return no_tape(translated(texts::page::empty_for_tape, file));
   const TapeCode code = said.value_or(TapeCode::iso);
-  constexpr std::uint32_t usual_leader = 100;  // rows of leader before and after the program
+  constexpr std::uint32_t usual_leader = 100;  // rows of blank tape before and after the program
   const std::size_t leader = std::min<std::size_t>(count_in(question, "leader", usual_leader), max_leader);
   const auto rows = encode_tape(text, leader, code);
   if (!rows) return no_tape(not_punched(file, text, rows.error().where, code, lang));

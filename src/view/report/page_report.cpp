@@ -24,7 +24,7 @@ constexpr double least_path = 2.5e5;            // bytes, compressed, that the p
 constexpr std::size_t max_alarms = 2000;        // greatest number of alarms in a report: more than anybody reads
 constexpr std::size_t most_called = 1 << 20;    // greatest size of all texts of called files, bytes
 constexpr std::uint64_t max_source = 64 << 20;  // bytes of a program that a report contains: its beginning, if it is longer
-constexpr std::uint32_t piece_of_part = 3;      // code in the file for data of this kind: the stock
+constexpr std::uint32_t piece_of_part = 3;      // code of data of this kind in the report: the stock
 constexpr double base64_by_bytes = 4.0 / 3;
 
 PageJson control_json(const OpenedProgram& o, Lang lang) {

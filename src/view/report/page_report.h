@@ -24,7 +24,7 @@ struct ReportAlarm {
 /// The remaining stock and the collisions of a cut.
 struct ReportPart {
   std::string frame;  // the surface as a frame of kind 3 (docs/panel-protocol.md)
-  // mm: cell size of the stock; deviation of the reduced triangles from the exact surface of the stock's cells.
+  // The stock's cell size, mm; by how much the reduced triangles deviate from the exact surface of the stock, mm.
   double cell = 0, off = 0;
   std::string result;  // JSON text from cut_json()
   struct Hit {

@@ -12,7 +12,7 @@
 namespace kadr {
 namespace {
 
-constexpr std::uint32_t piece_of_path = 1;  // code in the file for data of this kind: a piece of path
+constexpr std::uint32_t piece_of_path = 1;  // code of data of this kind in the report: a piece of path
 constexpr double first_guess = 12;          // compressed bytes per vertex that the first attempt assumes
 constexpr int max_tries = 4;                // number of attempts; if none fits the limit, further ones follow until one does
 

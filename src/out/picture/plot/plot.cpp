@@ -23,7 +23,7 @@ Box box_of(const Chain& chain, const Curve& curve, Vec3 shift) {
   return {chain.tip(extents.least) + shift, chain.tip(extents.most) + shift, false};
 }
 
-/// True if the box of the curve is in a programming frame, whose axes differ from those of the picture.
+/// True if the box of the step's curve is in a programmable frame, whose axes differ from those of the picture.
 bool has_frame(const Step& step) { return step.from.space && step.from.space->has_frame(); }
 
 Stroke stroke_of(const Motion& motion, Vec3 from, Vec3 to) {

@@ -23,7 +23,7 @@ Vec2 within_reach(Vec2 p) { return {std::clamp(p.x, -beyond, beyond), std::clamp
 bool cut_to_reach(Vec2& from, Vec2& to) {
   double first = 0, last = 1;
   const Vec2 start = from, way = to - from;
-  const auto keep = [&](double at, double step) {  // keeps the part where at + t·step ≤ beyond
+  const auto keep = [&](double at, double step) {  // limits t so that at + t·step ≤ beyond
     if (step > 0) last = std::min(last, (beyond - at) / step);
     else if (step < 0) first = std::max(first, (beyond - at) / step);
     else if (at > beyond) last = -1;

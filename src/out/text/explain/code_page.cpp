@@ -175,7 +175,7 @@ bool has_words(std::string_view text, std::string_view words) {
 }  // namespace
 
 std::optional<std::string> explain_words(const ControlDef& def, const AlarmTexts& texts, const std::string& words, Lang lang) {
-  constexpr std::size_t least = 3;  // bytes; a single letter is an address
+  constexpr std::size_t least = 3;  // least length of a searched word, bytes; a single letter is an address
   if (words.size() < least || words.find_first_not_of(' ') == std::string::npos) return std::nullopt;
   std::string found;
   const auto offer = [&](const std::string& name, const std::string& en, const std::string& ru) {

@@ -42,7 +42,7 @@ void address_rows(const ControlDef& def, std::string& page) {
 }
 
 void code_rows(const ControlDef& def, char letter, std::string& page) {
-  // Without unsupported codes a column that says which codes work is left out.
+  // If the control has no unsupported codes, the column that says which codes work is left out.
   const bool all_work = std::all_of(def.codes.begin(), def.codes.end(), [](const CodeRow& row) { return row.works && !row.in_part; });
   page += fmt::format("\n## {} codes\n\n", letter);
   page += table_head(
