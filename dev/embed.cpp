@@ -1,9 +1,9 @@
-// Writes OUT, a C++ file that contains each FILE: its text, and for a TOML file also its table in the form of packed_toml. Part of the
-// build.
+// Build tool: writes OUT, a C++ file that contains the text of each FILE. For a TOML file, OUT also contains its table in the form that
+// packed_toml reads.
 //
-//   kadr_embed OUT ROOT FILE...     names are relative to ROOT
-//   kadr_embed --page OUT FOLDER    all files of a folder, which may be missing, for server/page_files
-//   kadr_embed --report OUT FOLDER  the same for cli/report_files
+//   kadr_embed OUT ROOT FILE...     the names of the embedded files are relative to ROOT
+//   kadr_embed --page OUT FOLDER    embeds all files of a folder, which may be missing, for server/page_files
+//   kadr_embed --report OUT FOLDER  embeds all files of a folder, which may be missing, for cli/report_files
 
 #include <fmt/format.h>
 #include <fmt/ostream.h>
@@ -29,7 +29,7 @@ std::string text_of(const fs::path& file) {
   return std::move(text).str();
 }
 
-/// Writes `static const unsigned char NAME[]` with a 0 at the end: no compiler limits the length of a list.
+/// Writes `static const unsigned char NAME[]`, terminated by a 0. It is a list of numbers, because compilers limit the length of a string.
 void array(std::ostream& out, const std::string& name, std::string_view bytes) {
   fmt::print(out, "static const unsigned char {}[] = {{", name);
   for (std::size_t i = 0; i < bytes.size(); ++i) fmt::print(out, "{}{},", i % 64 == 0 ? "\n" : "", static_cast<unsigned char>(bytes[i]));
@@ -96,7 +96,7 @@ int main(int argc, char** argv) {
     if (!out) throw std::runtime_error(std::string(name) + ": cannot be written");
   } catch (const std::exception& error) {
     std::cerr << error.what() << '\n';
-    fs::remove(name);  // half a file would pass for a complete one
+    fs::remove(name);  // an incomplete OUT would look complete to the build
     return 1;
   }
 }

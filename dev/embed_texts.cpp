@@ -1,5 +1,5 @@
-// Writes the texts of texts/*.toml as C++: a header for each section, with a constant for each id, and one table of all languages. Part of
-// the build; tested by tests/texts.py.
+// Build tool: writes the texts of texts/*.toml as C++: a header for each section, with a constant for each id, and one table of all
+// languages. Tested by tests/texts.py.
 //
 //   kadr_embed_texts OUT texts/en.toml texts/OTHER.toml...
 //
@@ -23,7 +23,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// One text of one language: a single form, or the forms for numbers.
+/// One text of one language: a single form, or one form for each grammatical number (singular, plurals).
 struct Entry {
   std::vector<std::string> forms;
   bool plural = false;
@@ -50,7 +50,7 @@ bool is_identifier(const std::string& name) {
          std::all_of(name.begin(), name.end(), [](char c) { return (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || c == '_'; });
 }
 
-/// Returns the placeholders of a text, such as "{}" or "{0:.3f}", as {fmt} counts them: "{{" is not one.
+/// Returns the placeholders of a text, such as "{}" or "{0:.3f}". As in {fmt}, "{{" is an escaped brace and no placeholder.
 std::vector<std::string> placeholders(const std::string& text) {
   std::vector<std::string> found;
   for (std::size_t i = 0; i < text.size(); ++i) {
@@ -67,7 +67,7 @@ std::vector<std::string> placeholders(const std::string& text) {
   return found;
 }
 
-/// Returns true if {fmt} can format the text; each argument is the number or a text.
+/// Returns true if {fmt} can format the text. As argument i it gets `number` if is_number[i] is true, else a string.
 template <typename Number>
 bool is_understood(const std::string& text, const std::vector<bool>& is_number, Number number) try {
   fmt::dynamic_format_arg_store<fmt::format_context> arguments;
@@ -78,7 +78,8 @@ bool is_understood(const std::string& text, const std::vector<bool>& is_number, 
   return false;
 }
 
-/// Returns the number of arguments that a text wants. A text without placeholders is never formatted: its braces are themselves.
+/// Returns the number of arguments that a text needs. A text without placeholders is never formatted, so its braces are printed as they
+/// are.
 std::size_t holes_of(const std::string& text, const std::string& where) {
   std::size_t next = 0, holes = 0;
   const std::vector<std::string> found = placeholders(text);
@@ -88,7 +89,7 @@ std::size_t holes_of(const std::string& text, const std::string& where) {
     holes = std::max(holes, numbered ? std::stoul(hole.substr(1)) + 1 : ++next);
   }
   if (holes == 0) return 0;
-  // {fmt} itself must understand the text, with a number where a placeholder wants one, as "{:.3f}" does.
+  // Checks with {fmt} itself that the text can be formatted. A placeholder such as "{:.3f}" gets a number as argument, others get a string.
   std::vector<bool> wants_number(holes);
   for (std::size_t i = 0; i < found.size(); ++i) {
     const std::size_t nth = next > 0 ? i : std::stoul(found[i].substr(1));
@@ -103,7 +104,7 @@ std::size_t holes_of(const std::string& text, const std::string& where) {
 std::size_t holes_of(const Entry& entry, const std::string& where) {
   std::size_t holes = 0;
   for (const std::string& form : entry.forms) holes = std::max(holes, holes_of(form, where));
-  return entry.plural ? std::max<std::size_t>(holes, 1) - 1 : holes;  // the first argument of a plural is the number
+  return entry.plural ? std::max<std::size_t>(holes, 1) - 1 : holes;  // the first argument of a plural selects the form
 }
 
 Language read_language(const fs::path& file) {

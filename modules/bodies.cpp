@@ -1,5 +1,5 @@
-// kadr-bodies.so: computes the distance between solid bodies with FCL. stock/bodies/bodies_library loads it when it is needed: starting
-// with FCL and its libraries would slow down every command.
+// kadr-bodies.so: computes the distance between solid bodies with the library FCL. stock/bodies/bodies_library loads this module when it is
+// needed, since loading FCL and the libraries that FCL needs would slow down every command.
 
 #include <fcl/geometry/bvh/BVH_model.h>
 #include <fcl/geometry/shape/box.h>
@@ -25,9 +25,9 @@ namespace {
 
 using Mesh = fcl::BVHModel<fcl::OBBRSSd>;
 
-constexpr int sides = 128;          // sides of the polygon that replaces a circle; it exceeds the circle by at most 0.03 % of its radius
-constexpr double tolerance = 1e-9;  // mm between two steps of the search: the result is then within 5e-6 of the distance
-constexpr double doubtful = 1e-4;   // mm: a distance with a greater error is not trusted
+constexpr int sides = 128;          // sides of the polygon around a circle, which is at most 0.03 % of the radius too large
+constexpr double tolerance = 1e-9;  // mm between two steps at which the search ends: the result is then within 5e-6 of the distance
+constexpr double doubtful = 1e-4;   // mm: a result that exceeds the proven distance by more is not trusted
 
 fcl::Transform3d placed(const double* pose) {
   fcl::Transform3d t = fcl::Transform3d::Identity();
@@ -36,7 +36,7 @@ fcl::Transform3d placed(const double* pose) {
   return t;
 }
 
-/// Calls `make` and stops all exceptions, which must not leave the module.
+/// Calls `make` and catches all exceptions, which must not leave the module.
 template <class Make>
 int added(KadrBodies* bodies, const Make& make) {
   try {
@@ -55,7 +55,7 @@ int add_cylinder(KadrBodies* bodies, double diameter, double height) {
   return added(bodies, [&] { return std::make_shared<fcl::Cylinderd>(diameter / 2, height); });
 }
 
-/// Builds a body from circles: polygons around the circles, and faces between them.
+/// Builds a solid of revolution from circles around its axis: polygons replace the circles, and faces connect the polygons.
 std::shared_ptr<fcl::CollisionGeometryd> round_body(const double* circles, int count) {
   const double about = 1 / std::cos(fcl::constantsd::pi() / sides);
   const auto points = std::make_shared<std::vector<fcl::Vector3d>>();
@@ -112,7 +112,7 @@ int add_mesh(KadrBodies* bodies, const float* points, std::size_t point_count, c
 
 const fcl::CollisionGeometryd* body(const KadrBodies* bodies, int number) { return bodies->all[std::size_t(number)].get(); }
 
-/// Returns the farthest extent of a convex body along a direction in its own coordinates.
+/// Returns how far a convex body extends from the origin of its own coordinates along the direction `along`.
 double reach(const fcl::CollisionGeometryd& shape, const fcl::Vector3d& along) {
   if (const auto* const box = dynamic_cast<const fcl::Boxd*>(&shape)) return 0.5 * box->side.dot(along.cwiseAbs());
   if (const auto* const cylinder = dynamic_cast<const fcl::Cylinderd*>(&shape))
@@ -126,7 +126,7 @@ bool is_mesh(const fcl::CollisionGeometryd& shape) { return shape.getObjectType(
 
 struct Found {
   double distance = std::numeric_limits<double>::quiet_NaN();
-  double certain = -std::numeric_limits<double>::infinity();  // proven distance, between planes at right angles to that of the points
+  double certain = -std::numeric_limits<double>::infinity();  // proven distance, mm: of two planes across the line of nearest points
   fcl::Vector3d on_first{0, 0, 0}, on_second{0, 0, 0};
 };
 
@@ -154,8 +154,9 @@ Found found_by(fcl::GJKSolverType solver, const fcl::CollisionGeometryd& a, cons
   return found;
 }
 
-/// Uses FCL's own search. If a plane between the two bodies does not confirm its result, uses libccd's search (which is far off for 1 in
-/// 100 pairs of boxes with parallel sides). The greater certain distance counts.
+/// Computes the distance with FCL's own search. If two parallel planes between the bodies do not prove that distance (Found::certain),
+/// libccd's search runs too, which is far off for 1 in 100 pairs of boxes with parallel sides. The result with the greater proven distance
+/// is used.
 double distance(KadrBodies* bodies, int a, const double* pose_a, int b, const double* pose_b, double* nearest) {
   const fcl::CollisionGeometryd &first = *body(bodies, a), &second = *body(bodies, b);
   const fcl::Transform3d at_a = placed(pose_a), at_b = placed(pose_b);
@@ -169,7 +170,7 @@ double distance(KadrBodies* bodies, int a, const double* pose_a, int b, const do
   return found.distance;
 }
 
-/// Uses FCL's own search: libccd's result is off by hundredths of a mm on cylinders.
+/// Computes how deep two bodies overlap, with FCL's own search: libccd's result is off by hundredths of a mm on cylinders.
 double depth(KadrBodies* bodies, int a, const double* pose_a, int b, const double* pose_b) {
   if (is_mesh(*body(bodies, a)) || is_mesh(*body(bodies, b))) return 0;
   try {

@@ -31,7 +31,7 @@ struct Count {
 
 /// Collects the findings, and prints them at once or at the end.
 struct Report {
-  std::FILE* text = nullptr;  // stream for --format text, to which findings are printed at once; else nullptr
+  std::FILE* text = nullptr;  // stream to which findings are printed at once, for --format text; else nullptr
   std::vector<Finding> findings;
   std::optional<Baseline> baseline;
   Count count;
@@ -82,7 +82,7 @@ Checked check_program(const Job& job, const RunLimits& limits, ProgramCheck& che
 }
 
 /// Checks the file; on a tape with several programs all of them, unless --program names one.
-///   basis  data shared by all files
+///   basis  data for the checklist that all files share
 Checked check_file(const Options& options, const GuessedControls& controls, const std::string& file, ChecklistBasis basis, Report& report) {
   const auto control = controls.of(file);
   if (!control) return Checked::unreadable;
@@ -91,9 +91,9 @@ Checked check_file(const Options& options, const GuessedControls& controls, cons
   if (!job) return Checked::unreadable;
   const std::size_t programs = options.program == 0 ? count_programs(*job) : 1;
   RunLimits limits = options.limits;
-  const bool one_pass = limits.restarts == RunLimits{}.restarts;  // unless --max-passes requests more passes
+  const bool one_pass = limits.restarts == RunLimits{}.restarts;  // true unless --max-passes requests several runs of each program
   if (one_pass) limits.restarts = 0;
-  const bool only_program = programs == 1 && options.program == 0;  // not one of several on a tape
+  const bool only_program = programs == 1 && options.program == 0;  // false if the program is one of several on a tape
   if (!basis.tools) basis.tools = tool_table_next_to(file);
   basis.own_tools = only_program && (basis.own_tools || (basis.tools && basis.tools->kind == ToolTable::Kind::own));
   basis.own_setup = only_program && basis.own_setup;
@@ -135,7 +135,7 @@ void print_count(const Options& options, std::size_t files, Count count, std::si
 
 /// Reads the baseline if --baseline names one; prints errors.
 bool read_baseline(const Options& options, Report& report) {
-  constexpr std::size_t longest = std::size_t{256} << 20;  // bytes
+  constexpr std::size_t longest = std::size_t{256} << 20;  // size of the longest baseline file, bytes
   if (options.baseline.empty()) return true;
   const auto text = read_small(options.baseline, longest);
   if (!text) return false;
@@ -204,15 +204,15 @@ int check(const Options& given) {
     const bool named = std::find(options.programs.begin(), options.programs.end(), file) != options.programs.end();
     checked += result == Checked::clean || result == Checked::faulty;
     if (result == Checked::faulty) status = std::max<int>(status, alarms);
-    if (result == Checked::unreadable || (result == Checked::unknown && named)) {  // not every file of a folder is a program
+    if (result == Checked::unreadable || (result == Checked::unknown && named)) {  // a folder may contain files that are no programs
       report.unreadable.push_back({file, translated(texts::check_command::cannot_be_checked)});
       status = wrong_usage;
     }
     if (interrupted()) return interrupted_status();
-    if (report.text != nullptr && std::ferror(report.text) != 0) break;  // the reader of the pipe has closed it
+    if (report.text != nullptr && std::ferror(report.text) != 0) break;  // standard output is a pipe that its reader has closed
   }
   if (report.text == nullptr) write_findings(output->get(), options, report, status);
-  if (checked == 0 && status == ok) {  // among the files of the folders
+  if (checked == 0 && status == ok) {  // no file of the named folders is a program
     complain(translated(texts::check_command::no_program_of_known_control));
     status = wrong_usage;
   }

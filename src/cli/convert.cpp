@@ -28,7 +28,7 @@ namespace {
 
 constexpr double least_apart = 1e-5, most_apart = 10;  // limits of --tolerance, mm
 
-constexpr std::array<const char*, 5> ways = {"text", "words", "codes", "centre", "plain"};  // in the order of ConvertedAs
+constexpr std::array<const char*, 5> ways = {"text", "words", "codes", "centre", "plain"};  // names of the enum ConvertedAs, in its order
 
 class ConvertCommand {
  public:
@@ -140,9 +140,9 @@ class ConvertCommand {
     return ok;
   }
 
-  /// Returns the beginning of the text, as long as guessing a control needs.
+  /// Returns the first part of the text, which is long enough for guessing the control.
   static std::string beginning_of(const ConversionTry& one) {
-    constexpr std::size_t looked_at = std::size_t{256} << 10;  // bytes
+    constexpr std::size_t looked_at = std::size_t{256} << 10;  // greatest length of the returned text, bytes
     std::string text;
     (void)each_piece(*one.text, [&](std::string_view piece) {
       text += piece.substr(0, looked_at - text.size());
@@ -163,7 +163,7 @@ class ConvertCommand {
     };
     const auto in_letters = [&](std::string_view text) { return unproven ? transliterated(text, letters_).text : std::string(text); };
     const std::string mark = unproven ? in_letters(unproven_mark()) : std::string();
-    if (is_tape(letters_.encoding)) return put(mark + in_letters(whole_text(*one.text)));  // with leader and trailer around the whole text
+    if (is_tape(letters_.encoding)) return put(mark + in_letters(whole_text(*one.text)));  // a tape's leader and trailer enclose the text
     Status status = put(mark);
     (void)each_piece(*one.text, [&](std::string_view piece) {
       if (status) status = put(in_letters(piece));
@@ -180,7 +180,7 @@ class ConvertCommand {
       say(fmt::format("  {}\n", translated(texts::convert_command::written_out, job_->file, lines, why_written_out(out, sides))));
     }
   }
-  /// Prints the reasons why the first `count` ways were not used; ways with the same reason share a line.
+  /// Prints why the first `count` methods of conversion were not used. Methods with the same reason share a line.
   void print_reasons(const Converted& made, std::size_t count, const ConversionSides& sides) const {
     std::vector<ConversionRefusal> whys;
     for (std::size_t i = 0; i < count; ++i) {
@@ -200,7 +200,7 @@ class ConvertCommand {
     }
   }
 
-  /// Returns "flange.nc:12 | 14: "; the second line number refers to the written text.
+  /// Returns where a conversion failed: "flange.nc:12 | 14: " is line 12 of the original program and line 14 of the written one.
   std::string place_of(const ConversionRefusal& why) const {
     if (why.at.line == 0 && why.written_line == 0) return {};
     if (why.at.line == 0) return translated(texts::convert_command::line_of_written, why.written_line, why.written_text) + ": ";
@@ -213,7 +213,7 @@ class ConvertCommand {
   Outputs outputs_;
   std::optional<Job> job_;
   std::shared_ptr<const ControlDef> to_;
-  WrittenLetters letters_;  // of the written text
+  WrittenLetters letters_;  // the letters (encoding) in which the converted program is written
 };
 
 }  // namespace

@@ -30,7 +30,7 @@ namespace kadr::cli {
 namespace {
 
 constexpr double bytes_of_mb = 1 << 20;
-constexpr double allowed = 0.01, allowed_of_cell = 0.1;  // a gouge, mm; error of a surface point, in cells: docs/stock.md
+constexpr double allowed = 0.01, allowed_of_cell = 0.1;  // allowed depth of a gouge, mm; error of a point, in cell sizes: docs/stock.md
 
 /// Returns the output files of the command, not opened yet.
 Outputs outputs_of(const CutOptions& options, const Job& job) {
@@ -63,10 +63,10 @@ struct Cut {
   const Surface& surface;
   const PartComparison& held;
   const CutRun& run;
-  const Stock& stock;  // the stock of that surface
+  const Stock& stock;  // the stock whose surface is `surface`
 };
 
-/// Draws the picture if --plot requests one. Returns an error sentence.
+/// Draws the picture if --plot requests one. Returns an error sentence if that fails.
 tl::expected<void, std::string> draw(const CutOptions& options, const Job& job, const Outputs& outputs, const Cut& cut,
                                      const CutResult& result) {
   if (options.run.plot.empty()) return {};
@@ -105,7 +105,7 @@ bool can_write(const CutOptions& options) {
   return fault.empty();
 }
 
-/// Prints the numbers, compares the part and writes the files, after the program was executed. Returns the exit status.
+/// After the program was executed, prints the numbers, compares the part and writes the files. Returns the exit status.
 int print_results(const CutOptions& options, const Job& job, const CutJob& cut_job, const CutRun& run, const std::optional<Mesh>& part,
                   Outputs& outputs) {
   const Stock* const window = run.cutting().window();

@@ -26,10 +26,10 @@ OpenedProgram opened_of(const Job& job, const RunLimits& limits) {
   return opened;
 }
 
-/// Returns the tools, with the data of the tools file if one is named.
+/// Returns proposals for the tools of the program, with the data of the tools file if one is named.
 std::vector<ProposedTool> tools_of(const CutOptions& options, const ProgramRun& run) {
   if (options.tools.empty() || options.tools == guess_word) return proposed_tools(run, nullptr);
-  auto library = load_tools(options.tools);  // its errors are reported when it is read for cutting
+  auto library = load_tools(options.tools);  // errors in the file are reported later, when it is read for cutting
   const KnownTools file{options.tools, library ? std::move(*library) : ToolLibrary()};
   return proposed_tools(run, &file);
 }

@@ -8,9 +8,10 @@ namespace kadr::cli {
 
 inline constexpr const char* guess_word = "guess";
 
-/// Replaces --stock guess and --tools guess by what it finds, and prints it; prints an error if that fails.
-///   options  its stock becomes the description of a body, as a user could have typed it
-///   tools    gets the tools with which the program cuts
+/// Where --stock or --tools is `guess`, stores the blank or the tools that suit the program, and prints them. Prints an error if none are
+/// found.
+///   options  `stock` is set to the description of a body, in the form in which a user types it
+///   tools    is set to the tools with which the program cuts
 ///   returns  false if the program cuts nothing, a tool's shape is not known, or the program cannot be read twice
 bool guess_blank_and_tools(CutOptions& options, const Job& job, ToolLibrary& tools);
 

@@ -21,7 +21,8 @@ namespace {
 
 constexpr double bytes_per_mb = 1 << 20;
 
-/// Reads --until: returns seconds, or stores a line in `line`.
+/// Reads the value of --until. Returns a time ("12.5s") in seconds. A line number is stored in `line`; then, or if the text is empty, the
+/// function returns 1e300, which means no time limit. Returns nullopt if the text is neither.
 std::optional<double> seconds_of(const std::string& text, std::string& line) {
   if (text.empty()) return 1e300;
   if (!text.ends_with('s')) {
@@ -68,8 +69,8 @@ bool find_part(const CutOptions& options, std::optional<Mesh>& part) {
   return true;
 }
 
-/// Determines the window of --window and both cell sizes: --resolution is that of the window, or of the whole blank without a window.
-/// Prints errors.
+/// Determines the window of --window, and the cell sizes of the window and of the whole blank. --resolution is the cell size of the window;
+/// without a window, that of the blank. Prints errors.
 bool find_lattices(const CutOptions& options, const std::optional<Mesh>& part, double most, CutJob& job) {
   std::optional<Box3> window;
   if (!options.window.empty()) {

@@ -11,8 +11,8 @@
 namespace kadr::cli {
 
 /// Loads everything that does not come from the program and its set-up; prints errors.
-///   options  its --to gets the line of --until
-///   part     gets the target part if --part names one
+///   options  `run.to` is set to the line that --until names
+///   part     is set to the target part if --part names one
 bool find_cut_job(CutOptions& options, CutJob& job, std::optional<Mesh>& part);
 
 /// Finds the number of the work system that --stock-zero names; prints errors.

@@ -19,8 +19,8 @@
 namespace kadr::cli {
 namespace {
 
-constexpr double mesh_mb = 1 << 20;      // bytes
-constexpr double bytes_of_surface = 20;  // per triangle
+constexpr double mesh_mb = 1 << 20;      // bytes of one megabyte
+constexpr double bytes_of_surface = 20;  // bytes per triangle of the surface
 
 bool has_ending(const std::string& name, std::string_view ending) { return in_small_letters(name).ends_with(ending); }
 
@@ -36,7 +36,8 @@ bool write_part(const std::string& name, const Mesh& mesh, std::FILE* file) {
   return fault.empty();
 }
 
-/// Complains on errors.
+/// Writes the simplified mesh of the surface to the file. Prints an error if that fails, or if it needs more memory than --max-memory
+/// allows.
 bool write_simplified(const CutOptions& options, const Surface& surface, const Cutting& cutting, std::FILE* file, CutResult& result) {
   const std::size_t triangles = surface.triangle_count(), in_window = cutting.window() != nullptr ? cutting.window()->bytes() : 0;
   const double bytes = double(cutting.stock().bytes() + in_window) + double(triangles) * bytes_of_surface + bytes_of_simplifying(triangles);

@@ -14,8 +14,8 @@ namespace kadr::cli {
 bool can_write_meshes(const CutOptions& options);
 
 /// Writes the meshes into the open files; prints errors.
-///   surface  surface of the part after `cutting`, or of its window if there is one
-///   result   gets `simplified`
+///   surface  surface of the part after the cut; of its window, if --window names one
+///   result   its member `simplified` is set
 bool write_meshes(const CutOptions& options, const Outputs& outputs, const Surface& surface, const PartComparison& held,
                   const Cutting& cutting, CutResult& result);
 

@@ -36,7 +36,7 @@ Said split(const std::string& line) {
   return {line.substr(begin, end - begin), after};
 }
 
-/// Returns a whole number; `otherwise` if the text is empty; nullopt if it is anything else.
+/// Returns the text as a whole number; `otherwise` if the text is empty; nullopt if the text is not a whole number.
 std::optional<std::uint32_t> count_of(const std::string& text, std::uint32_t otherwise) {
   if (text.empty()) return otherwise;
   if (text.size() > 9 || text.find_first_not_of("0123456789") != std::string::npos) return std::nullopt;
@@ -80,7 +80,7 @@ class Debugger : public PartOfProgram {
     if (word == "step" || word == "s") return move(How::block, rest);
     if (word == "next" || word == "n") return move(How::over, rest);
     if (word == "finish" || word == "f") return move(How::out, "");
-    if (word == "continue" || word == "c" || word == "run" || word == "r") return go_on();  // gdb starts with run
+    if (word == "continue" || word == "c" || word == "run" || word == "r") return go_on();  // `run` is gdb's command to start
     if (word == "until" || word == "u") return until(rest);
     if (word == "back") return back(rest);
     if (word == "break" || word == "b") return add_break(rest);
@@ -106,7 +106,7 @@ class Debugger : public PartOfProgram {
     return false;
   }
 
-  /// Saves the state before a command, so that back() can restore it.
+  /// Saves the state of the session before a command, so that back() can restore that state.
   void keep() {
     constexpr std::size_t most = 200;
     if (auto now = stepping().snapshot()) kept_.push_back(std::move(*now));
@@ -158,10 +158,10 @@ class Debugger : public PartOfProgram {
     if (!target || !is_held()) return;
     if (!session_->control().search_rules()) return type_out("{}\n", translated(texts::debug::no_block_search));
     keep();
-    if (first_)  // the search starts from the beginning
+    if (first_)  // a block search starts at the beginning of the program
       if (const Status restored = stepping().restore(*first_); !restored) return tell(restored.error(), "");
     print_search(*session_, stepping(), *target, job_->lang);
-    state_ = stepping().next() ? Session::State::held : session_->go_on();  // at the end of the program, the state shows why it ended
+    state_ = stepping().next() ? Session::State::held : session_->go_on();  // once the program has ended, go_on() returns why
     show();
   }
 
@@ -288,10 +288,10 @@ class Debugger : public PartOfProgram {
 
   Session* session_ = nullptr;
   const Job* job_ = nullptr;
-  Restart begins_;  // the state before the first block
+  Restart begins_;  // position and modes before the first block
   const bool begins_inside_;
   Session::State state_ = Session::State::held;
-  std::optional<Stepping::Memory> first_;  // the state before the first block
+  std::optional<Stepping::Memory> first_;  // snapshot of the run before the first block
   std::deque<Stepping::Memory> kept_;
   std::map<std::size_t, std::string> watches_;
   bool quit_ = false, finished_ = false;

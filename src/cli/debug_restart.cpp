@@ -26,7 +26,7 @@ void list(const std::string& title, const std::vector<BlockSearch::Code>& codes)
 }  // namespace
 
 void print_restart(Session& session, const Stepping& stepping, const Restart& begins, double clearance, Lang lang) {
-  constexpr double above = 2, feed = 100;  // height above the restart position from which the last motion is slow, mm; its feed, mm/min
+  constexpr double above = 2, feed = 100;  // height above the restart position where the last motion begins, mm; its feed, mm/min
   const auto restart = restart_here(session, stepping);
   if (!restart) return;
   std::vector<InForce> wanted;

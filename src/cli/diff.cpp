@@ -25,7 +25,7 @@ namespace kadr::cli {
 namespace {
 
 constexpr double least_tolerance = 1e-5, max_tolerance = 10;  // mm
-constexpr std::size_t shown = 20;                             // differences, unless all are requested
+constexpr std::size_t shown = 20;                             // greatest number of differences printed, without --all
 constexpr std::size_t max_shown = 100'000, most_of_line = 100;
 
 /// One of the two programs, with what is needed to run it, and its text.
@@ -61,7 +61,7 @@ std::unique_ptr<Session> open_side(const Options& options, Side& side) {
 
 using Names = std::array<std::string, 2>;  // names of the two programs
 
-/// Returns "part.nc:5-7".
+/// Returns the location of a difference in one of the programs: "part.nc:5-7".
 std::string place(const std::string& name, const CourseSpot& from, const CourseSpot& to) {
   std::string text = fmt::format("{}:{}", from.file.empty() ? name : from.file, from.origin.line);
   if (to.origin.line > from.origin.line + 1 && to.file == from.file) text += fmt::format("-{}", to.origin.line - 1);
@@ -81,7 +81,7 @@ std::string places(const Names& names, const CourseDifference& d) {
 
 struct Showing {
   std::size_t most;  // greatest number of differences to print
-  bool numbered;     // numbered as in the picture
+  bool numbered;     // each difference is printed with its number in the picture
   Lang lang;
 };
 
@@ -146,7 +146,7 @@ struct Drawing {
   DifferencePlot& plot;
   const ResultFile& file;
   Lang lang;
-  bool all;  // show the numbers of all differences
+  bool all;  // show the numbers of all differences, not only the first ones
 };
 
 /// Draws the comparison; prints errors.

@@ -31,7 +31,7 @@ std::string setup_page_of_all(Lang lang) {
   return setup_page(controls, lang);
 }
 
-/// Returns the built-in controls that have the code that this one lacks.
+/// Returns the ids of the built-in controls that have the code. The control `not_this`, which lacks the code, is left out.
 std::vector<std::string> controls_with(const std::string& code, const std::string& not_this, Lang lang) {
   std::vector<std::string> ids;
   for (const std::string& id : built_in_controls()) {
@@ -55,7 +55,7 @@ std::string unknown_code(const ControlDef& def, const std::string& code, Lang la
 
 /// Prints what all built-in controls state about a code, an alarm or words; controls with the same text are grouped.
 int explain_everywhere(const std::string& what, const std::string& refusal, Lang lang) {
-  std::vector<std::pair<std::string, std::vector<std::string>>> said;  // the texts, and the controls that state each
+  std::vector<std::pair<std::string, std::vector<std::string>>> said;  // each text, and the controls to which it applies
   const std::vector<std::string> all = built_in_controls();
   for (const std::string& id : all) {
     const auto def = load_control(id);

@@ -60,7 +60,7 @@ std::string travel_of(const AxisProfile& axis) {
   return least + " … " + (axis.most >= AxisProfile{}.most ? "" : number_of(axis.most));
 }
 
-/// Returns "A (about [1, 0, 0], through [-400, -250, -420], reversed)".
+/// Returns the description of a rotary axis: "A (about [1, 0, 0], through [-400, -250, -420], reversed)".
 std::string joint_text(const std::string& name, const AxisJoint& joint) {
   if (!joint.turns) return name;
   const auto vector = [](Vec3 v) { return fmt::format("[{:.12g}, {:.12g}, {:.12g}]", v.x, v.y, v.z); };
@@ -68,7 +68,7 @@ std::string joint_text(const std::string& name, const AxisJoint& joint) {
   return translated(turning, name, vector(joint.direction), vector(joint.through));
 }
 
-/// Prints the order in which the axes carry each other and, where it applies, why NCT parameters cannot express it.
+/// Prints the order in which the axes carry each other and, where it applies, why NCT parameters cannot describe that order.
 void print_chains(const MachineProfile& machine) {
   const auto chain = [&](const std::string& what, const std::vector<std::string>& names) {
     std::string text = translated(texts::machines_command::bed);

@@ -61,7 +61,7 @@ int perform(const CLI::App& app, const Commands& commands) {
   return ok;
 }
 
-/// Accepts "kadr help run" and "kadr version", as other programs do, and replaces them by options.
+/// Replaces the words in "kadr help run" and "kadr version", which other programs accept, by the options --help and --version.
 void take_usual_words(int argc, char** argv) {
   static char help[] = "--help", version[] = "--version";
   if (argc < 2) return;

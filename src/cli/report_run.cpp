@@ -84,7 +84,7 @@ class ReportRun {
   void execute() {
     run_->on_alarm = [this](const AlarmReport& report, double at, int channel) {
       AlarmReport told_report = report;
-      if (channel != 0) told_report.origin.line = 0;  // the line belongs to the program of another channel
+      if (channel != 0) told_report.origin.line = 0;  // this line is in the program of another channel
       take(told_report, at);
     };
     run_->on_progress = [this](double part, std::uint64_t blocks, double) {
@@ -139,7 +139,7 @@ class ReportRun {
   std::vector<ReportAlarm> alarms_;
   std::vector<ViewPiece> contour_;
   ReportPart part_;
-  std::optional<CutResult> cut_;  // nullopt: there is no blank
+  std::optional<CutResult> cut_;  // nullopt: no blank is cut
 };
 
 std::string shown_name(const std::string& file) { return file == "-" ? file : std::filesystem::path(file).filename().string(); }

@@ -43,7 +43,7 @@ bool needs_planner(const Options& options, const MachineProfile& profile) {
   return counts || !options.samples.empty() || options.why || !options.plot_speed.empty() || !options.colour.empty();
 }
 
-/// True if only the samples use the planner: its time is then shown in the summary as additional information.
+/// True if only the samples need the planner of least time. The summary then shows the planner's time in addition to the machining time.
 bool is_for_samples_alone(const Options& options, const MachineProfile& profile) {
   const bool counts = profile.planner == PlannerMode::optimal && (!options.quiet || options.json);
   return !counts && !options.why && options.plot_speed.empty() && options.colour.empty();
@@ -113,7 +113,7 @@ class RunCommand {
     bool written = write_last_lines(stopped);
     if (needs_planner(options_, job_.profile)) written = finish_planned() && written;
     written = draw() && written;
-    erase_bar();  // the summary may go to the same terminal
+    erase_bar();  // the bar may be on the terminal to which the summary goes
     if (!options_.quiet && !options_.json && drive_.wants_summary()) print_summary();
     if (options_.why) print_why();
     if (!written) return wrong_usage;
@@ -123,7 +123,7 @@ class RunCommand {
   }
 
  private:
-  /// Returns the functions that observe one channel, except the one for steps.
+  /// Returns the functions that observe one channel. The function that observes steps is not among them.
   Outlets outlets_of(View& view) {
     const auto say = [this, &view](const AlarmReport& report) {
       view.statistics.count(report.alarm.severity);
@@ -152,7 +152,7 @@ class RunCommand {
       outlets.step = [&view](const Step& step) { view.show(step); };
       outlets.timed = [&view](const Step& step, double longer) { view.show_timed(step, longer); };
     } else if (!channels_.front().control->may_read_clock()) {
-      outlets.clock = nullptr;  // nothing reads the summary
+      outlets.clock = nullptr;  // without a summary, nothing needs the times of steps
     }
     session_.change_outlets();
     drive_.execute(session_);
@@ -357,7 +357,8 @@ int run_by(const Options& options, Drive& drive) {
   limits.untouched = outputs.all();
   const auto session = make_session(*job, std::move(*program), limits);
   if (!session || !outputs.open()) return wrong_usage;
-  const std::unique_ptr<Drive, void (*)(Drive*)> leaves(&drive, [](Drive* left) { left->leave(); });  // before the session is destroyed
+  // Drive::leave() is called before the session is destroyed.
+  const std::unique_ptr<Drive, void (*)(Drive*)> leaves(&drive, [](Drive* left) { left->leave(); });
   std::string state_fault;
   if (state_file) save_changes(*state_file, session->control(), state_fault);
   if (const auto nothing = drive.begin(*session, *job)) return interrupted() ? interrupted_status() : *nothing;

@@ -19,7 +19,8 @@ struct View {
   /// Observes a step when the machine executes it. The time of motions that are still in the look-ahead counts as programmed.
   void show(const Step& step);
 
-  /// Observes a step of which the machine's time is known: `longer` s more than programmed.
+  /// Observes a step whose time on the machine is known.
+  ///   longer  s by which the step takes longer than programmed
   void show_timed(const Step& step, double longer);
 
   /// Returns the function that observes motions as programmed, before cutter compensation; empty if nothing needs it.
@@ -27,8 +28,8 @@ struct View {
 
   Statistics statistics;
   std::optional<TraceWriter> trace;
-  std::optional<Plot> plot;    // only for the channel of the program itself
-  Planned* planned = nullptr;  // only for the channel of the program itself
+  std::optional<Plot> plot;    // the picture, only for the channel of the program itself
+  Planned* planned = nullptr;  // the plan, only for the channel of the program itself
   double waited = 0;           // time that the channel waited for others, s
 };
 

@@ -28,7 +28,7 @@ namespace kadr::cli {
 namespace {
 
 constexpr std::size_t gives_up_at = 1000;
-constexpr std::size_t max_ranges = 20;  // ranges of lines not executed that are listed
+constexpr std::size_t max_ranges = 20;  // greatest number of line ranges that are listed as not executed
 
 /// Results of executing the program.
 struct ExecutedBlocks {
@@ -133,7 +133,7 @@ class TemplateMaker {
   }
   std::optional<ToolProposal> proposal_for(std::uint32_t tool) const { return proposals_.of(tool, called_at(tool)); }
 
-  /// Returns a sentence, followed by the comment that mentions the tool without a size; `tool` 0: none.
+  /// Returns a sentence, followed by the program's comment that mentions the tool without a certain size. `tool` 0: only the sentence.
   std::string with_unsure(const std::string& sentence, std::uint32_t tool) const {
     const auto comment = tool == 0 ? std::nullopt : proposals_.unsure(tool, called_at(tool));
     return comment ? in_words(texts::setup_command_notes::not_sure, sentence, comment->line, comment->text) : sentence;
@@ -154,7 +154,7 @@ class TemplateMaker {
     return !is_name;
   }
 
-  /// Reports the line ranges that were not executed, since no jump or condition led to them.
+  /// Reports the ranges of lines that were not executed, because no jump or condition led to them.
   void warn_branches() {
     std::vector<std::pair<std::uint32_t, std::uint32_t>> ranges;
     bool open = false;
@@ -216,7 +216,7 @@ ExecutedBlocks execute_past_faults(Session& session) {
     if (!fatal) ++done.faults;
     return !fatal && done.faults < gives_up_at;
   };
-  session.control().set_waiting(Control::Waiting::pass);  // the other channels' programs are missing
+  session.control().set_waiting(Control::Waiting::pass);  // programs of other channels are missing: do not wait for them
   (void)session.run();
   return done;
 }

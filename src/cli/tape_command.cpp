@@ -17,7 +17,7 @@
 namespace kadr::cli {
 namespace {
 
-constexpr std::size_t longest_tape = 256u << 20;  // bytes: 680 km of tape
+constexpr std::size_t longest_tape = 256u << 20;  // size of the longest tape image, bytes: 680 km of tape
 
 int decode(const TapeOptions& options, const std::string& rows, std::string& output, Lang lang) {
   const TapeReading read = read_tape(rows, tape_code_named(options.code));
@@ -72,7 +72,7 @@ int tape(const TapeOptions& options) {
   const int status = options.decode ? decode(options, *bytes, output, lang) : encode(options, *bytes, output, lang);
   if (output.empty() && status != ok) return status;
   if (!outputs.open()) return wrong_usage;
-  write_data(outputs.stream("OUTPUT"), output);  // keep() reports whether all was written
+  write_data(outputs.stream("OUTPUT"), output);  // Outputs::keep() reports whether all was written
   return outputs.keep() ? status : wrong_usage;
 }
 

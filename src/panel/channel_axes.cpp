@@ -8,7 +8,7 @@
 namespace kadr {
 namespace {
 
-constexpr double planned_each = 1;  // s of motion planned at a time, so that a program with long motions starts at once
+constexpr double planned_each = 1;  // s of motion that the planner computes at a time, so that a program with long motions starts at once
 
 }  // namespace
 
@@ -36,7 +36,7 @@ void ChannelAxes::take(Leg& leg, const TimedCells& cells, const MotionLimits& li
 
 void ChannelAxes::plan(Planned& planned, double dry_feed) {
   planned_ = &planned;
-  Leg& leg = legs_.emplace_back(planned.limits(), rate_);  // a deque, so its address stays valid
+  Leg& leg = legs_.emplace_back(planned.limits(), rate_);  // a deque: the address of its element stays valid
   planned.on_cells = [this, &leg, &limits = planned.limits()](const TimedCells& cells) { take(leg, cells, limits); };
   planned.number_motions([this, &leg](std::uint64_t motion) {
     pending.motion = motion;
@@ -112,8 +112,8 @@ void ChannelAxes::note_block() {
   if (const PanelBlock* const block = legs_.front().blocks.at(clock.sample().motion)) on = *block;
 }
 
-/// Sets the speed share that applies to the present motion, feed or rapid. After a change from rapid to feed it is some thousandths of a
-/// second late.
+/// Sets the share of the planned speed that applies to the present motion, feed or rapid. When rapid motion changes to feed, the new share
+/// applies some thousandths of a second late.
 void ChannelAxes::apply_overrides(const PanelOverrides& shares, bool stands) {
   const double spindle = on.by_turn ? std::min(1.0, shares.spindle) : 1;
   const double share = on.feed > 0 ? shares.feed * spindle : std::min(shares.rapid, shares.feed > 0 ? 1.0 : 0.0);

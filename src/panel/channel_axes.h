@@ -1,7 +1,7 @@
 #pragma once
 // ChannelAxes: the axes of one channel at an operator panel. It passes their planned motion to the channel's servo clock, leg by leg. A leg
-// is the motion from one stop of the axes to the next; after it the channel waits for other channels, or the motion is over. Only the
-// machine's thread uses a lane; its servo clock has a thread of its own.
+// is the motion from one stop of the axes to the next; after a leg, the channel waits for other channels, or its motion is over. Only the
+// machine's thread uses a ChannelAxes; the servo clock has a thread of its own.
 //
 //   plan() ──▶ Planned ──cells──▶ the last leg … the first ──▶ Playback ──▶ ServoClock
 
@@ -19,21 +19,21 @@
 
 namespace kadr {
 
-/// Shares of the programmed speeds, as set by the operator's override switches.
+/// The overrides that the operator selects, as shares of the programmed speeds.
 struct PanelOverrides {
   static constexpr double least_spindle = 0.5, max_spindle = 1.2;
   double feed = 1, rapid = 1;  // share of the planned feed or rapid speed, 0 … 1
   double spindle = 1;          // share of the programmed spindle speed
-  double dry_feed = 0;         // dry run: mm/min for all feeds except threads, from the next stretch on; 0: feeds as programmed
+  double dry_feed = 0;         // dry run: mm/min for all feeds except threads, from the next start of motion on; 0: off
   friend bool operator==(const PanelOverrides&, const PanelOverrides&) = default;
 };
 
-/// Channels that wait for each other at a waiting code (nct 14.5).
+/// Some channels that wait for each other at a waiting code (nct 14.5).
 struct PanelMeeting {
   std::uint32_t code = 0;
   std::set<int> channels;  // numbers of all channels that must arrive
   std::set<int> here;      // numbers of the channels whose axes have arrived
-  bool is_met = false;     // the controls of all channels, which run ahead of the axes, have reached the waiting code
+  bool is_met = false;     // all these channels' controls, which are ahead of the axes, have reached the code
   bool is_over() const { return is_met && here == channels; }
 };
 
@@ -41,7 +41,7 @@ struct PanelMeeting {
 struct PanelLimit {
   LimitedBy by;
   bool rapid = false;  // the motion is rapid
-  double until = 0;    // the limit applies up to this time of the plan, s
+  double until = 0;    // the limit applies until this time of the plan, s
 };
 
 class ChannelAxes {
@@ -63,18 +63,18 @@ class ChannelAxes {
   PanelBlock on;                                 // the block that the axes are executing, or executed last
   Placement placement;                           // position of the work coordinate system
   std::uint32_t modes_of = ~0u;                  // Origin::number of the block to which pending.modes belongs
-  bool holds_next = false, holds_again = false;  // hold before the next block; the control will ask about the same block once more
+  bool holds_next = false, holds_again = false;  // the control must hold before the next block; it will ask once more before that block
   bool has_ended = false;                        // the channel's program has ended: nothing is left to plan
   bool enters = false;        // this channel, which is not the program's own, is executing a line that the operator entered
   std::uint64_t entered = 0;  // number of blocks executed in lines that the operator entered in this channel
 
-  /// Resets the lane to the beginning of the program.
+  /// Drops all motion and state, for a restart of the program from its beginning.
   void start_over();
-  /// Starts a new leg where the last one ends. `planned` plans it and must not have been used before; it also numbers the new leg's
-  /// motions.
+  /// Starts a new leg where the last leg ends. The planner `planned`, which must be unused, plans the leg and numbers its motions.
   void plan(Planned& planned, double dry_feed);
-  /// Ends the leg that is being planned: the axes stop at its end, then wait at `meeting`, which is in the block `at`. `meeting` nullptr:
-  /// nothing follows the leg.
+  /// Ends the leg that is being planned: the axes stop at its end.
+  ///   meeting  where the channel waits after the leg; nullptr: nothing follows the leg
+  ///   at       the block of that waiting code
   void end_leg(std::shared_ptr<PanelMeeting> meeting = {}, const Origin& at = {});
   /// Replaces the meeting at the end of the leg that was planned last.
   void meet(const std::shared_ptr<PanelMeeting>& meeting) {
@@ -84,7 +84,7 @@ class ChannelAxes {
   bool waits() const { return !legs_.empty() && legs_.back().meeting != nullptr && !legs_.back().meeting->is_met; }
   /// The waiting code at the end of the planned motion; nullptr if there is none.
   const PanelMeeting* meeting() const { return legs_.empty() ? nullptr : legs_.back().meeting.get(); }
-  /// Called before each block of this channel. Returns true if the control must hold before the block.
+  /// Called before each block of this channel. Returns true if the control must hold before that block.
   bool is_held();
   bool is_planned() const { return planned_ != nullptr; }
   /// True if less than `enough` seconds are planned ahead of the clock, so that planning should continue.
@@ -94,13 +94,13 @@ class ChannelAxes {
 
   /// Offers planned cells to the playback, and starts the next leg when the clock has finished one.
   void go_on();
-  /// Updates `on`, the block that the axes are executing.
+  /// Sets `on` to the block that the axes are executing.
   void note_block();
-  /// Sets the speed overrides. `stands`: a feed hold is active.
+  /// Sets the share of the planned speed from the operator's overrides; 0 if `stands`, that is, if a feed hold is active.
   void apply_overrides(const PanelOverrides& shares, bool stands);
   /// Returns what limits the speed of the axes now; nullopt if they are at rest.
   std::optional<PanelLimit> limit();
-  /// True if all planned motion has been played, and the meeting at its end, if any, is still waited for.
+  /// True if all planned motion has been played, and the channel need not continue: it waits at a meeting, or nothing follows.
   bool is_over() const;
   /// True if the axes are at rest now; planned motion may follow.
   bool stands() const;
@@ -108,9 +108,9 @@ class ChannelAxes {
   const PanelMeeting* waits_for() const;
   /// The block of the waiting code if the channel is waiting, else the block that the axes are executing.
   const Origin& block() const { return waits_for() != nullptr ? legs_.front().waits_in : on.origin; }
-  /// Called when all motion is over: drops the finished legs, unless the control waits at a meeting.
+  /// Called when the motion of all channels is over: drops the finished legs. Keeps them if the control waits at a meeting.
   void settle();
-  /// Drops all motion; the axes stay where they are.
+  /// Drops all motion. The axes stop where they are.
   void drop();
 
  private:
@@ -120,15 +120,15 @@ class ChannelAxes {
     Playback playback;
     PanelBlocks blocks;
     std::deque<PanelLimit> limits;   // limits of the motion not played yet, by time
-    std::deque<TimedCells> to_come;  // cells of the plan not yet offered to the playback …
-    std::size_t offered = 0;         // … of the first of them this many are already offered
+    std::deque<TimedCells> to_come;  // cells of the plan that are not yet offered to the playback
+    std::size_t offered = 0;         // number of cells of the first element of to_come that are offered
     double seconds = 0;              // planned duration
     bool planned_all = false;
-    std::shared_ptr<PanelMeeting> meeting;  // the meeting at the end of the leg; it is in the block:
-    Origin waits_in;
+    std::shared_ptr<PanelMeeting> meeting;  // the meeting at the end of the leg
+    Origin waits_in;                        // the block of that meeting's waiting code
   };
-  static constexpr double enough = 3 * Playback::reserve;  // s of planned motion ahead of the clock
-  // limit of stored cells, some 40 MB; reached only if another channel needs much more planning
+  static constexpr double enough = 3 * Playback::reserve;  // planning continues while less than this is planned ahead of the clock, s
+  // limit of stored cells, some 40 MB; reached only if another channel needs much more planning than this one
   static constexpr std::size_t max_cells = 100'000;
 
   double ahead() const;
@@ -140,7 +140,7 @@ class ChannelAxes {
   Planned* planned_ = nullptr;  // plans the last leg; nullptr when that leg is completely planned
   std::deque<Leg> legs_;
   std::size_t cells_ = 0;         // number of cells in all legs that are not yet offered to a playback
-  const Leg* playing_ = nullptr;  // the first leg, from when the clock plays it; else nullptr
+  const Leg* playing_ = nullptr;  // the first leg, while the clock plays it; else nullptr
   double share_ = 1;              // share of the planned speed that was requested last
 };
 

@@ -1,6 +1,6 @@
 #pragma once
-// PanelBlocks: the queue of motions that the control has executed and the machine has not. Finds the block to which an instant of the
-// servo clock belongs, and the modes, tool and spindle in force at that block.
+// PanelBlocks: the queue of motions that the control has executed and the machine has not. It finds the block to which an instant of the
+// servo clock belongs, and the modes, tool and spindle that are in force in that block.
 
 #include <deque>
 #include <memory>
@@ -20,16 +20,16 @@ struct PanelModes {
 /// A motion that the machine executes.
 struct PanelBlock {
   Origin origin;
-  std::uint64_t motion = 0;  // number of the motion, counted by AxisMotion from 1 in each stretch of motion; 0: no motion
+  std::uint64_t motion = 0;  // number of the motion; AxisMotion counts from 1 at each start of motion; 0: no motion
   Axes work{}, machine{};    // coordinates at the end of the motion
   Placement placement;       // position of the work coordinate system
   double feed = 0;           // programmed feed, mm/min; 0 at rapid
   bool by_turn = false;      // the feed was programmed per revolution of the spindle
-  std::uint32_t number = 0;  // number of the block in the run, lines of the operator not counted; 0: the motion is not from the program
-  bool entered = false;      // the motion comes from a line that the operator entered, which is in no file
+  std::uint32_t number = 0;  // number of the block in the run, without the operator's lines; 0: not of the program
+  bool entered = false;      // the motion comes from a line that the operator entered; that line is in no file
   std::shared_ptr<const PanelModes> modes;
 
-  /// Work coordinates at the machine position `at`, during this motion.
+  /// Returns the work coordinates at the machine position `at`, which the axes reach during this motion.
   Axes work_of(const Axes& at) const {
     if (!placement.is_plain()) return placement.work_of(at);
     Axes now = work;

@@ -17,13 +17,13 @@ class PanelHub {
  public:
   static constexpr std::size_t max_machines = 16;
 
-  /// A machine that is switched on. The object exists as long as somebody holds a pointer to it, even after the machine is switched off.
+  /// A machine that is switched on. The object exists as long as some pointer to it exists, even after the machine is switched off.
   struct HubMachine {
     std::string name;
     std::shared_ptr<void> content;  // program and tables that the machine uses; destroyed after the machine
     std::unique_ptr<PanelMachine> machine;
     std::atomic<std::uint64_t> holder{0};  // number of the page that has control; 0: none
-    std::string stood;  // PanelLocation as JSON: where in its program the machine was when the server last ended; empty: not in mid program
+    std::string stood;  // PanelLocation, as JSON, of the machine when the server last ended; empty: it was not in mid-program
   };
 
   /// Returns a unique number for each page.
@@ -34,13 +34,13 @@ class PanelHub {
     const auto found = places_.find(name);
     return found == places_.end() ? nullptr : found->second;
   }
-  /// Returns false if a machine of that name is already on, or if too many machines are on.
+  /// Adds a machine. Returns false if a machine with its name is already on, or if too many machines are on.
   bool add(const std::shared_ptr<HubMachine>& place) {
     const std::lock_guard hold(lock_);
     return places_.size() < max_machines && places_.emplace(place->name, place).second;
   }
   void remove(const std::string& name) {
-    std::shared_ptr<HubMachine> last;  // keeps the machine alive until the lock is released
+    std::shared_ptr<HubMachine> last;  // destroys the machine after the lock is released
     const std::lock_guard hold(lock_);
     const auto found = places_.find(name);
     if (found == places_.end()) return;

@@ -10,11 +10,11 @@
 namespace kadr {
 namespace {
 
-constexpr const char* control = "panel";  // the control that the state file belongs to
+constexpr const char* control = "panel";  // name of the control that the journal's state file states
 const std::string log_ = "log:";
 
-/// Renames the log file that remains if the server was killed after its state file had been deleted. That log would prevent a new state
-/// file from being created; it is kept under another name in case somebody needs it.
+/// Renames a log file that a killed server has left after its state file was deleted. That log would prevent a new state file from being
+/// created; it is kept under another name, because somebody may need its data.
 void put_left_log_aside(const std::string& path) {
   std::error_code none;
   if (!path.empty() && !std::filesystem::exists(path, none) && std::filesystem::exists(path + "-wal", none))

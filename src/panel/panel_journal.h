@@ -1,10 +1,12 @@
 #pragma once
-// PanelJournal: the data of panel machines that outlive the server (--state FILE), and the log of the shift. All data are in one state
-// file (config/state/state_file) of the control "panel". Each item has its own key; the code that saves an item chooses the format of its
-// value.
+// PanelJournal: the data of panel machines that outlive the server (--state FILE), and the log of the operators' actions. All data are in
+// one state file (config/state/state_file) of the control "panel". Each item has a key; the code that saves an item chooses the format of
+// its value.
 //
-//   "machine:part.nc" how the machine was switched on · "tables:part.nc" edited tables · "spot:part.nc" location · "log:part.nc:17" log
-//   entry
+//   "machine:part.nc"  how the machine of part.nc was switched on
+//   "tables:part.nc"   its edited tables
+//   "spot:part.nc"     its location in the program
+//   "log:part.nc:17"   entry 17 of its log
 
 #include <cstdint>
 #include <map>

@@ -16,14 +16,14 @@ namespace {
 
 using Failed = tl::unexpected<std::string>;
 
-constexpr auto look_every = std::chrono::milliseconds(4);    // interval at which the present stretch of motion is checked
-constexpr double seen_share = 1e-6;                          // share of the planned speed: a smaller change of the speed is not waited for
-constexpr auto seen_within = std::chrono::milliseconds(20);  // time limit for the change, since some axes can hardly brake
+constexpr auto look_every = std::chrono::milliseconds(4);    // interval at which the machine's thread checks a motion
+constexpr double seen_share = 1e-6;                          // share of the planned speed: the least decrease that counts as seen
+constexpr auto seen_within = std::chrono::milliseconds(20);  // time limit for seeing the effect, since some axes can hardly brake
 // time limit for starting a request; if it expires, the machine is busy and the request is dropped
 constexpr auto answers_within = std::chrono::seconds(2);
 constexpr auto done_within = std::chrono::seconds(60);  // time limit for completing a request that has started
 
-/// Waits briefly, so that the caller's next query of the state shows the effect.
+/// Waits until `is` returns true, but only briefly, so that the caller's next query of the state shows the effect of a request.
 template <class Is>
 void wait_until_seen(Is is) {
   const auto end = std::chrono::steady_clock::now() + seen_within;
@@ -35,14 +35,14 @@ void wait_until_seen(Is is) {
 PanelMachine::~PanelMachine() { switch_off(); }
 
 void PanelMachine::switch_off() {
-  ends_ = true;  // set first, so that stop_at_once() is no emergency stop
+  ends_ = true;  // set first, so that stop_at_once() does not count as an emergency stop
   stop_at_once();
   const std::lock_guard one_at_a_time(off_lock_);
   thread_.wait();
 }
 
-/// Lets the machine's thread execute a request. It returns the result; or an error if the request was dropped; or that it has started and
-/// continues.
+/// Lets the machine's thread execute a request, and returns the result. Returns an error if the request was dropped, or if the request has
+/// started but is not completed in time.
 PanelMachine::Answer PanelMachine::ask(std::function<Answer()> what) {
   std::future<Answer> answer;
   std::uint64_t number = 0;
@@ -50,7 +50,7 @@ PanelMachine::Answer PanelMachine::ask(std::function<Answer()> what) {
     const std::lock_guard hold(lock_);
     if (ends_) return Failed(translated(texts::panel::off));
     asked_.push_back({[what = std::move(what), lang = thread_language()] {
-                        set_thread_language(lang);  // messages of this request are in the caller's language
+                        set_thread_language(lang);  // the messages of the request are in the caller's language
                         return what();
                       },
                       {},
@@ -204,7 +204,7 @@ void PanelMachine::apply_overrides() {
   for (const auto& lane : lanes_) lane->apply_overrides(kept_.shares, holds_ || resets_);
 }
 
-/// After a feed hold the function returns only when the axes move again.
+/// Continues the program. After a feed hold, returns only when the axes move again.
 PanelMachine::Answer PanelMachine::run(std::optional<Stepping::How> how) {
   const Answer runs = ask([this, how]() -> Answer {
     if (stretch_) {
@@ -241,7 +241,7 @@ PanelMachine::Answer PanelMachine::answer(double answer) {
   });
 }
 
-/// Returns only when the axes have slowed down, so that the caller's next query of the state shows it.
+/// Starts a feed hold. Returns only when the axes have slowed down, so that the caller's next query of the state shows the hold.
 PanelMachine::Answer PanelMachine::hold() {
   const double share = lane_->clock.sample().share;
   const Answer held = ask([this]() -> Answer {
@@ -258,7 +258,7 @@ PanelMachine::Answer PanelMachine::hold() {
 }
 
 PanelMachine::Answer PanelMachine::reset() {
-  stops_ = true;  // interrupts a block that never ends
+  stops_ = true;  // interrupts a block that would never end
   return ask([this]() -> Answer {
     kept_.told.clear(), kept_.why.clear();
     for (const auto& lane : lanes_) lane->clock.release();
@@ -273,7 +273,7 @@ PanelMachine::Answer PanelMachine::reset() {
 void PanelMachine::stop_at_once() {
   for (const auto& lane : lanes_) lane->clock.stop_at_once();
   stops_ = true;
-  const std::lock_guard hold(lock_);  // with the lock held, the thread is either waiting or will check the flag before it waits
+  const std::lock_guard hold(lock_);  // under this lock the thread is waiting, or checks for a stop before it waits
   wakes_.notify_all();
 }
 
@@ -372,7 +372,7 @@ PanelMachine::Answer PanelMachine::jog(const std::string& axis, double way, doub
 }
 
 tl::expected<std::size_t, std::string> PanelMachine::add_stop(StopPoint point) {
-  const auto number = std::make_shared<std::size_t>(0);  // shared: the request may time out before the function runs
+  const auto number = std::make_shared<std::size_t>(0);  // shared with the request, which may run after this call has timed out
   const Answer answer = ask([this, number, point = std::move(point)]() -> Answer {
     if (kept_.stops.size() == max_stops) return Failed(translated(texts::panel::too_many_stops));
     if (!point.condition.empty())

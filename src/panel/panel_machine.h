@@ -1,12 +1,12 @@
 #pragma once
-// PanelMachine: a machine with its control, as an operator uses it. It runs a program in real time, one stretch of motion after the
-// other. It has its own thread and continues whether or not a page is connected; operator requests may come from any thread.
+// PanelMachine: a machine with its control, as an operator uses it. It executes a program in real time, one run of motion after the other.
+// It has its own thread and continues whether or not a page is connected; operator requests may come from any thread.
 //
 //   ask(PanelCommand) ──▶ its thread: Stepping, Session ──cells──▶ Playback ──▶ ServoClock ──▶ state(): a sample of the clock,
 //                                                                                              and the block it belongs to
 //
-// A stretch is the motion from where the axes are at rest to where they stop next: at the end of the program, before a block where the
-// program is held, or after a line that the operator entered. The motion is planned with the limits of the selected machine.
+// A run of motion (PanelRun) is the motion from where the axes are at rest to where they stop next: at the end of the program, before a
+// block where the program is held, or after a line that the operator entered. It is planned with the limits of the selected machine.
 
 #include <condition_variable>
 #include <deque>
@@ -44,7 +44,7 @@ struct PanelChannel {
   ServoSample sample;
   PanelBlock block;                   // the block that the channel's axes are executing, or executed last
   AlarmReport::Line line;             // text and location of that block
-  std::optional<PanelMeeting> waits;  // the meeting where this channel waits, from when its axes have arrived there
+  std::optional<PanelMeeting> waits;  // the meeting at which this channel waits; set when its axes have arrived
 };
 
 /// Everything that an operator sees.
@@ -63,13 +63,13 @@ struct PanelState {
   std::string why;            // the reason for the stop: "M0", "M1", "restart"; empty: another reason
   bool asks = false;          // the program waits for the operator's answer(), to the question in `told`
   bool takes_tables = false;  // edited tables are being applied
-  std::string not_kept;       // error sentence: why the machine's data cannot be saved; empty: they are saved
-  bool goes_there = false;    // a restart in mid program: the axes move to the block where the program is to continue
+  std::string not_kept;       // why the machine's data cannot be saved, an error sentence; empty: they are saved
+  bool goes_there = false;    // a restart in mid-program is in progress: the axes move to the block to continue with
   std::optional<AlarmReport> alarm;
   std::size_t can_undo = 0;         // number of entered lines that undo() can revert
   std::optional<PanelLimit> limit;  // what limits the speed now
-  std::uint64_t blocks = 0;         // number of blocks executed by the control, which is ahead of the machine
-  // every channel, if the machine has several; the members above describe the program's own channel
+  std::uint64_t blocks = 0;         // number of blocks that the control has executed; the control is ahead of the machine
+  // All channels, if the machine has several. The members above describe the channel of the program itself.
   std::vector<PanelChannel> channels;
 };
 
@@ -84,19 +84,19 @@ struct PanelLocation {
   std::vector<Axes> stands{};  // machine position of each channel, by index; empty if there is only one channel
 };
 
-/// Saves the machine's data. The functions are called in the machine's thread.
+/// The functions with which a machine saves its data. They are called in the machine's thread.
 struct PanelRecorder {
-  /// Called at each block.
+  /// Saves the location; called at each block.
   ///   returns  an error sentence if the location cannot be saved
   std::function<std::string(const PanelLocation&)> spot;
-  /// For the log of the shift: "run" "hold" "reset" "emergency" "override" "line" "restart" "stopped" "ended".
+  /// Adds an entry to the log. The kinds are "run" "hold" "reset" "emergency" "override" "line" "restart" "stopped" "ended".
   std::function<void(const char* kind, const std::string& text, std::uint32_t line)> event;
   std::function<void(const AlarmReport&)> alarm;
-  /// Called when a line of the operator has changed tables of the control, so that later sessions start with the changed tables.
+  /// Saves table changes that a line of the operator has made, so that later sessions start with the changed tables.
   ///   returns  an error sentence if they cannot be saved
   std::function<std::string(const Setup& before, const Setup& after)> tables;
-  /// Called when the program is about to start from its beginning. The program file is read from the disk then; changes of the file have
-  /// no effect until the next call.
+  /// Called when the program is about to start from its beginning. The function reads the program file from the disk; changes of the file
+  /// have no effect until the next call.
   std::function<void()> begins;
 };
 
@@ -113,13 +113,13 @@ struct PanelTables {
   std::vector<PanelVariable> variables;
 };
 
-/// A watched expression and its present value.
+/// An expression that the operator watches, and its present value.
 struct PanelWatch {
   std::string text;
   std::optional<double> value;  // nullopt: the expression is invalid, or its value is vacant
 };
 
-/// The motion from where the axes are at rest to where they stop next.
+/// A run of motion: the motion from where the axes are at rest to where they stop next.
 struct PanelRun {
   enum class Of : std::uint8_t { program, line, hand };
   Of of = Of::program;
@@ -135,7 +135,7 @@ struct PanelPath {
   std::vector<WayPoint> way;
 };
 
-/// State of a restart while the machine moves to the block where the program is to continue.
+/// The state of a restart while the machine moves to the block at which the program is to continue.
 struct PanelApproach {
   struct Line {
     std::size_t channel;
@@ -153,9 +153,11 @@ class PanelMachine {
   static constexpr double rate = 1000;  // rate of the servo clock, Hz
   static constexpr std::size_t max_entered = 1000, most_undone = 50, max_stops = 100;
 
+  /// Switches on a machine, with its program at the beginning.
+  ///   opens    opens sessions of the program
+  ///   start    machine coordinates of the axes; nullopt: the start position is in the set-up
+  ///   stands   on a machine with several channels, their start positions by index; empty: they are in the set-up
   ///   returns  an error sentence
-  ///   start    machine coordinates of the axes; nullopt: the set-up states the start position
-  ///   stands   start position of each of several channels, by index; empty: the set-up states them
   static tl::expected<std::unique_ptr<PanelMachine>, std::string> make(SessionOpener opens, PanelRecorder keeper = {},
                                                                        const std::optional<Axes>& start = {},
                                                                        std::vector<Axes> stands = {});
@@ -166,9 +168,9 @@ class PanelMachine {
   /// Stops the axes. From now on nothing is saved or reported, and all requests are refused.
   void switch_off();
 
-  using Answer = tl::expected<void, std::string>;  // the error sentence says why a request was refused
+  using Answer = tl::expected<void, std::string>;  // an error sentence that says why the request was refused
   /// Continues the program from the block where it is held, or resumes after a feed hold.
-  ///   how  how far to run; nullopt: one block or to the next stop, depending on the single block switch
+  ///   how  how far to run; nullopt: one block if the single block switch is on, else to the next stop
   Answer run(std::optional<Stepping::How> how = {});
   /// Feed hold: the axes slow down and stop on their path.
   Answer hold();
@@ -188,12 +190,14 @@ class PanelMachine {
   Answer enter(const std::string& line);
   /// Restores the control and the virtual machine to their state before the last entered line. A real machine could not do this.
   Answer undo();
-  /// Moves an axis by hand. `way`: distance in machine coordinates, mm or degrees. `feed`: mm/min or degrees/min; 0: at the highest
-  /// speed.
-  ///   channel  number of the axis' channel; 0: the program's own channel
+  /// Moves an axis by hand.
+  ///   way      distance in machine coordinates, mm or degrees
+  ///   feed     mm/min or degrees/min; 0: the highest speed of the axis
+  ///   channel  number of the channel that has the axis; 0: the channel of the program itself
   Answer jog(const std::string& axis, double way, double feed, int channel = 0);
-  /// Moves the axes of the program's own channel by hand, one motion after the other.
+  /// Moves the axes of the program's own channel by hand along the path `way`.
   Answer lead(const std::vector<WayPoint>& way);
+  /// Adds a point at which the program is to be held.
   ///   returns  the number of the stop point
   tl::expected<std::size_t, std::string> add_stop(StopPoint point);
   Answer remove_stop(std::size_t number);
@@ -201,27 +205,27 @@ class PanelMachine {
   /// Evaluates expressions written in the syntax of the program.
   tl::expected<std::vector<PanelWatch>, std::string> watch_values(const std::vector<std::string>& expressions);
   tl::expected<PanelTables, std::string> tables();
-  /// Checks that the machine is at rest, which take_tables() requires.
+  /// Checks that the machine is at rest at a block at which take_tables() can apply tables.
   Answer may_apply_tables();
-  /// Applies edited tables at the current block. SessionOpener must already return sessions with the changed set-up.
+  /// Applies edited tables at the present block. SessionOpener must already return sessions with these tables.
   Answer take_tables();
 
   /// Searches for a block where the program could continue. Returns what the search has found so far.
   PanelSearch::Answer find(const PanelSearch::SearchRequest& request) {
-    if (state().takes_tables) return {};  // the tables are being applied with a search of their own
+    if (state().takes_tables) return {};  // the machine is searching for its own location in a run with the new tables
     return search_->find(request);
   }
-  /// Computes what restores the state at the restart position, starting from the present state of the machine.
+  /// Returns what must be done to restore the state at the restart position, starting from the present state of the machine.
   ///   returns  the sheet of the program's own channel, then one sheet per channel of RestartPoint::beside, in the same order
   tl::expected<std::vector<PanelSheet>, std::string> sheets(const std::shared_ptr<const RestartPoint>& place, const WayRules& rules);
-  /// Moves the machine to the restart position and holds it before the block, as if the program had run up to there.
-  ///   left  keys of items that keep their present value: key_of(), for other channels preceded by the channel number: "2/tool:"
-  ///   ways  the paths to travel, one after the other: those of the sheets, or others that end at the same positions.
-  ///         A channel without a path must already be at its position
+  /// Moves the machine to the restart position and holds the program before the block there, as if the program had run up to it.
+  ///   left  keys, by key_of(), of the items that keep their present value; a key of another channel begins with its number: "2/tool:"
+  ///   ways  the paths to travel, one after the other: those of the sheets, or others that end at the same positions. A channel without a
+  ///         path must already be at its position
   Answer go_there(std::shared_ptr<const RestartPoint> place, const std::set<std::string>& left, std::vector<PanelPath> ways);
 
-  /// Sets an observer. The machine's thread calls it with each step that the control executes (program, entered lines, motion by hand),
-  /// in order and ahead of the machine. Set it before the first run().
+  /// Sets an observer. The machine's thread calls it with each step that the control executes (program, entered lines, motion by hand), in
+  /// order and ahead of the machine. Must be called before the first run().
   void watch(std::function<void(const Step&)> look) { looks_on_ = std::move(look); }
 
   PanelState state();
@@ -256,7 +260,7 @@ class PanelMachine {
   bool look_round();
   void execute_requests();
   void watch_run();
-  /// True if an emergency stop was requested and the machine's thread has not handled it yet.
+  /// True if an emergency stop was requested, and the machine's thread has not handled that request yet.
   bool must_stop() const { return lane_->clock.was_stopped() && kept_.mode != PanelMode::emergency; }
   void stand_still();
   Answer may_begin() const;
@@ -317,37 +321,37 @@ class PanelMachine {
   const PanelRecorder keeper_;
   std::function<void(const Step&)> looks_on_;
   std::unique_ptr<PanelSearch> search_;
-  std::vector<std::unique_ptr<ChannelAxes>> lanes_;  // one lane per channel; the objects are never replaced
-  ChannelAxes* lane_ = nullptr;                      // the lane of the program's own channel, for the machine's thread only
+  std::vector<std::unique_ptr<ChannelAxes>> lanes_;  // one object per channel, never replaced
+  ChannelAxes* lane_ = nullptr;                      // the object of the program's own channel; only the machine's thread uses it
   std::size_t own_ = 0;
 
-  // the members below are used by the machine's thread only, except for stops_
-  std::atomic<bool> stops_{false};  // stops the session; any thread may set it
+  // The members below are used by the machine's thread only, except for stops_.
+  std::atomic<bool> stops_{false};  // if true, the session stops; any thread may set it
   std::optional<Axes> start_;       // machine coordinates at the start of the run: PanelStart::axes
   std::vector<Axes> stands_;        // the start of each channel: PanelStart::stands
   std::unique_ptr<Session> session_;
   std::unique_ptr<Stepping> stepping_;
   std::optional<Stretch> stretch_;
-  std::optional<Stepping::How> how_;  // how far the stretch started by run() goes; nullopt: as the single block switch says
+  std::optional<Stepping::How> how_;  // how far the run of motion goes; nullopt: the single block switch decides
   bool holds_ = false;                // a feed hold is active
-  bool resets_ = false;               // reset() was requested: to be done as soon as the axes are at rest
-  bool goes_on_ = false;              // the program has not ended: a block of one of its channels is held
+  bool resets_ = false;               // a reset was requested, and is due when the axes are at rest
+  bool goes_on_ = false;              // the program has not ended: one of its channels is held before a block
   Control* asks_ = nullptr;           // the control whose program waits for an answer to its question
   std::vector<Before> before_;
   std::optional<PanelApproach> going_;
-  // number of blocks in lines of the operator; number of blocks executed before the current line
+  // Numbers of executed blocks: in all lines of the operator; before the line of the operator that is being executed.
   std::uint64_t entered_ = 0, entering_from_ = 0;
-  // edited tables: the search for the present location in a run with these tables; nullopt: no search
+  // While edited tables are applied: the search for the present location in a run with these tables; else nullopt.
   std::optional<PanelSearch::SearchRequest> retables_;
   std::optional<Setup> tables_before_;  // the tables before the line of the operator that is being executed
   PanelLocation saved_location_;
   bool has_moved_ = false;  // false: no motion has started since the machine was switched on
   std::map<std::string, double> variables_;
   std::map<std::string, std::uint32_t> set_by_;  // program line that set each variable last, by name of the variable
-  std::uint32_t last_line_ = 0;                  // line of the current block
+  std::uint32_t last_line_ = 0;                  // program line of the present block
   PanelState kept_;                              // the part of the state that changes only by requests: switches, stop points, message
 
-  // the members below are shared between threads and protected by this lock
+  // The members below are shared between threads. This lock protects them.
   std::mutex lock_;
   std::condition_variable wakes_;
   std::deque<Asked> asked_;

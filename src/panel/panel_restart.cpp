@@ -1,5 +1,5 @@
-// PanelMachine: continues in mid program: moves the machine to the place, then restores the control's memory as if the program had run.
-// Used by panel/panel_machine; tested by tests/panel/panel_restart_test.cpp.
+// PanelMachine: continues in mid-program. It moves the machine to the restart position, then restores the control's memory as if the
+// program had run up to there. Used by panel/panel_machine; tested by tests/panel/panel_restart_test.cpp.
 
 #include <fmt/core.h>
 
@@ -17,8 +17,8 @@ using Failed = tl::unexpected<std::string>;
 
 std::string no_room() { return translated(texts::panel::no_room_in_word); }
 
-constexpr double nowhere = -1e9;   // mm: a clearance so low that the path to the block does not rise
-constexpr double at_place = 1e-3;  // mm, degrees: tolerance, since the user has seen the path rounded to thousandths
+constexpr double nowhere = -1e9;   // mm: a clearance so low that the path to the block needs no rise
+constexpr double at_place = 1e-3;  // mm, degrees: tolerance, since the user has seen the path's end rounded to thousandths
 
 }  // namespace
 
@@ -29,7 +29,7 @@ PanelMachine::Answer PanelMachine::may_go_there() const {
   return {};
 }
 
-/// The sheet of a channel, from the present position of its axes.
+/// Returns the restart sheet of a channel, starting from the present position of its axes.
 tl::expected<PanelSheet, std::string> PanelMachine::sheet_of_channel(std::size_t channel, const Restart& restart, bool in_block,
                                                                      const WayRules& rules) const {
   Control& control = *session_->channels()[channel].control;
@@ -42,11 +42,11 @@ tl::expected<PanelSheet, std::string> PanelMachine::sheet_of_channel(std::size_t
 
 tl::expected<std::vector<PanelSheet>, std::string> PanelMachine::sheets(const std::shared_ptr<const RestartPoint>& place,
                                                                         const WayRules& rules) {
-  const auto sheets = std::make_shared<std::vector<PanelSheet>>();  // shared: the request may time out before the function runs
+  const auto sheets = std::make_shared<std::vector<PanelSheet>>();  // shared with the request, which may run after this call has timed out
   const Answer answer = ask([sheets, this, place, rules]() -> Answer {
     if (const Answer may = may_go_there(); !may) return may;
     WayRules of_others = rules;
-    of_others.clearance = nowhere;  // the clearance is in work coordinates of the own channel, so it cannot be used for the others
+    of_others.clearance = nowhere;  // the clearance is a work coordinate of the own channel, and means nothing in the others
     auto own = sheet_of_channel(own_, place->restart, place->in_block, rules);
     if (!own) return Failed(own.error());
     sheets->push_back(std::move(*own));
@@ -61,8 +61,8 @@ tl::expected<std::vector<PanelSheet>, std::string> PanelMachine::sheets(const st
   return std::move(*sheets);
 }
 
-/// Checks a path against the limits of the axes.
-///   returns  its end, or an error sentence
+/// Checks a path against the travel limits of the axes.
+///   returns  the end of the path, or an error sentence
 tl::expected<Axes, std::string> PanelMachine::end_of(const PanelPath& way) const {
   const ChannelAxes& lane = *lanes_[way.channel];
   Axes at = lane.clock.sample().machine;
@@ -97,7 +97,8 @@ PanelMachine::Answer PanelMachine::lead_to(const std::vector<PanelPath>& ways, c
   return leads;
 }
 
-/// Prepares the lines to be executed in a channel before and after the paths. Keys of other channels start with the channel number.
+/// Adds to `going` the lines to be executed in a channel before and after the paths.
+///   left  keys of the items that keep their present value; those of other channels begin with the channel number
 PanelMachine::Answer PanelMachine::prepare(PanelApproach& going, std::size_t channel, const Restart& restart, bool in_block,
                                            const std::set<std::string>& left) const {
   const auto sheet = sheet_of_channel(channel, restart, in_block, {});
@@ -169,7 +170,7 @@ void PanelMachine::match_paths(const PanelPath& way) {
   begin_by_hand(*lanes_[way.channel], motions);
 }
 
-/// Performs the next part of the move to the restart position. Called while the axes are at rest.
+/// Continues the move to the restart position with its next line or path. Called when the axes are at rest.
 PanelMachine::Answer PanelMachine::go_on_there() {
   PanelApproach& going = *going_;
   if (!going.before.empty()) {
@@ -205,18 +206,18 @@ void PanelMachine::execute(std::deque<PanelApproach::Line>& lines) {
   begin_line(line.text, line.channel);
 }
 
-/// The axes have arrived: from here on the state is as if the program had run.
+/// Called when the axes have arrived: sets the state as if the program had run up to the restart position.
 PanelMachine::Answer PanelMachine::arrive(const RestartPoint& place) {
   lane_->clock.stand_at(place.restart.stand.machine);
   for (const OtherChannelState& channel : place.beside) lanes_[channel.channel]->clock.stand_at(channel.restart.stand.machine);
   return resume_from(place);
 }
 
-/// Restores the state of a control that has run to the restart position.
+/// Restores the state that the control has after a run up to the restart position.
 PanelMachine::Answer PanelMachine::resume_from(const RestartPoint& place) {
   if (const Status restored = stepping_->restore(place.memory); !restored) return Failed(translated(texts::panel::called_file_changed));
   obey_switches();
-  before_.clear();  // undo() cannot restore a state before the restart
+  before_.clear();  // undo() cannot restore a state from before the restart
   entered_ = 0;
   last_line_ = place.restart.at.line;
   note_variables(0);
@@ -229,7 +230,7 @@ PanelMachine::Answer PanelMachine::resume_from(const RestartPoint& place) {
   return {};
 }
 
-/// Restores another channel to its state at the restart position: it waits for other channels, or continues with them.
+/// Restores another channel to its state at the restart position, in which it waits for other channels or continues with them.
 void PanelMachine::set_other_channel(const OtherChannelState& channel) {
   ChannelAxes& lane = *lanes_[channel.channel];
   lane.start_over();
@@ -239,12 +240,12 @@ void PanelMachine::set_other_channel(const OtherChannelState& channel) {
   lane.on.modes = std::make_shared<PanelModes>(PanelModes{channel.restart.in_force, channel.calls});
   lane.has_ended = channel.is_over;
   if (!channel.waits) return;
-  begin_leg(channel.channel);  // a leg without a motion
+  begin_leg(channel.channel);  // this leg contains no motion
   session_->together().waits(channel.channel, *channel.waits);
   lane.go_on();
 }
 
-/// True if the other channels have executed as many blocks as at the restart position, and those that wait are at the same axis positions.
+/// True if each other channel has executed as many blocks as at the restart position, and those that wait have the same axis positions.
 bool PanelMachine::stand_as_in(const RestartPoint& place) const {
   for (const OtherChannelState& channel : place.beside) {
     const ChannelAxes& lane = *lanes_[channel.channel];

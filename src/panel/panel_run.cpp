@@ -1,4 +1,5 @@
-// PanelMachine: runs a stretch: turns the session's steps into motion in the servo clock's time. Used by panel/panel_machine.
+// PanelMachine: executes a run of motion, in which the session's steps become motion in the servo clock's time. Used by
+// panel/panel_machine.
 
 #include <algorithm>
 #include <cmath>
@@ -14,7 +15,7 @@ namespace {
 
 using Failed = tl::unexpected<std::string>;
 
-constexpr double nearly_there = 1e-6;  // mm, degrees: a shorter distance counts as none
+constexpr double nearly_there = 1e-6;  // mm, degrees: a position that is nearer than this counts as reached
 constexpr double farthest = 1e5;       // mm, degrees: longest single motion by hand
 
 }  // namespace
@@ -54,17 +55,17 @@ void PanelMachine::look(ChannelAxes& lane, Control& control, const Step& step) {
   pending.feed = motion->kind == MotionKind::rapid || motion->kind == MotionKind::home ? 0 : step.time.feed;
 }
 
-/// Starts a leg (motion up to the next stop) of a channel. Its planner starts at the position where the axes will be at rest.
+/// Starts a leg (motion up to the next stop) of a channel. The planner of the leg starts at the position where the axes will be at rest.
 void PanelMachine::begin_leg(std::size_t channel) {
   ChannelAxes& lane = *lanes_[channel];
   Control& control = *session_->channels()[channel].control;
-  // also replaces the function that used the old planner
+  // This function also replaces the one that used the planner of the previous leg.
   session_->outlets(channel).step = [this, &lane, &control](const Step& step) { look(lane, control, step); };
   lane.plan(session_->plan(channel), kept_.shares.dry_feed);
   session_->change_outlets();
 }
 
-/// Handles waiting codes: legs of motion end there, and new ones start.
+/// Sets the functions that handle waiting codes: a leg ends at a waiting code, and a new leg starts when all channels have arrived there.
 void PanelMachine::watch_channels() {
   if (is_alone()) return;
   ChannelOutlets& together = session_->together();
@@ -93,7 +94,8 @@ void PanelMachine::watch_channels() {
       };
 }
 
-/// Starts a stretch of motion. `channel`: the channel of an entered line.
+/// Begins a run of motion.
+///   channel  index of the channel of an entered line
 void PanelMachine::begin(Stretch::Of of, std::size_t channel) {
   Stretch& stretch = stretch_.emplace();
   stretch.of = of, stretch.channel = channel;
@@ -107,14 +109,14 @@ void PanelMachine::begin(Stretch::Of of, std::size_t channel) {
   play();
 }
 
-/// Starts the stretch. Its motion is computed in the next look_round(), so that the caller gets an answer at once, even if the program
-/// calculates for long before it moves.
+/// Starts the run of motion. Its motion is computed in the next look_round(), so that the caller gets an answer at once, even if the
+/// program calculates for a long time before the first motion.
 void PanelMachine::play() {
   kept_.mode = PanelMode::running;
   apply_overrides();
 }
 
-/// Starts a line of the operator.
+/// Begins the execution of a line of the operator.
 void PanelMachine::begin_line(const std::string& line, std::size_t channel) {
   note_variables(last_line_);
   entering_from_ = session_->channels()[channel].control->blocks();
@@ -129,7 +131,7 @@ void PanelMachine::begin_line(const std::string& line, std::size_t channel) {
   begin(Stretch::Of::line, channel);
 }
 
-/// Ends a line of the operator: the channel is held again before the same block.
+/// Completes a line of the operator: the channel is held again before the block at which it was held before that line.
 void PanelMachine::end_line() {
   const std::size_t channel = stretch_->channel;
   ChannelAxes& lane = *lanes_[channel];
@@ -173,7 +175,7 @@ PanelMachine::Answer PanelMachine::move_by_hand(std::size_t channel, const std::
   return {};
 }
 
-/// Returns the position without a programmed frame, for motion along the machine's axes.
+/// Returns the position without programmed frames and rotations, for motion along the machine's axes.
 ToolPosition PanelMachine::standing_plainly(std::size_t channel) const {
   ToolPosition stand = session_->stand(channel);
   stand.turn.reset(), stand.space.reset();
@@ -207,14 +209,14 @@ void PanelMachine::begin_by_hand(ChannelAxes& lane, const std::vector<Motion>& m
   play();
 }
 
-/// Runs the session until enough motion is planned for every channel's clock.
+/// Executes the program in the session until enough motion is planned for every channel's clock.
 void PanelMachine::provide() {
   const auto any = [this](bool (ChannelAxes::*is)() const) {
     return std::any_of(lanes_.begin(), lanes_.end(), [is](const auto& lane) { return ((*lane).*is)(); });
   };
   const auto must_go_on = [&] {
     return any(&ChannelAxes::wants_more) || !any(&ChannelAxes::is_planned);
-  };  // else the lane waits or has ended: the session runs on
+  };  // if no leg is being planned, all channels wait or have ended: the session runs on
   while (!stretch_->planned_all && must_go_on() && !any(&ChannelAxes::is_full)) go_on();
   for (const auto& lane : lanes_) lane->go_on();
 }
@@ -230,7 +232,7 @@ bool PanelMachine::is_over() const {
   return stretch_->planned_all && std::all_of(lanes_.begin(), lanes_.end(), [](const auto& lane) { return lane->is_over(); });
 }
 
-/// The axes have stopped at the end of the stretch.
+/// Completes a run of motion, at whose end the axes have stopped.
 void PanelMachine::end_run() {
   for (const auto& lane : lanes_) lane->settle();
   const Stretch::Of of = stretch_->of;
@@ -246,10 +248,10 @@ void PanelMachine::end_run() {
       for (std::size_t a = 0; a < lanes_[i]->axes.size() && a < max_axes; ++a) is = is && std::fabs(there[a] - at[a]) < nearly_there;
       return is;
     };
-    const Axes& aim = lanes_[i]->pending.machine;  // end position of a motion by hand, which has one lane
+    const Axes& aim = lanes_[i]->pending.machine;  // end position of a motion by hand, for which one channel moves
     const Control& control = *session_->channels()[i].control;
     if (of == Stretch::Of::hand && !control.meeting() && !control.in_block()) session_->stand_at(i, is_at(aim) ? aim : at);
-    // removes rounding errors of the planner from the position
+    // If the axes are at the session's position except for the planner's rounding errors, they get exactly that position.
     if (const Axes stand = session_->stand(i).machine; is_at(stand)) clock.stand_at(stand);
   }
   if (of != Stretch::Of::hand) show_what_is_in_force();
@@ -267,8 +269,8 @@ void PanelMachine::end_run() {
   else if (kept_.mode == PanelMode::standing) tell("stopped", kept_.why, stepping_->line().number);
 }
 
-/// Updates the displayed modes: blocks after the last motion may have changed them. Also updates the work zero, unless a motion of a
-/// compensated contour is kept back.
+/// Updates the displayed modes, which blocks after the last motion may have changed. Also updates the work zero, unless a motion of a
+/// compensated contour is not executed yet.
 void PanelMachine::show_what_is_in_force() {
   const bool in_contour = is_in_contour();
   for (std::size_t i = 0; i < lanes_.size(); ++i) {
@@ -281,7 +283,7 @@ void PanelMachine::show_what_is_in_force() {
   }
 }
 
-/// Drops the stretch; the axes stay where they are.
+/// Drops the run of motion. The axes stay where they are.
 void PanelMachine::drop_run() {
   for (const auto& lane : lanes_) lane->drop();
   stretch_.reset();

@@ -1,4 +1,4 @@
-// PanelSearch: finds places in a machine's program. Used by panel/panel_machine; tested by tests/panel/panel_restart_test.cpp.
+// PanelSearch: finds restart positions in a machine's program. Used by panel/panel_machine; tested by tests/panel/panel_restart_test.cpp.
 
 #include "panel/panel_search.h"
 
@@ -27,7 +27,7 @@ void PanelSearch::begin(const PanelStart& start) {
   {
     const std::lock_guard hold(lock_);
     to_begin_ = start;
-    stops_ = true;  // stops the search in progress
+    stops_ = true;  // interrupts the search that is in progress
     answer_.reset();
   }
   wakes_.notify_all();
@@ -76,7 +76,7 @@ void PanelSearch::forget() {
   run_ = {};
 }
 
-/// Opens a session as the machine does, without observers.
+/// Opens a session with the same start position and switches as the machine's session, but without observers.
 std::unique_ptr<Session> PanelSearch::open() {
   auto opened = opens_(start_.axes, StopToken(stops_));
   if (!opened) {
@@ -100,7 +100,7 @@ std::unique_ptr<Session> PanelSearch::open() {
   return session;
 }
 
-/// Ends another channel when the own channel ends; otherwise an endless program there would keep the search from ending.
+/// Lets another channel end when the own channel has ended; otherwise an endless program in that channel would keep the search from ending.
 void PanelSearch::end_with_own(Control& other) {
   other.holds_before = [this](const Origin&) { return own_is_over_; };
 }
@@ -114,7 +114,7 @@ void PanelSearch::prepare(const PanelStart& start) {
   session->control().watch_calls();
   session->together().over = [this, own = session->own()](std::size_t channel) { own_is_over_ = own_is_over_ || channel == own; };
   auto checkpoints = std::make_unique<Checkpoints>(*session);
-  (void)checkpoints->run();  // runs until nothing can continue; the reason does not matter
+  (void)checkpoints->run();  // runs until nothing can continue, for whatever reason
   run_.stepping = std::make_unique<Stepping>(*session);
   run_.checkpoints = std::move(checkpoints);
   run_.session = std::move(session);
@@ -139,7 +139,7 @@ std::optional<BlockSearch> PanelSearch::search_by_control(const StopPoint& targe
   return search_block(*session, stepping, target);
 }
 
-/// Finds the block that the channel would start next, without executing it. The session cannot be continued after that.
+/// Finds the block that the channel would execute next, without executing that block. The session cannot be continued afterwards.
 void PanelSearch::find_next(OtherChannelState& channel) {
   Session& session = *run_.session;
   Control& control = *session.channels()[channel.channel].control;
@@ -178,14 +178,14 @@ std::vector<OtherChannelState> PanelSearch::beside() {
   return all;
 }
 
-/// Runs each channel from the beginning to the number of blocks requested for it.
+/// Opens a session in which each channel runs from its beginning until it has executed the number of blocks that the request states for it.
 void PanelSearch::run_each_channel(const SearchRequest& request) {
   run_.session = open();
   if (!run_.session) return;
   Session& session = *run_.session;
   session.control().watch_calls();
   run_.stepping = std::make_unique<Stepping>(session);
-  session.alone(session.own());  // the own channel runs first
+  session.alone(session.own());  // the own channel starts before the others
   (void)run_.stepping->go(Stepping::How::block);
   for (std::size_t i = 0; i < session.channels().size() && i < request.blocks.size(); ++i)
     if (i != session.own())

@@ -20,8 +20,8 @@
 
 namespace kadr {
 
-/// State of another channel when the program's own channel is at the restart position. The other channel is between two blocks, as far as
-/// its virtual time allows (session/channels).
+/// State of another channel when the program's own channel is at the restart position. As far as its virtual time allows
+/// (session/channels), the other channel is then between two blocks.
 struct OtherChannelState {
   std::size_t channel = 0;  // index of the channel
   int number = 1;
@@ -41,25 +41,26 @@ struct RestartPoint {
   AlarmReport::Line line;
   std::vector<AlarmReport::Call> calls;
   Placement placement;                    // position of the work coordinate system
-  Stepping::Memory memory;                // state of the run when its control has reached this position
+  Stepping::Memory memory;                // snapshot of the run when its control has reached this position
   bool in_block = false;                  // the position is over a drilled hole of a canned cycle
   std::optional<BlockSearch> by_control;  // result of the control's own block search; nullopt if it has none
-  std::vector<OtherChannelState> beside;  // state of the other channels
+  std::vector<OtherChannelState> beside;  // states of the other channels at that moment
 };
 
 class PanelSearch {
  public:
   struct SearchRequest {
     StopPoint target;
-    std::uint32_t hole = 0;   // number of a drilled hole of a canned cycle: the restart is over this hole; 0: before the block
-    bool by_control = false;  // also use the control's own block search, which needs another run through the whole program
-    // number of blocks that each channel has executed, by index; empty: the own channel's virtual time decides
+    std::uint32_t hole = 0;   // number of a drilled hole of a canned cycle over which to continue; 0: before the block
+    bool by_control = false;  // also execute the control's own block search, which needs one more run through the program
+    // Number of blocks that each channel must have executed, by index. Empty: the other channels are where the virtual time of the own
+    // channel puts them.
     std::vector<std::uint64_t> blocks{};
     friend bool operator==(const SearchRequest&, const SearchRequest&) = default;
   };
   struct Answer {
     bool ready = false;
-    std::shared_ptr<const RestartPoint> place{};  // nullptr although ready: no restart position matches the request
+    std::shared_ptr<const RestartPoint> place{};  // nullptr although `ready` is true: no restart position matches the request
     std::string error{};                          // why there is no restart position
   };
 
@@ -68,13 +69,13 @@ class PanelSearch {
   PanelSearch(const PanelSearch&) = delete;  // the search thread uses this object
   PanelSearch& operator=(const PanelSearch&) = delete;
 
-  /// Starts searching in a new run, with this start position and these switches.
+  /// Discards all results, and starts searching in a run with this start position and these switches.
   void begin(const PanelStart& start);
-  /// Returns immediately with what is known now. A request that differs from the previous one starts a new search.
+  /// Returns at once what is known about the request so far. A request that differs from the previous one starts a new search.
   Answer find(const SearchRequest& request);
 
  private:
-  /// All data that belong to one run.
+  /// The session that the search uses, and the data that refer to it.
   struct Run {
     std::unique_ptr<Session> session;
     std::unique_ptr<Checkpoints> checkpoints;
@@ -97,10 +98,10 @@ class PanelSearch {
   std::unique_ptr<Session> open();
 
   const SessionOpener opens_;
-  // the members below are used by the search thread only
+  // The members below are used by the search thread only.
   Run run_;
   PanelStart start_;
-  bool own_is_over_ = false;  // on a machine with several channels: the program of the own channel has ended
+  bool own_is_over_ = false;  // on a machine with several channels: the own channel's program has ended
   std::atomic<bool> stops_{false};
 
   std::mutex lock_;
@@ -110,7 +111,7 @@ class PanelSearch {
   std::optional<SearchRequest> request_;
   Lang lang_{};
   bool searching_ = false;
-  std::optional<Answer> answer_;  // the answer to wish_; nullopt: not found yet
+  std::optional<Answer> answer_;  // the answer to request_; nullopt: not found yet
   Thread thread_;
 };
 

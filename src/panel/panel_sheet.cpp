@@ -1,4 +1,4 @@
-// PanelSheet: the sheet of a restart. Used by panel/panel_machine; tested by tests/panel/panel_restart_test.cpp.
+// PanelSheet: the list that an operator checks before a restart. Used by panel/panel_machine; tested by tests/panel/panel_restart_test.cpp.
 
 #include "panel/panel_sheet.h"
 
@@ -39,14 +39,15 @@ PanelSheet::By by_what(const InForce& one, const ControlDef& def) {
   return is_done_by_machine(one, def) ? PanelSheet::By::line : PanelSheet::By::memory;
 }
 
-/// Returns blocks that set exactly these items; none if no block can set one of them.
+/// Returns the blocks that set exactly these items; no blocks if one of the items cannot be set by any block.
 Result<std::vector<std::string>> lines_of(const std::vector<InForce>& things, const ControlDef& def) {
   auto blocks = restart_blocks(def, things, things, {});
   if (!blocks) return fail(blocks.error());
   return std::move(blocks->blocks);
 }
 
-/// True if a line can set the item again after the restart, since the item affects neither how the tool moves nor where its path is.
+/// True if the operator may keep the item's present value, because a line can set it after the restart: it affects neither how the tool
+/// moves nor where its path is.
 bool may_be_left(const PanelSheet::Row& row, const ControlDef& def) {
   if (!row.wanted || !row.now) return false;
   switch (row.now->kind) {
@@ -98,7 +99,7 @@ Result<std::vector<std::string>> lines_before(const PanelSheet& sheet, const std
   });
   std::vector<InForce> things;
   for (const PanelSheet::Row& row : sheet.rows) {
-    // the tool change may have stopped the spindle or the coolant
+    // a tool change may stop spindle or coolant, which must then start again
     const bool again = changes_tool && row.wanted && is_done_by_machine(*row.wanted, def);
     if ((row.by == PanelSheet::By::line || again) && !is_left(row)) things.push_back(*row.wanted);
   }

@@ -17,24 +17,24 @@ namespace kadr {
 
 /// The state of the axes at one instant of the servo clock.
 struct ServoSample {
-  std::uint64_t instant = 0;  // number of instants so far, counted while motion is played
+  std::uint64_t instant = 0;  // number of instants so far at which motion was played
   Axes machine{};             // mm, degrees
-  std::uint64_t tag = 0;      // Spent::of(tag): the program line of this position
+  std::uint64_t tag = 0;      // tag of the plan at this position; Spent::of() returns its program line
   std::uint64_t motion = 0;   // Playback::motion()
   double share = 1;           // share of the planned speed that is reached
-  double played = 0;          // time of the plan that has been played, s
-  double speed = 0;           // speed of X, Y, Z combined, mm/min
-  bool plays = false;         // more motion is to be played
+  double played = 0;          // how much of the plan has been played, s
+  double speed = 0;           // path speed of X, Y and Z together, mm/min
+  bool plays = false;         // there is more motion to play
   bool held = false;          // an override of 0 has stopped the axes
-  double late = 0;            // the longest delay of an instant so far, s
+  double late = 0;            // the greatest delay of an instant so far, s
 };
 
 class ServoClock {
  public:
-  /// `rate`: instants per second, Hz. `stand`: machine coordinates of the axes at the start.
+  /// `rate`: number of instants per second. `stand`: machine coordinates of the axes at the start.
   ServoClock(double rate, const Axes& stand, const AxisRoles& roles);
   ~ServoClock();
-  ServoClock(const ServoClock&) = delete;  // the clock's thread uses this object
+  ServoClock(const ServoClock&) = delete;  // not copied: the clock's thread refers to this object
   ServoClock& operator=(const ServoClock&) = delete;
 
   /// Plays this motion from the next instant on; nullptr: the axes stay where they are. When the function returns, the previous playback
@@ -59,12 +59,12 @@ class ServoClock {
   std::atomic<Playback*> playback_{nullptr};
   std::atomic<bool> stopped_{false}, ends_{false};
   std::mutex idle_lock_;
-  std::condition_variable wakes_;  // notified when there is something to play
-  std::condition_variable idles_;  // notified when the thread is waiting
+  std::condition_variable wakes_;  // notified when motion is to be played
+  std::condition_variable idles_;  // notified when the clock's thread waits
   bool idle_ = false;
-  ServoSample now_;  // written by the clock's thread; other threads may write it only while the clock's thread waits
+  ServoSample now_;  // the present sample; other threads may write it only while the clock's thread waits
 
-  // protects the published sample; while motion is played, the clock's thread never waits for this lock
+  // Protects the published sample. The clock's thread never waits for this lock while motion is played.
   mutable std::mutex shown_lock_;
   ServoSample shown_;
   Thread thread_;

@@ -20,8 +20,8 @@ using SessionOpener =
 
 /// The start position and the switches of a run.
 struct PanelStart {
-  std::optional<Axes> axes;    // machine coordinates of the axes; nullopt: the set-up states them
-  std::vector<Axes> stands{};  // start of each channel, by index (the program's own channel uses `axes`); empty: the set-up states them
+  std::optional<Axes> axes;    // machine coordinates at the start; nullopt: they are in the set-up
+  std::vector<Axes> stands{};  // starts of the channels, by index; the own channel uses `axes`; empty: they are in the set-up
   std::set<int> skip;
   bool optional_stop = false;
   friend bool operator==(const PanelStart&, const PanelStart&) = default;

@@ -12,7 +12,7 @@ namespace {
 namespace beast = boost::beast;
 namespace websocket = beast::websocket;
 
-constexpr std::size_t max_unsent = std::size_t{8} << 20;           // bytes waiting to be sent to the page
+constexpr std::size_t max_unsent = std::size_t{8} << 20;           // limit of the data that wait to be sent to the page, bytes
 constexpr std::size_t max_questions = 256;                         // number of requests that wait for their answers
 constexpr std::size_t max_question_bytes = std::size_t{48} << 20;  // total length of the waiting requests, bytes
 
@@ -32,7 +32,7 @@ void Connection::accept(const PageRequest& request) {
                                                        ignored);
   socket_.set_option(websocket::stream_base::timeout::suggested(beast::role_type::server));
   socket_.read_message_max(PageSession::max_message);
-  socket_.auto_fragment(false);  // else a long frame would be sent in pieces of 4 KiB
+  socket_.auto_fragment(false);  // otherwise a long frame would be sent in pieces of 4 KiB
   socket_.async_accept(request, [self = shared_from_this()](beast::error_code error) {
     if (error) return self->lost();
     if (!begin_alone([self] { self->answer_all(); })) return self->close(websocket::close_code::try_again_later);
@@ -47,7 +47,7 @@ void Connection::read() {
   });
 }
 
-/// Reads a message. A request to stop takes effect at once, also on the requests that wait before it.
+/// Reads a message from the page. A request to stop takes effect at once, also for the requests that arrived earlier and are still waiting.
 void Connection::take_message() {
   std::string text = beast::buffers_to_string(buffer_.data());
   buffer_.consume(buffer_.size());
@@ -69,8 +69,8 @@ void Connection::take_message() {
   read();
 }
 
-/// Runs in the session's thread. The session is destroyed in this thread too: freeing its memory takes time, and the network's thread
-/// must not wait for it.
+/// The main function of the session's thread. This thread also destroys the session: freeing its memory takes time, and the network's
+/// thread must not wait for that.
 void Connection::answer_all() {
   while (answer_next()) {
   }
@@ -83,7 +83,7 @@ void Connection::answer_all() {
   ::malloc_trim(0);
 }
 
-/// Answers the next request. Returns false if it was the last one.
+/// Answers the next request. Returns false if no more requests are to be answered.
 bool Connection::answer_next() {
   Question question;
   {
@@ -99,7 +99,7 @@ bool Connection::answer_next() {
   bool goes_on = false;
   try {
     goes_on = session_->take(question.text);
-  } catch (const std::exception&) {  // if memory runs out, only this page's session ends
+  } catch (const std::exception&) {  // out of memory: only the session of this page ends
   }
   if (!goes_on) boost::asio::post(socket_.get_executor(), [self = shared_from_this()] { self->close_when_sent(); });
   return goes_on;
@@ -123,7 +123,7 @@ void Connection::write_next() {
   {
     const std::lock_guard hold(lock_);
     if (over_ || out_.empty()) return;
-    out = &out_.front();  // the element's address remains valid until it is sent
+    out = &out_.front();  // the address of the element stays valid until the message is sent
   }
   socket_.binary(out->binary);
   socket_.async_write(boost::asio::buffer(out->bytes), [self = shared_from_this()](beast::error_code error, std::size_t) {

@@ -20,13 +20,13 @@ using PageRequest = boost::beast::http::request<boost::beast::http::string_body>
 
 class Connection : public PageLine, public std::enable_shared_from_this<Connection> {
  public:
-  /// `sessions`: counter of the open sessions, decremented when this session ends. The arguments must outlive this object.
+  /// `sessions`: counter of the open sessions, which is decremented when this session ends. `page` must outlive this object.
   Connection(boost::beast::tcp_stream stream, const PageServer& page, std::shared_ptr<std::atomic<int>> sessions);
   ~Connection() override;
 
   void accept(const PageRequest& request);
 
-  // ---- the functions called by the thread that answers
+  // ---- these functions are called by the thread that answers requests
   bool text(std::string message) override { return send({std::move(message), false}); }
   bool frame(std::string bytes) override { return send({std::move(bytes), true}); }
 
@@ -59,7 +59,7 @@ class Connection : public PageLine, public std::enable_shared_from_this<Connecti
   std::size_t question_bytes_ = 0;
   std::deque<Outgoing> out_;  // messages to be sent; the first one is being written
   std::size_t unsent_ = 0;    // bytes in out_
-  // a stop was requested: the current answer must end at once, without waiting until the page has received earlier output
+  // A stop was requested: the present answer must end at once, without waiting until the page has received the output before it.
   bool hurries_ = false;
   bool ends_ = false;  // the connection is to be closed when out_ is empty
   bool over_ = false;

@@ -15,11 +15,12 @@ struct ServedAddress {
   bool is_open() const { return host != "127.0.0.1" && host != "::1" && host != "localhost"; }
 };
 
-/// Checks the host, with its port, that a request names. If the server listens on all addresses, any numeric address is accepted, but of
-/// names only localhost.
+/// Checks the host and port that a request names. If the server listens on all addresses, every numeric address is accepted; of the host
+/// names, only localhost is.
 bool is_own_host(const ServedAddress& address, std::string_view host);
 
-/// Checks the origin that a request names. An empty origin is accepted: the request does not come from a page.
+/// Checks the origin that a request states, the address of the page that sends it. An empty origin is accepted: a program sends the
+/// request.
 bool is_own_origin(std::string_view origin, std::string_view host);
 
 /// Returns 128 random bits from the system's generator, in hexadecimal.

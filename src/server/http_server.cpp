@@ -20,9 +20,9 @@ namespace http = beast::http;
 using tcp = asio::ip::tcp;
 using Response = http::response<http::string_body>;
 
-constexpr std::uint32_t max_header = 16 << 10, most_body = 1 << 10;  // bytes
+constexpr std::uint32_t max_header = 16 << 10, most_body = 1 << 10;  // greatest size of a request's header and of its body, bytes
 constexpr auto until_asked = std::chrono::seconds(10), until_taken = std::chrono::seconds(60);
-constexpr int max_requests = 512;  // maximum number of connections that are open and not yet sessions
+constexpr int max_requests = 512;  // greatest number of open connections that have no session yet
 
 constexpr const char* policy =
     "default-src 'none'; script-src 'self'; worker-src 'self'; style-src 'self' 'unsafe-inline'; img-src 'self' blob:; connect-src 'self'; "
@@ -160,7 +160,7 @@ void HttpServer::Inside::accept() {
     if (!error && self->requests < max_requests)
       std::make_shared<Request>(std::move(socket), Request::Shared{self->address, self->page, self->sessions, self->requests})->read();
     if (!error) return self->accept();
-    self->rest.expires_after(std::chrono::milliseconds(50));  // no file descriptors left: retries a little later
+    self->rest.expires_after(std::chrono::milliseconds(50));  // no file descriptors are left: accepts again a little later
     self->rest.async_wait([self](beast::error_code stopped) {
       if (!stopped) self->accept();
     });
@@ -192,7 +192,7 @@ void HttpServer::run() {
     try {
       inside_->network.run();
       over = true;
-    } catch (const std::bad_alloc&) {  // out of memory for one connection, which has ended
+    } catch (const std::bad_alloc&) {  // out of memory for one connection, which has ended by this exception
     }
   }
 }

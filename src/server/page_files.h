@@ -7,8 +7,8 @@
 
 namespace kadr {
 
-/// The embedded files; their names are relative to the page's folder: "index.html". Empty if the program was built without npm, and so
-/// without the page.
+/// Returns the embedded files. Their names are relative to the page's folder: "index.html". Empty if npm was missing when the program was
+/// built, since the program then has no page.
 std::span<const EmbeddedFile> page_files();
 
 /// Returns the content type for a file name, by its ending.

@@ -51,8 +51,8 @@ Session::State Instants::run(const StopToken& stop) {
   return state;
 }
 
-/// Returns the tool radius from the offset tables at that time. If the program states a radius without an offset, the radius of the
-/// compensated motions counts.
+/// Returns the tool radius from the offset tables at that time. If the program states a radius without an offset number, returns the radius
+/// by which the block's motions are compensated. Returns nullopt if no offset is in force.
 std::optional<double> Instants::radius_in_force(const std::vector<InForce>& all) const {
   const auto number = std::find_if(all.begin(), all.end(), [](const InForce& one) { return one.kind == InForce::Kind::offset; });
   if (number != all.end() && number->value > 0) {
@@ -63,7 +63,7 @@ std::optional<double> Instants::radius_in_force(const std::vector<InForce>& all)
   return compensated_by_ > 0 ? std::optional(compensated_by_) : std::nullopt;
 }
 
-/// Runs the session up to the block with that number, then to the end of that block.
+/// Runs the session up to the block with that number, then to the end of that block, and stores what is in force at both moments.
 Status Instants::reach(std::uint32_t number, InstantState& state, const StopToken& stop) {
   const auto& all = run_.checkpoints();
   auto from = std::partition_point(all.begin(), all.end(), [&](const RunCheckpoint& c) { return c.blocks <= number; });

@@ -15,13 +15,13 @@ struct InstantState {
   double at = 0;
   PathVertex vertex;   // the vertex of the path to which the tool is moving
   Vec3 place;          // position of the tool tip in the coordinates of the picture
-  bool moves = false;  // false: the path has ended, or the program has none
+  bool moves = false;  // false: the path has ended, or the program has no motion
   AlarmReport::Line line;
   Origin origin;
   std::uint32_t pass = 0;
   std::vector<AlarmReport::Call> calls;
   std::vector<InForce> before, after;  // modes, tool and offsets in force before and after the block
-  std::optional<double> radius;        // tool radius by the offset in force after the block, mm; nullopt: no offset is in force
+  std::optional<double> radius;        // tool radius by the offset in force after the block, mm; nullopt: none is in force
 };
 
 class Instants {
@@ -31,10 +31,10 @@ class Instants {
 
   /// Returns the state at an instant, or an error sentence. For a program of several channels the state contains the path only.
   tl::expected<InstantState, std::string> at(double instant, const StopToken& stop);
-  /// Returns the state at the end of the block with this Origin::number; if the run has no such block, of the nearest one before it.
+  /// Returns the state at the end of the block with this Origin::number. If the run has no such block, uses the nearest block before it.
   tl::expected<InstantState, std::string> after(std::uint32_t number, const StopToken& stop);
-  /// One execution of a line with a motion: the instants of its start and end, s, and its block number. At most `most` executions are
-  /// returned.
+  /// One execution of a program line that moves: its start and end, s, and the number of its block. passes() returns at most `most`
+  /// executions; `count` is their number in the whole run.
   struct Pass {
     double from, to;
     std::uint32_t number;
@@ -50,9 +50,9 @@ class Instants {
 
   const ProgramRun& run_;
   std::unique_ptr<Session> session_;  // created at the first query
-  std::uint32_t limit_ = 0;           // the session is to be held before the block with this number
+  std::uint32_t limit_ = 0;           // the session holds before the block with this number
   Origin held_;                       // the block before which the session is held
-  double compensated_by_ = 0;         // compensation radius during the block's motions, mm
+  double compensated_by_ = 0;         // radius by which the block's motions are compensated, mm
 };
 
 }  // namespace kadr

@@ -8,7 +8,7 @@
 namespace kadr {
 namespace {
 
-constexpr double unlimited = 1e299;  // ±1e300 in AxisProfile means no limit
+constexpr double unlimited = 1e299;  // AxisProfile has ±1e300 where an axis has no limit
 
 std::optional<double> limit(double value) { return value > -unlimited && value < unlimited ? std::optional(value) : std::nullopt; }
 

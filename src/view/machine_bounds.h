@@ -10,14 +10,14 @@
 
 namespace kadr {
 
-/// A box in machine coordinates X, Y, Z, mm; nullopt: the box has no limit on that side.
+/// A box in machine coordinates X, Y, Z, mm. nullopt: the box has no face on that side.
 struct SpaceBox {
   std::array<std::optional<double>, 3> least, most;
 };
 
 struct ForbiddenZone {
   int number = 2;      // number of the zone in the control (nct 22)
-  bool inside = true;  // true: the inside of the box is forbidden; false: the outside
+  bool inside = true;  // true: the tool must stay outside the box; false: inside
   SpaceBox box;
 };
 

@@ -9,7 +9,7 @@ namespace kadr {
 
 class MemoryBound {
  public:
-  /// `most`: bytes that the process may use.
+  /// `most`: the number of bytes that the process may use.
   explicit MemoryBound(std::size_t most) : most_(most) {}
   /// True if the process uses more than the limit. May be called often and from any thread: the system is queried once in 50 ms at most.
   bool is_full() const;

@@ -24,8 +24,8 @@ OpenedText text_of(const OpenedProgram& opened) {
 
 tl::unexpected<std::string> wrong(std::string text) { return tl::unexpected(std::move(text)); }
 
-/// Returns the control that the request names; else the one that the folder's .kadr.toml names; else the one that `kadr check` would
-/// guess, with `opened.guess` set.
+/// Returns the control that the request names; else the one that .kadr.toml in the program's folder names; else the one that `kadr check`
+/// would guess. A guess is stored in `opened.guess`.
 tl::expected<std::string, std::string> control_for(const OpeningRequest& request, OpenedProgram& opened) {
   std::string wrong_memory;
   RememberedControls remembered([&](const std::string& why) { wrong_memory = why; }, request.door);

@@ -22,7 +22,7 @@ struct OpeningRequest {
   std::optional<std::string> text;  // text of the program, UTF-8, used instead of the contents of the file
   std::string tables{};             // JSON in the form of a set-up, which overrides values of the set-up file; empty: none
   Lang lang = Lang::en;
-  const FileAccess* door = nullptr;  // opens all these files and the files that they name; outlives the run
+  const FileAccess* door = nullptr;  // opens these files, and the files that they name; outlives the run
 };
 
 struct OpenedProgram {
@@ -43,7 +43,7 @@ struct OpenedProgram {
   /// Returns the text of the program; on a tape with several programs, the text of program `number`.
   ///   returns  an error sentence
   tl::expected<Program, std::string> program() const;
-  /// Returns a program with the text `other`, opened in the same way.
+  /// Returns a program with the text `other`, but with everything else as in program().
   tl::expected<Program, std::string> program_of(const std::string& other) const;
   tl::expected<Program, std::string> program_of(OpenedText other) const;
   SessionSpec spec(Program program, const StopToken& stop) const;

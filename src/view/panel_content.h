@@ -1,5 +1,5 @@
 #pragma once
-// PanelContent: the data of a panel machine besides the machine itself, and the JSON form in which its events are saved.
+// PanelContent: what belongs to a panel machine besides the machine itself; and the JSON form in which its events are saved.
 
 #include <mutex>
 
@@ -12,7 +12,7 @@ namespace kadr {
 struct PanelContent {
   explicit PanelContent(OpenedProgram opened, OpeningRequest request) : program(std::move(opened), std::move(request)) {}
   PanelProgram program;
-  std::mutex edits;  // locked from the check of an edit to its answer, so that there is one edit at a time
+  std::mutex edits;  // locked from the check of an edit to its answer: one edit at a time
 };
 
 inline PanelContent& content_of(const PanelHub::HubMachine& place) { return *static_cast<PanelContent*>(place.content.get()); }

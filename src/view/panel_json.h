@@ -6,9 +6,9 @@
 
 namespace kadr {
 
-/// Returns the name of a mode in the protocol.
+/// Returns the name that a mode has in the protocol.
 const char* name_of(PanelMode mode);
-/// Converts the state, without the alarm and without the number of the page that has control.
+/// Converts the state to JSON. The alarm, and the number of the page that has control, are not part of the result.
 PageJson panel_json(const PanelState& state, const std::vector<std::string>& axes, Lang lang);
 
 }  // namespace kadr

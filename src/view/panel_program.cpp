@@ -13,7 +13,7 @@
 namespace kadr {
 namespace {
 
-constexpr std::size_t max_edited = 1 << 20;  // maximum size of the edits, bytes
+constexpr std::size_t max_edited = 1 << 20;  // greatest size of the edits as JSON, bytes
 
 /// Returns the set-up with `start` as the start position of the axes; its tables are unchanged.
 Setup standing_at(Setup setup, const std::vector<std::string>& axes, const Axes& start) {
@@ -29,8 +29,8 @@ PageJson part_of(const PageJson& rows, const std::string& name, const std::strin
   return row == rows.end() || !row->contains(part) ? PageJson(0) : (*row)[part];
 }
 
-/// Compares two versions of a table of numbers. Returns, for each changed row, the values that changed and those that differ from
-/// `stated`.
+/// Compares two versions of a table of numbers. Returns the changed rows; of each row, the values that have changed and the values that
+/// differ from `stated`, the version in the set-up file.
 PageJson changed_numbers(const PageJson& before, const PageJson& after, const PageJson& stated) {
   PageJson rows = PageJson::object(), all = before;
   all.merge_patch(after);
@@ -43,7 +43,7 @@ PageJson changed_numbers(const PageJson& before, const PageJson& after, const Pa
   return rows;
 }
 
-/// Compares two versions of a table. Returns the changed rows, complete; null for a row that no longer exists.
+/// Compares two versions of a table. Returns the changed rows as they are in `after`; null for a row that `after` does not have.
 PageJson changed_rows(const PageJson& before, const PageJson& after) {
   PageJson rows = PageJson::object();
   for (const auto& [name, row] : after.items())
@@ -53,7 +53,7 @@ PageJson changed_rows(const PageJson& before, const PageJson& after) {
   return rows;
 }
 
-/// Returns a change of tables as a JSON merge patch for a set-up that states `stated`.
+/// Returns the change of tables from `before` to `after` as a JSON merge patch for a set-up file that states `stated`.
 PageJson difference(const Setup& before, const Setup& after, const Setup& stated) {
   const PageJson then = tables_json(before), now = tables_json(after), said = tables_json(stated);
   const auto table_of = [](const PageJson& tables, const char* name) { return tables.value(name, PageJson::object()); };
@@ -111,7 +111,7 @@ bool PanelProgram::knows_axes() const {
 
 tl::expected<std::unique_ptr<Session>, std::string> PanelProgram::open(const std::optional<Axes>& start, const StopToken& stop) {
   if (start && !knows_axes())
-    if (auto first = open({}, stop); !first) return first;  // the first session provides the axis names
+    if (auto first = open({}, stop); !first) return first;  // this session provides the names of the axes
   auto text = program();
   if (!text) return tl::unexpected(text.error());
   SessionSpec spec = opened_.spec(std::move(*text), stop);

@@ -16,39 +16,39 @@ namespace kadr {
 
 class PanelProgram {
  public:
-  /// `wish`: the request that opened the program, with its tables.
+  /// `request`: the request that opened the program, with its tables.
   PanelProgram(OpenedProgram opened, OpeningRequest request);
 
   const OpenedProgram& opened() const { return opened_; }
   const std::string& setup_file() const { return request_.setup; }
 
   // All functions below may be called from any thread.
-  /// Sets the text that is run and searched from now on: the contents of the program file at the time when the program started.
+  /// Sets the text that is executed and searched from now on: the contents that the program file had when the program started.
   ///   bytes   contents of the file; nullptr: the file is too long or unreadable, and is read again each time
   ///   digest  identifies the contents of the file at that time; empty if it is unreadable
   void take_text(std::shared_ptr<const std::string> bytes, std::string digest);
   std::string digest() const;
-  /// Returns the text as UTF-8, with '
-  /// ' between lines.
+  /// Returns the text as UTF-8, with line feeds between lines.
   ///   returns  nullopt if the text is not stored in memory
   std::optional<std::string> text() const;
-  /// Opens a session: the function that PanelMachine needs as SessionOpener.
+  /// Opens a session. This is the function that PanelMachine needs as SessionOpener.
   tl::expected<std::unique_ptr<Session>, std::string> open(const std::optional<Axes>& start, const StopToken& stop);
 
   struct Tables {
     PageJson edited;          // the edits in the form of a set-up, which override the set-up file
     Setup setup;              // the set-up file with the edits applied
-    std::uint64_t after = 0;  // number of changes before these tables
+    std::uint64_t after = 0;  // number of changes of the tables up to this version
   };
-  /// Returns the tables after a change (JSON merge patch, RFC 7386: null removes an edit), checked like any set-up.
+  /// Returns the tables as they are after a change, checked like any set-up. The change is a JSON merge patch (RFC 7386), in which null
+  /// removes an edit.
   ///   returns  an error sentence
   tl::expected<Tables, std::string> changed(const PageJson& patch) const;
-  /// Checks that the program can be opened with these tables.
+  /// Checks that the program can be opened with these tables. The tables in use do not change.
   ///   returns  why the control refuses the tables; empty if it accepts them
   std::string refusal(const Tables& tables) const;
-  /// Replaces the tables. Returns false, without a change, if they have been changed since changed() was called.
+  /// Replaces the tables. Returns false, and replaces nothing, if the tables have changed since changed() was called.
   bool take(Tables tables);
-  /// Adds to the edits what a line of the operator has changed in the tables of the control.
+  /// Adds to the edits the changes that a line of the operator has made in the tables of the control.
   ///   returns  the change, or an error sentence if a set-up cannot contain it
   tl::expected<PageJson, std::string> take_by_hand(const Setup& before, const Setup& after);
   PageJson edited() const;

@@ -26,9 +26,9 @@ using Failed = tl::unexpected<std::string>;
 
 constexpr double bytes_per_mb = 1 << 20;
 constexpr double cells_seen = 200;       // cells along the longest side of the displayed stock, which gives some hundred thousand triangles
-constexpr double share_for_past = 0.25;  // share of the memory limit for the stock's past
+constexpr double share_for_past = 0.25;  // share of the memory limit for earlier states of the displayed stock
 constexpr double least_cell = 1e-3, max_cell = 1000;  // limits of the cell size, mm
-constexpr std::uint16_t of_no_tool = 65535;           // tool number in a frame for a surface that no tool has made
+constexpr std::uint16_t of_no_tool = 65535;           // tool number, in a frame, of surface that no tool has cut
 
 double longest_side(const Box3& box) {
   const Vec3 size = box.most - box.least;
@@ -46,8 +46,8 @@ tl::expected<std::shared_ptr<const Blank>, std::string> PartRun::body(const std:
   return named->body;
 }
 
-/// Chooses the cell sizes. The fine stock has the cells of `kadr cut`; the displayed stock is coarser, so that it can be computed for any
-/// instant within a second.
+/// Chooses the cell sizes. The fine stock has the same cells as in `kadr cut`. The displayed stock is coarser, so that its state at any
+/// instant can be computed within a second.
 tl::expected<void, std::string> PartRun::find_material(const PartRequest& request) {
   auto blank = body(request.stock);
   if (!blank) return Failed(blank.error());
@@ -103,7 +103,7 @@ tl::expected<std::unique_ptr<PartRun>, std::string> PartRun::make(const OpenedPr
 
 void PartRun::report_progress() {
   if (!progress_clock_.is_due()) return;
-  too_much_ = double(run_->cutting().bytes()) > max_bytes * 1.25;  // sweeps need memory in addition to the stock
+  too_much_ = double(run_->cutting().bytes()) > max_bytes * 1.25;  // the memory of the sweeps adds to that of the stock
   if (!on_progress) return;
   const Control& control = session_->settled_control();
   const double bytes = double(control.bytes());
@@ -149,7 +149,7 @@ PartThen PartRun::at(double instant) const {
   return then;
 }
 
-/// The points of the frame are relative to the machine's zero, like those of the path.
+/// Writes the points relative to the machine's zero, like the points of the path.
 std::string PartRun::frame_of(const PartThen& then) const {
   const Surface& s = then.surface;
   const Cutting& cutting = run_->cutting();

@@ -1,5 +1,5 @@
 #pragma once
-// PartRun: cuts a blank with a program, for the page: finds collisions, the remaining stock, and the part as it is at any instant
+// PartRun: cuts a blank with a program, for the page. It finds collisions, the remaining stock, and the state of the part at any instant
 // (docs/panel-protocol.md: cut, part).
 //
 //   PartRequest ─ PartRun::make() ─▶ its own session ─ CutRun ─▶ two stocks: a fine one as in `kadr cut`, for volumes and findings,
@@ -18,7 +18,7 @@
 
 namespace kadr {
 
-/// What to cut: solids as descriptions for body_of(), with files as paths in the file system.
+/// What is to be cut. Solids are descriptions for body_of(), in which files are paths in the file system.
 struct PartRequest {
   std::string stock;
   std::vector<std::string> fixtures;
@@ -38,9 +38,9 @@ struct PartThen {
 
 class PartRun {
  public:
-  static constexpr double max_bytes = 400e6;  // memory limit of the stocks with their past, bytes
+  static constexpr double max_bytes = 400e6;  // memory limit for both stocks, with the earlier states of the displayed one, bytes
 
-  ///   opened   must outlive this object
+  ///   opened   the program; must outlive this object
   ///   returns  an error sentence
   static tl::expected<std::unique_ptr<PartRun>, std::string> make(const OpenedProgram& opened, const PartRequest& request,
                                                                   const StopToken& stop);
@@ -50,7 +50,7 @@ class PartRun {
   std::function<void(const CutFinding&, const AlarmReport&)> on_finding;
 
   /// Runs the program to its end, or to an alarm.
-  ///   returns  an error sentence if it was stopped, memory ran out, or the shape of a tool is unknown
+  ///   returns  an error sentence if the run was stopped, memory ran out, or the shape of a tool is unknown
   tl::expected<void, std::string> execute();
 
   // ---- the results; call these after execute()
@@ -58,7 +58,7 @@ class PartRun {
   /// Number of alarms and warnings that the program itself has caused.
   std::size_t alarms() const { return run_->alarms(); }
   std::size_t warnings() const { return run_->warnings(); }
-  /// Sentences about repaired files, and about questionable input that was used unchanged.
+  /// Sentences about mesh files that were repaired, and about questionable input that was used unchanged.
   const std::vector<std::string>& notes() const { return notes_; }
   PartThen at(double instant) const;
   /// Converts the stock to a binary frame of kind 3.

@@ -11,15 +11,15 @@
 
 namespace kadr {
 
-// tolerance unit of the levels of detail, mm: level 0 omits no vertex, level 1 may deviate by twice this (docs/panel-protocol.md)
+// Unit of the levels of detail, mm. Level 0 omits no vertex; at level 1 the path may deviate by twice this (docs/panel-protocol.md).
 inline constexpr double finest_level = 0.001;
 
 enum class PathKind : std::uint8_t { jump, rapid, feed, arc_cw, arc_ccw, probe, home, thread, spline };
 
-/// A vertex of the path. The values describe the segment that ends there.
+/// A vertex of the path. All values describe the segment that ends at the vertex.
 struct PathVertex {
   std::array<float, 3> at{};  // position in the coordinates of the picture, mm
-  float time = 0;             // time at which the tool arrives, s after ViewPiece::begins
+  float time = 0;             // time at which the tool reaches the vertex, s after ViewPiece::begins
   std::uint32_t line = 0;
   std::uint32_t number = 0;  // number of the block: Origin::number
   float feed = 0;            // programmed feed, mm/min; 0 at rapid
@@ -44,13 +44,13 @@ struct ViewPiece {
   std::size_t joints() const { return vertices.empty() ? 0 : positions.size() / vertices.size(); }
 };
 
-/// Sets the level of each vertex. If all vertices below level L are omitted, the path deviates by at most 0.001 · 2^L mm. Vertices at
-/// which tool, kind of motion, feed or file change remain at every level.
+/// Sets the level of each vertex. A path without the vertices below level L deviates by at most 0.001 · 2^L mm. Vertices at which tool,
+/// kind of motion, feed or file change remain at every level.
 ///   law  the first and the last vertex remain at all levels
 void set_levels(ViewPiece& piece);
 
 /// Converts a piece to a binary frame of kind 1: the vertices.
-///   which  0: path of the program, 1: path of the program it is compared with; add 2 for the contour as programmed
+///   which  0: path of the program, 1: path of the program that it is compared with; plus 2 for the contour as programmed
 std::string path_frame(const ViewPiece& piece, std::uint32_t which, std::uint32_t channel);
 /// Converts a piece to a binary frame of kind 2: the tool directions.
 std::string directions_frame(const ViewPiece& piece, std::uint32_t which, std::uint32_t channel);

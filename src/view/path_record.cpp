@@ -7,8 +7,8 @@
 namespace kadr {
 namespace {
 
-constexpr double chord = 0.002;      // mm by which a chord may deviate from an arc
-constexpr double same_place = 1e-6;  // mm
+constexpr double chord = 0.002;      // mm by which a chord may deviate from the arc that it replaces
+constexpr double same_place = 1e-6;  // mm: points that are nearer count as the same
 constexpr double seconds_a_minute = 60;
 constexpr double shortest_dwell = 1e-3;  // s; shortest dwell that gets a vertex of its own
 
@@ -25,7 +25,8 @@ PathKind kind_of(MotionKind kind) {
   }
 }
 
-/// Returns the joints that turn the part: if the control guides the tool tip, the control's own joints, else those of the machine's file.
+/// Returns the joints that turn the part: the control's own joints if tool centre point control is active, else those of the machine's
+/// file.
 std::vector<PartJoint> joints_at(const Step& step, const MachineTree* tree) {
   const auto* const space = dynamic_cast<const FiveAxisTransform*>(step.from.space.get());
   if (space != nullptr && space->has_rotary()) return part_joints(space->data());

@@ -15,7 +15,7 @@ namespace kadr {
 namespace {
 
 constexpr std::size_t max_marks = 10'000;
-// number of checkpoints, of some 600 KB each with the batches that the control has executed ahead
+// Greatest number of checkpoints. With the batches that the control has executed ahead, each needs some 600 KB.
 constexpr std::size_t max_checkpoints = 48;
 constexpr double short_dwell = 0.05;  // s; a shorter dwell gets no mark on the time line
 
@@ -83,7 +83,7 @@ void ProgramRun::attach() {
     };
 }
 
-/// Observes the paths and alarms of the other channels. Nothing else of these channels is displayed.
+/// Observes the paths and the alarms of the other channels. The page displays nothing else of these channels.
 void ProgramRun::attach_others() {
   std::vector<Channel>& channels = session_->channels();
   others_.reserve(channels.size());
@@ -126,7 +126,7 @@ void ProgramRun::take(const Step& step, double longer) {
   seconds_ = step.begins + step.time.seconds + step.pause + later_;
 }
 
-/// Adds a step of the contour before compensation. Motions where no compensation is in force only update the position.
+/// Adds a step of the contour without compensation. A motion for which no compensation is in force only updates the position.
 void ProgramRun::follow_programmed(const Action& action) {
   programmed_->give(action, [this](const Step& step) {
     const Motion* const motion = step.motion();
@@ -142,7 +142,7 @@ void ProgramRun::emit_contour() {
   contour_.reset();
 }
 
-/// Reports the findings of a check after the run. They have no time.
+/// Reports the findings of the checks that are made after the run. These findings have no time.
 void ProgramRun::report_final_findings() {
   if (end_ == End::cancelled || !on_alarm) return;
   if (end_ == End::ended)
@@ -169,7 +169,7 @@ void ProgramRun::mark(const Step& step, double at) {
               ZoneChange, Couple, Uncouple, CompensationBreak, CompensationCorner, CompensationCheck>);
 }
 
-/// Adds a checkpoint. When there are too many, every second one is dropped.
+/// Adds a checkpoint. If there are too many then, every second one is dropped.
 void ProgramRun::keep_checkpoint() {
   auto now = session_->snapshot();
   if (!now) return;

@@ -22,11 +22,11 @@ struct TimeMark {
   double at = 0;
   Kind kind = Kind::tool;
   std::uint32_t line = 0;
-  std::string text;        // may contain text of the program, so it must be escaped for display
+  std::string text;        // may contain text of the program: escape it for display
   std::uint16_t file = 0;  // file of the line: Origin::file
 };
 
-/// A snapshot of the session, with the number of blocks executed before it.
+/// A snapshot of the session, with the number of blocks that were executed before it.
 struct RunCheckpoint {
   std::uint64_t blocks;
   SessionSnapshot snapshot;
@@ -37,13 +37,13 @@ class ProgramRun {
   /// Opens a run. Returns an error sentence if the set-up has a key that the control does not support.
   static tl::expected<std::unique_ptr<ProgramRun>, std::string> make(const OpenedProgram& opened, const StopToken& stop);
 
-  /// receives each piece of the path; `channel` 0: the program's own channel; the other channels count from 1, sorted by number
+  /// Receives each piece of the path. `channel` is 0 for the program's own channel; the other channels count from 1, sorted by number.
   std::function<void(const ViewPiece&, std::uint32_t channel)> on_piece;
-  /// receives, after the run, the pieces of the contour before tool radius compensation, where compensation was in force
+  /// Receives, after the run, the pieces of the contour without tool radius compensation, where compensation was in force.
   std::function<void(const ViewPiece&)> on_contour;
-  /// receives each alarm; `at`: its time, s; `channel`: the channel's number on the machine; 0: the program's own channel
+  /// Receives each alarm. `at` is its time, s; `channel` the number of its channel on the machine, 0 for the program's own channel.
   std::function<void(const AlarmReport&, double at, int channel)> on_alarm;
-  /// called several times per second with the progress
+  /// Called several times per second with the progress of the run.
   std::function<void(double part, std::uint64_t blocks, double seconds)> on_progress;
 
   /// Runs the program until its end, an alarm or a stop.
@@ -88,19 +88,19 @@ class ProgramRun {
   AxisRoles roles_;
   std::unique_ptr<PathRecord> record_;
   std::unique_ptr<PathRecord> contour_;  // the contour where compensation was in force; its times are set at the end
-  std::unique_ptr<Steps> programmed_;    // computes positions without compensation
+  std::unique_ptr<Steps> programmed_;    // computes the positions that the program states, without compensation
   std::unique_ptr<Checklist> checklist_;
   std::unique_ptr<Statistics> statistics_;
   std::vector<TimeMark> marks_;
   std::vector<RunCheckpoint> checkpoints_;
   std::uint64_t apart_ = 4096;  // number of blocks between two checkpoints
-  double later_ = 0;            // s by which the real time of the machine is later than the programmed time
+  double later_ = 0;            // s by which the machine is later than the programmed times say
   double seconds_ = 0;
   ProgressClock progress_clock_;
   End end_ = End::ended;
 };
 
-/// Returns the data of the program's machine that are needed to compute the path of its tool.
+/// Returns the kinematics of the program's machine, from which the path of the tool over the part is computed.
 std::shared_ptr<const MachineTree> tree_of(const OpenedProgram& opened, const Control& control);
 std::optional<Axes> apart_of(const OpenedProgram& opened, const Control& control);
 

@@ -7,7 +7,7 @@ namespace kadr {
 
 class ProgressClock {
  public:
-  /// True if the last report is at least a tenth of a second ago. Then the waiting time for the next report starts.
+  /// True if the last report is at least a tenth of a second ago. If it returns true, the waiting time for the next report starts.
   bool is_due() {
     const Clock::time_point now = Clock::now();
     if (now - reported_ < interval) return false;

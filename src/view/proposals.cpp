@@ -38,7 +38,7 @@ bool take_setup(const ProgramRun& run, ProposedTool& to) {
   return true;
 }
 
-/// Sets kind and dimensions from a comment. Dimensions that it does not state are set to usual ones of tools of that kind.
+/// Sets kind and dimensions of the tool from a comment. Dimensions that the comment does not state get usual values for tools of that kind.
 bool take_comment(const ToolProposal& proposal, ProposedTool& to) {
   ToolGeometry& t = to.tool;
   const std::string_view kind = kind_word(proposal.said);
@@ -128,7 +128,7 @@ std::function<double(std::uint32_t)> radii_of(const std::vector<ProposedTool>& t
 bool is_turning(const ProgramRun& run) {
   const AxisRoles roles = AxisRoles::of(run.control().axes(), run.control().rotary());
   if (roles.xyz[1] < 0) return true;
-  const auto last = Instants(run).at(run.seconds(), {});  // the state before the end of the program, which resets the plane
+  const auto last = Instants(run).at(run.seconds(), {});  // the state before the end of the program, since the end resets the plane
   return last && std::any_of(last->after.begin(), last->after.end(), [](const InForce& one) { return one.code == "G18"; });
 }
 

@@ -28,8 +28,8 @@ struct KnownTools {
 /// Returns the numbers of the tools with which the program cuts; tool 0 for a program that calls no tool.
 std::vector<std::uint32_t> tools_cutting(const ProgramRun& run);
 
-/// Returns the file that describes all tools with which the program cuts. If there are several, it must have the name of the program, or
-/// be named "tools".
+/// Returns the file that describes all tools with which the program cuts. If several files do, returns the one that has the name of the
+/// program, or is named "tools".
 ///   returns  nullptr if no file qualifies
 const KnownTools* tools_file_for(const std::vector<KnownTools>& files, const ProgramRun& run);
 
@@ -40,7 +40,7 @@ std::vector<ProposedTool> proposed_tools(const ProgramRun& run, const KnownTools
 /// Returns a function that gives the radius of a tool by its number, mm; 0 if the radius is unknown.
 std::function<double(std::uint32_t tool)> radii_of(const std::vector<ProposedTool>& tools);
 
-/// True if the program is for turning (the part rotates): the control has no Y, or arcs are in the plane of a lathe.
+/// True if the program seems to be for turning, where the part rotates: the control has no Y axis, or arcs are in the plane of a lathe.
 bool is_turning(const ProgramRun& run);
 
 }  // namespace kadr

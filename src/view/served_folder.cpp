@@ -69,7 +69,7 @@ bool is_hidden(std::string_view name) {
   return false;
 }
 
-/// True for a file .kadr.toml in a folder that is not hidden.
+/// True for a file named .kadr.toml in a folder that is not hidden. Kadr keeps its choice of control for the folder in that file.
 bool is_memory(const std::string& name) {
   const std::filesystem::path path(name);
   return path.filename() == remembering_file && (!path.has_parent_path() || !is_hidden(path.parent_path().string()));
@@ -89,7 +89,7 @@ std::string of_errno(const std::string& file, int error) {
   return fmt::format("{}: {}", file, errno_message(error));
 }
 
-std::uint64_t hash_of(std::string_view bytes) {  // FNV-1a, 64 bits: it detects changes, but gives no protection against forgery
+std::uint64_t hash_of(std::string_view bytes) {  // FNV-1a, 64 bits: detects changes, but not forgery
   std::uint64_t hash = 0xcbf29ce484222325;
   for (const char c : bytes) hash = (hash ^ static_cast<unsigned char>(c)) * 0x100000001b3;
   return hash;
@@ -103,7 +103,7 @@ struct Opened {
   OpenFile file;
   struct stat stat;
 };
-/// True if the name has no control characters. They are refused because controls and users write file names into programs.
+/// True if the name has no control characters. Other names are refused, because controls and users write file names into programs.
 bool is_plain_name(std::string_view name) { return visible_name(name) == name; }
 
 std::string beginning_of(int fd) {
@@ -113,8 +113,7 @@ std::string beginning_of(int fd) {
   return sample;
 }
 
-/// True for programs, set-ups, tools and related files, judged by the name or, if the name does not decide, by the contents. Key files
-/// are never served.
+/// True for programs, set-ups, tools and related files. The name decides or, if it cannot, the contents. Key files are never served.
 bool is_served(std::string_view name, int fd) {
   constexpr std::array with_programs = {"stl", "3mf", "ply", "dxf", "svg", "ini", "var", "csv"};
   const std::string sample = beginning_of(fd);
@@ -197,7 +196,7 @@ tl::expected<FolderList, std::string> ServedFolder::list(const std::string& fold
   if (!opened.is_open()) return tl::unexpected(of_errno(folder, errno));
   const std::unique_ptr<DIR, int (*)(DIR*)> rows(::fdopendir(::dup(opened.fd())), ::closedir);
   if (!rows) return tl::unexpected(of_errno(folder, errno));
-  constexpr int max_looked_into = 500;  // number of files that are judged by their contents, at most
+  constexpr int max_looked_into = 500;  // greatest number of files that are judged by their contents
   int looked_into = 0;
   FolderList list;
   while (const dirent* const row = ::readdir(rows.get())) {
@@ -231,8 +230,8 @@ tl::expected<std::string, std::string> ServedFolder::path_of(const std::string& 
   return path_ + "/" + file;
 }
 
-/// Returns the path relative to the folder; nullopt if it is outside. Resolving `..` in the text is correct, since links are not followed
-/// when the file is opened.
+/// Returns the path relative to the folder; nullopt if it is outside the folder. `..` is resolved in the text only; that is correct, since
+/// links are not followed when the file is opened.
 std::optional<std::string> ServedFolder::beneath(const std::string& path) const {
   const std::string plain = std::filesystem::path(path).lexically_normal().string(), front = path_ == "/" ? path_ : path_ + "/";
   if (!plain.starts_with(front)) return std::nullopt;
@@ -277,7 +276,7 @@ tl::expected<FileDigest, std::string> ServedFolder::digest(const std::string& fi
 
 namespace {
 
-/// Removes unfinished copies of the file, which this server or a killed one has left in the folder.
+/// Removes unfinished copies of the file from the folder. A server that was killed, or this one, has left them there.
 void take_away_unfinished(const OpenFile& folder, const std::string& file) {
   const std::unique_ptr<DIR, int (*)(DIR*)> rows(::fdopendir(open_beneath(folder.fd(), "", O_RDONLY | O_DIRECTORY).release()), ::closedir);
   const std::string front = "." + file + ".";
@@ -290,15 +289,15 @@ void take_away_unfinished(const OpenFile& folder, const std::string& file) {
   }
 }
 
-/// Copies access rights and owner of a file, as far as this program may set them.
+/// Gives the file `made` the access rights and the owner in `like`, as far as this program may set them.
 void make_alike(int made, const struct stat& like) {
   if (::fchown(made, like.st_uid, like.st_gid) != 0) (void)::fchown(made, uid_t(-1), like.st_gid);
   (void)::fchmod(made, like.st_mode & 0777);
 }
 
-/// Writes the text, with the attributes of the replaced file, to a new file in the same folder, and renames that file to `last`.
-///   replaces  the existing file; nullopt: no such file may exist
-///   returns   an errno; 0 on success
+/// Writes the text to a new file in the same folder, gives it the attributes of the replaced file, and renames it to `last`.
+///   replaces  attributes of the file to be replaced; nullopt: no file of that name may exist
+///   returns   an errno; 0: success
 int put_in_place(const OpenFile& folder, const std::string& last, std::string_view text, const std::optional<struct stat>& replaces) {
   static std::atomic<unsigned> count{0};
   const std::string unfinished = fmt::format(".{}.{}.{}.kadr", last, ::getpid(), ++count);
@@ -312,7 +311,7 @@ int put_in_place(const OpenFile& folder, const std::string& last, std::string_vi
   if (!write_all(made.fd(), text)) return give_up(errno);
   if (replaces) {
     if (::renameat(folder.fd(), unfinished.c_str(), folder.fd(), last.c_str()) != 0) return give_up(errno);
-  } else {  // if a file of this name exists by now, creating the link fails
+  } else {  // a link cannot be created if a file of this name exists by now
     if (::linkat(folder.fd(), unfinished.c_str(), folder.fd(), last.c_str(), 0) != 0) return give_up(errno);
     ::unlinkat(folder.fd(), unfinished.c_str(), 0);
   }
@@ -325,11 +324,11 @@ int put_in_place(const OpenFile& folder, const std::string& last, std::string_vi
 tl::expected<FileDigest, ServedFolder::Refused> ServedFolder::save(const std::string& file, std::string_view text,
                                                                    const std::optional<FileDigest>& replaces) const {
   if (is_hidden(file) || !is_plain_name(file)) return tl::unexpected(Refused{refusal(visible_name(file))});
-  // a file to be replaced has been read before, and so has passed is_served()
+  // A file that is to be replaced was read before, and has therefore passed is_served().
   if (!replaces && kind_of_file(file) == FolderEntry::Kind::other)
     return tl::unexpected(Refused{translated(texts::view::not_a_name_to_save, file)});
   if (text.size() > max_saved) return tl::unexpected(Refused{translated(texts::view::too_long_to_save, file)});
-  static std::mutex one_at_a_time;  // if two pages save the same file, the second must see what the first has saved
+  static std::mutex one_at_a_time;  // if two pages save the same file, the second sees what the first has saved
   const std::lock_guard hold(one_at_a_time);
   const auto now = digest(file);
   if (now ? !replaces || *now != *replaces : replaces.has_value())
@@ -339,7 +338,7 @@ tl::expected<FileDigest, ServedFolder::Refused> ServedFolder::save(const std::st
   if (!beside.is_open()) return tl::unexpected(Refused{of_errno(file, errno)});
   std::optional<struct stat> there(std::in_place);
   if (::fstatat(beside.fd(), last.c_str(), &*there, AT_SYMLINK_NOFOLLOW) != 0) there.reset();
-  if (!now && there) return tl::unexpected(Refused{refusal(file)});  // it is a link, a folder or a device
+  if (!now && there) return tl::unexpected(Refused{refusal(file)});  // the name is that of a link, a folder or a device
   take_away_unfinished(beside, last);
   if (const int error = put_in_place(beside, last, text, now ? there : std::nullopt); error != 0)
     return tl::unexpected(Refused{of_errno(file, error)});

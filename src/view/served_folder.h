@@ -1,6 +1,6 @@
 #pragma once
-// ServedFolder: the only folder from which the page may read and to which it may save. The kernel resolves names beneath the folder
-// (openat2), so that no path leads out of it by dots, links or mounts of /proc.
+// ServedFolder: the only folder from which the page may read and in which it may save. The kernel resolves names beneath the folder
+// (openat2), so that no path leaves the folder by dots, links or mounts of /proc.
 
 #include <cstdint>
 #include <optional>
@@ -26,7 +26,8 @@ struct FolderList {
   bool more = false;                 // the folder has more than max_entries entries
 };
 
-/// Identifies the contents of a file. If the digest differs from the one at reading, the file has been replaced or changed since.
+/// A digest identifies the contents of a file. If a file's digest is not the one from when the file was read, the file has been changed or
+/// replaced.
 using FileDigest = std::string;
 
 struct FileText {
@@ -47,22 +48,22 @@ class ServedFolder : public FileAccess {
 
   /// The last component of the folder's path, for display.
   const std::string& name() const { return name_; }
-  /// Returns a path in the file system in the form for display: relative to the folder if it is beneath the folder.
+  /// Returns a path of the file system as it is displayed: relative to the folder, if the file is beneath the folder.
   std::string shown(const std::string& path) const { return path.starts_with(path_ + "/") ? path.substr(path_.size() + 1) : path; }
   /// Lists a folder. `folder`: relative path with '/'; empty: the served folder itself. Names that begin with a dot, links and devices
   /// are omitted.
   tl::expected<FolderList, std::string> list(const std::string& folder) const;
-  /// Returns the path in the file system of a regular file beneath the folder. It is used by code that reads programs and the files they
-  /// call.
-  ///   returns  an error sentence if it is no regular file, is outside the folder, or its name begins with a dot
+  /// Returns the path in the file system of a regular file beneath the folder, for code that reads programs and the files that they call.
+  ///   returns  an error sentence if `file` is no regular file, is outside the folder, or its name begins with a dot
   tl::expected<std::string, std::string> path_of(const std::string& file) const;
-  /// Opens a file. Only programs, set-ups, tools and related files can be opened, as in path_of() and read(), and never a key file,
-  /// whatever its name. `path`: as path_of() returns it, or as a program derives it from such a path. If it is not beneath the folder,
-  /// the error is EACCES.
+  /// Opens a file. Like path_of() and read(), it opens only programs, set-ups, tools and related files, and never a key file, whatever its
+  /// name.
+  ///   path     a path that path_of() has returned, or that a program derives from such a path
+  ///   returns  a file descriptor; −1 on an error, with the errno EACCES if the file is not beneath the folder
   int open_for_reading(const std::string& path) const override;
   bool reaches(const std::string& path) const override { return beneath(path).has_value(); }
   tl::expected<FileText, std::string> read(const std::string& file, std::size_t most) const;
-  /// Returns the digest of a file; that of a long file depends only on its size and time.
+  /// Returns the digest of a file. The digest of a long file depends only on the file's size and the time of its last change.
   tl::expected<FileDigest, std::string> digest(const std::string& file) const;
 
   struct Refused {

@@ -17,10 +17,10 @@
 namespace kadr {
 namespace {
 
-constexpr std::uint32_t head_lines = 200;  // number of lines at the beginning of a program that are searched for notes
-constexpr std::size_t max_calls = 12;      // number of calling lines listed per tool
-constexpr std::size_t max_stops = 500;     // number of stops on the sheet
-constexpr double flutes_by_diameter = 3;   // assumed length of flutes, in diameters, of a tool whose radius only is known
+constexpr std::uint32_t head_lines = 200;  // number of lines at the beginning of a program in which notes are searched
+constexpr std::size_t max_calls = 12;      // greatest number of lines listed as calling a tool
+constexpr std::size_t max_stops = 500;     // greatest number of stops on a sheet
+constexpr double flutes_by_diameter = 3;   // length of flutes, in diameters, that is assumed if only the radius is known
 
 std::string today() {
   const std::time_t now = std::time(nullptr);
@@ -30,7 +30,7 @@ std::string today() {
   return std::string(text, std::strftime(text, sizeof text, "%Y-%m-%d", &local));
 }
 
-/// True for a line that contains nothing except comments and the number of a program or a block.
+/// True for a line that contains only comments, and the number of a program or a block.
 bool is_head(const std::string& line) {
   std::string rest = without_comments(line);
   rest.erase(std::remove_if(rest.begin(), rest.end(), [](unsigned char c) { return c <= ' '; }), rest.end());
@@ -80,13 +80,13 @@ class SheetMaker {
   }
 
  private:
-  /// Returns the comment in that line, else a comment in an adjacent line that contains nothing else.
+  /// Returns the comment in that line; else a comment in the line before or after it, if that line contains only comments.
   std::string comment_on_line(std::uint32_t line) const {
     if (line == 0) return {};
     const std::uint32_t first = line > 1 ? line - 1 : 1;
     const std::vector<std::string> lines = source_.from(first, 3);
     const std::size_t here = line - first;
-    // index here − 1 wraps around for the first line, and is out of range then
+    // for the first line, here − 1 wraps around, and is out of range
     for (const std::size_t i : {here, here - 1, here + 1}) {
       if (i >= lines.size()) continue;
       if (i != here && !without_comments(lines[i]).empty()) continue;
@@ -138,7 +138,7 @@ class SheetMaker {
     }
   }
 
-  /// Returns the shape of a tool as far as its comment describes it.
+  /// Returns the shape of a tool as its comment describes it; dimensions that the comment does not state are missing.
   static ToolGeometry geometry_by(const ToolComment& said, const Sheet::Tool& tool) {
     ToolGeometry g;
     g.number = tool.number;

@@ -16,21 +16,21 @@ namespace kadr {
 struct Sheet {
   struct Zero {
     std::string name;   // name of the work offset: "G54"
-    AxisValues values;  // values that the set-up states; empty: it states none
+    AxisValues values;  // values that the set-up states for the axes; empty: none
   };
   struct Tool {
     std::uint32_t number = 0;
     std::string name;              // name of the tool in the tools file
     std::optional<double> radius;  // mm; from the set-up, else from the tools file or the comment
     std::optional<double> length;  // mm; from the set-up
-    std::string corrector;         // words of the offsets that are used with the tool: "D1 H1"
+    std::string corrector;         // words of the offsets that the program uses with the tool: "D1 H1"
     struct Shared {
       std::string word;                  // the word of the offset: "H3"
       std::vector<std::uint32_t> tools;  // numbers of the other tools that use the same offset
     };
     std::vector<Shared> shared;         // offsets of this tool that other tools use too
-    double seconds = 0;                 // time that the tool moves at feed, s
-    std::vector<std::uint32_t> lines;   // lines of the main program that call the tool, the first ones
+    double seconds = 0;                 // time in which the tool moves at feed, s
+    std::vector<std::uint32_t> lines;   // the first lines of the main program that call the tool
     std::vector<ProfilePoint> outline;  // outline of the tool; empty: its shape is unknown
     std::string comment;                // the comment that names the tool
   };
@@ -46,7 +46,7 @@ struct Sheet {
   std::string program, control, machine;
   std::string date;  // the present day: "2026-11-25"
   std::vector<Zero> zeros;
-  std::vector<Tool> tools;  // sorted by first use
+  std::vector<Tool> tools;  // in the order in which the program first uses them
   double seconds = 0;
   std::vector<Note> comments;  // comments at the beginning of the program
   std::vector<Stop> stops;

@@ -26,7 +26,7 @@ std::string utf8_of(std::string_view bytes, Encoding encoding) {
   return text;
 }
 
-/// True if the text consists of ASCII characters with LF line ends only.
+/// True if the piece of text consists of ASCII characters only, with line feeds as line ends, so that it needs no conversion.
 bool is_plain(std::string_view piece) {
   constexpr std::uint64_t high_bits = 0x8080808080808080;
   std::uint64_t any = 0;

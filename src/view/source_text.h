@@ -19,10 +19,9 @@ class SourceText {
   std::uint32_t lines() const { return lines_; }
   Encoding encoding() const { return encoding_; }
   std::uint64_t bytes() const;
-  /// Returns `count` lines, from number `line` on, counted from 1; fewer at the end of the text.
+  /// Returns `count` lines beginning with number `line`, which counts from 1. Returns fewer at the end of the text.
   std::vector<std::string> from(std::uint32_t line, std::uint32_t count) const;
-  /// Returns the whole text, with '
-  /// ' between lines.
+  /// Returns the whole text, with line feeds between lines.
   std::string whole() const;
 
  private:
@@ -34,8 +33,7 @@ class SourceText {
   std::vector<std::uint64_t> places_;  // byte offsets of the lines 1, 257, …
 };
 
-/// Converts a program to UTF-8 with '
-/// ' between lines. Returns the same source if it already has this form.
+/// Converts a program to UTF-8 with line feeds between lines. Returns the source itself if it has this form already.
 ///   returns  an empty text if there is no text
 std::shared_ptr<ByteSource> utf8_text(OpenedText text);
 

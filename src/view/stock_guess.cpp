@@ -10,14 +10,14 @@
 namespace kadr {
 namespace {
 
-constexpr double level_height = 0.25;        // height of a level, mm
-constexpr std::size_t max_levels = 100'000;  // number of levels; a path with more is not that of a part
-constexpr double mostly = 0.1;               // share of the sideways travel that may be above Z0 if Z0 is the top of the blank
-constexpr double above = 0.01;               // mm; tolerance of heights
-constexpr double margin_share = 0.05, least_margin = 1, max_margin = 5;  // margin as a share of the longest side; its limits in mm
-constexpr std::size_t max_places = 1000;                                 // number of positions that are checked individually
-constexpr double same_hole = 0.5;                                        // mm; a path end closer to a descent is in the same hole
-constexpr double turned_face = 1;                                        // mm of stock on a face that is turned to Z0
+constexpr double level_height = 0.25;        // the heights of the path are divided into levels of this height, mm
+constexpr std::size_t max_levels = 100'000;  // greatest number of levels; a path with more is not that of a part
+constexpr double mostly = 0.1;               // share of the sideways travel that may be above Z0, if Z0 is the blank's top
+constexpr double above = 0.01;               // mm; heights that differ less are the same
+constexpr double margin_share = 0.05, least_margin = 1, max_margin = 5;  // margin as a share of the longest side; its limits, mm
+constexpr std::size_t max_places = 1000;                                 // greatest number of positions that are checked one by one
+constexpr double same_hole = 0.5;                                        // mm; a path that ends nearer to a descent ends in the same hole
+constexpr double turned_face = 1;                                        // mm of stock on the face, if turning begins at Z0
 constexpr double in_plane = 1e-3;                                        // mm; tolerance for a path in one plane
 
 bool at_feed(PathKind kind) {
@@ -34,13 +34,13 @@ Box3 grown(const Box3& box, double by) {
   return {{box.least.x - by, box.least.y - by, box.least.z}, {box.most.x + by, box.most.y + by, box.most.z}};
 }
 
-/// Extends the first box in X and Y to the other box.
+/// Extends `box` in X and Y so that it contains the sides of `other`.
 void take_sides(Box3& box, const Box3& other) {
   box.least.x = std::min(box.least.x, other.least.x), box.least.y = std::min(box.least.y, other.least.y);
   box.most.x = std::max(box.most.x, other.most.x), box.most.y = std::max(box.most.y, other.most.y);
 }
 
-/// Reduces the box `wide` so that a tool of this radius at `at`, outside of `cut`, does not touch it.
+/// Reduces the box `wide` so that a tool of this radius does not touch it at `at`, a point outside of the box `cut`.
 void end_before(Box3& wide, const Box3& cut, Vec3 at, double radius) {
   const double left = cut.least.x - at.x, right = at.x - cut.most.x, front = cut.least.y - at.y, back = at.y - cut.most.y;
   const double farthest = std::max({left, right, front, back});
@@ -51,7 +51,7 @@ void end_before(Box3& wide, const Box3& cut, Vec3 at, double radius) {
   else wide.most.y = std::min(wide.most.y, at.y - radius);
 }
 
-/// These functions round outwards to whole mm.
+/// Both functions round to whole mm, outwards: least values down, greatest values up.
 double down(double value) { return std::floor(value + 1e-3) + 0.0; }
 double up(double value) { return std::ceil(value - 1e-3) + 0.0; }
 
@@ -99,7 +99,8 @@ void StockGuess::take(const ViewPiece& piece) {
   }
 }
 
-/// Returns what is cut if the blank has this top: the path without the paths in and out that are next to the blank.
+/// Returns what is cut if the blank's top is at this height: the path at feed, without the paths on which the tool descends outside the
+/// blank.
 StockGuess::Cut StockGuess::cut_below(double top) const {
   Cut cut{certain_, {}};
   for (const Place& start : starts_) {
@@ -117,7 +118,7 @@ StockGuess::Cut StockGuess::cut_below(double top) const {
   return cut;
 }
 
-/// Returns the top of the blank in machine coordinates. `zero`: Z of the work zero.
+/// Returns the machine coordinate Z of the blank's top. `zero`: that of the work zero.
 double StockGuess::top_of(double zero) const {
   if (levels_.empty()) return all_->least.z < zero ? zero : all_->most.z;
   double all = 0, beyond = 0;

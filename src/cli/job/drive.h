@@ -1,5 +1,5 @@
 #pragma once
-// Drive: how a session is executed: the whole program, a part of it, or step by step in the debugger.
+// Drive: executes a session as a whole, in part (--from, --to), or step by step in the debugger.
 
 #include <memory>
 #include <optional>
@@ -13,7 +13,8 @@ namespace kadr::cli {
 class Drive {
  public:
   virtual ~Drive() = default;
-  /// Called before observers are attached. Returns an exit status if there is nothing to execute; it has printed the reason.
+  /// Called before observers are attached. Returns nullopt to continue. If there is nothing to execute, prints the reason and returns the
+  /// exit status.
   virtual std::optional<Exit> begin(Session& session, const Job& job);
   virtual void execute(Session& session) { (void)session.run(); }
   virtual bool wants_summary() const { return true; }
@@ -41,8 +42,8 @@ class PartOfProgram : public Drive {
  private:
   std::optional<Exit> go_there(Session& session, const Job& job);
 
-  StopPoint from_;    // line 0: start at the beginning
-  std::uint32_t to_;  // line number; 0: run to the end
+  StopPoint from_;    // location of --from; line 0: start at the beginning
+  std::uint32_t to_;  // line number of --to; 0: run to the end
   std::unique_ptr<Stepping> stepping_;
 };
 
@@ -52,7 +53,7 @@ struct Part {
   std::uint32_t to = 0;
   bool is_whole() const { return from.line == 0 && to == 0; }
 };
-/// Returns nullopt if an option is wrong; the error has been printed.
+/// Reads --from and --to. Returns nullopt, after printing the error, if one of them is wrong.
 std::optional<Part> part_of(const Options& options);
 /// Returns the drive that --from and --to select; nullptr if an option is wrong, after printing the error.
 std::unique_ptr<Drive> drive_of(const Options& options);

@@ -13,7 +13,7 @@
 namespace kadr::cli {
 namespace {
 
-constexpr std::size_t max_lines = 8;  // that are listed
+constexpr std::size_t max_lines = 8;  // greatest number of lines listed for one repeated finding
 
 }  // namespace
 

@@ -26,7 +26,7 @@ class Found {
  private:
   struct Repeated {
     std::size_t more = 0;
-    std::vector<std::uint32_t> lines;  // the first few line numbers, each once
+    std::vector<std::uint32_t> lines;  // program lines of the first few of these findings, each line once
   };
   void print(const std::string& text) const;
 
@@ -34,7 +34,7 @@ class Found {
   const Lang lang_;
   std::FILE* const to_;
   const bool every_;
-  std::map<std::pair<std::string, AlarmId>, Repeated> repeated_;  // by file name and alarm id
+  std::map<std::pair<std::string, AlarmId>, Repeated> repeated_;  // findings that occur several times, by file name and alarm id
 };
 
 }  // namespace kadr::cli

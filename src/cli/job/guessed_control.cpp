@@ -17,7 +17,7 @@ namespace {
 
 GivenEncoding encoding_of(const Options& options) {
   GivenEncoding said;
-  (void)read_encoding(options.encoding, said);  // an unknown name is refused later
+  (void)read_encoding(options.encoding, said);  // make_job() refuses an unknown encoding later
   return said;
 }
 
@@ -32,7 +32,7 @@ void say_guess(const Options& options, const std::string& file, const Guess& gue
                         : translated_in(lang, texts::job::weak_guess_before, file, guess.control, reason, next));
 }
 
-/// Saves the control for --remember.
+/// Saves the control that the command line names for the folder of the file (--remember). Returns false after printing an error.
 bool remembers(const Options& options, const std::string& file) {
   const bool can = !options.control.empty() && file != "-";
   const std::string error = can ? save_control_choice(options.control, file) : translated(texts::job::nothing_to_remember);
@@ -40,7 +40,7 @@ bool remembers(const Options& options, const std::string& file) {
   return error.empty();
 }
 
-/// Returns the files for which --remember cannot save the control; tries each folder once, before the first guess.
+/// For --remember, saves the control once for each folder of the files, before the first guess. Returns the files for which that failed.
 std::set<std::string> forgotten_of(const Options& options, const std::vector<std::string>& files) {
   std::set<std::string> forgotten, remembering;
   for (const std::string& file : files)
@@ -78,7 +78,7 @@ void GuessedControls::say(const std::string& file, const FolderGuess::Neighbours
   complain(translated_in(lang, texts::job::like_its_neighbour, file, common.control, shown_by, reason));
 }
 
-/// True for a lathe program of a control that Kadr reads as a mill's; prints the reason.
+/// Returns true if the file is a lathe program, but Kadr supports its control for milling only; prints that reason.
 bool GuessedControls::refuses(const std::string& file, const std::string& control) const {
   if (control.ends_with(".toml")) return false;
   const auto text = beginning_of_program(file, encoding_of(options_));

@@ -64,7 +64,7 @@ std::shared_ptr<const ControlDef> control_named(const std::string& name) {
   return known[name] = std::make_shared<const ControlDef>(std::move(*def));
 }
 
-/// Returns the alarm texts of a control, also read only once.
+/// Returns the alarm texts of a control. The texts of each control are read only once.
 std::shared_ptr<const AlarmTexts> texts_of(const std::shared_ptr<const ControlDef>& def) {
   static std::map<std::shared_ptr<const ControlDef>, std::shared_ptr<const AlarmTexts>> known;
   std::shared_ptr<const AlarmTexts>& of = known[def];

@@ -19,8 +19,8 @@ struct Job {
   MachineProfile profile;
   Setup setup;
   GivenEncoding encoding;
-  std::uint32_t program = 0;                 // number of the program, on a tape with several programs
-  std::optional<std::size_t> program_index;  // or its index on the tape, from 0
+  std::uint32_t program = 0;                 // number of the program to run, on a tape with several programs
+  std::optional<std::size_t> program_index;  // instead of the number: index of the program on the tape, from 0
   KeyLines setup_lines;                      // line numbers of the keys in the set-up file
   std::set<std::string> stated;              // keys of the set-up that the user states: PlacedSetup::stated
   Lang lang = Lang::en;

@@ -33,7 +33,8 @@ std::optional<Encoding> encoding_of(const Text& text) {
   return text.encoding ? text.encoding : detect_encoding(LineReader(text.source).sample());
 }
 
-/// Returns an empty list if the file has one program: without a second % sign it need not be read any further.
+/// Returns the programs of a tape with several programs; an empty list for any other file. A file without a second % sign has only one
+/// program, and is read no further.
 TapeContents programs_of(const Job& job, const Text& text) {
   if (!job.def->grammar.percent_number) return {};
   const auto encoding = encoding_of(text);
@@ -41,7 +42,7 @@ TapeContents programs_of(const Job& job, const Text& text) {
   return contents_of(text.source, job.def->grammar, encoding);
 }
 
-/// Returns the numbers of the programs, for people.
+/// Returns the numbers of the programs, as text for a message.
 std::string numbers_of(const TapeContents& contents) {
   if (contents.programs.size() < 2)
     return contents.programs.empty() || contents.programs[0].number == 0 ? "%" : std::to_string(contents.programs[0].number);

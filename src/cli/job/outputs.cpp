@@ -47,7 +47,7 @@ void Outputs::reads(const std::string& path) {
 void Outputs::writes(const std::string& option, const std::string& name, Opened opened) {
   if (name.empty()) return;
   outputs_.push_back({option, name, opened, std::nullopt});
-  if (opened == Opened::by_its_owner)  // a state file: SQLite reads the files next to it at the next opening
+  if (opened == Opened::by_its_owner)  // a state file: SQLite reads these files too when it opens the state file again
     for (const char* const log : {"-wal", "-shm", "-journal"}) reads(name + log);
 }
 
@@ -55,7 +55,7 @@ std::string Outputs::clash(const Output& output, TextId<3> sentence, const std::
   return translated_in(lang_, sentence, output.option, output.name, other);
 }
 
-/// Returns the reason why the output cannot be written; empty if it can.
+/// Returns the reason why the output with this index cannot be written; an empty text if it can be.
 std::string Outputs::fault_of(std::size_t index) const {
   const Output& output = outputs_[index];
   const auto same = [](const std::string& a, const std::string& b, int stream_of_b) {

@@ -21,8 +21,8 @@ class Outputs {
 
   /// Registers an input file: "-" is standard input, an empty name means no file.
   void reads(const std::string& path);
-  /// Registers the output file of an option; an empty name means no file. by_its_owner: open() does not open it, since its owner does
-  /// (the state file).
+  /// Registers the output file of an option; an empty name means no file. open() opens an output with Opened::here. It does not open an
+  /// output with Opened::by_its_owner (the state file), because the object that writes the file opens it.
   enum class Opened : std::uint8_t { here, by_its_owner };
   void writes(const std::string& option, const std::string& name, Opened opened = Opened::here);
 
@@ -31,15 +31,15 @@ class Outputs {
   /// Opens all outputs, or none; prints an error for the first one that cannot be opened.
   ///   pre  check() returned true
   bool open();
-  /// Returns nullptr if the option was not given.
+  /// Returns the open file of an option, such as "--out"; nullptr if the option was not given.
   const ResultFile* file(const std::string& option) const;
   std::FILE* stream(const std::string& option) const;
 
   /// All files that must not change while the command runs: inputs and outputs.
   FileSet all() const;
 
-  /// Completes the files and moves them to their final paths, standard output last. Keeps no file if `read`, the files that the run has
-  /// read, contains one of them. Prints errors.
+  /// Completes the files and moves them to their final paths, standard output last. If one of the outputs is also in `read`, the files that
+  /// the run has read, no output is kept. Prints errors.
   bool keep(const std::vector<std::string>& read = {});
 
  private:
@@ -49,7 +49,8 @@ class Outputs {
     std::optional<ResultFile> file;
   };
   std::string fault_of(std::size_t index) const;
-  /// Returns the sentence with the option of the output, its name, and the other file.
+  /// Returns the error message for an output that conflicts with another file: `sentence` with the option, the name of the output, and
+  /// `other`.
   std::string clash(const Output& output, TextId<3> sentence, const std::string& other) const;
 
   Lang lang_;

@@ -61,7 +61,7 @@ class Search {
     }
     if (error) found_.unreadable.push_back({folder.string(), errno_message(error.value())});
     std::sort(files.begin(), files.end());
-    std::sort(folders.rbegin(), folders.rend());  // the last one is searched next
+    std::sort(folders.rbegin(), folders.rend());  // the last folder of the list is searched next
     for (const fs::path& file : files)
       if (is_program(file)) found_.files.push_back(file.string());
     open.insert(open.end(), folders.begin(), folders.end());

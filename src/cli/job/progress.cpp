@@ -17,8 +17,8 @@ namespace {
 
 constexpr auto first_after = std::chrono::milliseconds(800);
 constexpr auto again_after = std::chrono::milliseconds(200);
-constexpr int max_width = 40, least_width = 5;  // characters of the bar
-constexpr int beside = 12;                      // for brackets, percents, and a gap before the last column
+constexpr int max_width = 40, least_width = 5;  // greatest and least length of the bar, characters
+constexpr int beside = 12;                      // characters for brackets, percentage, and a gap before the last column
 
 }  // namespace
 

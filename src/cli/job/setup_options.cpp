@@ -45,7 +45,7 @@ std::optional<std::vector<Named>> list_of(std::string_view text) {
     const auto value = number_of(item.substr(letters + equals));
     if (letters == 0 || !value) return std::nullopt;
     list.push_back({std::string(item.substr(0, letters)), *value});
-    if (comma + 1 == text.size()) return std::nullopt;  // nothing after the comma
+    if (comma + 1 == text.size()) return std::nullopt;  // the text ends with a comma
     text.remove_prefix(std::min(comma + 1, text.size()));
   }
   if (list.empty()) return std::nullopt;
@@ -75,15 +75,15 @@ std::optional<Json> tool(const std::string& text) {
   return Json{{"offsets", {{number, row}}}};
 }
 
-/// Returns the set-up's key and name for a work offset: "G54.1P2" becomes "G54.1 P2". On a control that numbers its work offsets the name
-/// is the code's own number.
+/// Returns the table of the set-up that contains a work offset, and the name of the offset in that table: "G54.1P2" becomes "G54.1 P2". On
+/// a control that numbers its work offsets, the name is that number.
 std::pair<const char*, std::string> zero_name(std::string name, const ControlDef& def) {
   if (has(def, SetupNeeds::zeros)) {
     for (const WorkSystem& system : work_systems(def))
       if (system.name == name) name = std::to_string(system.row);
     return {"zeros", name};
   }
-  if (is_whole(name)) return {"zeros", name};  // refused later, in words, on controls without them
+  if (is_whole(name)) return {"zeros", name};  // a control without numbered work offsets refuses the name later
   if (const std::size_t p = name.find('P'); p != std::string::npos && p > 0 && name[p - 1] != ' ') name.insert(p, 1, ' ');
   return {"work_offsets", name};
 }

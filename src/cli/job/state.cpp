@@ -11,7 +11,7 @@
 namespace kadr::cli {
 namespace {
 
-/// Adds the rows that the set-up does not have.
+/// Adds the stored rows to a table of the set-up. A row that the set-up already has stays as it is.
 template <class Map>
 void under(Map& to, const Map& stored) {
   to.insert(stored.begin(), stored.end());

@@ -24,7 +24,7 @@
 namespace kadr::cli {
 namespace {
 
-constexpr int first_of_signals = 128;                   // added to the signal's number: the exit status, as in shells
+constexpr int first_of_signals = 128;                   // the exit status is this plus the signal's number, as in shells
 constexpr auto grace = std::chrono::milliseconds(150);  // time that a command has to end by itself, so that it ends within 0.2 s in all
 
 std::atomic<bool> asked = false;
@@ -32,7 +32,7 @@ std::atomic<bool> asked = false;
 constexpr std::array ending = {SIGINT, SIGTERM, SIGHUP, SIGQUIT};
 
 /// Returns the signals that end the command, without those that were ignored from the beginning (nohup, a command with & in a script).
-/// Every thread blocks them: a signal that was sent stays pending to the end.
+/// Every thread blocks the returned signals, so that a signal stays pending after it has arrived.
 sigset_t held_back() {
   sigset_t signals;
   sigemptyset(&signals);
@@ -54,8 +54,8 @@ int pending() {
   return sent == ending.end() ? 0 : *sent;
 }
 
-/// Waits for the signals: here every function may be called, unlike in a handler. The signals stay pending, so that a caller that
-/// polls sees them at once, even before this thread runs: in `make | kadr run -` Ctrl-C ends the input as well.
+/// Runs in a thread of its own and waits for the signals. Unlike a signal handler, it may call every function. The signals stay pending, so
+/// that a caller that polls sees them at once, even before this thread runs: in `make | kadr run -` Ctrl-C ends the input as well.
 void watch(int signals) {
   pollfd sent = {signals, POLLIN, 0};
   while (::poll(&sent, 1, -1) < 0)

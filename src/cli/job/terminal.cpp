@@ -18,7 +18,7 @@
 namespace kadr::cli {
 namespace {
 
-std::mutex writing;                // locked while writing: the thread that waits for Ctrl-C also erases the bar
+std::mutex writing;                // locked during output: the thread that waits for Ctrl-C erases the bar too
 std::size_t characters_shown = 0;  // length of the progress bar on the terminal
 
 void erase_shown() {

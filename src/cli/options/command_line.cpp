@@ -100,7 +100,7 @@ void add_pages(CLI::App& app, Commands& c) {
     type_out("{}", codes_of(control));
     throw CLI::Success();
   };
-  complete->add_option_function<std::string>("--codes", print_codes, "")->trigger_on_parse()->group("");  // only the scripts call it
+  complete->add_option_function<std::string>("--codes", print_codes, "")->trigger_on_parse()->group("");  // for the completion scripts
   language_option(*complete, c.options.lang);
   complete->footer(plain_text(texts::help_examples::completion));
 }
@@ -113,7 +113,7 @@ void want_values(CLI::App& app) {
       const bool is_option = word.size() > 2 && word.starts_with("--");
       return is_option ? translated(texts::command_line::value_is_missing, option->get_type_name()) : std::string();
     };
-    option->transform(CLI::Validator(check, ""));  // runs before the other validators
+    option->transform(CLI::Validator(check, ""));  // this validator runs before the others
   }
   for (CLI::App* const sub : app.get_subcommands({})) want_values(*sub);
 }

@@ -30,7 +30,7 @@ struct Commands {
   std::string shell;    // value of `completion`
 };
 
-/// Returns the parser. Its texts are in the language of the thread.
+/// Returns the parser. Its texts are in the language that is set for the calling thread.
 std::unique_ptr<CLI::App> make_app(Commands& commands);
 
 /// Returns the language that --lang specifies anywhere on the command line; empty if it is absent. It is read before parsing, so that the

@@ -1,6 +1,6 @@
 #pragma once
-// The functions with which command_line.cpp assembles the command line: each adds commands or options. Their texts are in the
-// language of the thread.
+// The functions with which command_line.cpp assembles the command line: each adds commands or options. Their texts are in the language that
+// is set for the calling thread.
 
 #include <array>
 

@@ -71,7 +71,7 @@ std::string shell_reply(const Values& values) {
   return reply;
 }
 
-/// Adds a branch of `case "$command $before"` for each option with a value.
+/// Adds a branch to the script's `case "$command $before"` for each option with a value: it suggests the values of that option.
 void shell_values(const CLI::App& app, const std::string& command, std::string& cases) {
   for (const CLI::Option* const option : named_options(app)) {
     if (takes_nothing(*option)) continue;
@@ -93,7 +93,7 @@ void shell_words(const CLI::App& app, const std::string& command, std::string& c
   for (const CLI::App* const sub : subcommands(app)) shell_words(*sub, command + (command.empty() ? "" : " ") + sub->get_name(), cases);
 }
 
-/// Returns the words of the line that name the command, as bash looks for them.
+/// Returns a shell pattern of the commands that consist of two words: 'tape decode'|'tape encode'.
 std::string shell_groups(const CLI::App& app) {
   std::string groups;
   for (const CLI::App* const sub : subcommands(app)) {

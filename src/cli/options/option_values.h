@@ -12,8 +12,8 @@ class Option;
 
 namespace kadr::cli {
 
-/// Sets the name of the option's value in the help: `--trace FILE`, in Russian `--trace ФАЙЛ`. `name` is in the language of the thread
-/// (texts::values), here and below.
+/// Sets the name of the option's value in the help: `--trace FILE`, in Russian `--trace ФАЙЛ`. The caller passes `name` in the language of
+/// the help (texts::values), here and in the functions below.
 CLI::Option* takes(CLI::Option* option, const std::string& name);
 CLI::Option* takes_file(CLI::Option* option);
 

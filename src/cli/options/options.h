@@ -16,22 +16,22 @@ enum Exit : int { ok = 0, alarms = 1, wrong_usage = 2 };
 
 struct Options {
   std::vector<std::string> programs;
-  std::string control;     // empty: guessed
-  bool remembers = false;  // save the control in .kadr.toml of the folder
+  std::string control;     // id of the control, or its file; empty: the control is guessed
+  bool remembers = false;  // save the control in the file .kadr.toml of the program's folder
   std::string machine;     // machine id; empty: the generic machine
   std::string setup;
   std::string encoding;
-  std::string trace;                           // file, "-": stdout
-  std::string plot;                            // file, .svg or .png
-  std::string samples;                         // file, "-": stdout
-  std::string samples_tip;                     // file
+  std::string trace;                           // output file of the trace; "-": stdout
+  std::string plot;                            // output file of the picture, .svg or .png
+  std::string samples;                         // output file of the axis positions; "-": stdout
+  std::string samples_tip;                     // output file of the tool tip positions
   double rate = 1000;                          // rate of the samples, Hz
   double max_time = SampleOptions{}.max_time;  // end of the samples, s
   std::vector<OverrideChange> overrides;
   std::string colour;                    // colour of the plot by speed or limit; empty: by the type of motion
-  std::string plot_speed;                // file, .svg or .png
+  std::string plot_speed;                // output file of the speed diagram, .svg or .png
   bool why = false;                      // print the program lines that lose most time
-  bool json = false;                     // print the summary as JSON; then nothing else is on standard output
+  bool json = false;                     // print the summary as JSON, and nothing else on standard output
   std::string files;                     // folder for files that the program writes; empty: it writes none
   std::string state;                     // file with the data that survives power-off; empty: none is kept
   std::string lang;                      // "ru", "en"; empty: by the environment variable LANG
@@ -51,7 +51,7 @@ struct Options {
   std::uint32_t program = 0;             // number of the program on a tape with several; 0: the first one, for check all of them
   bool optional_stop = false;
   bool quiet = false;
-  std::string from, to;  // LINE[:PASS]; LINE; empty: from the beginning; to the end
+  std::string from, to;  // first line (LINE[:PASS]) and last line (LINE) to execute; empty: the whole program
   RunLimits limits;
   std::vector<std::string> tools, zeros, correctors;  // override the set-up: "1:r8,l100", "G54=X-400", "17=-0.35"
 };
@@ -70,19 +70,19 @@ int check(const Options& options);
 
 struct CutOptions {
   Options run;
-  std::string stock, tools;  // the value of --stock; the tools file
+  std::string stock, tools;  // blank: description of a body, or `guess`; tools: the tools file, or `guess`
   double resolution = 0;     // cell size, mm; 0: chosen automatically
   std::vector<std::string> fixtures;
-  std::string stock_zero;    // name of a work system; empty: the one of the first motion at feed
+  std::string stock_zero;    // name of a work system; empty: that of the first motion at feed
   std::string until;         // LINE, or SECONDS followed by s; empty: the end of the program
-  double max_memory = 1000;  // MB
+  double max_memory = 1000;  // memory limit, MB
   int threads = 0;           // number of threads; 0: as many as the processor has
-  bool coolant = false;      // report cuts without coolant
+  bool coolant = false;      // report cuts that are made without coolant
   std::string part;          // file of the target part; empty: no comparison
   double allow = -1;         // mm, allowed depth of a gouge; below 0: default
   double allow_left = -1;    // mm, allowed remaining stock; below 0: unlimited
   std::string window;        // box to be cut finely, X0,Y0,Z0,X1,Y1,Z1; empty: none
-  std::string deviation;     // output file, .ply
+  std::string deviation;     // output file of the deviations, .ply
   double simplify = 0;       // mm by which the mesh of --out may be simplified; 0: exact
   std::string out, json;
   std::string blocks;  // output file for the table of what each block removes
@@ -91,9 +91,9 @@ int cut(const CutOptions& options);
 
 struct DiffOptions {
   std::string a, b;
-  Options both;  // options of both programs, except
+  Options both;  // options of both programs, except those in the next line
   std::string control_a, control_b, setup_a, setup_b;
-  double tolerance = 0.001;  // mm
+  double tolerance = 0.001;  // greatest distance of equal paths, mm
   bool all = false;          // print all differences instead of the first one
   bool no_messages = false, tools_by_hand = false, feeds_at_speed = false, feeds_rounded = false;  // rules of kadr convert: CompareRules
   std::string plot;                                                                                // file, .svg or .png
@@ -110,7 +110,7 @@ struct ConvertOptions {
 int convert(const ConvertOptions& options);
 
 struct ReportOptions {
-  CutOptions cut;  // includes the options of the run; without a blank nothing is cut
+  CutOptions cut;  // includes the options of the run; without a blank, the program only runs
   std::string out;
 };
 int report(const ReportOptions& options);
@@ -167,7 +167,7 @@ struct StateOptions {
 };
 int state(const StateOptions& options);
 
-/// Lengths in mm; a negative value means that the option was not given.
+/// The options of kadr mill. Lengths are in mm; a negative value means that the option was not given.
 struct MillOptions : MillRequest {
   std::string contour, control, output, plot, lang;
   bool quiet = false;

@@ -18,7 +18,7 @@
 namespace kadr::cli {
 namespace {
 
-/// Options: what is stated besides the set-up file.
+/// Adds the options that state set-up data: the set-up file, and values that override the file.
 void setup_options(CLI::App& app, Options& o) {
   takes_file(app.add_option("--setup", o.setup, plain_text(texts::program_options::setup_file)));
   takes(app.add_option("--tool", o.tools, plain_text(texts::program_options::tool_offset))->allow_extra_args(false),
@@ -77,7 +77,7 @@ void memory_option(CLI::App& app, Options& o) {
 
 namespace {
 
-/// Reads `SECONDS:PERCENT`, as in 2.5:50.
+/// Reads a change of the feed override, `SECONDS:PERCENT`, as in 2.5:50.
 OverrideChange override_change(const std::string& text) {
   const char* const end = text.data() + text.size();
   OverrideChange change;
@@ -116,7 +116,7 @@ void picture_options(CLI::App& run, Options& o) {
   writes_file(run.add_option("--plot-speed", o.plot_speed, plain_text(texts::run_options::speed_plot)));
 }
 
-/// Options: the results of a run, and the part of the program that is run.
+/// Adds the options for the results of a run, and for the part of the program that is run.
 void result_options(CLI::App& run, Options& o) {
   writes_file(run.add_option("--trace", o.trace, plain_text(texts::run_options::trace)));
   writes_file(run.add_option("--state", o.state, plain_text(texts::run_options::state_file)));

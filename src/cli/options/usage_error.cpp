@@ -17,7 +17,7 @@
 namespace kadr::cli {
 namespace {
 
-/// Returns the command that the command line names, or its last command that exists.
+/// Returns the innermost command that the command line names: `decode` for `kadr tape decode`.
 const CLI::App& called(const CLI::App& app) {
   const auto parsed = app.get_subcommands();
   return parsed.empty() ? app : called(*parsed.front());
@@ -44,8 +44,8 @@ std::string no_command(const CLI::App& app, const std::string& word) {
   return translated(texts::usage::no_command_among, word, fmt::format("{}", fmt::join(names, ", ")));
 }
 
-/// Returns the message for the first argument that nothing accepts. Options come first, since the value of an unknown option is left over
-/// too.
+/// Returns the message for the first argument that no command accepts. Unknown options come first, since the value of an unknown option is
+/// not accepted either.
 std::optional<std::string> left_over(const CLI::App& app, const CLI::App& command) {
   const std::vector<std::string> words = app.remaining(true);
   const auto is_option = [](const std::string& word) { return word.size() > 1 && word[0] == '-' && word != "--"; };
@@ -68,7 +68,7 @@ std::string missing(const CLI::App& command) {
   return translated(texts::usage::command_missing, fmt::format("{}", fmt::join(commands_of(command), ", ")));
 }
 
-/// Returns the option that CLI11's message is about: the message names it at the beginning, or after the first ": ".
+/// Returns the option that a message of CLI11 is about. The message names the option at its beginning, or after the first ": ".
 const CLI::Option* option_of(const CLI::App& command, const std::string& sentence) {
   const CLI::Option* found = nullptr;
   std::size_t first = std::string::npos;

@@ -31,7 +31,7 @@ void Canvas::text(Vec2 at, std::string_view text, const TextStyle& style) {
 
 /// Draws the workshop's symbol of an origin: a circle with two black quarters.
 void Canvas::zero_mark(Vec2 centre, double radius, Colour ink) {
-  constexpr int steps = 8;  // per quarter
+  constexpr int steps = 8;  // number of lines that draw a quarter circle
   const auto sector = [&](double start, double end, Colour colour) {
     pen(colour, 1);
     move_to(centre);

@@ -88,13 +88,13 @@ class Canvas {
   /// Begins a named group of the page: "view-xy".
   virtual void begin(const char* /*name*/) {}
   virtual void end() {}
-  /// Names the type of motion that the next strokes show: "rapid". An empty name ends it.
+  /// Marks the strokes that follow with their type of motion, such as "rapid". An empty name ends the marking.
   virtual void kind(const char* /*name*/) {}
   /// Returns true if the canvas stores the program line of each stroke, so that strokes of different lines must not be joined.
   virtual bool tags_lines() const { return false; }
   /// Sets the program line of the strokes that follow.
   ///   file_name  name of the called file that contains the line
-  ///   names_it   the stroke is the one by which a viewer finds the line
+  ///   names_it   true: the next stroke gets the id by which a viewer finds the line
   virtual void program_line(const ProgramLine& /*line*/, std::string_view /*file_name*/, bool /*names_it*/) {}
 
  private:

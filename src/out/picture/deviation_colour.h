@@ -10,12 +10,14 @@
 
 namespace kadr {
 
-/// Limits of the colour scale, mm.
+/// The limits of the colour scale for deviations, mm.
 struct DeviationScale {
   double within = 0, most = 0;  // the colour is grey up to a deviation of `within`, and full from `most` on
 };
 
-/// Returns a colour scale whose two ends are the greatest deviation among the points, outwards and inwards alike.
+/// Returns a colour scale that ends on both sides at the greatest deviation among the points, outwards or inwards.
+///   of_point  deviation of each point, mm
+///   within    mm; smaller deviations are grey
 DeviationScale deviation_scale(const std::vector<float>& of_point, double within);
 
 /// Returns the colour of a deviation, 0xRRGGBB.

@@ -17,8 +17,8 @@ namespace {
 constexpr double page_wide = 1600, views_height = 1082, edge_room = 28, room_between = 26;
 constexpr double head_height = 70, key_height = 56, key_row = 24, right_width = 560;
 constexpr double line_height = 21, line_size = 13, caption_room = 24;
-constexpr double most_large = 4, most_flat = 1.5;  // limits for showing rapid motion (isometric, flat), as in any plot
-constexpr std::size_t few_lines = 5;               // up to this number of lines, each has a table row of its own
+constexpr double most_large = 4, most_flat = 1.5;  // path / cutting size up to which all rapids are shown: isometric, flat views
+constexpr std::size_t few_lines = 5;               // up to this number of lines below the picture, each has its own row
 constexpr std::size_t max_line_length = 300;
 constexpr Colour faint = colour(0x5B6775), fine = colour(0x1A7F37), warns = colour(0xB04A00);
 
@@ -28,7 +28,7 @@ std::size_t rows_of(const DifferencePage& page) { return page.lines.size() <= fe
 
 double height_of(const DifferencePage& page) { return views_height + (page.lines.empty() ? 0 : double(rows_of(page)) * line_height + 16); }
 
-constexpr double bold = 1.16, max_name = 420;  // width of bold text relative to normal; greatest width of a name, in units of the page
+constexpr double bold = 1.16, max_name = 420;  // width of bold text relative to normal; greatest width of a name, units of the page
 
 /// Shortens the text to the beginning that fits into the width.
 std::string fitting(std::string text, double width, double size) {

@@ -52,7 +52,7 @@ void draw_load_marks(Canvas& canvas, const std::vector<LoadMark>& marks) {
     const auto covers = [&](const Vec2& other) { return std::hypot(other.x - mark.at.x, other.y - mark.at.y) < 2 * mark_radius; };
     if (std::any_of(drawn.begin(), drawn.end(), covers)) continue;
     drawn.push_back(mark.at);
-    for (double radius = mark_radius / 2; radius > 0.5; radius /= 2)  // concentric rings fill the disc
+    for (double radius = mark_radius / 2; radius > 0.5; radius /= 2)  // rings of decreasing radius fill the disc
       canvas.ring(mark.at, radius, colour(0xFFFFFF), 2 * radius);
     canvas.ring(mark.at, mark_radius, colour(mark.rgb), 1.5);
     canvas.text({mark.at.x, mark.at.y + 4.5}, mark.text, {12, colour(mark.rgb), Align::centre, true});

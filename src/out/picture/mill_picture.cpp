@@ -18,7 +18,7 @@ namespace {
 
 constexpr double mill_page_width = 1000, mill_page_margin = 30, mill_title_height = 64, mill_legend_height = 40, tallest = 1400,
                  least_mill_size = 1;
-constexpr double mill_chord = 0.05;  // units of the page: greatest distance between an arc and the lines that draw it
+constexpr double mill_chord = 0.05;  // units of the page: greatest distance of an arc from the lines that replace it
 constexpr Colour contour = colour(0x20262E), open_side = colour(0xB04A00), cutting = colour(0x1F6FEB), swept_ink = colour(0xE2ECFB),
                  plunging = colour(0x1A9850), rapid = colour(0x8A949F);
 
@@ -74,7 +74,7 @@ class Drawing {
     canvas.solid();
   }
 
-  /// Draws the segments of the moves for which `chosen` is true.
+  /// Draws the segments of those moves for which `chosen` returns true.
   template <class Chosen>
   void path(Canvas& canvas, Colour ink, double width, Chosen chosen, bool dashed = false) const {
     canvas.pen(ink, width);

@@ -43,7 +43,7 @@ ViewDirection isometric() {
   return {right, cross(towards, right), towards};
 }
 
-/// The colour scales of deviation and load.
+/// The colour scales of deviation and of load (removal rate).
 struct ColourScales {
   DeviationScale deviation;
   double rate = 0;
@@ -76,7 +76,7 @@ double scale_for(const Box3& box, const ViewDirection& view, const Area& area) {
   return room * sharpness * std::min(area.width / std::max(reach(view.right), 1e-9), area.height / std::max(reach(view.up), 1e-9));
 }
 
-/// Returns the part of the area below the name of the view.
+/// Returns the area without its top strip, which contains the name of the view.
 Area below_name(const Area& area) { return {area.x, area.y + name_height, area.width, area.height - name_height}; }
 
 void draw_view(Canvas& canvas, const PartScene& scene, const ViewDirection& view, const Area& area, double scale, const char* name) {

@@ -11,7 +11,7 @@
 namespace kadr {
 namespace {
 
-constexpr double ambient = 0.35, facing = 0.5, from_above_left = 0.15;  // shares of the light
+constexpr double ambient = 0.35, facing = 0.5, from_above_left = 0.15;  // shares of a triangle's brightness
 
 /// A corner of a triangle in pixels; `near` grows towards the viewer.
 struct Corner {

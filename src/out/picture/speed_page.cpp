@@ -27,11 +27,11 @@ using Column = SpeedRecord::Column;
 constexpr double speed_page_width = 1600, speed_page_height = 984, speed_page_margin = 28, left = 96, top = 112;
 constexpr double speed_height = 400, share_height = 130, speed_gap = 42, ribbon_height = 12;
 constexpr Colour feed_ink = colour(0xE69F00);
-/// Colours by the enum Spent::On.
+/// Colours in the order of the enum Spent::On.
 constexpr std::array<unsigned, 4> inks_of_time = {0x0072B2, 0x7A8794, 0xF0C93A, 0xCC79A7};
 constexpr std::array<unsigned, 6> inks_of_axes = {0xD55E00, 0x009E73, 0x6A3D9A, 0x56B4E9, 0xB2182B, 0x8C6D31};
 
-/// Texts by the enum Spent::On.
+/// Texts in the order of the enum Spent::On.
 constexpr std::array<PlainText, 4> names_of_time = {texts::speed_page::cutting, texts::picture::rapid, texts::speed_page::dwell,
                                                     texts::speed_page::tool_change};
 
@@ -71,9 +71,9 @@ class SpeedPage {
   double x_of(double seconds) const { return left + width * std::min(1.0, seconds / record_.seconds()); }
   double x_of_column(std::size_t i) const { return x_of(static_cast<double>(i) * record_.width()); }
 
-  /// Finds the upper end of the speed scale from the cutting motions; faster rapid motion is cut off.
+  /// Determines the upper end of the speed scale from the cutting motions. Rapid motion above that speed is cut off.
   void find_top_speed() {
-    constexpr double room = 1.1, max_feed = 4;  // times the speed reached: top of the scale; limit for showing the feed
+    constexpr double room = 1.1, max_feed = 4;  // multiples of the greatest cutting speed: scale's top; highest feed shown
     double cutting = 0;
     for (const Column& c : columns_) {
       if (c.on == On::cutting) cutting = std::max(cutting, c.most), feed_ = std::max(feed_, c.feed);
@@ -108,7 +108,7 @@ class SpeedPage {
     canvas.text({area.x, area.y - 9}, heading, {14, ink, Align::left, true});
   }
 
-  /// Calls `take` for each sequence of columns of the same type, with its first column and the one after its last.
+  /// Calls `take` for each run of adjacent columns of the same type, with the indices of its first column and of the one after its last.
   template <class Same, class Take>
   void each_run(const Same& same, const Take& take) const {
     for (std::size_t first = 0; first < columns_.size();) {
@@ -119,7 +119,7 @@ class SpeedPage {
     }
   }
 
-  /// Draws the outline of a sequence of columns as steps, from left to right or back.
+  /// Draws the outline of a run of columns as steps, from left to right or, if `back`, from right to left.
   template <class Y>
   void steps(Canvas& canvas, std::size_t first, std::size_t end, bool back, bool begins, const Y& y) const {
     for (std::size_t n = first; n < end; ++n) {
@@ -203,7 +203,7 @@ class SpeedPage {
 
   /// Draws the axis below the diagrams: time, and the program line executed at that time.
   void draw_time(Canvas& canvas, double y) const {
-    constexpr double spacing = 110, in_minutes = 180;  // units of the page; s, above which time is shown in minutes
+    constexpr double spacing = 110, in_minutes = 180;  // units of the page between marks; time, s, above which minutes are shown
     const bool minutes = record_.seconds() > in_minutes;
     const double least = record_.seconds() * spacing / width;
     const double step = minutes ? round_minutes(least) : round_step(least);

@@ -17,7 +17,7 @@ namespace kadr {
 namespace {
 
 constexpr double farthest = 1e7;  // units of the page: points farther away are not visible
-constexpr int hundredths = 100;   // coordinates are written to 0.01 unit: finer than a screen shows, even at 50 times zoom
+constexpr int hundredths = 100;   // coordinates are written to 0.01 unit, which is finer than a screen shows at 50 times zoom
 
 /// Writes a coordinate without trailing zeros.
 char* put_coordinate(char* at, double value) {
@@ -42,7 +42,7 @@ std::string hex(Colour ink) {
   return fmt::format("#{:02x}{:02x}{:02x}", part(ink.red), part(ink.green), part(ink.blue));
 }
 
-/// Returns ` fill="#0072b2" fill-opacity="0.14"`.
+/// Returns the SVG attributes of a colour: ` fill="#0072b2" fill-opacity="0.14"`.
 std::string ink_attributes(const char* what, Colour ink) {
   const std::string attribute = fmt::format(" {}=\"{}\"", what, hex(ink));
   return ink.alpha < 1 ? attribute + fmt::format(" {}-opacity=\"{}\"", what, svg_number(ink.alpha)) : attribute;
@@ -152,7 +152,7 @@ void SvgCanvas::program_line(const ProgramLine& line, std::string_view file_name
 }
 
 void SvgCanvas::move_to(Vec2 p) {
-  constexpr std::size_t most = 64;  // characters
+  constexpr std::size_t most = 64;  // greatest number of characters that a point needs
   if (!in_path_) {
     take_group();
     put("<path d=\"");

@@ -39,7 +39,7 @@ char32_t take_character(std::string_view& text) {
     whole = (byte(i) & 0xC0U) == 0x80;
     character = character << 6U | (byte(i) & 0x3FU);
   }
-  constexpr std::array<char32_t, 5> least = {0, 0, 0x80, 0x800, 0x10000};  // least character by bytes: a longer form is not valid UTF-8
+  constexpr std::array<char32_t, 5> least = {0, 0, 0x80, 0x800, 0x10000};  // least character by length in bytes; longer forms are invalid
   if (!whole || character < least[size]) character = replacement;
   text.remove_prefix(whole ? size : 1);
   return character;
@@ -76,7 +76,7 @@ double text_width(std::string_view text, double size) {
 }
 
 std::string printable(std::string_view text) {
-  constexpr char32_t pictures = 0x2400, deleted = 0x2421;  // first of the Unicode symbols for control characters; symbol of DEL
+  constexpr char32_t pictures = 0x2400, deleted = 0x2421;  // first symbol of a control character; symbol of DEL
   std::string clean;
   while (!text.empty()) {
     const char32_t c = take_character(text);

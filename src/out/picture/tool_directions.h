@@ -19,7 +19,7 @@ class ToolDirections {
   /// Stores at most `most` directions.
   explicit ToolDirections(std::size_t most = 240) : most_(most) {}
 
-  /// Consumes a motion. Only cutting motions on a machine with rotary axes that rotate the tool or the part are stored.
+  /// Consumes a motion. Stores directions only for cutting motions on a machine whose rotary axes rotate the tool or the part.
   ///   shift  vector from work coordinates to the picture's coordinates
   void take(const Step& step, Vec3 shift);
 

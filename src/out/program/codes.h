@@ -29,8 +29,8 @@ const CodeRow* row_that_does(const ControlDef& def, std::initializer_list<Wanted
 /// Like row_that_does(), but returns the code as the control writes it; nullopt if no row matches.
 std::optional<std::string> code_of(const ControlDef& def, std::initializer_list<Wanted> wanted);
 
-/// In a table code → feed or speed, returns the code of the highest value that is at most `wanted` (spec/gost 3); nullopt if all values
-/// are greater.
+/// Returns the code of the highest feed or speed that is at most `wanted`, from a table of codes and their values (spec/gost 3); nullopt if
+/// all values are greater.
 std::optional<double> code_below(const std::map<std::int32_t, double>& codes, double wanted);
 
 }  // namespace kadr

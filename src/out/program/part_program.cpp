@@ -20,8 +20,8 @@ namespace {
 using area::Move;
 using area::MoveKind;
 
-constexpr double written_chord = 0.005;  // mm between an arc and the lines that replace it: half the controls' arc tolerance
-constexpr double shortest_arc = 10;      // length in increments; a shorter arc is written as a line
+constexpr double written_chord = 0.005;  // mm between an arc and the lines that replace it: half of the controls' arc tolerance
+constexpr double shortest_arc = 10;      // length in least increments; a shorter arc is written as a line
 constexpr int block_steps[] = {10, 5, 1};
 
 constexpr int any = any_argument;
@@ -52,7 +52,7 @@ class ProgramWriter {
     if (!block.empty()) block += ' ';
     block += word;
   }
-  /// Appends the word of a feed or speed: the value itself, or its code if the control has a table of codes.
+  /// Appends the word of a feed or a speed: its number is the value itself, or the value's code if the control has a table of codes.
   Status coded(std::string& block, char letter, const std::map<std::int32_t, double>& codes, double value) {
     if (codes.empty()) return word(block, letter, value);
     const auto code = code_below(codes, value);
@@ -246,7 +246,7 @@ Result<PartProgram> part_program(const ControlDef& def, const std::vector<area::
 }
 
 Status same_moves(const std::vector<area::Move>& written, const std::vector<area::Move>& read) {
-  constexpr double bulge_off = 0.1;  // greatest change of a bulge by rounding: an arc is at least ten increments long
+  constexpr double bulge_off = 0.1;  // greatest change of Move::bulge by rounding of words; an arc is at least ten increments long
   const auto differs = [](const area::Move& a, const area::Move& b) {
     return (a.kind == area::MoveKind::rapid) != (b.kind == area::MoveKind::rapid) || length(a.to - b.to) > tol::same_point * 10 ||
            std::abs(a.bulge - b.bulge) > bulge_off;

@@ -93,7 +93,7 @@ class RestartWriter {
       KADR_TRY(word(letter, offset.value));
       said_ |= letter_bit(letter);
     }
-    // Some controls accept a tool length only with a motion of that axis: it is written in the first block that moves along the tool.
+    // Some controls accept a tool length only with a motion of the tool axis: the words are written in the first block with such a motion.
     if (row->phase == Phase::length && has_way_) with_way_ = std::exchange(line_, {});
     end();
     return {};
@@ -102,7 +102,7 @@ class RestartWriter {
     const CodeRow* const row = one.kind == Kind::code ? row_of(def_, one) : nullptr;
     return row != nullptr && (row->function == Function::inch || row->function == Function::millimetre);
   }
-  /// True if a word with this letter was already written together with its code.
+  /// True if a word with this letter was already written, in the block of the code that uses it.
   bool has_written(char letter) const { return (said_ & letter_bit(letter)) != 0; }
   Status way(const BlockMove& to) {
     if (to.along_tool && !with_way_.empty()) add(std::exchange(with_way_, {}));
@@ -132,7 +132,7 @@ bool is_set(const std::vector<InForce>& wanted, const ControlDef& def, Function 
   });
 }
 
-/// True if a code of a modal group already states the spindle rotation or the coolant: that code is written instead of the plain one.
+/// True if a code of a modal group states the spindle rotation or the coolant. That code is then written instead of the plain M code.
 bool is_written_by_group(const InForce& one, const std::vector<InForce>& in_force, const ControlDef& def) {
   return std::any_of(in_force.begin(), in_force.end(), [&](const InForce& other) {
     const CodeRow* const row = other.kind == Kind::code ? row_of(def, other) : nullptr;
@@ -192,7 +192,7 @@ Result<RestartBlocks> restart_blocks(const ControlDef& def, const std::vector<In
     if (writer.is_unit(one)) writer.line(one.code);
   for (const InForce& one : wanted) {
     if (one.kind != Kind::variable) continue;
-    // Written before the motions, since work offsets may be among the variables.
+    // Variables are set before the motions, since work offsets may be among them.
     if (one.name.starts_with('#') && def.grammar.expressions) writer.line(fmt::format("{}={:.9g}", one.name, one.value));
     else writer.by_hand(one);
   }

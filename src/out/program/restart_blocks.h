@@ -13,14 +13,14 @@ namespace kadr {
 /// A straight motion to a position in work coordinates.
 struct BlockMove {
   bool rapid = true;
-  std::vector<std::pair<char, double>> to;  // axis letter, mm or degrees
-  double feed = 0;                          // mm/min; only if not rapid
-  bool along_tool = false;                  // moves the tool axis only, so that the same block may apply a tool length
+  std::vector<std::pair<char, double>> to;  // axis letter, and the position in mm or degrees
+  double feed = 0;                          // mm/min; has no meaning for a rapid
+  bool along_tool = false;                  // only the tool axis moves, so that the block may also apply a tool length
 };
 
 struct RestartBlocks {
   std::vector<std::string> blocks;
-  std::vector<InForce> by_hand;  // state that no block can set: work offsets, tool lengths, variables whose value only the program computes
+  std::vector<InForce> by_hand;  // state that no block can set: work offsets, tool lengths, variables that only the program computes
 };
 
 /// Writes the blocks in this order: unit, variables, tool, speed, codes in the order of their groups, offsets, spindle, coolant, the

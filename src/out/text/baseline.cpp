@@ -9,7 +9,8 @@
 namespace kadr {
 namespace {
 
-/// Returns the key of a finding, without its sentence: that depends on the language, and its numbers change when other lines change.
+/// Returns the key of a finding. The sentence of the finding is no part of the key: it depends on the language, and its numbers change when
+/// other lines change.
 std::string key_of(const std::string& file, std::string_view id, const std::string& line) {
   std::string key = file;
   for (const std::string_view part : {id, std::string_view(line)}) (key += '\n') += part;

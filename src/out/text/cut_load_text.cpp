@@ -16,7 +16,7 @@ namespace {
 
 using nlohmann::ordered_json;
 
-constexpr int decimals_of_mm = 3, decimals_of_tooth = 5;  // decimals of values in mm and units derived from mm; of mm per tooth
+constexpr int decimals_of_mm = 3, decimals_of_tooth = 5;  // decimals of values in mm or derived from mm; decimals of mm per tooth
 
 double cut_to(double value, int decimals) {
   const double scale = std::pow(10, decimals);

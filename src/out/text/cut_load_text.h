@@ -26,7 +26,7 @@ std::string air_words(const AirCut& air, Lang lang);
 /// Adds the keys `heaviest` and `emptiest`. An unknown value is null.
 void add_loads(nlohmann::ordered_json& json, const CutResult& result);
 
-/// CSV: the heading with the column names, and one row. The cell of an unknown value is empty.
+/// Return CSV text: the heading with the column names, and the row of one block. The cell of an unknown value is empty.
 std::string blocks_heading();
 std::string blocks_row(const BlockLoad& load);
 

@@ -16,7 +16,7 @@ namespace {
 
 using nlohmann::ordered_json;
 
-constexpr double told_from = 0.05;  // s in the air, from which on the time is printed: less would be rounded to 0.0
+constexpr double told_from = 0.05;  // least time outside the material that is printed, s: a shorter time would be rounded to 0.0
 
 /// Rounds to thousandths of a mm or mm³, since further digits are not significant.
 double rounded(double value) { return std::round(value * 1000) / 1000 + 0.0; }

@@ -38,7 +38,7 @@ inline bool cuts(const Motion& motion) {
 
 /// The unit in which lengths are shown: that of the blocks that cut, or of the last motion if no block cuts.
 enum class LengthUnit : std::uint8_t { mm, inch, mixed };  // mixed: both occur; shown in mm
-/// mm per unit.
+/// Returns the number of mm in one unit.
 inline double mm_of(LengthUnit unit) { return unit == LengthUnit::inch ? mm_per_inch : 1; }
 /// "mm", "in".
 const char* unit_name(LengthUnit unit, Lang lang);

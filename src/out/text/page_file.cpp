@@ -46,7 +46,7 @@ tl::expected<void, std::string> write_png(const ResultFile& file, double width, 
   if (status == CAIRO_STATUS_SUCCESS) status = cairo->surface_status(surface.get());
   if (status == CAIRO_STATUS_SUCCESS) status = cairo->surface_write_to_png_stream(surface.get(), write_bytes, file.get());
   if (status == CAIRO_STATUS_SUCCESS) return {};
-  // Cairo itself speaks English only.
+  // Cairo's own messages are in English only.
   const Lang lang = thread_language();
   return tl::unexpected(file.name() + ": " +
                         (lang == Lang::en ? cairo->status_to_string(status) : plain_text(texts::picture::not_written)));

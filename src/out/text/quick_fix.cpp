@@ -24,7 +24,7 @@ Span whole_word(std::string_view line, std::uint32_t begin) {
   return {begin, std::uint32_t(end)};
 }
 
-/// Extends the span of a word that is to be removed by one of the blanks next to it.
+/// Extends the span of a word that is to be removed, so that one of the blanks next to the word is removed too.
 Span with_a_blank(std::string_view line, Span word) {
   const bool behind = word.end < line.size() && line[word.end] == ' ', before = word.begin > 0 && line[word.begin - 1] == ' ';
   if (before && (behind || word.end >= without_trailing_blanks(line))) --word.begin;
@@ -51,7 +51,7 @@ std::optional<QuickFix> quick_fix(const AlarmReport& report, Lang lang) {
   };
   const auto instead_of_arc = [&](std::string_view code) -> std::optional<QuickFix> {
     const bool is_arc = marked == "G2" || marked == "G02" || marked == "G3" || marked == "G03";
-    return is_arc ? std::optional(instead(std::string(code))) : std::nullopt;  // otherwise the code in force is in an earlier line
+    return is_arc ? std::optional(instead(std::string(code))) : std::nullopt;  // an arc code in force may be in an earlier line
   };
   const auto row_of_tool = [&](char address, double tool) -> std::optional<QuickFix> {
     const bool is_word = marked.size() > 1 && marked[0] == address && marked.find_first_not_of("0123456789", 1) == std::string::npos;

@@ -8,7 +8,7 @@
 namespace kadr {
 namespace {
 
-constexpr std::size_t widest = 110;  // characters shown of a line
+constexpr std::size_t widest = 110;  // greatest number of characters of a line that are shown
 constexpr std::size_t ahead = 40;    // characters shown before the position, in a shortened line
 constexpr std::string_view indent = "  ";
 constexpr std::string_view clipped = "…";
@@ -58,7 +58,7 @@ std::string bytes_shown(std::string_view bytes) {
 std::string character_shown(std::string_view character) {
   const auto byte = static_cast<unsigned char>(character[0]);
   const auto second = static_cast<unsigned char>(character.size() > 1 ? character[1] : 0);
-  const bool too_long_form = (byte == 0xE0 && second < 0xA0) || (byte == 0xF0 && second < 0x90);  // a longer form of a smaller character
+  const bool too_long_form = (byte == 0xE0 && second < 0xA0) || (byte == 0xF0 && second < 0x90);  // an overlong UTF-8 form
   if (character.size() != length_by(byte) || too_long_form) return bytes_shown(character);
   if (byte == 0x7F) return "\xE2\x90\xA1";
   if (byte < 0x20 && byte != '\t') return std::string("\xE2\x90") + static_cast<char>(0x80 + byte);

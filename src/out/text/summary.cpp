@@ -14,7 +14,7 @@
 namespace kadr {
 namespace {
 
-/// Texts by the enum TimeBasis.
+/// Texts in the order of the enum TimeBasis.
 constexpr std::array<PlainText, 3> basis_texts = {texts::summary::by_programmed_feeds, texts::summary::by_limited_speed,
                                                   texts::summary::by_acceleration};
 
@@ -67,7 +67,7 @@ void Statistics::use(std::uint32_t tool) {
   if (found == tools_.end()) tools_.push_back({tool, 0});
 }
 
-/// Adds the cutting time since the last call to the tool in the spindle.
+/// Adds the cutting time since the last call of this function to the time of the tool that is in the spindle.
 void Statistics::count_cutting() {
   const double now = estimate_.split().cutting;
   if (in_spindle_ < tools_.size()) tools_[in_spindle_].cutting_s += now - cutting_then_;

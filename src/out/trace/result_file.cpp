@@ -125,7 +125,7 @@ tl::expected<void, std::string> ResultFile::open_temporary() {
   if (file < 0) return tl::unexpected(sentence(name_, errno));
   files.names.insert(beside_);
   constexpr mode_t all_rights = 07777;
-  if (exists) (void)::fchmod(file, there.st_mode & all_rights);  // not allowed: keeps the permissions of a new file
+  if (exists) (void)::fchmod(file, there.st_mode & all_rights);  // if this is refused, the file keeps its own permissions
   owned_ = true;
   file_ = ::fdopen(file, "wb");
   return {};

@@ -45,7 +45,7 @@ void SampleWriter::write_tips(std::FILE* file, const AxisRoles& roles) {
 
 void SampleWriter::take_place(std::uint64_t motion, const ToolPosition& from) {
   if (tip_file_ == nullptr) return;
-  if (!places_.empty()) {  // usually only the position has changed since the previous motion
+  if (!places_.empty()) {  // usually only the position has changed since the last motion: no new place is needed
     const ToolPosition& last = places_.back().from;
     bool same = last.space == from.space && last.turn == from.turn;
     for (std::size_t a = 0; same && a < axes_ && (!from.space || !from.space->has_rotary()); ++a)
@@ -55,7 +55,7 @@ void SampleWriter::take_place(std::uint64_t motion, const ToolPosition& from) {
   places_.push_back({motion, from});
 }
 
-/// Writes the tool tip. Without rotary axes in use, it follows from the difference between work and machine coordinates and from the
+/// Writes the tool tip. Without rotary axes in use, the tip follows from the difference between work and machine coordinates and from the
 /// rotated frame.
 void SampleWriter::write_tip(const double* at) {
   while (places_.size() > 1 && places_[1].motion <= playback_.motion()) places_.pop_front();

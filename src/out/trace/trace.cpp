@@ -90,7 +90,7 @@ char* TraceWriter::put_arc(char* at, const Motion& motion) const {
   return put_field(at, R"(","turns":)", motion.turns);
 }
 
-/// Writes a motion. The line of a plain motion is written at once; rarely used fields are appended one by one.
+/// Writes a motion. The fields that every motion has are written at once; fields that are rarely present are appended one by one.
 void TraceWriter::write_motion(const Step& step, const Motion& motion) {
   const MotionTime& time = step.time;
   char* at = put_head(out_.room(line_room_), motion_names[row_of(motion.kind)], step.action.origin);
@@ -117,9 +117,10 @@ void TraceWriter::write_motion(const Step& step, const Motion& motion) {
   out_.append("}\n");
 }
 
-/// Writes the travel of each axis that the block names; the program does not state where this motion begins (nct 21.1).
+/// Writes how far each axis that the block names moves. After a probe motion the program alone does not determine where this motion begins
+/// (nct 21.1).
 void TraceWriter::write_path(const Step& step, const Motion& motion) {
-  if (motion.detail && motion.detail->rolled != 0) return;  // write_detail writes the travel
+  if (motion.detail && motion.detail->rolled != 0) return;  // in this case write_detail() writes the travel
   char* at = put_text(out_.room(line_room_), R"(,"travel":)");
   char separator = '{';
   for (std::size_t i = 0; i < roles_.count; ++i) {
@@ -147,7 +148,7 @@ char* TraceWriter::put_vector(char* at, std::string_view key, Vec3 v) const {
   return at;
 }
 
-/// Writes the tool position and direction in the part (nct 25), and the frame of the program's words.
+/// Writes the tool's position and direction relative to the part (nct 25), and the coordinate frame in which the program's words are.
 void TraceWriter::write_space(const Place& at_place) {
   const auto& [step, motion, part, work, machine] = at_place;
   const WorkTransform& space = *step.from.space;
@@ -199,7 +200,7 @@ void TraceWriter::write_time(const Motion& motion, const MotionTime& time) {
   const bool curved =
       is_arc(motion.kind) || motion.kind == MotionKind::spline || (motion.detail && motion.detail->surface != PathSurface::plane);
   if (curved && time.length > 0) at = put_field(at, R"(,"length":)", time.length);
-  if (time.exact) {  // otherwise the set-up has no axis accelerations, and these numbers would be wrong
+  if (time.exact) {  // without axis accelerations in the set-up these numbers would be wrong
     at = put_field(at, R"(,"seconds":)", time.seconds);
     if (time.feed_most > 0) at = put_field(at, R"(,"feed_max":)", time.feed_most);
     if (time.feed_end) at = put_field(at, R"(,"feed_end":)", *time.feed_end);

@@ -25,12 +25,13 @@ class TraceWriter {
   /// another channel writes.
   ///   writes_program_ends  also writes the codes that the control executes itself (MachineFunction::by_control)
   void set_channel(int channel, bool writes_program_ends = true) { channel_ = channel, writes_program_ends_ = writes_program_ends; }
-  /// True if the step before was a probe motion: the trace line of the next motion then also contains its path length.
+  /// True if the step before was a probe motion: the trace line of the next motion then also contains how far each axis moves.
   bool after_probe() const { return after_probe_; }
   void go_on_behind_probe(bool is) { after_probe_ = is; }
   void flush() { out_.flush(); }
 
-  /// Writes one line; a FrameChange or ZoneChange writes none. The line of an untimed motion has no length, seconds or highest feed.
+  /// Writes one line; none for a FrameChange or ZoneChange. The line of a motion without a computed time has no length, seconds or highest
+  /// feed.
   void write(const Step& step);
 
   /// Writes the last line: the state after the run, and the alarm if one stopped it.
@@ -65,9 +66,9 @@ class TraceWriter {
 
   TextBuffer out_;
   AxisRoles roles_;
-  int channel_ = 0;  // 0: the program has only one
+  int channel_ = 0;  // number of the channel in each line; 0: the program has only one channel, and no line contains a number
   bool writes_program_ends_ = true;
-  std::vector<std::string> keys_;  // "X":
+  std::vector<std::string> keys_;  // names of the axes as JSON keys: "X":
   std::vector<std::string> names_;
   std::size_t line_room_ = 0;  // greatest number of characters that a line head and two positions need
   std::vector<double> points_;

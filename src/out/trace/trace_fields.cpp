@@ -12,7 +12,8 @@ namespace {
 constexpr std::array<std::string_view, 5> dir_names = {"stop", "cw", "ccw", "orient", "position"};
 constexpr std::array<std::string_view, 3> coolant_names = {"off", "mist", "flood"};
 constexpr std::array<std::string_view, 3> coolant_codes = {"M9", "M7", "M8"};
-constexpr std::array<std::string_view, 4> reason_names = {"", "", "single_block", "message"};  // field `do` has the first two
+// Names of the stop reasons. For the first two, the field `do` of the trace line states the reason.
+constexpr std::array<std::string_view, 4> reason_names = {"", "", "single_block", "message"};
 
 std::string field(std::string_view key, double value) { return ",\"" + std::string(key) + "\":" + number_string(value); }
 std::string field(std::string_view key, const std::optional<double>& value) { return value ? field(key, *value) : std::string(); }

@@ -8,7 +8,7 @@ namespace kadr {
 namespace {
 
 constexpr std::size_t max_problems = 1000;
-constexpr std::size_t max_explained = 10'000;  // bytes of a line that can be explained
+constexpr std::size_t max_explained = 10'000;  // greatest length of a line that is explained, bytes
 
 }  // namespace
 
@@ -33,7 +33,7 @@ PageSession::Inside::Answer PageSession::Inside::check(const PageJson& question)
   return PageJson{{"problems", std::move(problems)}};
 }
 
-/// Explains the words of a line, which is sent by the editor or read from the file.
+/// Explains the words of a program line. The request contains the line, or its number in the file.
 PageSession::Inside::Answer PageSession::Inside::explain(const PageJson& question) {
   std::string text;
   if (question.contains("text")) {

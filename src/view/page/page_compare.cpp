@@ -47,8 +47,8 @@ PageJson comparison_json(const Comparison& c, double tolerance, Lang lang) {
 
 }  // namespace
 
-/// Compares the open program with another file, or with another text of the same program, on the same machine and set-up. The path of the
-/// other program is sent after the answer.
+/// Compares the open program with another file, or with another text of the same program, on the same machine with the same set-up. The
+/// path of the other program is sent to the page after the answer.
 PageSession::Inside::Answer PageSession::Inside::compare(const PageJson& question) {
   OpeningRequest request = opened_request;
   request.control = value_in<std::string>(question, "control", request.control.empty() ? run->opened().def->id : request.control);

@@ -14,7 +14,7 @@
 
 namespace kadr {
 
-/// One conversion. It owns the data that its sessions use, and outlives them.
+/// One conversion. This object owns the data that the conversion's sessions use, and outlives the sessions.
 class PageConversion {
  public:
   PageConversion(OpenedProgram from, std::shared_ptr<const ControlDef> to, StopToken stop)
@@ -67,14 +67,14 @@ class PageConversion {
 
 namespace {
 
-constexpr std::size_t max_converted = std::size_t{8} << 20;  // maximum size of a program, bytes, before and after the conversion
-constexpr std::size_t max_written_out = 1000;                // maximum number of segments of lines listed as rewritten
-constexpr std::size_t most_line = 200;                       // maximum length, bytes, of a program line that a message quotes
+constexpr std::size_t max_converted = std::size_t{8} << 20;  // greatest size of a program before and after the conversion, bytes
+constexpr std::size_t max_written_out = 1000;                // greatest number of rewritten segments of lines that are listed
+constexpr std::size_t most_line = 200;                       // greatest length of a program line that a message quotes, bytes
 
 tl::unexpected<Refusal> not_converted(std::string text) { return tl::unexpected(Refusal{std::move(text)}); }
 
-/// Checks that the request contains only known keys and valid values. Ignoring one would be dangerous, since the program will run on a
-/// machine.
+/// Checks that the request contains only known keys and valid values. To ignore an unknown key would be dangerous, since the program will
+/// run on a machine.
 ///   returns  an error sentence; empty if the request is valid
 std::string fault_of_request(const PageJson& question) {
   struct Word {
@@ -129,7 +129,7 @@ std::string name_for(const std::string& file, const ControlDef& to) {
   return fmt::format("{}-{}.nc", std::filesystem::path(file).replace_extension().string(), to.id);
 }
 
-/// Lists the lines that had to be rewritten as a whole, for a conversion that otherwise replaces word by word.
+/// Lists the lines that were rewritten as a whole, for a conversion that otherwise replaces only words.
 PageJson written_out_json(const ConversionTry& one, const ConversionSides& sides) {
   PageJson list = PageJson::array();
   for (const WrittenOut& out : one.written_out) {
@@ -150,8 +150,8 @@ PageJson written_json(const ConversionTry& one, bool is_proven, const Setup& set
 
 }  // namespace
 
-/// Converts the program that the request names, whether or not it is open. So the page can use a separate connection, and its other
-/// requests need not wait.
+/// Converts the program that the request names, whether or not this page has opened it. A page can therefore convert on a separate
+/// connection, and its other requests need not wait.
 PageSession::Inside::Answer PageSession::Inside::convert(const PageJson& question) {
   if (const std::string fault = fault_of_request(question); !fault.empty()) return not_converted(fault);
   const auto request = opening_request_in(question);

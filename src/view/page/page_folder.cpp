@@ -10,9 +10,9 @@
 namespace kadr {
 namespace {
 
-constexpr std::size_t max_read = std::size_t{8} << 20;  // maximum size of a file that can be read, bytes
+constexpr std::size_t max_read = std::size_t{8} << 20;  // greatest size of a file that can be read, bytes
 
-/// Returns the contents to be saved; nullopt if the request has neither text nor bytes, or has both.
+/// Returns the contents to be saved, from the request; nullopt if the request has neither text nor bytes, or has both.
 std::optional<std::string> text_to_save(const PageJson& question) {
   const auto text = question.find("text"), bytes = question.find("bytes");
   if ((text == question.end()) == (bytes == question.end())) return std::nullopt;
@@ -66,7 +66,7 @@ std::string PageSession::Inside::free_name(const std::string& like, const std::s
   return name;
 }
 
-/// Saves a file that this page has opened, or a new file. The contents are a text, or the rows of a tape as base64.
+/// Saves a new file, or a file that this page has opened. The contents are a text, or the rows of a punched tape as base64.
 PageSession::Inside::Answer PageSession::Inside::save(const PageJson& question) {
   if (!may_change) return tl::unexpected(Refusal{translated(texts::page::may_not_save)});
   const std::string file = value_in<std::string>(question, "file", "");

@@ -22,7 +22,7 @@ namespace kadr {
 class PageConversion;
 struct Converted;
 
-/// The reason why a request is refused.
+/// The reason why a request is refused, as the page receives it.
 struct Refusal {
   std::string text;
   bool changed = false;
@@ -119,13 +119,14 @@ struct PageSession::Inside {
   tl::expected<PanelMachine*, Refusal> held_machine() const;
 
   tl::expected<OpeningRequest, Refusal> opening_request_in(const PageJson& question) const;
-  /// Finds the path of the file that a request names; or accepts the name of a built-in control or machine, if `may_be_a_name`.
+  /// Sets `to` to the path of the file that the request names at `key`. If `may_be_a_name`, the request may also name a built-in control or
+  /// machine.
   ///   returns  an error sentence; empty if `to` has been set
   std::string place_of(const PageJson& question, const char* key, std::string& to, bool may_be_a_name) const;
-  /// Returns a file name that does not exist yet: derived from `like`, with the given ending.
+  /// Returns the name of a file that does not exist yet: `like` with the given ending, and a number if needed.
   std::string free_name(const std::string& like, const std::string& ending) const;
   void execute();
-  /// Sends the frames of a piece of the path; `which` as defined by the protocol. If nobody receives them, the current work ends.
+  /// Sends the frames of a piece of the path; `which` is the path's number in the protocol. If the page is closed, the current work ends.
   void send(const ViewPiece& piece, std::uint32_t which, std::uint32_t channel);
   void say(const PageJson& event) { gone = !line.text(dumped(event)) || gone; }
   PageJson problem(const AlarmReport& report) const {
@@ -135,7 +136,7 @@ struct PageSession::Inside {
   }
   bool is_memory_full() const;
   static std::string memory_full_message();
-  /// If all sessions together use too much memory: ends the growing data of this session, and reports that to the page.
+  /// If all sessions together use too much memory, deletes the data of this session that grow, and reports that to the page.
   void end_if_memory_is_full();
   /// Makes the file paths in a list of calls relative to the folder, for display.
   void show_files(PageJson& calls) const;

@@ -24,10 +24,10 @@ const char* name_of_mark(TimeMark::Kind kind) {
 }
 
 PageJson vec(Vec3 v) { return {v.x, v.y, v.z}; }
-/// Returns the exact box (from the statistics, in coordinates of the work offset) if the box in the picture is the same; else the box in
-/// the picture.
+/// Returns the box of the statistics if it is the same as the box in the picture; else the box in the picture. The box of the statistics is
+/// exact, but in coordinates of a work offset; that of the picture contains chords instead of arcs.
 Box shown_box(const Box& exact, const Box& seen) {
-  constexpr double alike = 0.01;  // mm; more than the error of chords that replace arcs
+  constexpr double alike = 0.01;  // mm; more than the error of the chords that replace arcs
   const Vec3 least = exact.least - seen.least, most = exact.most - seen.most;
   const double off =
       std::max({std::fabs(least.x), std::fabs(least.y), std::fabs(least.z), std::fabs(most.x), std::fabs(most.y), std::fabs(most.z)});
@@ -35,7 +35,7 @@ Box shown_box(const Box& exact, const Box& seen) {
 }
 
 PageJson box_json(const Box& box) { return box.empty ? PageJson() : PageJson{vec(box.least), vec(box.most)}; }
-/// JSON has no NaN or infinity: they become null.
+/// Returns a number as JSON. JSON has no NaN or infinity; they become null.
 PageJson number(double value) { return std::isfinite(value) ? PageJson(value) : PageJson(); }
 
 const InForce* find(const std::vector<InForce>& all, InForce::Kind kind, const std::string& name) {
@@ -85,7 +85,7 @@ double first_use(const ProgramRun& run, std::uint32_t tool) {
   return 0;
 }
 
-/// Adds the axis positions during the block, and the distance to go, to the JSON.
+/// Adds to the JSON: the axis positions during the block, and the distance from there to the end of the motion.
 void put_position(PageJson& json, const InstantState& s, const ProgramRun& run) {
   json["position"] = of_axes(s.after, InForce::Kind::position);
   json["machine"] = of_axes(s.after, InForce::Kind::machine);

@@ -16,9 +16,9 @@
 namespace kadr {
 namespace {
 
-constexpr std::size_t max_made_bytes = std::size_t{8} << 20;  // maximum size of a program or of its picture, bytes
+constexpr std::size_t max_made_bytes = std::size_t{8} << 20;  // greatest size of a program or of its picture, bytes
 
-/// A number in the request, by its name, which is that of the option of kadr mill.
+/// A number in the request. Its key is the name of the option of kadr mill.
 struct MillNumber {
   std::string_view key;
   double MillRequest::*value;
@@ -59,7 +59,7 @@ bool is_one_of(const Names& names, std::string_view name) {
   return std::find(std::begin(names), std::end(names), name) != std::end(names);
 }
 
-/// Stores one value of the request in `wish`. Returns false if the key is unknown or the value has the wrong type.
+/// Stores one value of the JSON request in `request`. Returns false if the key is unknown or the value has the wrong type.
 bool take_word(MillRequest& request, const std::string& key, const PageJson& value) {
   if (const auto row = row_of(mill_numbers, key); row != std::end(mill_numbers)) {
     if (!value.is_number()) return false;
@@ -81,7 +81,7 @@ bool take_word(MillRequest& request, const std::string& key, const PageJson& val
   return true;
 }
 
-/// Reads the request. Unknown keys and invalid values are refused, since the program will run on a machine.
+/// Reads the request. Refuses unknown keys and invalid values, since the program will run on a machine.
 tl::expected<MillRequest, Refusal> mill_request_in(const PageJson& question) {
   MillRequest request;
   for (const auto& [key, value] : question.items())
@@ -92,7 +92,7 @@ tl::expected<MillRequest, Refusal> mill_request_in(const PageJson& question) {
   return request;
 }
 
-/// Returns the key of the request that the alarm concerns, "plunge_feed"; empty if it concerns the drawing.
+/// Returns the key of the request that the alarm concerns, such as "plunge_feed"; empty if the alarm concerns the drawing.
 std::string word_of(const Alarm& alarm) {
   if (alarm.id == AlarmId::mill_stepover) return "stepover";
   if (alarm.id != AlarmId::mill_value) return {};

@@ -15,7 +15,7 @@ namespace kadr {
 namespace {
 
 constexpr std::size_t max_expression = 200, most_watched = 50;
-// bytes of a program that is stored in memory; also the limit for editing on the page
+// Greatest size of a program that is stored in memory, bytes; longer programs cannot be edited on the page.
 constexpr std::size_t max_held = std::size_t{8} << 20;
 
 PageAnswer answer_of(const PanelMachine::Answer& answer) {
@@ -23,8 +23,8 @@ PageAnswer answer_of(const PanelMachine::Answer& answer) {
   return PageJson::object();
 }
 
-/// Returns the functions that save the machine's events in the journal, and that add table changes by lines of the operator to the tables
-/// of its program.
+/// Returns the functions that save the machine's events in the journal. When a line of the operator changes tables, they also add the
+/// change to the tables of the machine's program.
 PanelRecorder keeper_of(PanelJournal& journal, const std::string& name, PanelProgram& program, Lang lang) {
   PanelRecorder keeper;
   const std::shared_ptr<const AlarmTexts> texts = program.opened().texts;
@@ -49,14 +49,14 @@ PanelRecorder keeper_of(PanelJournal& journal, const std::string& name, PanelPro
   return keeper;
 }
 
-/// Stores the program's text when a machine starts.
+/// Reads the program file and stores its text in `program`, when a machine starts.
 void hold_text(const ServedFolder& folder, const std::string& file, PanelProgram& program) {
   if (auto text = folder.read(file, max_held))
     return program.take_text(std::make_shared<const std::string>(std::move(text->bytes)), std::move(text->digest));
   program.take_text(nullptr, folder.digest(file).value_or(""));
 }
 
-/// Returns the part of the request that says how to switch the machine on, as text for the journal.
+/// Returns, as text for the journal, that part of the request that describes how the machine is switched on.
 std::string machine_text(const PageJson& question) {
   PageJson kept = PageJson::object();
   for (const char* const key : {"file", "control", "machine", "setup", "encoding"})
@@ -158,7 +158,7 @@ std::string PageSession::Inside::keep(const char* what, const std::string& text)
   return kept ? std::string() : kept.error();
 }
 
-/// Gives up control of the machine, so that other pages may take it.
+/// Gives up control of the machine, so that another page can get control.
 void PageSession::Inside::leave_machine() {
   std::shared_ptr<PanelHub::HubMachine> place;
   {
@@ -169,7 +169,7 @@ void PageSession::Inside::leave_machine() {
   if (place) place->holder.compare_exchange_strong(mine, 0);
 }
 
-/// Returns the machine if this page has control of it.
+/// Returns the machine that this page displays; refuses if this page does not have control of it.
 tl::expected<PanelMachine*, Refusal> PageSession::Inside::held_machine() const {
   if (!hub_machine) return refused(translated(texts::panel_page::no_machine));
   if (!may_change) return refused(translated(texts::panel_page::may_only_look));
@@ -192,7 +192,7 @@ PageSession::Inside::Answer PageSession::Inside::panel(const PageJson&) {
   return json;
 }
 
-/// Returns the program text that the machine runs, which may differ from the file on the disk.
+/// Returns the text of the program that the machine runs. The file on the disk may have changed since.
 PageSession::Inside::Answer PageSession::Inside::machine_source(const PageJson&) {
   if (!hub_machine) return refused(translated(texts::panel_page::no_machine));
   const PanelProgram& program = content_of(*hub_machine).program;
@@ -221,7 +221,7 @@ PageSession::Inside::Answer PageSession::Inside::press(const PageJson& question)
   if (key == "hold") return answer_of((*machine)->hold());
   if (key == "reset") return answer_of((*machine)->reset());
   if (key != "off") return refused(translated(texts::panel_page::no_such_key, key));
-  (*machine)->switch_off();  // switches off first, so that nothing is saved after the data are deleted
+  (*machine)->switch_off();  // before the data are deleted, so that the machine saves nothing afterwards
   note("off", {}, 0);
   const auto forgotten = server.journal->forget(hub_machine->name);
   server.hub->remove(hub_machine->name);
@@ -277,7 +277,7 @@ PageSession::Inside::Answer PageSession::Inside::answer_to_machine(const PageJso
   return answer_of((*machine)->answer(value_in<double>(question, "answer", -1)));
 }
 
-/// Evaluates the expressions that this page watches.
+/// Evaluates the expressions that the operator watches on this page.
 PageSession::Inside::Answer PageSession::Inside::watch(const PageJson& question) {
   if (!hub_machine) return refused(translated(texts::panel_page::no_machine));
   std::vector<std::string> expressions;
@@ -293,7 +293,7 @@ PageSession::Inside::Answer PageSession::Inside::watch(const PageJson& question)
   return PageJson{{"values", std::move(list)}};
 }
 
-/// Adds a stop point, or removes the one with the number `remove`.
+/// Adds a stop point, or removes the one whose number the request states as `remove`.
 PageSession::Inside::Answer PageSession::Inside::stops_at(const PageJson& question) {
   const auto machine = held_machine();
   if (!machine) return tl::unexpected(machine.error());

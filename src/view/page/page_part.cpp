@@ -13,10 +13,10 @@ namespace kadr {
 namespace {
 
 constexpr std::size_t max_fixtures = 100;
-constexpr std::size_t max_tools_files = 32;                        // number of tools files that are read for proposals, at most …
-constexpr std::uint64_t max_tools_bytes = std::uint64_t{1} << 20;  // … and the maximum size of each, bytes
+constexpr std::size_t max_tools_files = 32;                        // greatest number of tools files that are read for proposals
+constexpr std::uint64_t max_tools_bytes = std::uint64_t{1} << 20;  // greatest size of each of these files, bytes
 
-/// Returns the description of a solid, in which the name of a mesh file is replaced by its path in the file system.
+/// Returns the description of a solid for body_of(). If it is the name of a mesh file, returns the path of that file.
 tl::expected<std::string, Refusal> placed_body(const ServedFolder& folder, const std::string& text) {
   if (!names_mesh_file(text)) return text;
   auto path = folder.path_of(text);
@@ -31,7 +31,7 @@ tl::expected<ToolLibrary, Refusal> tools_in(const ServedFolder& folder, const Pa
     if (found->empty()) return refused(translated(texts::part_run::no_tool_given));
     PageJson list = *found;
     for (PageJson& tool : list)
-      if (tool.is_object()) tool.erase("from"), tool.erase("known");  // removes the keys that only a proposal has
+      if (tool.is_object()) tool.erase("from"), tool.erase("known");  // only a proposal has these keys
     auto tools = tools_of_list(dumped(list));
     if (!tools) return refused(tools.error());
     return std::move(*tools);

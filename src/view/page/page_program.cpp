@@ -8,7 +8,7 @@
 namespace kadr {
 namespace {
 
-constexpr std::uint64_t max_text = std::uint64_t{8} << 20;  // bytes; a longer program can be viewed line by line, but not edited
+constexpr std::uint64_t max_text = std::uint64_t{8} << 20;  // greatest size of a program that can be edited, not only viewed; bytes
 constexpr std::uint32_t max_lines = 5000;
 constexpr std::size_t max_passes = 1000;
 
@@ -26,7 +26,8 @@ std::string PageSession::Inside::place_of(const PageJson& question, const char* 
   return {};
 }
 
-/// Finds the files that a request names. They must be in the folder; a control or machine may also be a built-in one.
+/// Returns the request, with the paths of the files that it names. The files must be in the folder; a control or machine may also be
+/// built-in.
 tl::expected<OpeningRequest, Refusal> PageSession::Inside::opening_request_in(const PageJson& question) const {
   OpeningRequest request;
   request.lang = lang;
@@ -89,7 +90,7 @@ void PageSession::Inside::send(const ViewPiece& piece, std::uint32_t which, std:
   if (gone) stops = true;
 }
 
-/// Converts a problem of another channel: its line is in the program of that channel.
+/// Converts a problem of another channel to JSON. The line of the problem is in the program of that channel.
 PageJson PageSession::Inside::problem_of_channel(const AlarmReport& report, int channel) const {
   const Finding finding = finding_of(report, *run->opened().texts, lang);
   PageJson json = problem_json(finding, 0, std::nullopt);
@@ -120,7 +121,7 @@ void PageSession::Inside::execute() {
   say(done);
 }
 
-/// Returns lines of the program, or of a called file. A called file is scanned once, at the first request.
+/// Returns lines of the program, or of a called file. The first request for a called file finds where its lines begin.
 PageSession::Inside::Answer PageSession::Inside::source_lines(const PageJson& question) {
   const std::uint32_t from = count_in(question, "from", 1), count = std::min(count_in(question, "count", max_lines), max_lines);
   const std::uint32_t file = count_in(question, "file", 0);

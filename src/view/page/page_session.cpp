@@ -62,8 +62,8 @@ PageSession::Inside::Answer PageSession::Inside::answer(const std::string& what,
   struct Known {
     std::string_view name;
     Answer (Inside::*answer)(const PageJson&);
-    bool of_program;     // the request needs an open program
-    bool heavy = false;  // the request may need much memory
+    bool of_program;     // true: the request needs an open program
+    bool heavy = false;  // true: the request may need much memory
   };
   static constexpr Known all[] = {
       {"hello", &Inside::hello, false},

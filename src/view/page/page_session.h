@@ -26,7 +26,7 @@ class PageLine {
   virtual bool frame(std::string bytes) = 0;
 };
 
-/// The program file that was opened last, by whichever page.
+/// The program file that any page of the server has opened last.
 class LastOpened {
  public:
   std::string get() const {
@@ -46,8 +46,8 @@ class LastOpened {
 /// The data that all pages of a server share.
 struct PageServer {
   const ServedFolder& folder;
-  std::string token;    // secret that a page must send to be allowed any change
-  bool all_need_token;  // a page without the token may not even view
+  std::string token;    // secret that a page must send before it may change anything
+  bool all_need_token;  // true: a page without the token may not view anything either
   Lang lang = Lang::en;
   std::string version;                  // version of Kadr
   LastOpened* last = nullptr;           // nullptr: the last opened file is not recorded
@@ -66,17 +66,17 @@ class PageSession {
   PageSession(const PageSession&) = delete;
   PageSession& operator=(const PageSession&) = delete;
 
-  /// Call before take(), in the order of the calls of stop(). The work that follows continues until stop(); if `stopped`, a stop was
-  /// already requested and the work ends at once.
+  /// Must be called before take(), in the order in which stop() is called for the messages. The work for a message continues until stop().
+  /// `stopped`: a stop was already requested for this message, whose work then ends at once.
   void begin(bool stopped);
   /// Answers a message, and performs what the message requests.
   ///   returns  false if too many messages were invalid, or the page is closed
   bool take(std::string_view message);
   /// Ends the current work at once. May be called from any thread.
   void stop();
-  /// True if the message does nothing but request stop(). It must be passed to take() all the same.
+  /// True if the message requests stop() and nothing else. Such a message must be passed to take() too.
   static bool asks_to_stop(std::string_view message);
-  /// True if the message requests an emergency stop. Then emergency() must be called at once; any thread may call it.
+  /// True if the message requests an emergency stop. The caller must then call emergency() at once; any thread may call it.
   static bool asks_for_emergency(std::string_view message);
   void emergency();
 

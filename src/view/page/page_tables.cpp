@@ -54,7 +54,7 @@ PageSession::Inside::Answer PageSession::Inside::tables(const PageJson&) {
                   {"lasts", server.journal != nullptr && server.journal->lasts()}};
 }
 
-/// Checks, saves and applies an edit, in this order, so that an edit is saved before it is confirmed.
+/// Checks an edit of tables, saves it, and then applies it. An edit is thus saved before it is confirmed to the page.
 PageSession::Inside::Answer PageSession::Inside::edit(const PageJson& question) {
   const auto machine = held_machine();
   if (!machine) return tl::unexpected(machine.error());
@@ -81,7 +81,7 @@ PageSession::Inside::Answer PageSession::Inside::edit(const PageJson& question) 
   return PageJson{{"edited", program.edited()}};
 }
 
-/// Writes the edits into the set-up file, or into a new one if there is none.
+/// Writes the edits of the tables into the set-up file, or into a new file if there is none.
 PageSession::Inside::Answer PageSession::Inside::keep_tables(const PageJson& question) {
   const auto machine = held_machine();
   if (!machine) return tl::unexpected(machine.error());

@@ -14,13 +14,13 @@
 namespace kadr {
 namespace {
 
-constexpr std::size_t max_rows = std::size_t{8} << 20;  // rows of a tape, at most: 21 km
+constexpr std::size_t max_rows = std::size_t{8} << 20;  // greatest number of rows of a tape: 21 km
 constexpr std::size_t max_leader = 100'000;
 constexpr std::size_t max_faults_reported = 100;
 
 tl::unexpected<Refusal> no_tape(std::string text) { return tl::unexpected(Refusal{std::move(text)}); }
 
-/// Returns the error sentence for a character that the tape code lacks, with the line and the character.
+/// Returns the error sentence for a character that the tape code does not have. The sentence states the line and the character.
 std::string not_punched(const std::string& file, const std::string& text, Span at, TapeCode code, Lang lang) {
   const auto line = 1 + std::count(text.begin(), text.begin() + std::min<std::ptrdiff_t>(at.begin, std::ssize(text)), '\n');
   return translated_in(lang, texts::page::no_code_on_tape, file, line, text.substr(at.begin, at.end - at.begin), name_for_people(code));
@@ -37,7 +37,7 @@ PageSession::Inside::Answer PageSession::Inside::tape(const PageJson& question) 
   return no_tape(translated(texts::page::tape_ways));
 }
 
-/// Punches the text of the editor, or of the file.
+/// Returns the rows of a tape with the text of the editor, or with the text of the file.
 PageSession::Inside::Answer PageSession::Inside::punch(const PageJson& question, std::optional<TapeCode> said) const {
   const std::string file = value_in<std::string>(question, "file", "");
   const auto found = server.folder.read(file, max_rows);
@@ -46,7 +46,7 @@ PageSession::Inside::Answer PageSession::Inside::punch(const PageJson& question,
   const std::string text = is_edited ? question["text"].get<std::string>() : SourceText(as_text(text_source(found->bytes))).whole();
   if (text.find_first_not_of(" \t\r\n") == std::string::npos) return no_tape(translated(texts::page::empty_for_tape, file));
   const TapeCode code = said.value_or(TapeCode::iso);
-  constexpr std::uint32_t usual_leader = 100;  // rows of leader before and after the program
+  constexpr std::uint32_t usual_leader = 100;  // rows of blank tape before and after the program
   const std::size_t leader = std::min<std::size_t>(count_in(question, "leader", usual_leader), max_leader);
   const auto rows = encode_tape(text, leader, code);
   if (!rows) return no_tape(not_punched(file, text, rows.error().where, code, lang));

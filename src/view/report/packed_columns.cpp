@@ -56,7 +56,7 @@ tl::expected<std::string, std::string> zlib_packed(std::string_view bytes) {
   std::string packed;
   bool good = true;
   while (good) {
-    const std::size_t most = 1U << 30;  // bytes; a limit that fits the counters of zlib
+    const std::size_t most = 1U << 30;  // greatest size, bytes, that fits the counters of zlib
     const std::string_view now = bytes.substr(0, most);
     bytes.remove_prefix(now.size());
     stream.next_in = reinterpret_cast<Bytef*>(const_cast<char*>(now.data()));

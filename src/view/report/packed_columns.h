@@ -14,7 +14,7 @@ class PackedColumns {
  public:
   void put_u32(std::uint32_t value);
   void put_f64(double value);
-  /// Appends a column. The differences are computed modulo 2³².
+  /// Appends a column. Differences are computed modulo 2³², so that each fits into 32 bits.
   void put(std::span<const std::int32_t> column);
   const std::string& bytes() const { return bytes_; }
 
@@ -22,10 +22,10 @@ class PackedColumns {
   std::string bytes_;
 };
 
-/// Converts a value to the nearest multiple of `unit`; NaN and infinity become 0.
+/// Returns the number of multiples of `unit` that is nearest to the value; 0 for NaN and infinity.
 ///   pre  |value| ≤ 2e9 · unit
 std::int32_t in_steps(double value, double unit);
-/// Returns `unit`, or its smallest multiple with which values up to `most` fit into a column.
+/// Returns `unit`, or its smallest multiple for which in_steps() can convert values up to `most`.
 double unit_for(double unit, double most);
 
 /// Compresses the bytes to a zlib stream.

@@ -17,14 +17,14 @@
 namespace kadr {
 namespace {
 
-constexpr double max_file = 5e6;  // maximum size of the file in bytes, up to the number of blocks in the next line
+constexpr double max_file = 5e6;  // greatest size of a report, bytes, for up to the number of blocks in the next line
 constexpr double blocks_of_most_file = 1e5;
-constexpr double longest_file = 60e6;     // maximum size of the file in bytes, for any number of blocks
-constexpr double least_path = 2.5e5;      // bytes, compressed, that the path may have even if the program's text alone exceeds the limit
-constexpr std::size_t max_alarms = 2000;  // number of alarms in a report, more than anybody reads
-constexpr std::size_t most_called = 1 << 20;    // total size of the texts of called files, bytes
-constexpr std::uint64_t max_source = 64 << 20;  // bytes; of a longer program the report contains only the beginning
-constexpr std::uint32_t piece_of_part = 3;      // code of this kind of data: the stock
+constexpr double longest_file = 60e6;           // greatest size of a report, bytes, for any number of blocks
+constexpr double least_path = 2.5e5;            // bytes, compressed, that the path may have even if the program's text is too long
+constexpr std::size_t max_alarms = 2000;        // greatest number of alarms in a report: more than anybody reads
+constexpr std::size_t most_called = 1 << 20;    // greatest size of all texts of called files, bytes
+constexpr std::uint64_t max_source = 64 << 20;  // bytes of a program that a report contains: its beginning, if it is longer
+constexpr std::uint32_t piece_of_part = 3;      // code of data of this kind in the report: the stock
 constexpr double base64_by_bytes = 4.0 / 3;
 
 PageJson control_json(const OpenedProgram& o, Lang lang) {
@@ -58,7 +58,8 @@ PageJson problem_of(const ReportAlarm& alarm, const AlarmTexts& texts, Lang lang
   return json;
 }
 
-/// The marks of the run are in one language. For the other language the texts of the alarms are created again.
+/// Returns the results of the run with texts in the language `lang`. The run has its texts in one language; for the other language, the
+/// texts of the alarms are created again.
 PageJson done_in(const ReportContent& c, Lang lang) {
   PageJson done = done_json(c.run, lang);
   auto alarm = c.alarms.begin();
@@ -104,7 +105,8 @@ std::string text_of(const SourceText& source) {
   return text;
 }
 
-/// Returns the texts of the program and of the files that it called, up to a total size.
+/// Returns the texts of the program and of the files that it has called. If the called files are too long together, the last ones are left
+/// out.
 PageJson sources_json(const ReportContent& c) {
   PageJson list = PageJson::array({{{"file", 0}, {"name", c.file}, {"text", text_of(c.source)}}});
   std::size_t bytes = 0;
@@ -121,7 +123,7 @@ PageJson sources_json(const ReportContent& c) {
   return list;
 }
 
-/// Reads a value of a frame at a byte offset.
+/// Reads a value from a frame, at a byte offset.
 template <class T>
 T value_at(const std::string& frame, std::size_t at) {
   T value{};
@@ -129,7 +131,7 @@ T value_at(const std::string& frame, std::size_t at) {
   return value;
 }
 
-/// Packs the columns of a frame of kind 3.
+/// Packs the numbers of a frame of kind 3, which contains the surface of the stock, column by column.
 std::string part_bytes(const std::string& frame, const ReportQuanta& quanta) {
   constexpr std::size_t head = 16, point = 12, triangle = 12, made_by = 4;
   const std::size_t points = value_at<std::uint32_t>(frame, 8), triangles = value_at<std::uint32_t>(frame, 12);

@@ -24,7 +24,7 @@ struct ReportAlarm {
 /// The remaining stock and the collisions of a cut.
 struct ReportPart {
   std::string frame;  // the surface as a frame of kind 3 (docs/panel-protocol.md)
-  // mm: cell size of the stock's lattice; deviation of the reduced triangles from the exact surface of that lattice
+  // The stock's cell size, mm; by how much the reduced triangles deviate from the exact surface of the stock, mm.
   double cell = 0, off = 0;
   std::string result;  // JSON text from cut_json()
   struct Hit {
@@ -47,8 +47,8 @@ struct ReportContent {
   std::string licences;                // licence texts of the viewer's components
 };
 
-/// Creates the report. For a program of up to 100,000 blocks it has at most 5 MB, for a longer one in proportion. If necessary, vertices
-/// of the path are omitted, and the report says so.
+/// Creates the report. It has at most 5 MB for a program of up to 100,000 blocks, and proportionally more for a longer one. If necessary,
+/// vertices of the path are omitted, and the report mentions that.
 ///   viewer   HTML of the viewer, which contains report_data_marker
 ///   law      text of the program is inserted only as base64, never as markup
 ///   returns  an error sentence if zlib is missing, or the viewer has no report_data_marker

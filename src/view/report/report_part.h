@@ -6,7 +6,8 @@
 
 namespace kadr {
 
-/// Sets the stock and the result in `part`. The run must have ended. Its findings are not copied, since they have been reported already.
+/// Stores the surface of the stock and the result in `part`. `run` must have ended. Its findings are not stored, since they have been
+/// reported already.
 void take_part(const PartRun& run, ReportPart& part, const StopToken& stop);
 
 }  // namespace kadr

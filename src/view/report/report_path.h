@@ -9,7 +9,7 @@
 
 namespace kadr {
 
-/// The unit in which each kind of number is packed.
+/// The units as whole multiples of which the numbers of a path are packed.
 struct ReportQuanta {
   double length = 0.001;  // mm
   double time = 1e-4;     // s
@@ -18,15 +18,15 @@ struct ReportQuanta {
   double position = 1e-4;  // unit of joint positions, degrees or mm
 };
 
-/// Says which vertices are omitted: those whose level of detail (set_levels()) is below these levels.
+/// Says which vertices are omitted: those whose PathVertex::level, set by set_levels(), is below the following levels.
 struct Thinning {
   int inner = 0;  // level for a vertex whose next vertex belongs to the same block
   int any = 0;    // level for every vertex
-  /// Returns the deviation of the path that the omission may cause, mm.
+  /// Returns by how much the path may deviate because of the omitted vertices, mm.
   double off() const;
 };
 
-/// A piece of a path, with the number of that path in the frames of the protocol.
+/// A piece of a path, and which path it belongs to (docs/panel-protocol.md).
 struct DrawnPiece {
   const ViewPiece* piece;
   std::uint32_t which;  // 0: the path; 2: the contour as programmed
@@ -39,11 +39,11 @@ ReportQuanta quanta_of(const std::vector<DrawnPiece>& pieces);
 bool is_left_out(const ViewPiece& piece, std::size_t vertex, const Thinning& thinning);
 
 struct ReportPath {
-  std::string bytes;  // the pieces, each with its header, not compressed: the caller compresses them with the other data
+  std::string bytes;  // the packed pieces, each with its header; the caller compresses them with the other data
   Thinning thinning;
 };
 
-/// Packs the path, and omits no more vertices than the limit requires.
+/// Packs the path. Omits only as many vertices as necessary for the limit.
 ///   most_packed  limit of the compressed size, bytes
 ///   returns      an error sentence if zlib is missing on this machine
 tl::expected<ReportPath, std::string> report_path(const std::vector<DrawnPiece>& pieces, const ReportQuanta& quanta, double most_packed);

@@ -23,7 +23,7 @@ Box box_of(const Chain& chain, const Curve& curve, Vec3 shift) {
   return {chain.tip(extents.least) + shift, chain.tip(extents.most) + shift, false};
 }
 
-/// True if the box of the curve is in a programming frame, whose axes differ from those of the picture.
+/// True if the box of the step's curve is in a programmable frame, whose axes differ from those of the picture.
 bool has_frame(const Step& step) { return step.from.space && step.from.space->has_frame(); }
 
 Stroke stroke_of(const Motion& motion, Vec3 from, Vec3 to) {
@@ -50,7 +50,7 @@ void Plot::take_frame(const FrameChange& frame) {
   shift_ = origin - first_origin_;
 }
 
-/// Defines the work system of the first cut as that of the picture; moves everything drawn before into it.
+/// Makes the work system of the first cut the coordinate system of the picture, and moves everything drawn before into that system.
 void Plot::take_reference() {
   path_.move_all(-1.0 * shift_);
   if (shaded_) shaded_->move_all(-1.0 * shift_);
@@ -101,7 +101,7 @@ void Plot::draw(PlotPath& path, const Step& step, Vec3 shift, Stroke stroke, Pro
   path.go(chain_.tip(step.from.space.get(), motion.to) + shift, stroke, 0, line);
 }
 
-/// Adds a programmed contour at feed, without the motions that lead in and out.
+/// Adds a motion of the programmed contour at feed. The motions on which cutter compensation starts and ends are not drawn.
 void Plot::follow_programmed(const Action& action) {
   if (const auto* frame = std::get_if<FrameChange>(&action.what)) {
     programmed_origin_ = work_origin_of(chain_, frame->placement);

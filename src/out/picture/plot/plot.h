@@ -46,12 +46,13 @@ class Plot {
   /// machine does not execute this action; Plot tracks the programmed position separately from the machine's.
   void follow_programmed(const Action& action);
 
-  /// Marks the position where an alarm of that line has stopped the program; line 0: the alarm arose in another channel.
+  /// Marks the position where an alarm in that line has stopped the program; line 0: the alarm arose in another channel.
   void stop(ProgramLine line);
   /// Numbers (Origin::file) of the files that contain the program lines of the picture.
   const std::set<std::uint16_t>& files() const { return files_; }
 
-  /// Colours the motions that follow by speed or by limit. They are drawn when their cells (samples of the time planner) have arrived.
+  /// Colours the motions that follow by speed or by limit. A motion is drawn when its cells (short parts of the planner's plan) have
+  /// arrived.
   void colour_by(PlotColour by) { shaded_.emplace(roles_, by), colour_ = by; }
   ShadedMotions& shaded() { return *shaded_; }
   void take(const TimedCells& cells, const MotionLimits& limits) { shaded_->take(cells, limits, path_); }
@@ -63,7 +64,7 @@ class Plot {
   tl::expected<void, std::string> write(const ResultFile& file, const PlotTitle& title) const;
 
   const PlotPath& path() const { return path_; }
-  /// Origins of the work systems used, in the picture's coordinates.
+  /// Origins of all work systems in which motions took place, in the picture's coordinates.
   const std::vector<Vec3>& zeros() const { return zeros_; }
 
  private:

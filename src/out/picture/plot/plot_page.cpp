@@ -20,7 +20,7 @@ namespace {
 constexpr double page_width = 1600, page_height = 1082, margin = 28, gap = 26;
 constexpr double title_height = 70, legend_height = 56;
 constexpr double planes_width = 560;
-constexpr double near_reach = 0.25;  // rapid motion that goes far is shown up to this share of the cutting's size
+constexpr double near_reach = 0.25;  // far rapids are shown up to this distance, as a share of the cutting's size
 constexpr double least_size = 1;     // mm, least size of the box
 // All rapid motion is shown if the whole path is at most this many times as large as the cutting: otherwise the part would be drawn too
 // small.

@@ -8,7 +8,7 @@
 namespace kadr {
 namespace {
 
-constexpr double first_tolerance_part = 1e-4;  // share of the box size: less than a pixel in any picture
+constexpr double first_tolerance_part = 1e-4;  // first tolerance as a share of the box size: less than a pixel in any picture
 
 double distance(Vec3 a, Vec3 b) { return length(a - b); }
 

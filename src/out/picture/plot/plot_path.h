@@ -40,7 +40,7 @@ class PlotPath {
   bool has_pending() const { return pending_; }
   PlotPoint pending() const { return last_; }
 
-  /// mm; a point closer than this to the point before was removed. 0: the path is complete.
+  /// Tolerance of the thinning, mm: a point closer than this to its predecessor was removed. 0: the path is complete.
   double tolerance() const { return tolerance_; }
   std::uint64_t seen() const { return seen_; }
   const Box& box() const { return box_; }

@@ -1,5 +1,5 @@
-// Colours a path by its speed or by what limits it (kadr run --colour): motions wait until the planner of least time has timed them, then
-// they are drawn in pieces, each with its shade. Used by out/picture/plot/plot.
+// Colours a path by its speed or by what limits the speed (kadr run --colour). Motions wait until the planner of least time has timed them;
+// then each is drawn in pieces, and each piece has its own shade. Used by out/picture/plot/plot.
 
 #include "out/picture/plot/plot_shades.h"
 
@@ -39,7 +39,7 @@ void ShadedMotions::move_all(Vec3 by) {
 }
 
 void ShadedMotions::take(const TimedCells& cells, const MotionLimits& limits, PlotPath& path) {
-  constexpr double finest = 16;  // number of pieces in which a cell is drawn if its speed starts at 0
+  constexpr double finest = 16;  // number of pieces that draw a cell whose speed starts at 0
   for (std::size_t k = 0; k < cells.laws.size(); ++k) {
     const TimeLaw& law = cells.laws[k];
     if (!(law.length > 0)) continue;
@@ -58,7 +58,7 @@ void ShadedMotions::take(const TimedCells& cells, const MotionLimits& limits, Pl
   }
 }
 
-/// Draws the first waiting motion up to `way` mm from its start; the rest is drawn when the cells of the next motion arrive.
+/// Draws the first waiting motion up to `way` mm from its start. The rest is drawn when the cells of the next motion arrive.
 void ShadedMotions::draw_to(double way, float shade, PlotPath& path) {
   const Waiting& motion = waiting_.front();
   const double part = motion.way > 0 ? std::clamp(way / motion.way, drawn_, 1.0) : 1;

@@ -15,7 +15,8 @@ namespace kadr {
 
 struct Colour;
 
-/// What the colour of a path shows. The shade is for `speed` the speed in mm/min, for `limit` the number of the enum value Limit.
+/// What the colour of a path shows. PlotPoint::shade is the speed in mm/min for `speed`, and the number of the enum value Limit for
+/// `limit`.
 enum class PlotColour : std::uint8_t { stroke, speed, limit };
 
 class ShadedMotions {
@@ -24,8 +25,8 @@ class ShadedMotions {
 
   /// Adds a motion that begins at `from`. `shift` is the vector from work coordinates to the picture's coordinates.
   void wait(const Motion& motion, const ToolPosition& from, Vec3 shift, Stroke stroke, ProgramLine line);
-  /// Gives the motion added last its number (CellSource::motion) and the approximate total length of its cells, mm. Call it before those
-  /// cells arrive.
+  /// Sets the number (CellSource::motion) of the motion added last, and the approximate total length of its cells, mm. Must be called
+  /// before those cells arrive.
   void set_motion(std::uint64_t number, double way) {
     waiting_.back().number = number;
     waiting_.back().way = way;
@@ -58,9 +59,9 @@ class ShadedMotions {
   Chain chain_;
   PlotColour by_;
   std::deque<Waiting> waiting_;
-  double gone_ = 0;   // mm of the first waiting motion that its cells have covered
+  double gone_ = 0;   // mm of the first waiting motion that the received cells cover
   double drawn_ = 0;  // fraction of the first waiting motion that is drawn
-  PlotPoint held_{};  // last point, not in the path yet: the next point may continue in the same direction and shade
+  PlotPoint held_{};  // last point, not added to the path yet, since the next point may replace it
   bool holds_ = false;
 };
 

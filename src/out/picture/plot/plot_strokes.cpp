@@ -13,17 +13,17 @@ namespace kadr {
 namespace {
 
 constexpr double same_pixel = 0.45;   // units of the page: points closer than this are on the same pixel
-constexpr int strokes_at_once = 400;  // segments per path drawn by Cairo, whose time for longer paths grows more than in proportion
+constexpr int strokes_at_once = 400;  // segments per Cairo path: Cairo's time grows faster than the length of the path
 constexpr double plunge_radius = 3.2;
-constexpr double beyond = 20'000;  // of the page: farther points overflow Cairo's numbers
+constexpr double beyond = 20'000;  // units of the page: coordinates farther out overflow Cairo's numbers
 
 Vec2 within_reach(Vec2 p) { return {std::clamp(p.x, -beyond, beyond), std::clamp(p.y, -beyond, beyond)}; }
 
-/// Shortens a line to the part within the limits of the page; returns false if no part is.
+/// Shortens a line to its part within the limits of the page. Returns false if the whole line is outside.
 bool cut_to_reach(Vec2& from, Vec2& to) {
   double first = 0, last = 1;
   const Vec2 start = from, way = to - from;
-  const auto keep = [&](double at, double step) {  // at + t·step ≤ beyond
+  const auto keep = [&](double at, double step) {  // limits t so that at + t·step ≤ beyond
     if (step > 0) last = std::min(last, (beyond - at) / step);
     else if (step < 0) first = std::max(first, (beyond - at) / step);
     else if (at > beyond) last = -1;
@@ -42,7 +42,7 @@ bool is_line(Stroke point, Stroke wanted) {
 /// Sets the program lines of the strokes while a view is drawn.
 class LineTags {
  public:
-  ///   names  the first stroke of each program line gets the id by which the line is found
+  ///   names  true: the first stroke of each program line gets the id by which a viewer finds that line
   LineTags(Canvas& canvas, const PlotScene& scene, bool names)
       : canvas_(canvas), title_(scene.title), tells_(canvas.tags_lines() && lines_are_tagged(scene)), names_(names) {}
   bool tells() const { return tells_; }
@@ -62,7 +62,7 @@ class LineTags {
 /// Draws a polyline and leaves out points that would not be visible.
 class Pencil {
  public:
-  ///   may_name  the strokes belong to the path itself, so they may get the id of their line
+  ///   may_name  true: the strokes belong to the path itself, and may get the id of their program line
   Pencil(Canvas& canvas, LineTags& tags, bool may_name) : canvas_(canvas), tags_(tags), may_name_(may_name) {}
   void segment(Vec2 from, Vec2 to, ProgramLine line) {
     const Vec2 start = from;
@@ -153,7 +153,7 @@ void draw_shaded(Canvas& canvas, LineTags& tags, View view, const ViewScale& sca
   canvas.kind("");
 }
 
-/// Draws the paths of two programs over each other; where they coincide, A is visible on both sides of B.
+/// Draws the paths of two programs, b over a. Where the two coincide, the wider line of a is visible on both sides of the line of b.
 void draw_ways(Canvas& canvas, LineTags& tags, View view, const ViewScale& scale, const PlotScene& scene) {
   const PlotDifferences& d = *scene.differences;
   struct Way {
@@ -179,7 +179,7 @@ void draw_ways(Canvas& canvas, LineTags& tags, View view, const ViewScale& scale
   canvas.kind("");
 }
 
-/// Draws a ring for each plunge, which is only a point when seen from above, unless there are too many rings to distinguish.
+/// Draws a ring for each plunge, since a plunge is only a point when seen from above. Draws none if there are too many to distinguish.
 void draw_plunges(Canvas& canvas, const ViewScale& scale, const PlotPath& path) {
   const StrokeStyle style = style_of(Stroke::plunge, 0);
   canvas.kind(name_of(Stroke::plunge));

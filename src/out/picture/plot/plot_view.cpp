@@ -92,7 +92,7 @@ void draw_sizes(Canvas& canvas, const ViewScale& scale, const Box& box, LengthUn
   Vec2 z = page(b.x, a.y, a.z) + Vec2{8, 22};
   constexpr double row = 18;  // height of a line of text
   const bool overlap = std::fabs(z.y - x.y - 22) < row && z.x - text_width(up, 13) / 2 < x.x + 12 + text_width(across, 13);
-  if (overlap) z = {x.x + 12 + text_width(up, 13) / 2, x.y + 22 + row};  // the box is narrow: the number goes below
+  if (overlap) z = {x.x + 12 + text_width(up, 13) / 2, x.y + 22 + row};  // the box is narrow: the range of Z goes below
   canvas.text(z, up, {13, faint_ink, Align::centre, false});
 }
 
@@ -130,8 +130,8 @@ void draw_tools(Canvas& canvas, View view, const ViewScale& scale, const PlotSce
   canvas.end();
 }
 
-/// Returns what the isometric view shows, in its plane: the box of the cutting, and the path within the whole box (the corners of that
-/// box are mostly empty).
+/// Returns the rectangle that the isometric view must show: it contains the box of the cutting, and the path as far as it is in the whole
+/// box. The corners of the whole box are mostly empty, and need not be shown.
 FlatBox seen_of(const PlotScene& scene, const Box& room, const Box& box) {
   FlatBox flat;
   for (const Vec3 corner : corners(room)) flat.take(projected(View::isometric, corner));

@@ -27,7 +27,7 @@ std::string letters_of(std::uint64_t bits, std::string text = {}) {
   return text;
 }
 
-/// True if the control is delivered with Kadr. Which file it extends does not matter to the owner of such a machine.
+/// True if the control is delivered with Kadr. For such a control, its user need not know which other control's file it extends.
 bool is_built_in(const ControlDef& def) {
   const std::vector<std::string> all = built_in_controls();
   return std::find(all.begin(), all.end(), def.id) != all.end();
@@ -175,7 +175,7 @@ bool has_words(std::string_view text, std::string_view words) {
 }  // namespace
 
 std::optional<std::string> explain_words(const ControlDef& def, const AlarmTexts& texts, const std::string& words, Lang lang) {
-  constexpr std::size_t least = 3;  // bytes; a single letter is an address
+  constexpr std::size_t least = 3;  // least length of a searched word, bytes; a single letter is an address
   if (words.size() < least || words.find_first_not_of(' ') == std::string::npos) return std::nullopt;
   std::string found;
   const auto offer = [&](const std::string& name, const std::string& en, const std::string& ru) {
@@ -197,7 +197,7 @@ std::optional<std::string> explain_code(const ControlDef& def, const AlarmTexts&
   const std::string code = code_asked(what);
   if (const AlarmId id = alarm_named(what); id != no_alarm) return alarm_text_of(def, texts, id, lang);
   if (what.empty()) return std::nullopt;
-  if (what.find_first_not_of("0123456789") == std::string::npos) {  // an alarm and a parameter may have the same number: both are explained
+  if (what.find_first_not_of("0123456789") == std::string::npos) {  // the number may be of an alarm and of a parameter: explains both
     const auto alarms = numbered_alarms(def, texts, what, lang);
     const auto parameter = explain_parameter(def, code, lang);
     return alarms && parameter ? *alarms + *parameter : alarms ? alarms : parameter;

@@ -42,7 +42,7 @@ void address_rows(const ControlDef& def, std::string& page) {
 }
 
 void code_rows(const ControlDef& def, char letter, std::string& page) {
-  // Without unsupported codes a column that says which codes work is left out.
+  // If the control has no unsupported codes, the column that says which codes work is left out.
   const bool all_work = std::all_of(def.codes.begin(), def.codes.end(), [](const CodeRow& row) { return row.works && !row.in_part; });
   page += fmt::format("\n## {} codes\n\n", letter);
   page += table_head(
@@ -86,7 +86,7 @@ void parameter_rows(const ControlDef& def, std::string& page) {
   if (def.parameters.empty()) return;
   constexpr const char* scopes[] = {"control", "channel", "axis", "spindle"};
   constexpr const char* types[] = {"bits", "whole", "real", "text"};
-  const bool by_program = def.machine_axes();  // G10 L52
+  const bool by_program = def.machine_axes();  // true: programs write parameters with G10 L52
   page += by_program
               ? "\n## Parameters\n\nNot every one is in the manual of programming: those that its chapters name. `G10 L52` may write all "
                 "but those that need a restart. \"no effect\": kept, read and written by programs, but nothing follows from it in Kadr.\n\n"

@@ -76,7 +76,7 @@ std::string numbered(const std::vector<std::string>& steps, std::string_view hea
   return text;
 }
 
-///   by_e  word E sets how far the tool retracts between pecks; otherwise a parameter of the control does
+///   by_e  true: word E sets how far the tool retracts between pecks; false: a parameter of the control sets that distance
 std::vector<std::string> drilling_steps(const DrillCycle& cycle, bool by_e, Lang lang) {
   const auto text_for = [&](DrillStep step) -> std::optional<PlainText> {
     if (!by_e && step == DrillStep::break_chips) return cycle_ids::short_pecks;
@@ -90,7 +90,7 @@ std::vector<std::string> drilling_steps(const DrillCycle& cycle, bool by_e, Lang
   return steps;
 }
 
-/// Describes the blocks of a macro body as motions; the motion code in force carries over from block to block.
+/// Describes the blocks of a macro body as motions. The motion code of a block stays in force in the following blocks.
 class BodyTeller {
  public:
   BodyTeller(const ControlDef& def, Lang lang) : def_(def), lang_(lang) {}

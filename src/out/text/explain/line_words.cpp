@@ -19,7 +19,7 @@
 namespace kadr {
 namespace {
 
-constexpr std::size_t max_blocks = 100;  // blocks in one line, where ПС may separate them
+constexpr std::size_t max_blocks = 100;  // greatest number of blocks in one line, on controls where the word ПС ends a block
 constexpr std::size_t max_words = 500;
 
 class LineWords {

@@ -16,7 +16,7 @@ namespace {
 namespace parameter_ids = texts::explain_parameter;
 
 constexpr double unbounded = 1e299;
-constexpr std::size_t bits_with_number = 8;  // the bits after these have a name only (24.0)
+constexpr std::size_t bits_with_number = 8;  // bits 0 to 7 have numbers, further bits only a name (nct 24.0)
 
 const char* scope_of(const ParameterRow& row, Lang lang) {
   constexpr std::array<PlainText, 4> scopes = {parameter_ids::one_for_control, parameter_ids::one_for_channel, parameter_ids::one_for_axis,

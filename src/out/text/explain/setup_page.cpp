@@ -21,7 +21,7 @@ std::string form_text(const SetupKey& row, SetupRange range, Lang lang) {
   return row.null ? translated_in(lang, texts::setup_page::or_null, text) : text;
 }
 
-/// Returns the names below a table: "axes", «номер — целое число от 1 до 99».
+/// Returns which names may be below a table of the set-up: "axes", «номер — целое число от 1 до 99».
 std::string names_text(const SetupKey& row, const SetupNamesOf& names, Lang lang) {
   const bool is_below = row.form == SetupForm::table;
   switch (row.names) {
@@ -52,7 +52,7 @@ std::string names_text(const SetupKey& row, const SetupNamesOf& names, Lang lang
   }
 }
 
-/// Returns the example of the key; for the table of parameters with names that the control has.
+/// Returns the example of the key. The example for the table of parameters uses parameter names that the control has.
 std::string example_of(const SetupKey& row, const SetupNamesOf& names) {
   if (row.names != SetupNames::parameter) return std::string(row.example);
   std::string rows;
