@@ -52,7 +52,7 @@ struct UndoableState : MotionMemory {
   int current_spindle = 1;  // the spindle that a word referred to last (11.2)
   int main_spindle = 1;
   double surface_speed = 0;  // constant surface speed of G96, m/min
-  int css_axis = 0;          // axis that the constant surface speed refers to, by its control-wide number
+  int css_axis = 0;          // axis of the constant surface speed, numbered through all channels
   double max_css_speed = 0;  // highest speed by G92 S, rev/min; 0: no limit
   DrillingMemory drilling;
   TurningMemory turning;
@@ -104,7 +104,7 @@ struct Memory {
   double singular = 0;                                            // tolerance of a singular direction, degrees (Setup::kinematics)
   Axes servo_lag{};                                               // following error of each axis as the set-up gives it, mm
   std::vector<std::pair<std::size_t, int>> spindle_axes;          // axis index, number of the spindle converted to it (11.8)
-  Axes probe_position{}, probe_length{};  // work coordinates, and tool length as a vector, at the probe's signal
+  Axes probe_position{}, probe_length{};                          // work coordinates, and tool length as a vector, at the probe's signal
   Axes probe_machine{};
   Measurement measurement;  // purpose of the probe motion in progress
   // data for the state file: tables that have changed since that file was written

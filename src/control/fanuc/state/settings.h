@@ -46,14 +46,14 @@ struct Settings {
   std::array<AxisSettings, max_axes> axes;                 // by index of the axis in the channel
   std::array<SpindleSettings, max_spindles + 1> spindles;  // by spindle number
   // interpretation
-  double radius_difference = 0.01;  // N1339: permitted difference of an arc's radii, mm; infinite: not checked (spec/fanuc 3.2)
-  double radius_shortfall = 0.01;   // permitted shortfall of 2R against the chord, mm; checked even if radius_difference is not
-  bool dwell_seconds = false;       // N1337 #1 SEC: a dwell is in seconds even in G95
-  bool centers_absolute = false;    // N1337 #2 CCA: I, J, K of an arc are absolute
-  bool feed_along_helix = false;    // N1337 #3 HEF: the feed of a helix counts all axes, not only the arc
-  std::array<bool, 8> default_1{};  // N1300: codes at power-on, one value each: G01 G18 G19 G20 G22/23 G43 G44 G91
-  bool default_per_rev = false;     // N1301 #0: G95 at power-on
-  bool keeps_codes = false;         // N1301 CLR: a reset keeps the codes of kept_groups
+  double radius_difference = 0.01;         // N1339: permitted difference of an arc's radii, mm; infinite: not checked (spec/fanuc 3.2)
+  double radius_shortfall = 0.01;          // permitted shortfall of 2R against the chord, mm; checked even if radius_difference is not
+  bool dwell_seconds = false;              // N1337 #1 SEC: a dwell is in seconds even in G95
+  bool centers_absolute = false;           // N1337 #2 CCA: I, J, K of an arc are absolute
+  bool feed_along_helix = false;           // N1337 #3 HEF: the feed of a helix counts all axes, not only the arc
+  std::array<bool, 8> default_1{};         // N1300: codes at power-on, one value each: G01 G18 G19 G20 G22/23 G43 G44 G91
+  bool default_per_rev = false;            // N1301 #0: G95 at power-on
+  bool keeps_codes = false;                // N1301 CLR: a reset keeps the codes of kept_groups
   std::array<bool, 40> kept_groups{};      // CLR G Table, bits Cnn: groups whose code a reset keeps, by number
   bool in_position_check = false;          // N1337 PCH: rapid motions end with an in-position check
   bool length_of_block = false;            // the tool length acts on the axes of the block: 5001#0 (spec/fanuc 7.1)
@@ -92,7 +92,7 @@ struct Settings {
   bool change_on_m6 = true;                        // N1338 #0 M06: used in block search; INFERRED: no effect outside block search
   int default_spindle = 0;                         // N0604: number of the spindle that plain S (without a number) refers to
   double surface_speed = 0;                        // N0686: surface speed at power-on, m/min
-  int css_axis = 0;                                // N0687: control-wide number of the axis that G96 refers to at power-on
+  int css_axis = 0;                                // N0687: axis of G96 at power-on, numbered through all channels
   double min_css_speed = 0;                        // N0688: lowest speed in G96, rev/min
   // cycles, measuring (18, 21)
   double return_g73 = 0, clearance_g83 = 0;                                    // N1500, N1501: retract of G73, clearance of G83, mm
@@ -102,11 +102,11 @@ struct Settings {
   bool tap_normal = false;                                                     // N1503 #3 PTC: between pecks a tap returns to R
   bool tap_override = false;                                                   // N1503 #4 EOE: I or N1506 set the feed of the retract
   bool tap_return_override = false;                                            // N1503 #5 ROE: N1507 sets the feed of the return to R
-  double tap_back = 0, tap_clearance = 0, tap_extraction = 0, tap_return = 0;  // N1504 … N1507: mm, mm, %, % of tapping
+  double tap_back = 0, tap_clearance = 0, tap_extraction = 0, tap_return = 0;  // N1504 … N1507: two distances, mm; two feeds, %
   bool measure_parameter_feed = false;                                         // N3001 #0 SKF: G31 uses measure_feed
   bool length_parameter_feed = false;                                          // N3003 #0 TLF: G37 uses length_feed
   bool length_wear = false;                                                    // N3003 #1 TMW: G37 corrects the wear, not the geometry
-  bool length_adds = false;                                                    // N3003 #2 TCA: G37 adds the measured difference, else subtracts it
+  bool length_adds = false;                                                    // N3003 #2 TCA: G37 adds the difference, else subtracts it
   double measure_feed = 0, length_feed = 0;                                    // N0311, N0312: feeds of G31 and G37, mm/min
   double length_rapid = 0, length_alarm = 0;                                   // N3004, N3005: rapid and alarm distances of G37, mm
   bool torque_known = true;                                                    // INFERRED: a virtual drive always reports its torque

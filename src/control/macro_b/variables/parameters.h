@@ -1,7 +1,7 @@
 #pragma once
-// The parameters of the control: the set-up gives their values, PRM reads them (nct 24.2), G10 L52 writes them (24.1). A value is
-// identified by a row of the control's parameter table and an index (channel, axis or spindle). Rows are looked up once, when the control
-// is loaded; a read is then an array access.
+// The parameters of the control: the set-up gives their values, a program reads them by PRM (nct 24.2) and writes them by G10 L52 (24.1). A
+// value is identified by a row of the control's parameter table and an index (channel, axis or spindle). Rows are found once, when the
+// control is loaded; later reads are array accesses.
 
 #include <cstdint>
 #include <map>
@@ -35,15 +35,15 @@ class ParameterStore {
   ///   given  the values of the set-up
   ParameterStore(std::span<const ParameterRow> rows, const Parameters& given, Context context);
 
-  /// Describes the invalid parameter keys and values of the set-up; empty if all are valid.
+  /// Returns a description of the invalid parameter keys and values of the set-up; empty if all are valid.
   const std::string& error() const { return error_; }
 
   /// Returns the row with a parameter number, or ParameterId::none.
   ParameterId find(int number) const;
   /// Returns the row with a parameter name: "0107", "107", "CLRG".
   ParameterId named(std::string_view name) const;
-  /// The row, and the bit or -1, that the parameter table of a control other than the NCT assigns to a name used by Kadr (key `as` of the
-  /// row).
+  /// The parameter that has a meaning known to Kadr by name: its row, and its bit or -1. Tables of controls other than the NCT give this
+  /// name in the key `as` of the row.
   struct Meaning {
     ParameterId row = ParameterId::none;
     int bit = -1;
@@ -107,11 +107,11 @@ class ParameterStore {
   };
   const Memory& memory() const { return now_; }
   void resume_from(const Memory& memory) { now_ = memory; }
-  /// Connects the store to the journal, which undoes writes after an alarm. From now on the store must not be moved in memory.
+  /// Connects the store to the journal, which undoes writes after an alarm. After this call the store must not be moved in memory.
   void keep_in(Journal& journal) { journal_.lead_to(journal); }
 
-  /// Returns the parameters for a next set-up: those that the set-up gave, under the same keys, and all others that were written, by
-  /// number.
+  /// Returns the parameters in the form of a set-up: the parameters of the present set-up under their keys, and all other parameters that
+  /// were written under their numbers.
   ///   law  a store made from the result has the same values
   Parameters written() const;
 
