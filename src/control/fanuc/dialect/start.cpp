@@ -146,7 +146,8 @@ bool Fanuc::start(Interpreter& m, const Setup& setup) {
   m.transform = Transform();
   reset_shifts(m);
   reset_codes(m, false);
-  const double feeds[] = {parameters.value(parameters.named("0300")), parameters.value(parameters.named("0301"))};  // 6.2: G94, G95 feed
+  // Feeds at power-on in G94 and in G95 (6.2).
+  const double feeds[] = {parameters.value(parameters.named("0300")), parameters.value(parameters.named("0301"))};
   const bool per_minute = m.modal.feed_mode == FeedMode::per_minute;
   m.modal.feed = feeds[per_minute ? 0 : 1];
   m.modal.other_feed = feeds[per_minute ? 1 : 0];

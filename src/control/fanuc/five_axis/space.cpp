@@ -37,7 +37,8 @@ void set_zero(const Emitter& m, FiveAxisTransformData& d) {
   const auto of = [&](const RotaryJoint& joint, bool on_table, const Axes& from) {
     return on_table && joint.axis >= 0 ? from[static_cast<std::size_t>(joint.axis)] : 0.0;
   };
-  if (d.moves_origin) {  // origin relative to the second table's pivot. INFERRED: no common offset
+  if (d.moves_origin) {
+    // The origin is relative to the pivot of the second rotary table. INFERRED: the common offset is not added.
     d.measured = {of(machine.first, machine.first_on_table(), zero), of(machine.second, machine.second_on_table(), zero)};
     const Mat3 first = machine.first_on_table() ? machine.first_turn(d.measured.first) : Mat3();
     d.zero = main_of(m, zero) + machine.table + first * machine.second_table;

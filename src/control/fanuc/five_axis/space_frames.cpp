@@ -12,7 +12,9 @@ namespace kadr::fanuc {
 namespace {
 
 constexpr Vec3 axis_x{1, 0, 0}, axis_y{0, 1, 0}, axis_z{0, 0, 1};
-constexpr double least_sine = 1e-4;      // 25.8: "almost on one line", limit UNKNOWN; this sine is from spec/nct/25f
+// Three points are "almost on one line" (25.8) if the sine of their angle is below least_sine. The limit is UNKNOWN; spec/nct/25f suggests
+// this value.
+constexpr double least_sine = 1e-4;
 constexpr double least_distance = 1e-3;  // least distance between two points, mm
 
 FiveAxisState& frame_state(const BlockContext& m) { return fanuc_of(m).state.five_axis; }

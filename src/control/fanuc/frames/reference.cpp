@@ -50,7 +50,7 @@ Status reference_return(Emitter& m, const Call& call) {
   KADR_TRY(off_surfaces(m, call));
   std::uint32_t point = 1;
   if (call.row->arg == 2) {
-    const bool needed = (call.row->needs & letter_bit('P')) != 0, usual = !needed && !m.has('P');  // spec/fanuc 6.6
+    const bool needed = (call.row->needs & letter_bit('P')) != 0, usual = !needed && !m.has('P');  // spec/fanuc 6.6: usually point 2
     if (needed && !m.has('P')) return fail(alarm(AlarmId::word_missing, call.where, 'P', call.row->code));
     const auto number = usual ? Result<std::uint32_t>(2U) : m.whole('P', 1, 4);
     if (!number) return fail(number.error());

@@ -10,7 +10,7 @@
 
 namespace kadr::fanuc {
 
-/// Words of a drilling cycle. They are modal while the cycle mode is on. When the mode ends, they are deleted: R and the bottom become
+/// Words of a drilling cycle. They are modal while the cycle mode is on. When the mode ends, the words are deleted: R and the bottom become
 /// increments of 0, all other words 0 (18.0).
 struct DrillingMemory {
   std::size_t axis = 0;                          // the drilling axis

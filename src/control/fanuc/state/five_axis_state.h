@@ -24,8 +24,8 @@ constexpr bool controls_tip(TipControl lead) { return lead >= TipControl::tip; }
 constexpr bool by_vector(TipControl lead) { return lead == TipControl::tip_vector || lead == TipControl::contact_vector; }
 constexpr bool leads_contact(TipControl lead) { return lead >= TipControl::contact; }
 
-/// The kind of programming frame in space (modal group 18). none: G69.1 is in force; turned: G68.1 was programmed once; turned_twice:
-/// twice; plane: G68.2 is in force.
+/// The kind of programming frame in space (modal group 18). none: G69.1 is in force; turned: one G68.1 is in force; turned_twice: two G68.1
+/// are in force; plane: G68.2 is in force.
 enum class SpaceFrame : std::uint8_t { none, turned, turned_twice, plane };
 
 /// The blocks of G68.2 P2 or P3 read so far. INFERRED (25.8): the first block of another kind ends the definition.

@@ -19,8 +19,9 @@ Status set_zero(Emitter& m, const Call& call, std::uint32_t index, bool common) 
   // On a control without a common offset, the L and P of the common offset set the shift of G52 (spec/haas 5.4).
   Axes& shift = m.def.has_common_zero() ? m.tables.common : m.modal.local;
   Axes& table = common ? shift : m.tables.zeros[index];
-  Axes zero = table;                          // a copy: on an alarm the table is unchanged
-  const bool dynamic = index >= all_systems;  // 25.4.1: lengths are radii. UNKNOWN: I, J, K; here an alarm
+  Axes zero = table;  // a copy: on an alarm the table is unchanged
+  // Lengths of a dynamic offset are radii (25.4.1). UNKNOWN whether I, J, K are allowed, so they raise an alarm.
+  const bool dynamic = index >= all_systems;
   for (const char letter : rotation_letters)
     if ((common || dynamic) && m.has(letter)) return fail(alarm(AlarmId::illegal_address, m.where(letter), letter));
   for (std::uint32_t i = 0; i < m.block->word_count; ++i) {

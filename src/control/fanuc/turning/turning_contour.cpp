@@ -17,8 +17,9 @@ namespace {
 
 constexpr std::size_t max_pieces = 10'000;
 
-/// Lets the interpreter read blocks without executing them, and restores its state at the end. Meanwhile mirroring, scaling and rotation
-/// are off: the cycle computes with the contour as programmed, and the motions of the cycle are transformed like any others (16, INFERRED).
+/// Lets the interpreter read blocks without executing them; the destructor restores the interpreter's state. Meanwhile mirroring, scaling
+/// and rotation are off: the cycle computes with the contour as programmed, and the motions of the cycle are transformed like any others
+/// (16, INFERRED).
 class DryRun {
  public:
   explicit DryRun(Emitter& m)

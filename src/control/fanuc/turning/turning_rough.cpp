@@ -57,7 +57,8 @@ class Profile {
       if (direction == 0 && std::fabs(way) > tol::level) direction = way;
       if (way * direction < 0 && std::fabs(way) > tol::level) return shape(piece);
       if (!p.pockets_ && depth > p.depth(piece.from) + tol::level) return shape(piece);
-      if (p.pockets_ && depth < -tol::level && &piece != &p.pieces_.back()) return shape(piece);  // only the end may be above start()
+      // Only the end of the contour may be above the start point.
+      if (p.pockets_ && depth < -tol::level && &piece != &p.pieces_.back()) return shape(piece);
       p.deepest_ = std::max(p.deepest_, depth);
     }
     if (direction == 0) return shape(contour.back());

@@ -124,7 +124,7 @@ Status target(const BlockContext& m, Axes& to, AxisMask& named) {
       (axis == plane.first ? radius : angle) = &w;
       continue;
     }
-    if ((fanuc.by_direction >> axis & 1u) != 0) continue;  // the word has replaced I, J or K; by_direction gives the position
+    if ((fanuc.by_direction >> axis & 1u) != 0) continue;  // the word has replaced I, J or K; take_directed() sets the position
     const double v = coordinate(m, w, axis);
     const AxisSettings& settings = fanuc.settings.axes[axis];
     const bool increment = is_increment(m, w);

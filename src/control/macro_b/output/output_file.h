@@ -50,9 +50,9 @@ class OutputFile {
 
   /// FOPENn Pp: opens the file Onnnn with the number p in four digits; in eight digits if p is longer, or if only the eight-digit file
   /// exists. Folder and extension are those of `program` (14.4.2).
-  ///   mode     1: a new file is created; 2: a new file is created, or an existing file is emptied; 3: text is appended to an existing
-  ///   file;
-  ///            4: a new file is created, or text is appended to an existing file; 5: an existing file is emptied
+  ///   mode     1: a new file is created; 2: a new file is created, or an existing file is emptied;
+  ///            3: text is appended to an existing file; 4: a new file is created, or text is appended to an existing file;
+  ///            5: an existing file is emptied
   ///   alarms   file_mode (mode), value_out_of_range (P, p), file_already_open, program_file_exists ("O0012"), program_missing ("O0012"),
   ///            file_outside, file_write; file_already_open also if the file is the running program itself (our choice)
   Status open_number(double mode, double p, std::string_view program);

@@ -37,8 +37,8 @@ enum class PrintFill : std::uint8_t {
 
 using PrintValues = std::span<const std::optional<double>>;  // values by PrintPiece::slot; nullopt for an empty variable
 
-/// Reads the reference to a variable (`#130`, `#[#1+2]`, `#_OFSX[1]`) at the start of `rest`; returns its length in characters. The n-th
-/// successful call, counted from 0, determines the slot n.
+/// Reads the reference to a variable (`#130`, `#[#1+2]`, `#_OFSX[1]`) at the start of `rest`; returns its length in characters. The
+/// variable read by the n-th successful call, counted from 0, has slot n.
 using ReadVariable = std::function<Result<std::size_t>(std::string_view rest)>;
 
 /// Parses the bracketed text of a print statement, `[X#130[53]Y#500[53]T#10[20]]`.

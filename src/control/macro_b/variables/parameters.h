@@ -61,7 +61,7 @@ class ParameterStore {
 
   /// Reads PRM[number,bit]/[index]; an argument that is an empty variable counts as missing.
   ///   alarms  parameter_unknown: no such parameter; value_out_of_range Q: no such bit, P: no such channel, axis, spindle (inferred);
-  ///           parameter_argument 2: the bit is missing, 3: the axis or spindle is missing
+  ///           parameter_argument (number of the argument): 2, the bit is missing; 3, the axis or spindle is missing
   ///   manual  NCT 24.2
   Result<double> read(double number, std::optional<double> bit, std::optional<double> index, Span where) const;
 
@@ -79,9 +79,9 @@ class ParameterStore {
   /// Executes one block between G10 L52 and G11; an alarm changes nothing.
   ///   alarms  word_missing: N, R; Q of bits; P of an axis or spindle (inferred)
   ///           parameter_unknown: N, no such parameter
-  ///           value_out_of_range: P beyond 8 channels, 32 axes, 16 spindles or of a global parameter;
-  ///           Q beyond 0 to 7 or of a parameter without bits; R beyond the row's range
-  ///           parameter_not_writable: takes effect after a restart, or needs the emergency state
+  ///           value_out_of_range: P exceeds 8 channels, 32 axes, 16 spindles, or the parameter is global;
+  ///           Q is not 0 to 7, or the parameter has no bits; R is outside the range of the row
+  ///           parameter_not_writable: the parameter takes effect after a restart, or needs the emergency state
   ///   manual  NCT 24.1
   Status write(const Write& w);
 
