@@ -46,7 +46,7 @@ struct UndoableState {
   std::vector<ModalCall> modal_calls;
   std::uint8_t active_modal_calls = 0;  // number of entries of modal_calls that are in force
   DataMode data_mode = DataMode::none;
-  std::optional<ProgramLocation> interrupt_program;  // interrupt macro enabled by M96
+  std::optional<ProgramLocation> interrupt_program;  // interrupt macro that M96 has enabled
   double parts_done = 0;
 };
 

@@ -272,8 +272,8 @@ class Drilling {
     return {};
   }
 
-  /// Checks that all levels of the first hole are within range, and the position of the last hole that increments with L lead to. After the
-  /// start of the cycle no motion may raise an alarm.
+  /// Checks that all levels of the first hole are within range, and also the position of the last hole, to which L increments lead. After
+  /// the start of the cycle no motion may raise an alarm.
   Status within_reach(const DrillingRun::Job& job) const {
     const Axes& first = m_.position.programmed;
     for (const double level : {job.initial, job.level, job.bottom}) {

@@ -189,7 +189,7 @@ class Arc {
   }
 
   Status emit_arc_motion(const PlaneArc& arc) {
-    if (m_.transform.identity && m_.modal.surface == PathSurface::plane) {  // most blocks: nothing to transform
+    if (m_.transform.identity && m_.modal.surface == PathSurface::plane) {  // most blocks have nothing to transform
       const Axes from = m_.position.work;
       return lead_motion(m_, move(arc, end_), from);
     }

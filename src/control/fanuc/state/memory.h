@@ -82,7 +82,7 @@ struct Memory {
   InterruptedCycles interrupted_cycles;
   AxisDrives driven;                                  // machine axis that each programmed axis drives
   AxisMask following = 0;                             // axes that follow another axis
-  std::uint8_t drilling_group = 0, motion_group = 0;  // modal groups of G80 and of G0
+  std::uint8_t drilling_group = 0, motion_group = 0;  // index of the modal group of G80, of G0
   std::int16_t slowing = -1;                          // row of G62 in ControlDef::codes
   std::uint64_t without_point = 0;                    // letters whose numbers may have no decimal point (spec/fanuc 1.3)
   // data of the block being executed

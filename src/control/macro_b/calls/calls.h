@@ -8,7 +8,7 @@
 
 namespace kadr::macro_b {
 
-/// A call to be executed.
+/// A call of a macro or subprogram that is to be executed.
 struct CallRequest {
   ProgramLocation place;
   std::uint32_t name = 0;  // program number, for messages
@@ -36,7 +36,7 @@ void leave_call(Interpreter& m);
 /// Executes a call by a word that parameters bind to a program: G, M, T, S, A, B, C, or a letter of N1747….
 ///   returns  true: the block's words were the arguments of the call, so nothing of the block remains to be executed
 Result<bool> call_by_code(Interpreter& m);
-/// Calls the subprograms that words of this block are bound to, after the block (23.3.6–23.3.8).
+/// Calls, after the block, the subprograms that parameters bind to words of the block (23.3.6–23.3.8).
 Status call_pending(Interpreter& m);
 
 }  // namespace kadr::macro_b

@@ -14,7 +14,7 @@ namespace {
 
 constexpr double max_number = 9999;  // 24
 constexpr int bits_with_number = 8;  // Q0 to Q7 (24.1)
-constexpr int whole_value = -1;      // used in place of a bit number for all bits together
+constexpr int whole_value = -1;      // used in place of a bit number for the whole value
 
 /// Returns the number of values of a parameter, by its scope: global, or per channel, axis or spindle (24.0).
 int count_of(ParameterScope scope) {
