@@ -1,8 +1,8 @@
 #pragma once
-// Fanuc: the dialect class that Fanuc, Haas and NCT share (spec/fanuc, spec/nct); it is derived from the class of macros, MacroB. It adds
-// drilling and turning cycles, reference return, frames, five axes, spindles, measuring. There is one object per channel; its memory is a
-// plain value (memory.h). `settings` and `state` belong to this class; the macro level has its own, macro_b_of(m).settings and
-// macro_b_of(m).state. Behaviour that only the NCT has is behind the virtual functions below.
+// Fanuc: the dialect class that Fanuc, Haas and NCT share (spec/fanuc, spec/nct); it is derived from the class of macros, MacroB. The class
+// Fanuc adds drilling and turning cycles, reference return, frames, five axes, spindles and measuring. There is one object per channel. The
+// memory of an object is a plain value (memory.h). `settings` and `state` belong to this class; the macro level has settings and a state of
+// its own, macro_b_of(m).settings and macro_b_of(m).state. Behaviour that only the NCT has is behind the virtual functions below.
 
 #include <memory>
 #include <string>
@@ -46,7 +46,7 @@ class Fanuc : public MacroB, public fanuc::Memory {
   const SpindleState& spindle(int number) const { return state.spindles[static_cast<std::size_t>(number)]; }
   /// Returns the present speed of the main spindle, rev/min; 0 if the spindle does not turn.
   double spindle_rpm(const Emitter& m) const;
-  /// Returns how G96, G97 determine the speed of the main spindle (11.5). emit_surface_speed() emits this whenever it changes.
+  /// Returns how G96, G97 determine the speed of the main spindle (11.5). emit_surface_speed() emits this rule whenever the rule changes.
   SurfaceSpeed surface_speed(const BlockContext& m) const override;
   void emit_surface_speed(Emitter& m) const;
   double css_rpm(const Emitter& m) const;
@@ -123,7 +123,7 @@ class Fanuc : public MacroB, public fanuc::Memory {
   void stop_machine(Interpreter& m);
 
   UndoableState before_;                   // the state that keep_all() has saved
-  std::array<Axes, 5> setup_reference_{};  // reference points that the set-up itself states; those of the parameters are not included
+  std::array<Axes, 5> setup_reference_{};  // reference points given by keys of the set-up, not by parameters
 };
 
 /// The part of a snapshot that belongs to the class Fanuc.
@@ -135,7 +135,7 @@ struct FanucState : MacroState {
 
 /// Returns the number of rows of the offset table: N1400; if N1400 is not set, the number of rows that variables can address (15.1).
 std::uint32_t max_offsets(const BlockContext& m);
-/// Finds the axes that the machine converts spindles to (11.8), as far as events in the set-up state such conversions.
+/// Finds the axes that the machine converts spindles to (11.8), as far as events of the set-up command such conversions.
 void find_spindle_axes(BlockContext& m, const Setup& setup);
 /// Warns if one of the named axes is moved while it turns as a spindle.
 void watch_spindle_axes(Emitter& m, AxisMask named);

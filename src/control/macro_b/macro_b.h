@@ -1,7 +1,7 @@
 #pragma once
-// Custom macros B, as Fanuc, Haas and NCT have them (spec/nct/23, spec/fanuc 5, 9): calls, variables, statements, output. There is one
-// MacroB object per channel; its state is a plain value (memory.h). The dialects derived from MacroB provide canned cycles, frames and
-// tools through the virtual functions at the end of the public part.
+// Custom macros B of Fanuc, Haas and NCT (spec/nct/23, spec/fanuc 5, 9): calls, variables, statements, output. There is one MacroB object
+// per channel; the state of an object is a plain value (memory.h). The dialects derived from MacroB provide canned cycles, frames and tools
+// through the virtual functions at the end of the public part.
 
 #include <memory>
 #include <optional>
@@ -43,7 +43,7 @@ class MacroB : public Dialect, public MachineInterface, public Memory {
 
   // ---- state that an alarm restores
   void begin_block(Emitter& m) override;
-  /// Saves the macro state, so that an alarm in the block can restore it. Call keep_all() before a block changes more than the position.
+  /// Saves the macro state, so that an alarm in the block can restore it. Must be called before a block changes more than the position.
   virtual void keep_all();
   void keep(BlockContext&) override { keep_all(); }
   void undo_block(BlockContext& m) override;
@@ -84,12 +84,14 @@ class MacroB : public Dialect, public MachineInterface, public Memory {
   Result<double> control_value(BlockContext& m, double number, double bit, double index, Span where) const override;
 
   // ---- functions that the derived dialects provide
-  /// The tool's position after all transformations, in work coordinates; in polar interpolation in the coordinates of the virtual plane.
+  /// Returns the tool's position after mirroring, scaling and rotation, in work coordinates; in polar interpolation, in coordinates of the
+  /// virtual plane.
   virtual Axes before_transform(const BlockContext& m) const = 0;
-  /// Saves the data of the canned cycles in force when an interrupt macro starts; bring_cycles_back() restores the data when it ends.
+  /// Saves the data of the canned cycles in force when an interrupt macro starts; bring_cycles_back() restores these data at the end of the
+  /// macro.
   virtual void keep_cycles() = 0;
   virtual void bring_cycles_back() = 0;
-  /// The number of contours in the program that canned cycles are executing at the moment.
+  /// Returns the number of contours, blocks of the program, that canned cycles are executing at present, one within the other.
   virtual std::size_t open_contours() const = 0;
   /// Returns true if a table has been written since the last call.
   virtual bool consume_touched_tables() = 0;
@@ -107,17 +109,17 @@ class MacroB : public Dialect, public MachineInterface, public Memory {
   virtual void read_parameters(BlockContext& m);
   /// Resets everything that the program has set to its state at power-on (3.4).
   void reset_macros();
-  /// True if macros need no check of a block that gives only an end point, an arc centre and a feed, so that it may be executed like the
-  /// block before it (MotionDialect::lines_follow).
+  /// True if macros do not act on a block that has only an end point, an arc centre and a feed. Such a block may be executed without the
+  /// checks that other blocks need (MotionDialect::lines_follow).
   bool words_follow() const {
     return !settings.binds_codes && pending.empty() && state.data_mode == DataMode::none && state.active_modal_calls == 0 &&
            !single_block && !watches_blocks() && !interrupted.active;
   }
-  /// True if keep_all() has not been called in this block.
+  /// True if keep_all() has not been called in this block: keep_all() must then save the state, and an alarm has no saved state to restore.
   bool keeps_nothing() const { return !before_.all; }
 
  private:
-  /// The state that keep_all() saves; old values of tables and variables are in the interpreter's journal.
+  /// The state that keep_all() saves. The interpreter's journal saves the old values of tables and variables.
   struct Before {
     bool all = false;
     UndoableState state;
@@ -142,7 +144,7 @@ struct MacroState : DialectState {
 
 namespace kadr {
 
-/// The dialect of a run whose control has custom macros B.
+/// Returns the dialect object of an interpreter whose control has custom macros B.
 macro_b::MacroB& macro_b_of(const BlockContext& m);
 
 }  // namespace kadr

@@ -1,6 +1,6 @@
 #pragma once
-// What a control with custom macros remembers between blocks: settings from parameters, modal calls, modal words, the state of statements.
-// All of this is plain values, so that a snapshot can copy the state, and an alarm can restore a copy.
+// The state that a control with custom macros keeps between blocks: settings from parameters, modal calls, modal words, the state of
+// statements. All of this is plain values, so that a snapshot can copy the state, and an alarm can restore a copy.
 
 #include <array>
 #include <map>
@@ -44,9 +44,9 @@ enum class DataMode : std::uint8_t { none, parameters, tools };
 struct UndoableState {
   ModalWords words;
   std::vector<ModalCall> modal_calls;
-  std::uint8_t active_modal_calls = 0;  // number of entries of modal_calls in force for the blocks being executed
+  std::uint8_t active_modal_calls = 0;  // number of entries of modal_calls that are in force
   DataMode data_mode = DataMode::none;
-  std::optional<ProgramLocation> interrupt_program;  // interrupt macro enabled by M96
+  std::optional<ProgramLocation> interrupt_program;  // interrupt macro that M96 has enabled
   double parts_done = 0;
 };
 
@@ -84,7 +84,7 @@ struct Memory {
   std::uint8_t stop_group = 0;            // index of the modal group of G61 … G64
   std::int16_t inhibiting = -1;           // table row of G63, which inhibits single-block stops
   // ---- flags of the block being executed
-  bool was_hidden = false;     // the block is in a program 8000–9999 whose blocks single-block operation does not stop at (23.3.9)
+  bool was_hidden = false;     // the block's program, 8000 to 9999, runs as one block in single-block operation (23.3.9)
   bool moved = false;          // the block commanded a movement
   bool stops_reading = false;  // the block empties the look-ahead buffer
   std::vector<PendingCall> pending;
@@ -100,7 +100,7 @@ struct Memory {
   std::map<double, double> variable_names;  // names set by SETVN: internal number of the name → variable number (spec/fanuc 5.1)
   Changes changes;                          // values that must be saved to the state file
   Endless endless;
-  std::uint64_t parameters_seen = 0;  // version of the parameters that `settings` was read from, plus 1
+  std::uint64_t parameters_seen = 0;  // version of the parameters from which `settings` was read, plus 1
 };
 
 }  // namespace kadr::macro_b

@@ -57,8 +57,8 @@ void drop_repeated(BlockContext& m) {
   if (m.block->altered) m.note_addresses();
 }
 
-/// Checks that each address occurs once, however the address is written, and that the block has no more M codes than the control allows,
-/// at most one of each exclusive group (nct 13.1).
+/// Checks that no address occurs twice in the block, even in different spellings, and that the block has no more M codes than the control
+/// allows and at most one M code of each exclusive group (nct 13.1).
 Status check_words(const BlockContext& m) {
   std::uint64_t seen = 0;
   std::size_t m_codes = 0;
@@ -77,8 +77,8 @@ Status check_words(const BlockContext& m) {
   return check_m_codes(m);
 }
 
-/// Refuses a decimal point in words that allow none, such as S1000.0 (spec/fanuc 1.3). The arguments of a macro call may have a point,
-/// whatever their letter.
+/// Raises an alarm for a decimal point in a word that must not have one, such as S1000.0 (spec/fanuc 1.3). The arguments of a macro call
+/// may have a point, whatever their letter.
 Status check_points(const BlockContext& m) {
   const std::uint64_t concerned = fanuc_of(m).without_point;
   if ((m.block->letters & concerned) == 0) return {};
@@ -141,9 +141,9 @@ Status take_spindle_words(BlockContext& m) {
 
 }  // namespace
 
-/// Counts numbers without a decimal point in least increments of the unit in force: 0.001 mm, 0.0001 in; a feed per minute is a whole
-/// number (spec/fanuc 1.3), unless a parameter says otherwise. The increment may change between blocks that have the same words, so each
-/// block is counted; a word that has been counted already (Word::counted) stays as it is.
+/// Scales numbers without a decimal point, which count least increments of the unit in force: 0.001 mm or 0.0001 in. A feed per minute is a
+/// whole number (spec/fanuc 1.3), unless a parameter changes this. A block that is executed again may need another increment, so its words
+/// are scaled at each execution; a word that has been scaled already (Word::counted) does not change.
 void count_increments(BlockContext& m) {
   if (m.def.grammar.least_increments.empty()) return;
   const bool inch = m.has_code({Function::inch}) || (m.modal.inch && !m.has_code({Function::millimetre}));
@@ -187,9 +187,9 @@ Result<bool> before_plan(Interpreter& m) {
   if (const auto called = call_with_words(m); !called || *called) return called;
   const bool looks_closer = watches_words(m) || watches_codes(m);
   if (m.block->kept && m.block->checked == m.block->letters && !m.block->codes_vary &&
-      !looks_closer) {  // the block's words were checked when it was executed before …
+      !looks_closer) {  // an earlier execution has checked the words of this block …
     if (!m.block->calls_macro) count_increments(m);
-    if (m.block->evaluates && !m.block->calls_macro) KADR_TRY(check_values(m));  // … but values may have changed since
+    if (m.block->evaluates && !m.block->calls_macro) KADR_TRY(check_values(m));  // … but values of expressions may have changed since
     if (!m.block->calls_macro) note_words(m);
     else if (m.block->has_number) macro_b_of(m).state.words.n = m.block->number;
     return false;

@@ -25,7 +25,7 @@ void Fanuc::note_skip_mark(Emitter& m) { fanuc::note_skip_mark(m); }
 Result<bool> Fanuc::takes_block(Interpreter& m) {
   const auto done = before_plan(m);
   if (done && !*done && (MacroB::state.active_modal_calls != 0 || !pending.empty()))
-    m.keep_flow_place();  // since a macro call after the block may fail
+    m.keep_flow_place();  // a macro call after the block may fail and then needs this position
   return done;
 }
 
@@ -64,7 +64,8 @@ bool Fanuc::lines_follow(const BlockContext& m) const {
   return !counts_inches && !m.modal.polar_data && plain_motion && words_follow();
 }
 
-/// Returns the axes that roll over: their travel is computed separately (5.6).
+/// Returns the axes that roll over (their position restarts at 0 after a full period, 5.6). The travel of these axes is computed
+/// separately.
 AxisMask Fanuc::rolling_axes(const BlockContext& m) const {
   AxisMask rolling = 0;
   for (std::size_t a = 0; a < m.axis_count; ++a)
@@ -72,8 +73,8 @@ AxisMask Fanuc::rolling_axes(const BlockContext& m) const {
   return rolling;
 }
 
-/// Returns the rule for simple arcs: I, J, K belong to X, Y, Z whichever axes the plane has (4.3), so a plane with other axes needs the
-/// general code.
+/// Returns the rule for arcs that the fast code for simple blocks executes. I, J, K belong to X, Y, Z whichever axes the plane has (4.3),
+/// so arcs in a plane of other axes need the general code.
 ArcRule Fanuc::arc_rule(const BlockContext& m) const {
   return {m.modal.axes == axes_of(m.modal.plane), settings.centers_absolute, false, settings.radius_difference,
           m.def.behaviour.arc_angle_even};

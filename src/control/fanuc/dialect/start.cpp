@@ -67,7 +67,7 @@ void Fanuc::reset_codes(Interpreter& m, bool keep) {
     const std::int32_t index = m.def.row_of('G', tenth);
     if (index < 0) continue;
     const CodeRow& row = m.def.codes[static_cast<std::size_t>(index)];
-    if (row.function == Function::mirror_off) clear_mirror(m);  // ends mirroring even under G51, G68 that remain in force
+    if (row.function == Function::mirror_off) clear_mirror(m);  // ends mirroring even if G51 or G68 remains in force
     const std::size_t silent = m.batch->size();
     (void)handler_of(row.function)(m, {&row, nullptr, {}});
     m.batch->cut(silent);
@@ -91,7 +91,7 @@ Fanuc::Fanuc(BlockContext& m, const Setup& setup, const RunLimits& limits, std::
 
 Fanuc::~Fanuc() = default;
 
-/// Sets the reference points: those of the parameters (9, 9.2) have priority over those that the set-up itself states.
+/// Sets the reference points: a reference point given by a parameter (9, 9.2) has priority over the one given by a key of the set-up.
 void Fanuc::take_reference_points(BlockContext& m) {
   for (std::size_t a = 0; a < m.axis_count; ++a)
     for (std::size_t point = 1; point < m.tables.reference.size(); ++point) {
@@ -146,7 +146,8 @@ bool Fanuc::start(Interpreter& m, const Setup& setup) {
   m.transform = Transform();
   reset_shifts(m);
   reset_codes(m, false);
-  const double feeds[] = {parameters.value(parameters.named("0300")), parameters.value(parameters.named("0301"))};  // 6.2: G94, G95
+  // Feeds at power-on in G94 and in G95 (6.2).
+  const double feeds[] = {parameters.value(parameters.named("0300")), parameters.value(parameters.named("0301"))};
   const bool per_minute = m.modal.feed_mode == FeedMode::per_minute;
   m.modal.feed = feeds[per_minute ? 0 : 1];
   m.modal.other_feed = feeds[per_minute ? 1 : 0];
@@ -157,8 +158,8 @@ bool Fanuc::start(Interpreter& m, const Setup& setup) {
 
 namespace {
 
-/// Puts the tool length of a set-up with G43 and H into force if the set-up names no axis. INFERRED: the length acts along the tool
-/// (25.1), else along Z.
+/// Puts the tool length into force if the set-up starts with G43 and H but does not state the lengths of the axes. INFERRED: the length
+/// acts along the axis that the tool is parallel to (25.1), usually Z.
 void take_length_in_force(BlockContext& m) {
   const std::uint32_t number = m.modal.length_number;
   if (m.modal.length_sign == 0 || number == 0 || m.modal.turning_lengths || any_nonzero(m.modal.lengths)) return;
@@ -195,8 +196,8 @@ void Fanuc::take_setup(Emitter& m, const Setup& setup) {
   mirror_by_settings(m);
 }
 
-/// Stops the machine at the end of the program as M5, M9 do (13.1, "usually"): executes the codes in `end` of the control's file; all
-/// spindles of the channel stop.
+/// Stops the machine at the end of the program as M5, M9 do (13.1, "usually"): executes the codes in `end` of the control's file; then
+/// stops all spindles of the channel.
 void Fanuc::stop_machine(Interpreter& m) {
   const std::size_t silent = m.batch->size();
   const double parts = MacroB::state.parts_done;
@@ -235,7 +236,7 @@ bool Fanuc::end_program(Interpreter& m) {
   return true;
 }
 
-/// Executes power off and on: resets the codes, whatever CLR says (23.5).
+/// Executes power off and on: resets the codes of all groups, also of those that parameter bit CLR makes a reset keep (23.5).
 bool Fanuc::lose_power(Interpreter& m) {
   ActionBatch unseen;
   ActionBatch* const kept = std::exchange(m.batch, &unseen);

@@ -28,7 +28,8 @@ std::int16_t cycle_row(const BlockContext& m) {
   return row >= 0 && m.def.codes[static_cast<std::size_t>(row)].function == Function::drilling ? row : std::int16_t{-1};
 }
 
-/// True if a code of group 1 in the block makes the motion; a cycle in the same block is then not executed (18.0, INFERRED).
+/// True if the block has a code of group 1, which determines the block's motion. A cycle in the same block is then not executed (18.0,
+/// INFERRED).
 bool moves_by_code(const BlockContext& m) {
   return m.has_code({Function::rapid, Function::linear, Function::arc_cw, Function::arc_ccw, Function::thread, Function::turning_simple});
 }
@@ -61,8 +62,8 @@ Result<const Word*> bottom_word(const BlockContext& m) {
   return found;
 }
 
-/// Returns the axis of the bottom word. Without that word, returns the drilling axis of the cycle in force, or INFERRED the main axis; -1
-/// if the channel has none.
+/// Returns the axis of the bottom word. Without that word, returns the drilling axis of the cycle in force. INFERRED: if no cycle is in
+/// force, the main axis of the drilling direction; -1 if the channel does not have this axis.
 int drilling_axis(const BlockContext& m, const Word* bottom) {
   if (bottom != nullptr) return m.def.address(bottom->address).axis;
   const int direction = drilling_direction(m);
@@ -92,13 +93,13 @@ class Drilling {
     const AxisMask drills = AxisMask{1} << axis;
     if (m_.transform.moved_with(drills) != drills) return fail(alarm(AlarmId::plane_wrong, call_.where, code_text()));
     KADR_TRY(begin(static_cast<std::size_t>(axis), *bottom));
-    const bool by_level = m_.def.behaviour.shifts_by_q();               // spec/fanuc 10.1: R alone is enough too
+    const bool by_level = m_.def.behaviour.shifts_by_q();               // a block with R alone drills too (spec/fanuc 10.1)
     if (!m_.has_axis_words() && !(by_level && m_.has('R'))) return {};  // 18.2: the cycle is not executed
     KADR_TRY(resume_from(*bottom));
     double passes = 1;
     const char repeats = m_.def.behaviour.repeats_by_k && m_.has('K') ? 'K' : 'L';
     if (m_.has(repeats)) {
-      passes = m_.value(repeats) * std::pow(10.0, m_.word(repeats)->counted);  // K3 is not a length: undo its scaling
+      passes = m_.value(repeats) * std::pow(10.0, m_.word(repeats)->counted);  // K is a number of holes: the scaling as a length is undone
       if (passes != std::floor(passes)) return fail(alarm(AlarmId::word_not_integer, m_.where(repeats), repeats, passes));
       if (!(passes >= 0 && passes <= max_holes)) return fail(alarm(AlarmId::value_out_of_range, m_.where(repeats), repeats, passes));
     }
@@ -107,7 +108,7 @@ class Drilling {
     return start({}, static_cast<std::uint32_t>(passes));
   }
 
-  /// Executes the cycle in force at each of these points, which are programmed coordinates of the plane, mm (spec/haas 8.5).
+  /// Executes the cycle in force at each of the points (spec/haas 8.5). `points`: programmed coordinates of the plane, mm.
   Status at_points(std::vector<Vec2> points) {
     const auto count = static_cast<std::uint32_t>(points.size());
     return start(std::move(points), count);
@@ -147,8 +148,7 @@ class Drilling {
     return {};
   }
 
-  /// True if the letter I, J or K belongs to the plane: I J in G17, K I in G18, J K in G19. I also belongs in cycles where it is a
-  /// percentage.
+  /// True if the cycle reads the letter I, J or K: I J in G17, K I in G18, J K in G19. I is also read by cycles in which I is a percentage.
   bool belongs(char letter) const {
     if (letter == 'I' && has_percent()) return true;
     if (m_.def.behaviour.shifts_by_q()) return true;
@@ -159,7 +159,8 @@ class Drilling {
     }
   }
 
-  /// Switches the cycle mode on, or changes the drilling axis: stores the initial level. The block must have R and the bottom (18.0).
+  /// Switches the cycle mode on, or changes the drilling axis, and then stores the initial level. The block must have R and the bottom
+  /// (18.0).
   Status begin(std::size_t axis, const Word* bottom) {
     const bool fresh = !drilling_on(m_);
     if (!fresh && axis == kept_.axis) return {};
@@ -170,7 +171,7 @@ class Drilling {
     return {};
   }
 
-  /// Returns the tool's position without a new tool length of this block: the new length acts from operation 3 on.
+  /// Returns the tool's position computed without the new tool length of this block, which takes effect with operation 3.
   Axes before_new_length() const {
     Placement frames = m_.frames;
     frames.length = m_.state_before().modal.lengths;
@@ -228,7 +229,7 @@ class Drilling {
   }
 
   /// Sets the data of the cycle; values of missing words come from the parameters. INFERRED: a percentage of 0 in a parameter means "not
-  /// set", so 100.
+  /// set"; 100 is then used.
   Status data(DrillingRun::Job& job) const {
     const Settings& s = fanuc_of(m_).settings;
     const auto percent = [](double value) { return value > 0 ? value : 100; };
@@ -271,8 +272,8 @@ class Drilling {
     return {};
   }
 
-  /// Checks that every level of the first hole and the last position that increments with L lead to are within range, since nothing may
-  /// fail after the cycle has started.
+  /// Checks that all levels of the first hole are within range, and also the position of the last hole, to which L increments lead. After
+  /// the start of the cycle no motion may raise an alarm.
   Status within_reach(const DrillingRun::Job& job) const {
     const Axes& first = m_.position.programmed;
     for (const double level : {job.initial, job.level, job.bottom}) {
@@ -302,8 +303,8 @@ class Drilling {
   DrillingMemory& kept_;
 };
 
-/// Checks that the cycle exists: with the lathe's codes (N1503 CSM), G73, G74, G76 are no drilling cycles, and only then G83.1, G84.1,
-/// G86.1 are.
+/// Checks that the cycle exists: with the codes of lathes (parameter bit N1503 CSM), G83.1, G84.1, G86.1 are drilling cycles instead of
+/// G73, G74, G76.
 Status known(const BlockContext& m, const Call& call) {
   const bool alias = call.row->arg == 73_g || call.row->arg == 74_g || call.row->arg == 76_g;
   const bool replaced = call.row->tenth == 73_g || call.row->tenth == 74_g || call.row->tenth == 76_g;
@@ -332,10 +333,10 @@ int drills_along(const BlockContext& m) {
 
 void note_code(Interpreter& m, const CodeRow& row, std::int32_t tenth) {
   if (row.letter == 'M' && fanuc_of(m).settings.part_code != 0 && tenth == 10 * fanuc_of(m).settings.part_code)
-    macro_b_of(m).state.parts_done += 1;  // 13.1: a part code counts a part
+    macro_b_of(m).state.parts_done += 1;  // 13.1: this M code counts a part
   note_mirror_code(m, row);
   if (row.group != fanuc_of(m).motion_group) return;
-  if (row.function != Function::turning_simple) fanuc_of(m).state.turning.code = 0;  // 19.1: ends a simple turning cycle
+  if (row.function != Function::turning_simple) fanuc_of(m).state.turning.code = 0;  // 19.1: the code ends a simple turning cycle
   if (drilling_on(m)) m.run_modes({Function::drilling_off});
 }
 
@@ -356,8 +357,8 @@ Status check_increment_of_r(const BlockContext& m) {
 
 namespace kadr::functions {
 
-/// G73 … G89 (18), in the phase `positioning` of the block: does operation 1 now; the other operations follow one by one after the
-/// block's functions.
+/// G73 … G89 (18), in the phase `positioning` of the block: executes operation 1 (the motion over the hole). The other operations of the
+/// cycle follow one by one after the block's functions.
 Status drilling(Emitter& m, const Call& call) {
   KADR_TRY(fanuc::known(m, call));
   if (fanuc::moves_by_code(m)) return {};

@@ -19,14 +19,15 @@ namespace kadr::fanuc {
 
 /// True if a cycle of group 9 is in force.
 bool drilling_on(const BlockContext& m);
-/// Returns the row of the code that a block with axis words alone executes: the cycle in force, or the code of group 1 (18.0).
+/// Returns the table row of the code that a block with nothing but axis words executes: the cycle in force, or else the code of group 1
+/// (18.0).
 std::int16_t motion_row(const BlockContext& m);
 /// Returns the drilling axis if the block executes a cycle, else -1. A length offset acts on this axis (15.3, 18.2).
 int drills_along(const BlockContext& m);
 /// Called after each executed code: a code of group 1 ends the cycle mode (18.0).
 void note_code(Interpreter& m, const CodeRow& row, std::int32_t tenth);
-/// Checks that the spindle turns if the cycle of this block needs it. S and M3 of the block act after operation 1, the motion over the
-/// hole.
+/// Checks that the spindle turns if the cycle of this block needs it. S and M3 of the block take effect after operation 1 of the cycle, the
+/// motion over the hole.
 ///   alarms  spindle_not_turning
 Status check_drilling(const Emitter& m);
 /// Checks the operator I (incremental value) of an R word: it is permitted only in a cycle (5.1). alarms increment_not_allowed

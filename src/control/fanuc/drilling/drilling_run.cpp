@@ -1,5 +1,5 @@
-// Runs a drilling cycle one operation at a time (spec/nct/18.0, 18.1). One pass drills one hole. Memory is constant for any number of
-// passes (word L) and any depth. Used by control/fanuc/drilling/drilling.
+// Runs a drilling cycle one operation at a time (spec/nct/18.0, 18.1). One pass drills one hole. The memory needed depends neither on the
+// number of passes (word L) nor on the depth. Used by control/fanuc/drilling/drilling.
 
 #include "control/fanuc/drilling/drilling_run.h"
 
@@ -77,7 +77,7 @@ Status DrillingRun::check(const Emitter& m) const {
   if (turns) return {};
   const bool dwells = job_.dwell > 0 && std::count(cycle_.steps.begin(), cycle_.steps.end(), pause) != 0;
   const bool revolutions = m.modal.feed_mode == FeedMode::per_revolution && !fanuc_of(m).settings.dwell_seconds;
-  if (!is_tap() && !(dwells && revolutions)) return {};  // 8: a dwell in revolutions would never end
+  if (!is_tap() && !(dwells && revolutions)) return {};  // without rotation, a dwell in revolutions never ends (8)
   const auto code = static_cast<std::size_t>(m.def.row_of('G', job_.code));
   return fail(alarm(AlarmId::spindle_not_turning, m.block->where, std::string_view(m.def.codes[code].code)));
 }
@@ -114,7 +114,8 @@ Status DrillingRun::over_point(Emitter& m, Vec2 point) {
   return is_there(m, to, named) ? Status() : to_hole(m, to, named);
 }
 
-/// Executes operation 1 of a pass. For the first pass, operation 1 was executed before the functions of the block.
+/// Executes operation 1 (the motion over the hole) of a pass. Without a pattern, operation 1 of the first pass has been executed before the
+/// functions of the block.
 Status DrillingRun::begin_pass(Emitter& m) {
   if (!job_.points.empty()) KADR_TRY(over_point(m, job_.points[pass_]));
   else if (pass_ != 0) KADR_TRY(over_hole(m, job_.axis));
@@ -162,8 +163,8 @@ Status DrillingRun::spindle_step(Emitter& m, DrillStep step) {
   }
 }
 
-/// Peck drilling (18.1.1, 18.1.7): cuts by Q, then retracts at rapid by E or to R, and returns at rapid to E above the depth reached. The
-/// last peck cuts the remainder.
+/// Peck drilling (18.1.1, 18.1.7): the tool cuts by the depth Q, retracts at rapid by the distance E or to R, and returns at rapid to the
+/// height E above the depth reached. The last peck cuts the remaining depth.
 Status DrillingRun::pecks(Emitter& m, bool to_level) {
   switch (part_) {
     case 1: part_ = 2; return rapid(m, job_.level - down() * job_.rise / scale(m));
@@ -181,8 +182,8 @@ Status DrillingRun::pecks(Emitter& m, bool to_level) {
   }
 }
 
-/// Tapping with pecks (18.1.9, 18.1.10). INFERRED: every motion is synchronised; N1507 applies to the return to R, N1506 to the return by
-/// E.
+/// Tapping with pecks (18.1.9, 18.1.10). INFERRED: every motion is synchronised; the feed of N1507 applies to the return to R, the feed of
+/// N1506 to the return by E.
 Status DrillingRun::tap_in(Emitter& m) {
   if (job_.peck == 0) return tap(m, job_.bottom, 100);
   switch (part_) {
@@ -210,8 +211,8 @@ Status DrillingRun::close_loop(Emitter& m) {
   return fanuc_of(m).spindle_machine_code(m, code, m.block->where);
 }
 
-/// Executes dwell P: seconds, or revolutions in G95. INFERRED: in tapping, revolutions count at speed S, since the spindle is in its
-/// position loop.
+/// Executes dwell P: seconds, or revolutions in G95. INFERRED: in rigid tapping, where the spindle is in its position loop, the time of a
+/// revolution is that of the speed S.
 Status DrillingRun::dwell(Emitter& m) {
   if (!(job_.dwell > 0)) return {};
   if (m.def.behaviour.dwell_unit != DwellUnit::seconds) {
@@ -229,7 +230,8 @@ Status DrillingRun::dwell(Emitter& m) {
   return {};
 }
 
-/// Shifts the tool from the hole by machine millimetres: mirroring, rotation and scaling do not act on the shift (18.0).
+/// Shifts the tool in the plane from the hole's position. `by`: mm of machine travel; mirroring, rotation and scaling do not act on the
+/// shift (18.0).
 Status DrillingRun::shift(Emitter& m, Vec2 by) {
   const PlaneAxes& plane = m.modal.axes;
   Axes to = hole_;
@@ -258,7 +260,7 @@ Status DrillingRun::feed(Emitter& m, double level, double percent) {
   KADR_TRY(m.straight(MotionKind::feed, to, 1u << job_.axis));
   Motion& motion = std::get<Motion>(m.batch->back().what);
   motion.feed *= percent / 100;
-  if (taps() && !is_tap()) motion.own_override = motion.no_hold = true;  // 18.2: feed override and hold are off
+  if (taps() && !is_tap()) motion.own_override = motion.no_hold = true;  // 18.2: feed override and feed hold do not act
   return {};
 }
 

@@ -1,6 +1,6 @@
 #pragma once
-// Runs a drilling cycle one operation at a time (spec/nct/18.0, 18.1). One pass drills one hole. Memory is constant for any number of
-// passes (word L) and any depth.
+// Runs a drilling cycle one operation at a time (spec/nct/18.0, 18.1). One pass drills one hole. The memory needed depends neither on the
+// number of passes (word L) nor on the depth.
 
 #include <cstddef>
 #include <cstdint>
@@ -12,16 +12,17 @@
 
 namespace kadr::fanuc {
 
-/// Computes the block's hole position from its axis words, except the word of the drilling axis. `to`: programmed coordinates.
+/// Computes the hole position from the block's axis words, without the word of the drilling axis. `drill`: index of the drilling axis;
+/// `to`: programmed coordinates.
 ///   alarms  those of target() in words/coordinates.h (chapter 5)
 Status hole_position(const BlockContext& m, std::size_t drill, Axes& to, AxisMask& named);
-/// Operation 1: moves at rapid over the hole; does nothing if the tool is already there.
+/// Executes operation 1 of a drilling cycle (18.0): moves at rapid over the hole. Does nothing if the tool is already over the hole.
 Status over_hole(Emitter& m, std::size_t drill);
-/// Returns the spindle speed that rigid tapping couples the axis to, rev/min: S of the spindle that a word referred to last.
+/// Returns the spindle speed in rev/min that determines the feed of rigid tapping: the S of the spindle that a word referred to last.
 double tapping_rpm(const BlockContext& m);
 
-/// Runs operations 2 … 10 of the first pass, and all operations of the other passes that L requests. A run cannot fail after
-/// check_drilling() has succeeded.
+/// Runs operations 2 … 10 of the NCT manual (18.0) for the first hole, and operations 1 … 10 for the other holes that word L requests. A
+/// run cannot fail after check_drilling() has succeeded.
 class DrillingRun final : public SteppedCycleValue<DrillingRun> {
  public:
   /// Data of one block from the program and the parameters. Levels are programmed coordinates, mm.
@@ -33,16 +34,16 @@ class DrillingRun final : public SteppedCycleValue<DrillingRun> {
     bool to_initial = true;          // G98: the tool returns to the initial level; else to R
     double peck = 0, clearance = 0;  // mm of machine travel: not scaled (18.0)
     double dwell = 0;                // P, seconds or revolutions
-    Vec2 shift;                      // mm in the plane; not mirrored, rotated or scaled
+    Vec2 shift;                      // shift of G76, G87 in the plane, mm; not mirrored, rotated or scaled
     double out_percent = 100;        // feed of the retract (operation 7), % of the programmed feed
     double between_percent = 100;    // feed of a tap's return to R between its cuts, % of the programmed feed
     bool back_boring = false;        // G87 with a spindle that can be oriented
-    bool pecks_to_level = false;     // a tap clears chips at R like G83 (PTC=1), else it breaks them like G73
-    std::vector<Vec2> points;        // pattern: hole positions, programmed, one per pass; empty: the block's words give the position
+    bool pecks_to_level = false;     // true: a tap with pecks returns to R as G83 does (PTC=1); false: by a short distance as G73 does
+    std::vector<Vec2> points;        // hole positions of a pattern, programmed coordinates; empty: the block's words give the position
     double less = 0, least = 0;      // each peck is shorter by `less` than the previous one, but at least `least` (spec/haas 8.3)
-    double rise = 0;                 // the return between pecks goes to this height above R
-    double clear_after = 0;          // after cuts of this total depth the tool returns to R (spec/haas 8.3); 0: never
-    bool orients_tap = false;        // TSC=1: the spindle is oriented before tapping
+    double rise = 0;                 // height above R to which the tool returns between pecks, mm
+    double clear_after = 0;          // total depth of cuts after which the tool returns to R, mm (spec/haas 8.3); 0: never
+    bool orients_tap = false;        // TSC=1: M19 orients the spindle before rigid tapping
   };
   explicit DrillingRun(Job job);
 
@@ -65,7 +66,7 @@ class DrillingRun final : public SteppedCycleValue<DrillingRun> {
   Status feed(Emitter& m, double level, double percent);
   Status tap(Emitter& m, double level, double percent);
   void single_block(Emitter& m) const;
-  bool is_tap() const { return job_.code == 84.2_g || job_.code == 84.3_g; }  // the spindle and the axis are synchronised
+  bool is_tap() const { return job_.code == 84.2_g || job_.code == 84.3_g; }  // rigid tapping: spindle and axis are synchronised
   bool taps() const { return is_tap() || job_.code == 84_g || job_.code == 74_g; }
   double down() const { return job_.bottom < job_.level ? -1 : 1; }
   double scale(const BlockContext& m) const;
@@ -77,7 +78,7 @@ class DrillingRun final : public SteppedCycleValue<DrillingRun> {
   double peck_ = 0;  // depth of the next peck
   Axes hole_{};
   std::uint32_t pass_ = 0;
-  std::size_t at_ = 0;      // next step of the cycle; 0: operation 1
+  std::size_t at_ = 0;      // index of the cycle's next step; 0: operation 1
   std::uint32_t part_ = 0;  // phase within a peck: 1 return to R, 2 move to the start of the next cut, else cut
   double depth_ = 0;        // level reached by pecks, programmed coordinate, mm
   double cut_ = 0;          // depth cut since the last return to R, mm

@@ -23,7 +23,8 @@ namespace kadr::fanuc {
 /// Returns the transformation between work and machine coordinates that the codes in force define. Returns `before` if nothing has
 /// changed, and nullptr for a machine without five-axis kinematics while no programming frame in space is on.
 std::shared_ptr<const WorkTransform> five_axis_transform(const Emitter& m, const std::shared_ptr<const WorkTransform>& before);
-/// Sets the frames by the codes in force: origin, length, rotation and space (10, 25). Called by refresh_frames().
+/// Computes the frames in force (origin, tool length, rotation, programming frame in space) from the modal codes (10, 25). refresh_frames()
+/// calls this function.
 void refresh_space(Emitter& m);
 const FiveAxisTransform* space_of(const BlockContext& m);
 
@@ -34,31 +35,34 @@ void take_up(BlockContext& m, const Axes& programmed_before);
 /// the tool too (25.20). Must be called before the target of the motion is used.
 void note_positioned(Emitter& m, AxisMask named);
 
-/// Prepares a block before it is planned. Replaces the words I J K of G43.5, G43.9 by words of the rotary axes, and reads and removes ,L2
-/// I J K. Closes the definition of a G68.2 P2, P3 plane after its last block. Raises an alarm for codes that cannot be combined with tool
-/// centre point control.
+/// Prepares a block before it is planned. Replaces the words I J K of G43.5, G43.9 by words of the rotary axes. Reads the surface normal
+/// ,L2 I J K and removes its words from the block. Closes the definition of a tilted plane (G68.2 P2, P3) after its last block. Raises an
+/// alarm for codes that cannot be combined with tool centre point control.
 ///   alarms  lead_words, direction_zero, direction_unreachable, lead_state, and those of finish_plane()
 Status five_axis_block(Emitter& m);
-/// True if every block must go through five_axis_block().
+/// True if five_axis_block() must be called for every block, because I J K or ,L2 may be vectors in the modes in force, or because a tilted
+/// plane is being defined.
 bool watches_words(const BlockContext& m);
-/// True if this block must go through five_axis_block(): it may have codes that cannot be combined with tool centre point control.
+/// True if five_axis_block() must be called for this block, because the block may have codes that cannot be combined with tool centre point
+/// control.
 bool watches_codes(const BlockContext& m);
-/// True if a straight motion must go through tip_control_line(): posture or cutting point control determines the path of the tool tip, or
-/// the basic rotation of the work system tilts the tool.
+/// True if tip_control_line() must execute straight motions, because posture or cutting point control determines the path of the tool tip,
+/// or the basic rotation of the work system tilts the tool.
 bool leads_lines(const BlockContext& m);
 Status tip_control_line(Emitter& m, const Call& call, MotionKind kind);
 /// Completes a motion that was just added in tool centre point control with the data of its tip path (25.16, 25.17).
 ///   alarms  lead_angle, normal_missing
 Status lead_motion(BlockContext& m, Motion& motion, const Axes& from);
 
-/// Must be called for each block while G68.2 P2 or P3 defines a plane. The first block of another kind closes the definition; if the
-/// definition is incomplete, that is an alarm.
+/// Must be called for each block while G68.2 P2 or P3 defines a plane. The first block of another kind closes the definition; an incomplete
+/// definition then raises an alarm.
 Status finish_plane(BlockContext& m);
-/// Executes an H word: puts its tool length into force (25b, 25h).
+/// Puts the tool length that an H word selects into force (25b, 25h). `length`: mm.
 void register_lead_length(BlockContext& m, double length);
 /// Executes a D word: sets tool radius and corner radius for cutting point control (25.17).
 void note_lead_radius(BlockContext& m);
-/// Checks that G49 may end tool centre point control: only with G0 or G1 (25.14; INFERRED: in the modes of 25.17 too). alarms lead_mode
+/// Checks that G49 may end tool centre point control: a motion in the block of G49 must be G0 or G1 (25.14). INFERRED: the same holds for
+/// cutting point control (25.17). alarms lead_mode
 Status may_end_lead(const BlockContext& m, const Call& call);
 /// Ends G43.1 to G43.9. Called for G49, G43, G44, G43.7.
 void end_lead(BlockContext& m);

@@ -28,8 +28,8 @@ Result<RotaryPair> pair_for_plane(const BlockContext& m, const Call& call) {
   return *pair;
 }
 
-/// Returns the real position of the tool tip on the part, for the length in force, in coordinates of the programming frame (25g 1.5,
-/// INFERRED).
+/// Returns the real position of the tool tip on the part, computed with the tool length in force, in coordinates of the programming frame
+/// (25g 1.5, INFERRED).
 Vec3 tip_in_frame(const BlockContext& m) {
   const FiveAxisTransform& space = *space_of(m);
   return space.in_frame(space.pose(m.position.machine).tip);
@@ -131,8 +131,8 @@ Result<Leading> leading_words(const BlockContext& m, const Call& call, Vec3 tip)
   return words;
 }
 
-/// Puts the length of H into force. The compensation in force decides whether the length acts plainly or along the tool's direction
-/// (25.15).
+/// Puts the tool length that H selects into force. The length compensation in force decides whether this length acts along one axis or
+/// along the tool's direction (25.15).
 Status take_orientation_length(Emitter& m, const Call& call) {
   FiveAxisState& five = fanuc_of(m).state.five_axis;
   if (m.has('H')) {
@@ -160,7 +160,8 @@ Status take_orientation_length(Emitter& m, const Call& call) {
   return {};
 }
 
-/// G53.6: rotates the axes with tool centre point control; afterwards the plane's frame is valid for the rotary positions reached.
+/// G53.6: rotates the axes with tool centre point control; afterwards the frame of the tilted plane is valid for the positions that the
+/// rotary axes have reached.
 Status orient_with_tip_control(Emitter& m, const Call& call) {
   macro_b_of(m).stops_reading = true;
   const auto kind = kind_in_force(m, call);
@@ -176,7 +177,7 @@ Status orient_with_tip_control(Emitter& m, const Call& call) {
   const TipControl lead = std::exchange(five.lead, TipControl::tip);
   const double length = std::exchange(five.lead_length, along);
   five.oriented.reset();
-  m.change_frames();  // tool centre point control is on from here …
+  m.change_frames();  // tool centre point control is on for this motion only
   Axes work = m.position.work;
   set_rotary(m, work, *pair);
   FiveAxisTipPath::Data way;
@@ -193,7 +194,7 @@ Status orient_with_tip_control(Emitter& m, const Call& call) {
   }
   Motion& motion = add_five(m, *kind, work);
   if (way.pivot) detail_of(m, motion).tip_path = std::make_shared<const FiveAxisTipPath>(way);
-  five.lead = lead;  // … to here: the mode before the block is restored
+  five.lead = lead;  // the mode before the block is restored
   five.lead_length = length;
   five.oriented = *pair;
   m.change_frames();
@@ -216,8 +217,8 @@ Status tool_orientation(Emitter& m, const Call& call) {
   return call.row->arg == orient_alone ? turn_to_plane(m, call) : orient_with_tip_control(m, call);
 }
 
-/// G54.2 P (25.4): selects a dynamic offset. With FOS=0 the axes move with the origin and keep their coordinates; they move at rapid
-/// unless G1 is in force.
+/// G54.2 P (25.4): selects a dynamic offset. If parameter bit FOS is 0, the linear axes move with the origin, so that their coordinates
+/// stay the same. They move at feed if G1 is in force, else at rapid.
 Status dynamic_zero(Emitter& m, const Call& call) {
   if (!fanuc_of(m).settings.five_axis.has_table()) return fail(alarm(AlarmId::no_five_axes, call.where, call.row->code));
   if (m.modal.surface != PathSurface::plane) return fail(alarm(AlarmId::surface_state, call.where, call.row->code));

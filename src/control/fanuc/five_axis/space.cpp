@@ -37,7 +37,8 @@ void set_zero(const Emitter& m, FiveAxisTransformData& d) {
   const auto of = [&](const RotaryJoint& joint, bool on_table, const Axes& from) {
     return on_table && joint.axis >= 0 ? from[static_cast<std::size_t>(joint.axis)] : 0.0;
   };
-  if (d.moves_origin) {  // the origin is relative to the pivot of the second table; INFERRED: without the common offset
+  if (d.moves_origin) {
+    // The origin is relative to the pivot of the second rotary table. INFERRED: the common offset is not added.
     d.measured = {of(machine.first, machine.first_on_table(), zero), of(machine.second, machine.second_on_table(), zero)};
     const Mat3 first = machine.first_on_table() ? machine.first_turn(d.measured.first) : Mat3();
     d.zero = main_of(m, zero) + machine.table + first * machine.second_table;
@@ -102,7 +103,7 @@ std::shared_ptr<const WorkTransform> five_axis_transform(const Emitter& m, const
   return std::make_shared<const FiveAxisTransform>(data);
 }
 
-/// In five-axis functions the work offset of a rotary axis in the table is used, the offset of a rotary axis in the head is not (25a 7).
+/// Five-axis functions apply the work offset of a rotary axis of the table, but not that of a rotary axis of the head (25a 7).
 void refresh_space(Emitter& m) {
   Placement& f = m.frames;
   f.space = five_axis_transform(m, f.space);
@@ -120,8 +121,8 @@ void refresh_space(Emitter& m) {
   } else if (!f.turn || f.turn->rows != turn->rows || f.turn->main != d.main || f.turn->drives != drives) {
     f.turn = std::make_shared<const FrameTurn>(FrameTurn{turn->rows, d.main, drives});
   }
-  // Origin and length remain in force as reports show them: the work offset, and the length with the rotary axes at 0. Only the shift
-  // becomes 0.
+  // Placement keeps the origin (the work offset) and the tool length (with the rotary axes at 0), since reports show both. The shift
+  // becomes 0, since `space` contains it.
   for (const std::int8_t axis : d.main)
     if (axis >= 0) f.shift[static_cast<std::size_t>(axis)] = 0;
 }

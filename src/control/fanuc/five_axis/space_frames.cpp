@@ -12,15 +12,17 @@ namespace kadr::fanuc {
 namespace {
 
 constexpr Vec3 axis_x{1, 0, 0}, axis_y{0, 1, 0}, axis_z{0, 0, 1};
-constexpr double least_sine = 1e-4;      // sine of an angle: 25.8 says "almost on one line"; UNKNOWN, value as suggested in spec/nct/25f
-constexpr double least_distance = 1e-3;  // mm between points
+// Three points are "almost on one line" (25.8) if the sine of their angle is below least_sine. The limit is UNKNOWN; spec/nct/25f suggests
+// this value.
+constexpr double least_sine = 1e-4;
+constexpr double least_distance = 1e-3;  // least distance between two points, mm
 
 FiveAxisState& frame_state(const BlockContext& m) { return fanuc_of(m).state.five_axis; }
 
 Vec3 vector_words(const BlockContext& m) { return {m.value('I'), m.value('J'), m.value('K')}; }
 
-/// Reads the coordinates X, Y, Z of the main axes, 0 if left out. They are always absolute, in the system before the block, never
-/// diameters.
+/// Reads the coordinates X, Y, Z of the main axes; a coordinate that is left out is 0. The coordinates are absolute positions in the frame
+/// in force before the block, never diameters.
 Result<Vec3> point_words(const BlockContext& m) {
   Vec3 point;
   double* const parts[] = {&point.x, &point.y, &point.z};
@@ -47,7 +49,8 @@ void set_frame(Emitter& m, SpaceFrame kind, const Mat3& turn, Vec3 origin) {
   m.change_frames();
 }
 
-/// Returns the rotation made of rotations about the fixed axes (25.7). Q gives their order: the last rotation is the leftmost factor.
+/// Returns the product of rotations about the fixed axes X, Y, Z (25.7). Word Q gives the order of the rotations; the last rotation is the
+/// leftmost factor.
 Result<Mat3> by_order(const BlockContext& m, Vec3 angles) {
   const double q = m.value('Q');
   const Mat3 turns[] = {Mat3::about(axis_x, angles.x), Mat3::about(axis_y, angles.y), Mat3::about(axis_z, angles.z)};
@@ -90,7 +93,7 @@ Status by_vectors(Emitter& m, const PlaneBlocks& plane) {
   return {};
 }
 
-/// Returns the number of the first point or vector that no block has given yet; 0 if all are given.
+/// Returns the number (1 … 3) of the first point or vector of a tilted plane that no block has given yet; 0 if all are given.
 int missing_of(const PlaneBlocks& plane) {
   const int count = plane.kind == 2 ? 3 : 2;
   for (int q = 1; q <= count; ++q)

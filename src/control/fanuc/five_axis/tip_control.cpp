@@ -39,7 +39,8 @@ TipControl lead_of(int arg) {
   }
 }
 
-/// Refuses modes that 25.14 does not describe together with tool centre point control. INFERRED: an alarm is safer than a motion.
+/// Raises an alarm if a mode is in force that 25.14 does not describe together with tool centre point control (INFERRED: an alarm is safer
+/// than a motion).
 Status nothing_else(const BlockContext& m, const Call& call) {
   const FiveAxisState& five = five_of(m);
   const auto refuse = [&](std::string_view what) { return fail(alarm(AlarmId::lead_state, call.where, call.row->code, what)); };
@@ -132,7 +133,7 @@ Status tip_control_line(Emitter& m, const Call& call, MotionKind kind) {
   return lead_motion(m, std::get<Motion>(m.batch->back().what), from);
 }
 
-/// Tool posture control keeps the tool's direction in the plane, or on the cone, through its directions at both ends of the motion
+/// Tool posture control keeps the tool's direction in the plane, or on the cone, that contains the directions at both ends of the motion
 /// (25.16). Cutting point control places the tip so that the tool touches the programmed point (25.17).
 Status lead_motion(BlockContext& m, Motion& motion, const Axes& from) {
   const FiveAxisState& five = five_of(m);
@@ -184,8 +185,8 @@ namespace kadr::functions {
 
 using namespace fanuc;
 
-/// G43.1, G43.4, G43.5, G43.8, G43.9. call.row->arg is the code in tenths. INFERRED: without H, the H in force is used; a block without
-/// words that move an axis only puts the length into force: the reported position changes.
+/// G43.1, G43.4, G43.5, G43.8, G43.9. call.row->arg is the code in tenths. INFERRED: without H, the offset number in force is used; a block
+/// without words that move an axis puts the tool length into force without a motion, so that only the reported position changes.
 Status tool_lead(Emitter& m, const Call& call) {
   FiveAxisState& five = fanuc_of(m).state.five_axis;
   const TipControl lead = lead_of(call.row->arg);

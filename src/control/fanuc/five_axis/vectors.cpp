@@ -18,8 +18,8 @@ namespace {
 
 constexpr char vector_letters[] = {'I', 'J', 'K'};
 
-/// Returns the tool centre point mode that is in force when the block moves (a code in the block takes effect first), and that code's
-/// row.
+/// Returns the tool centre point mode that is in force when the block moves. If a code in the block sets this mode, returns also the table
+/// row of the code; else nullptr.
 std::pair<TipControl, const CodeRow*> lead_of_block(const BlockContext& m) {
   for (std::uint32_t i = 0; i < m.block->word_count; ++i) {
     const Word& w = m.block->words[i];
@@ -93,8 +93,8 @@ Status take_normal(BlockContext& m, TipControl lead) {
   return {};
 }
 
-/// Near a singular direction, one rotary axis is free. If the position that the control chooses turns that axis far although the axis
-/// could stay, this function keeps the axis where it is. Not from the manual.
+/// Near a singular direction of the tool, the direction hardly depends on the position of one rotary axis. If the position that the control
+/// chooses turns this axis far although the axis could stay, this function keeps the axis where it is. This rule is not from the manual.
 std::optional<RotaryPair> without_rotary_swing(Emitter& m, const Word& where, Vec3 wanted, RotaryPair present,
                                                const std::optional<RotaryPair>& chosen) {
   constexpr double far = 20;  // degrees
@@ -111,11 +111,11 @@ std::optional<RotaryPair> without_rotary_swing(Emitter& m, const Word& where, Ve
   return kept->at;
 }
 
-/// Replaces the first two of the words I J K by words of the rotary axes, so that the block positions these.
+/// Replaces the first two of the words I J K by words of the rotary axes, so that the block positions the rotary axes.
 Status direct(Emitter& m, TipControl lead, const Components& vector, std::uint32_t until) {
   Fanuc& fanuc = fanuc_of(m);
   const FiveAxis& machine = fanuc.settings.five_axis;
-  if (machine.group == MachineGroup::none) return {};  // the code of the mode itself raises the alarm
+  if (machine.group == MachineGroup::none) return {};  // the code that sets the mode raises the alarm
   if (length(vector.value) == 0) return fail(alarm(AlarmId::direction_zero, vector.first->where, "I J K"));
   const FiveAxisTransform& space = *space_of(m);
   FiveAxisTransformData d = space.data();
@@ -126,7 +126,7 @@ Status direct(Emitter& m, TipControl lead, const Components& vector, std::uint32
   const Vec3 on_machine = leans ? d.basic * wanted : wanted;
   std::optional<RotaryPair> at;
   if (goes_on) {
-    // Between opposite directions no plane is defined in which the tool could turn (25i).
+    // Two opposite tool directions do not define a plane in which the tool could turn from one to the other (25i).
     const Vec3 from = space.direction_of(space.rotary(m.position.machine));
     if (dot(from, on_machine) < -1 + 1e-9) return fail(alarm(AlarmId::lead_angle, vector.first->where, 180.0));
     at = DirectionPath(space, present, from, on_machine, std::nullopt).rotary(1, present);
@@ -148,7 +148,7 @@ Status direct(Emitter& m, TipControl lead, const Components& vector, std::uint32
     fanuc.directed[axis] = targets[given];
     ++given;
   }
-  for (; given < 2; ++given) {  // fewer words than rotary axes: the other axis is positioned without a word
+  for (; given < 2; ++given) {  // fewer words than rotary axes: the rest is positioned without words
     const auto axis = static_cast<std::size_t>(axes[given]);
     fanuc.by_direction |= AxisMask{1} << axis;
     fanuc.directed[axis] = targets[given];
@@ -174,7 +174,7 @@ Status take_direction(Emitter& m, TipControl lead) {
   return {};
 }
 
-/// Refuses codes that the manual does not describe together with tool centre point control (INFERRED).
+/// Raises an alarm for codes that the manual does not describe together with tool centre point control (INFERRED).
 Status nothing_refused(const BlockContext& m, TipControl lead) {
   if (!controls_tip(lead)) return {};
   for (std::uint32_t i = 0; i < m.block->word_count; ++i) {

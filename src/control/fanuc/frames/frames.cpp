@@ -48,7 +48,7 @@ namespace {
 void refresh_sums(BlockContext& m) {
   Placement& f = m.frames;
   f.turn = rotation_of(m, f.turn);
-  const bool dynamic = m.modal.work_zero >= all_systems;  // 25d; INFERRED: the common offset is not added to a dynamic offset
+  const bool dynamic = m.modal.work_zero >= all_systems;  // 25d. INFERRED: a dynamic offset excludes the common offset
   for (std::size_t a = 0; a < m.axis_count; ++a) {
     f.origin[a] = (dynamic ? 0 : m.tables.common[a]) + m.tables.zeros[m.modal.work_zero][a];
     f.shift[a] = m.modal.new_system[a] + m.modal.local[a];
@@ -77,7 +77,8 @@ void refresh_frames(Emitter& m) {
   if (before && m.frames.turn && *before == *m.frames.turn) m.frames.turn = before;
 }
 
-/// Returns 0 if the frame is rotated: the shift is then rotated too, and Placement::shift has it instead.
+/// Returns the shift of G52 and G92. If the work system is rotated, returns 0, since Placement::shift then contains the shift, to be
+/// rotated too.
 Axes shift_of_origin(const BlockContext& m) {
   Axes shift{};
   for (std::size_t a = 0; a < m.axis_count && m.frames.turn == nullptr; ++a) shift[a] = m.modal.new_system[a] + m.modal.local[a];
@@ -92,7 +93,7 @@ MotionDetail& detail_of(BlockContext& m, Motion& motion) {
   return filled;
 }
 
-/// Reduces positions of axes that roll over to [0, period), whatever the number of revolutions was (5.6).
+/// Reduces positions of axes that roll over to [0, period), so that full revolutions are dropped (5.6).
 void roll_positions(const BlockContext& m, Axes& positions) {
   for (std::size_t a = 0; a < m.axis_count; ++a) {
     const AxisSettings& axis = fanuc_of(m).settings.axes[a];
@@ -123,8 +124,8 @@ std::uint8_t smoothing_of(const BlockContext& m, const Motion& motion) {
   return motion.kind == MotionKind::feed && alone && continues ? m.modal.smoothing : std::uint8_t{0};
 }
 
-/// Adds the programmed end point to a motion in a frame in space: reports show it together with the end point after transformations and
-/// compensation.
+/// Adds the programmed end point to a motion in a programming frame in space. Reports show this point together with the end point after
+/// transformations and compensation.
 void add_programmed_end(BlockContext& m, Motion& motion) {
   MotionDetail& detail = detail_of(m, motion);
   detail.programmed = m.position.programmed;
@@ -142,14 +143,14 @@ void note_motion(Emitter& m, Motion& motion) {
   if (motion.kind != MotionKind::thread) fanuc.state.in_thread = false;
   const bool tip = controls_tip(fanuc.state.five_axis.lead);   // 25.14: the feed is the feed of the tool tip
   motion.along = tip ? FeedAlong::path : FeedAlong::all_axes;  // 4.2: the feed counts millimetres and degrees alike
-  // bits of #3004: M_FHD: no feed hold; M_OV: override and feed hold as in G63; M_EST: no exact stop (23.1.10, 6.3.4)
+  // Bits of #3004 (23.1.10, 6.3.4): M_FHD inhibits feed hold, M_OV inhibits override and feed hold as G63 does, M_EST inhibits exact stop.
   constexpr std::uint32_t m_fhd = 1, m_ov = 2, m_est = 4;
   if ((fanuc.control_2 & m_est) != 0) motion.exact = false;
   const bool stops = (m.block_exact || m.modal.exact) && (fanuc.control_2 & m_est) == 0;
   motion.in_position = stops || (motion.kind == MotionKind::rapid && fanuc.settings.in_position_check);
   motion.own_override = (fanuc.control_2 & m_ov) != 0 || m.modal.rows[fanuc.stop_group] == fanuc.inhibiting;
   motion.no_hold = motion.own_override || (fanuc.control_2 & m_fhd) != 0;
-  if (motion.own_override) motion.corner_speed = CornerSpeed::kept;  // 6.3.4: not slowed down at corners
+  if (motion.own_override) motion.corner_speed = CornerSpeed::kept;  // G63 (6.3.4): full feed at corners
   else if (m.modal.rows[fanuc.stop_group] == fanuc.slowing) motion.corner_speed = CornerSpeed::inner_slower;
   if (m.modal.smoothing != 0) motion.join = fanuc.settings.accuracy;
   if (m.modal.smoothing > 1 && !stops) motion.smoothing = smoothing_of(m, motion);

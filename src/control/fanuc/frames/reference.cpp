@@ -12,7 +12,8 @@ namespace {
 
 constexpr double same_place = 1e-4;  // mm: positions closer than this are the same
 
-/// Checks that no drilling cycle is in force, on a control where G80 must end it first (spec/fanuc 10.1: PS0044).
+/// Checks that no drilling cycle is in force, on a control where G80 must end the cycle before a reference return (spec/fanuc 10.1, alarm
+/// PS0044).
 Status outside_cycles(const BlockContext& m, const Call& call) {
   if (!fanuc::drilling_on(m) || !m.def.gives(AlarmId::reference_in_cycle)) return {};
   return fail(alarm(AlarmId::reference_in_cycle, call.where, call.row->code));
@@ -42,14 +43,14 @@ Status to_reference(Emitter& m, std::uint32_t point, AxisMask named) {
 
 }  // namespace
 
-/// G28, G30 P (9.1, 9.2): moves at rapid through the intermediate point to a reference point. call.row->arg 1: to the first reference
-/// point.
+/// G28, G30 P (9.1, 9.2): moves at rapid through the intermediate point to a reference point. If call.row->arg is 1, this is the first
+/// reference point.
 Status reference_return(Emitter& m, const Call& call) {
   KADR_TRY(outside_cycles(m, call));
   KADR_TRY(off_surfaces(m, call));
   std::uint32_t point = 1;
   if (call.row->arg == 2) {
-    const bool needed = (call.row->needs & letter_bit('P')) != 0, usual = !needed && !m.has('P');  // spec/fanuc 6.6: no P: point 2
+    const bool needed = (call.row->needs & letter_bit('P')) != 0, usual = !needed && !m.has('P');  // spec/fanuc 6.6: usually point 2
     if (needed && !m.has('P')) return fail(alarm(AlarmId::word_missing, call.where, 'P', call.row->code));
     const auto number = usual ? Result<std::uint32_t>(2U) : m.whole('P', 1, 4);
     if (!number) return fail(number.error());
@@ -57,7 +58,7 @@ Status reference_return(Emitter& m, const Call& call) {
   }
   if (!m.has_axis_words()) {
     if (m.def.behaviour.reference_all_axes) return to_reference(m, point, (AxisMask{1} << m.axis_count) - 1);
-    if (!call.row->needs_axis) {  // spec/fanuc 6.6; UNKNOWN, so without axis words nothing moves
+    if (!call.row->needs_axis) {  // spec/fanuc 6.6: UNKNOWN what moves without axis words
       m.warn(warning(AlarmId::reference_without_axes, call.where, call.row->code));
       return {};
     }
@@ -104,7 +105,7 @@ Status reference_leave(Emitter& m, const Call& call) {
   return m.straight(MotionKind::rapid, to, named);
 }
 
-/// G60 (spec/fanuc 3.5): a one-shot G0. INFERRED: the overshoot beyond the end point is not output.
+/// G60 (spec/fanuc 3.5): a one-shot G0. INFERRED: the motion beyond the end point and back, which the control adds, is not emitted.
 Status single_direction(Emitter& m, const Call&) {
   AxisMask named = 0;
   Axes to;

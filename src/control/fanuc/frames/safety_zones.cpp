@@ -39,7 +39,8 @@ Status work_area_on(Emitter& m, const Call& call) {
   return {};
 }
 
-/// G23: restores the zone of the parameters with the present parameter values (22.2: values written into them take effect here).
+/// G23: restores the zone of the parameters with the present parameter values (22.2: values that were written into the parameters take
+/// effect with G23).
 Status work_area_off(Emitter& m, const Call&) {
   const macro_b::ParameterStore& p = macro_b_of(m).parameters;
   const auto enabled = p.named("1000"), control = p.named("1001"), most = p.named("1006"), least = p.named("1007");

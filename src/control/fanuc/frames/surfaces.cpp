@@ -12,7 +12,8 @@ namespace {
 
 bool is_rotary(const BlockContext& m, std::size_t axis) { return (m.def.rotary >> axis & 1u) != 0; }
 
-/// Converts a point of the virtual plane to the real axes. Of the angles that differ by full revolutions, uses the one nearest to `near`.
+/// Converts a point of the virtual plane to positions of the linear and the rotary axis. Of the angles that differ by full revolutions, the
+/// angle nearest to `near` (degrees) is used.
 void to_polar(const BlockContext& m, const Axes& programmed, double near, Axes& work) {
   const PlaneAxes& plane = m.modal.axes;
   const double u = programmed[plane.first], w = programmed[plane.second];
@@ -26,7 +27,7 @@ void to_polar(const BlockContext& m, const Axes& programmed, double near, Axes& 
   work[plane.second] = angle;
 }
 
-/// Returns a point of the cylinder on the unrolled surface, mm.
+/// Converts a point on the cylinder to a point on the unrolled surface, mm.
 Vec2 unrolled(const BlockContext& m, const Axes& point) {
   const PlaneAxes& plane = m.modal.axes;
   const auto flat = [&](std::size_t axis) { return is_rotary(m, axis) ? point[axis] * m.modal.surface_radius * rad_per_deg : point[axis]; };
@@ -62,8 +63,8 @@ Vec2 flat_point(const BlockContext& m, const Axes& point) {
   return {point[m.modal.axes.first], point[m.modal.axes.second]};
 }
 
-/// Returns the end point of a motion on the real axes: it is transformed in the programmed plane, then converted to polar axes (4.5,
-/// INFERRED).
+/// Returns the positions of the real axes at a programmed end point. The point is transformed in the programmed plane first, and then, in
+/// polar interpolation, converted to the linear and the rotary axis (4.5, INFERRED).
 Axes surface_work(const BlockContext& m, const Axes& programmed) {
   const Axes point = transformed(m, programmed);
   return m.modal.surface == PathSurface::polar ? polar_work(m, point, fanuc_of(m).state.surface_angle) : point;
@@ -116,10 +117,10 @@ Status surface_line(Emitter& m, MotionKind kind, const Axes& programmed, AxisMas
   const AxisMask both = 1u << plane.first | 1u << plane.second;
   const bool in_plane = (named & both) != 0;
   const bool polar = m.modal.surface == PathSurface::polar;
-  const bool real_rapid = kind == MotionKind::rapid && !polar;  // 4.6: a rapid motion moves the real axes
+  const bool real_rapid = kind == MotionKind::rapid && !polar;  // on the cylinder a rapid motion moves the real axes (4.6)
   if (polar && in_plane) {
-    // The rotary axis follows the straight line continuously. A line passes the pole by at most half a revolution, so of two possible
-    // angles the nearer one is right.
+    // The rotary axis follows the straight line continuously. Along a line it turns by at most half a revolution, so of two possible angles
+    // the nearer one is right.
     named |= both;
   }
   m.move_to(programmed, surface_work(m, programmed), named);
@@ -160,7 +161,7 @@ Status polar_surface_on(Emitter& m, const Call& call) {
   m.modal.surface = PathSurface::polar;
   m.modal.surface_side = linear > 0 ? 1 : -1;
   fanuc_of(m).state.surface_angle = rotary;
-  Axes at = m.position.work;  // coordinates of the tool in the virtual plane
+  Axes at = m.position.work;  // position of the tool in the virtual plane
   at[plane.second] = fanuc_of(m).settings.axes[plane.second].polar_offset;
   m.position.programmed = m.transform.to_programmed(at);
   return {};

@@ -15,8 +15,8 @@
 namespace kadr::fanuc {
 namespace {
 
-/// Changes the transformations. The tool and the initial level of a drilling cycle keep their real position, so the programmed
-/// coordinates of both change (16.0, INFERRED).
+/// Changes mirroring, scaling or rotation by calling `change`. The tool and the initial level of a drilling cycle keep their real
+/// positions, so the programmed coordinates of both change (16.0, INFERRED).
 template <class Change>
 void change_transform(BlockContext& m, Change change) {
   const Axes tool = before_transform(m);
@@ -55,7 +55,8 @@ Status mirror_may_change(const BlockContext& m, const Call& call) {
   return fail(alarm(AlarmId::mirror_state, call.where, call.row->code, m.transform.scaling ? "G51" : "G68"));
 }
 
-/// Refuses cylindrical interpolation, where degrees and millimetres would mix; 4.6 does not mention it.
+/// Raises an alarm for scaling or rotation during cylindrical interpolation, where degrees and millimetres would mix; 4.6 does not mention
+/// this case.
 Status flat_surface(const BlockContext& m, const Call& call) {
   if (m.modal.surface == PathSurface::cylinder) return fail(alarm(AlarmId::not_available, call.where, call.row->code));
   return {};
@@ -71,7 +72,7 @@ bool is_linear(const BlockContext& m, std::size_t axis) {
 Status read_factors(Emitter& m, const Call& call, Axes& factors) {
   factors.fill(1);
   const Settings& settings = fanuc_of(m).settings;
-  const bool by_parameter = !m.def.grammar.least_increments.empty();  // spec/fanuc 6.9: a parameter decides whether I, J, K count
+  const bool by_parameter = !m.def.grammar.least_increments.empty();  // 5400#6 permits I, J, K (spec/fanuc 6.9)
   const bool each = (m.has('I') || m.has('J') || m.has('K')) && (!by_parameter || settings.scale_each);
   if (by_parameter && !each)
     for (const char letter : {'I', 'J', 'K'})
@@ -164,7 +165,7 @@ Status mirror_on(Emitter& m, const Call& call) {
 }
 
 /// G101 X0 Y0 (spec/haas 6.1): mirrors the named axes about the work origin; the numbers have no meaning. INFERRED: it is allowed in G51
-/// and G68, since the control has no alarm for that.
+/// and G68, since the control has no alarm for this case.
 Status mirror_axes_on(Emitter& m, const Call&) {
   auto mirror = m.transform.mirror;
   Axes added = m.transform.added;
@@ -187,8 +188,8 @@ Status mirror_off(Emitter& m, const Call& call) {
   return end_mirror(m);
 }
 
-/// G51 (16.2): switches scaling on. A coordinate of the centre that is left out is the present position. Scaling that is already on keeps
-/// its position in the order of transformations.
+/// G51 (16.2): switches scaling on. A coordinate of the centre that is left out is the present position. If scaling is already on, the
+/// order of the transformations does not change.
 Status scaling_on(Emitter& m, const Call& call) {
   KADR_TRY(flat_surface(m, call));
   Axes factors;
@@ -222,7 +223,7 @@ Status plane_rotation_on(Emitter& m, const Call& call) {
   if (!is_linear(m, plane.first) || !is_linear(m, plane.second)) return fail(alarm(AlarmId::plane_wrong, call.where, call.row->code));
   const Word* const r = m.word('R');
   const fanuc::Settings& settings = fanuc_of(m).settings;
-  // spec/fanuc 6.8, spec/haas 6.2: a parameter decides whether R adds in G91; if not, R is absolute there too
+  // spec/fanuc 6.8, spec/haas 6.2: a parameter decides whether R is incremental in G91; otherwise R is absolute in G91 too
   const bool by_parameter = !m.def.grammar.least_increments.empty();
   const bool adds =
       by_parameter ? r != nullptr && !m.modal.absolute && settings.rotation_adds : r == nullptr || r->incremental || !m.modal.absolute;

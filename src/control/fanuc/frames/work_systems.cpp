@@ -15,8 +15,8 @@ Status plane_surface(const BlockContext& m, const Call& call) {
   return {};
 }
 
-/// Calls `use(axis, value, word)` for each axis word; `use` returns a Status. The value is as written, in mm or degrees; a diameter is
-/// halved.
+/// Calls `use(axis, value, word)` for each axis word; `use` returns a Status. `value` is the number as written, in mm or degrees; a
+/// diameter is halved.
 template <class Use>
 Status each_axis(const BlockContext& m, Use use) {
   for (std::uint32_t i = 0; i < m.block->word_count; ++i) {
@@ -34,8 +34,8 @@ bool written_as_increment(const BlockContext& m, const Word& w) {
   return w.incremental || m.def.address(w.address).function == Function::increment_axis;
 }
 
-/// Returns the axis for direction d of the plane (1 X, 2 Y, 3 Z): if the block names one, that axis, a main axis rather than a parallel
-/// one; else the main axis (10.4).
+/// Returns the axis of the plane for a direction `d` (1 X, 2 Y, 3 Z). If the block names an axis of this direction, this is the named axis,
+/// a main axis before a parallel one; otherwise it is the main axis (10.4).
 int axis_of_direction(const BlockContext& m, int d) {
   int parallel = -1;
   for (std::size_t a = 0; a < m.axis_count; ++a) {
@@ -106,7 +106,7 @@ Status work_system_extended(Emitter& m, const Call& call) {
   return {};
 }
 
-/// G52 (10.3): sets the origin of the local system; increments shift the origin from where it is.
+/// G52 (10.3): sets the origin of the local system; increments shift the present origin.
 Status local_system(Emitter& m, const Call& call) {
   KADR_TRY(plane_surface(m, call));
   KADR_TRY(each_axis(m, [&](std::size_t a, double v, const Word& w) -> Status {
@@ -118,8 +118,8 @@ Status local_system(Emitter& m, const Call& call) {
   return {};
 }
 
-/// G92 (10.2.6): gives the tool's position the stated coordinates in every work system, and deletes G52 of the named axes. Word S:
-/// 11.5.2.
+/// G92 (10.2.6): gives the tool's position the stated coordinates in every work system, and deletes G52 of the named axes. Word S limits
+/// the spindle speed (11.5.2).
 Status new_system(Emitter& m, const Call& call) {
   if (m.has('S')) {
     fanuc_of(m).state.max_css_speed = m.value('S');

@@ -51,7 +51,7 @@ class Arc {
     const bool has_data = m_.has('R') || has_center();
     const AxisMask both = 1u << plane_.first | 1u << plane_.second;
     const bool in_plane = (named_ & both) != 0;
-    if (named_ == 0 && !has_data) return {};  // the code alone only sets the mode
+    if (named_ == 0 && !has_data) return {};  // a block with G2 or G3 alone only sets the mode
     if (radius_first && m_.has('R') && (has_center() || m_.has(letters_.other))) warn_center_passed_over();
     if (m_.has(letters_.other) && !(radius_first && m_.has('R')))
       return fail(alarm(AlarmId::arc_not_in_plane, m_.where(letters_.other), letters_.other));
@@ -112,15 +112,15 @@ class Arc {
 
   bool has_center() const { return m_.has(letters_.first) || m_.has(letters_.second); }
 
-  /// Returns the polar angle of the start point, in [0, 360): as last programmed, or the angle of the tool's position.
+  /// Returns the polar angle of the start point, in [0, 360): the polar angle programmed last, or else the angle of the tool's position.
   double start_angle() const {
     if (m_.modal.polar_angle_given) return m_.modal.polar_angle;
     const double angle = angle_deg({m_.position.programmed[plane_.first], m_.position.programmed[plane_.second]});
     return angle < 0 ? angle + 360 : angle;
   }
 
-  /// Moves the other axes of a block without an arc: R without an end point (or with the start point as its end) means no circle and no
-  /// alarm (4.3).
+  /// Executes a block with R whose end point is missing or is the start point: such a block has no arc and raises no alarm (4.3). Only the
+  /// axes outside the plane move.
   Status straight_rest() {
     if (has_shape_words(m_)) return fail(alarm(AlarmId::corner_illegal, call_.where));
     named_ &= ~(1u << plane_.first | 1u << plane_.second);
@@ -179,7 +179,7 @@ class Arc {
     return std::fabs(sweep) / 360;
   }
 
-  /// Reads L, the number of revolutions; a started revolution counts (4.3.1).
+  /// Reads word L, the number of revolutions; an incomplete revolution counts as one (4.3.1).
   Status turns(PlaneArc& arc) {
     if (!m_.has('L')) return {};
     const auto count = m_.whole('L', 1, max_turns);
@@ -189,7 +189,7 @@ class Arc {
   }
 
   Status emit_arc_motion(const PlaneArc& arc) {
-    if (m_.transform.identity && m_.modal.surface == PathSurface::plane) {  // most blocks: nothing to transform
+    if (m_.transform.identity && m_.modal.surface == PathSurface::plane) {  // most blocks have nothing to transform
       const Axes from = m_.position.work;
       return lead_motion(m_, move(arc, end_), from);
     }
@@ -222,9 +222,9 @@ class Arc {
     return motion;
   }
 
-  /// True if the radius of the arc changes although L does not request a spiral: "not the speed along the path is constant, but the
-  /// angular velocity" (4.3). INFERRED: the feed is the feed at the start of the arc. A helix, or an arc on the unrolled cylinder, is no
-  /// such arc.
+  /// True if the radius of the arc changes although L does not request a spiral: "not the speed along the path is constant, but the angular
+  /// velocity" (4.3). INFERRED: the programmed feed is the feed at the start of the arc. Returns false for a helix and for an arc in
+  /// cylindrical interpolation.
   bool turns_evenly(const PlaneArc& arc) const {
     const AxisMask in_plane = AxisMask{1} << plane_.first | AxisMask{1} << plane_.second;
     const bool flat = (named_ & ~in_plane) == 0 && m_.modal.surface == PathSurface::plane;
@@ -232,15 +232,15 @@ class Arc {
            radius_changes(from_, to_, arc.center);
   }
 
-  /// Transforms a programmed point of the plane, mm; not for points of a cylinder.
+  /// Applies mirroring, scaling and rotation to a programmed point of the plane, mm. Not valid in cylindrical interpolation.
   Vec2 placed_point(Vec2 programmed) const { return m_.transform.identity ? programmed : m_.transform.to_work(programmed, plane_); }
 
-  /// Transforms any programmed point; on a cylinder the result is on the unrolled surface.
+  /// Applies mirroring, scaling and rotation to a programmed point. In cylindrical interpolation the result is on the unrolled surface, mm.
   Vec2 placed_flat(const Axes& programmed) const {
     return m_.transform.identity ? flat_point(m_, programmed) : flat_point(m_, m_.transform.to_work(programmed));
   }
 
-  /// On a cylinder, converts millimetres of the unrolled surface to the units of the axes.
+  /// Converts a point of the unrolled cylinder (mm) to the units of the two axes, mm and degrees.
   Vec2 in_axes(Vec2 flat) const {
     const double mm_per_degree = m_.modal.surface_radius * rad_per_deg;
     const auto is_rotary = [&](std::size_t axis) { return (m_.def.rotary >> axis & 1u) != 0; };
@@ -255,7 +255,7 @@ class Arc {
   Emitter& m_;
   const Call& call_;
   Turn programmed_turn_;
-  Turn turn_;  // sense of rotation after the transformations; from_ and to_ are transformed too
+  Turn turn_;  // sense of rotation after mirroring; from_ and to_ are transformed points
   PlaneAxes plane_;
   CenterLetters letters_;
   Axes end_{};

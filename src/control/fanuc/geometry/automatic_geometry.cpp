@@ -14,8 +14,8 @@ namespace {
 constexpr std::uint64_t shape_bits = letter_bit(comma_chamfer) | letter_bit(comma_rounding);
 constexpr std::uint64_t geometry_bits = shape_bits | letter_bit(comma_angle) | letter_bit('Q');
 
-/// Converts programmed directions and lengths of chapter 17 to work coordinates; no other function does. If the axes have different scale
-/// factors, a length is scaled by their mean (16.2 for ,R).
+/// Converts the directions and lengths of automatic geometry (chapter 17) from programmed to work coordinates. This is the only conversion
+/// of these data. If the axes have different scale factors, a length is scaled by their mean (16.2 for ,R).
 CornerData in_work(const BlockContext& m, CornerData c) {
   const Transform& t = m.transform;
   if (t.identity) return c;
@@ -29,7 +29,8 @@ CornerData in_work(const BlockContext& m, CornerData c) {
   return c;
 }
 
-/// Reads ,A in a block with no coordinate of the plane, or with both: a line that starts or ends at a computed point (17.3).
+/// Reads ,A in a block that gives neither or both coordinates of the plane. The block is then a line that starts or ends at a computed
+/// point (17.3).
 Status supporting_line(const BlockContext& m, MotionKind kind, PlaneWords words, CornerData& contour) {
   const Span where = m.where(comma_angle);
   if (kind != MotionKind::feed || (!words.both() && m.modal.radius_side == 0)) return fail(alarm(AlarmId::angle_alone, where));
@@ -38,7 +39,7 @@ Status supporting_line(const BlockContext& m, MotionKind kind, PlaneWords words,
   const SinCos angle = sincos_deg(m.value(comma_angle));
   contour.on = words.both() ? SupportingCurve::line : SupportingCurve::way;
   contour.direction = {angle.cos, angle.sin};
-  contour.farther = m.value('Q') > 0;  // 17.3 rule 6; INFERRED: without Q as with Q below 0
+  contour.farther = m.value('Q') > 0;  // 17.3 rule 6. INFERRED: a missing Q acts like Q below 0
   return {};
 }
 

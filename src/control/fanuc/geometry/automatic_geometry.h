@@ -14,7 +14,8 @@ struct Call;
 
 namespace kadr::fanuc {
 
-/// has_geometry_words(): the block has ,C ,R ,A or Q. has_shape_words(): it has ,C or ,R.
+/// has_geometry_words() returns true if the block has ,C ,R ,A or Q. has_shape_words() returns true if the block has a chamfer ,C or a
+/// rounding ,R.
 bool has_geometry_words(const BlockContext& m);
 bool has_shape_words(const BlockContext& m);
 
@@ -26,7 +27,8 @@ struct PlaneWords {
 };
 PlaneWords plane_words(const BlockContext& m);
 
-/// Computes the second coordinate of the plane from ,A if one coordinate is given (17.2). Does nothing if none or both are given.
+/// Computes the second coordinate of the plane from ,A if one coordinate is given (17.2). Does nothing if the block gives neither or both
+/// coordinates.
 ///   alarms  angle_meets_not; position_out_of_range; not_together: G16
 Status end_by_angle(const BlockContext& m, Axes& to, AxisMask& named);
 
@@ -45,11 +47,11 @@ Status shape_words(const BlockContext& m, CornerData& contour);
 /// (17.3.2, 17.3.4).
 ///   alarms  intersection_needs_side, illegal_address (Q)
 Result<bool> is_over_determined_arc(const BlockContext& m, bool has_both_centers);
-/// Reads the circle of an over-determined arc: its centre is absolute, R is its radius.
+/// Reads the circle of an over-determined arc. `center`: centre of the circle, an absolute position; word R is the radius.
 ///   alarms  radius_mismatch (2012), value_out_of_range
 Status circle_words(const BlockContext& m, Vec2 center, Vec2 end, CornerData& contour);
 
-/// Attaches contour data to the last motion; the room `path` computes chamfers, roundings and intersections from them.
+/// Attaches corner data to the last motion. The room `path` computes chamfers, roundings and intersections from these data.
 void attach(Emitter& m, const CornerData& contour);
 
 }  // namespace kadr::fanuc

@@ -39,7 +39,7 @@ std::string_view code_of(const BlockContext& m, std::string_view group) {
 Status needs(const BlockContext& m, const Call& call, const Needed& needed) {
   const std::string_view code = code_of(m, needed.group);
   if (code.empty() || code == needed.code) return {};
-  return fail(alarm(AlarmId::probe_state, call.where, code));  // INFERRED: Gnn in the alarm text is the code in force
+  return fail(alarm(AlarmId::probe_state, call.where, code));  // INFERRED: the alarm names the code in force
 }
 
 /// Checks that G15, G50, G50.1, G69, G94 are in force, and that polar interpolation is off (21.1, 21.3, 4.5).
@@ -84,7 +84,8 @@ Status torque_possible(const BlockContext& m, const Call& call, AxisMask named) 
   return servo_follows(m, call, named);
 }
 
-/// Returns the measuring feed: that of the parameter if the parameter bit SKF or TLF is set; else 0, which means the feed in force.
+/// Returns the measuring feed, mm/min. If the parameter bit SKF (G31) or TLF (G37) is set, this is the feed of the parameter; else 0, which
+/// means the feed in force.
 ///   alarms  feed_missing
 Result<double> measuring_feed(Emitter& m, bool by_parameter, double of_parameter, Span where) {
   if (!by_parameter) {
@@ -109,8 +110,8 @@ Status probe_motion(Emitter& m, const Axes& to, AxisMask named, double feed, int
   return {};
 }
 
-/// Checks that N3004 and N3005 (21.3) are positive, and that N3004, the rapid distance, is the greater one. INFERRED: otherwise the alarm
-/// names the parameter as out of limits.
+/// Checks that N3004 and N3005 (21.3) are positive, and that N3004, the rapid distance, is the greater one. INFERRED: otherwise an alarm
+/// reports the parameter as out of limits.
 Status distances_fit(const BlockContext& m, const Call& call) {
   const fanuc::Settings& s = fanuc_of(m).settings;
   constexpr double rapid_distance = 3004, alarm_distance = 3005;
@@ -181,7 +182,7 @@ Status measure_length(Emitter& m, const Call& call) {
   const auto feed = measuring_feed(m, s.length_parameter_feed, s.length_feed, call.where);
   if (!feed) return fail(feed.error());
   const double expected = to[*axis];
-  const double side = m.position.programmed[*axis] < expected ? -1 : 1;  // INFERRED: on the side that the axis comes from
+  const double side = m.position.programmed[*axis] < expected ? -1 : 1;  // INFERRED: the side from which the axis approaches
   to[*axis] = expected + side * s.length_rapid;
   KADR_TRY(m.straight(MotionKind::rapid, to, named));
   fanuc_of(m).measurement = {true, *axis, expected, s.length_alarm, m.modal.length_number};
@@ -196,7 +197,7 @@ namespace fanuc {
 namespace {
 
 /// Adds the difference q − Q (position of the signal less expected position) to the offset that H selected (TMW, TCA). INFERRED: the new
-/// value acts from the next H on.
+/// value takes effect with the next H.
 Status correct_length(BlockContext& m, const Measurement& of, double there) {
   const double way = of.expected - there;
   if (!(std::fabs(way) <= of.window)) return fail(alarm(AlarmId::probe_window, m.probe_where, there, of.expected));

@@ -1,5 +1,5 @@
 #pragma once
-// Probe motions G31 and G37: what they measure, and what the probe's answer changes (spec/nct/21).
+// Probe motions G31 (measuring) and G37 (tool length): how the probe's answer changes positions and tool offsets (spec/nct/21).
 
 #include <cstddef>
 #include <cstdint>

@@ -15,10 +15,11 @@ Status polar_data_on(Emitter& m, const Call&) {
   return {};
 }
 
-/// Executes codes that concern only the machine or the planner: no action.
+/// Executes codes that concern only the machine or the planner; no action is emitted.
 Status no_action(Emitter&, const Call&) { return {}; }
 
-/// G08 P1, P0 (spec/fanuc 11): look-ahead concerns only the machine, so P is checked and nothing is emitted.
+/// G08 P1, P0 (spec/fanuc 11): switches look-ahead on or off. Look-ahead concerns only the machine, so P is checked and no action is
+/// emitted.
 Status look_ahead(Emitter& m, const Call& call) {
   if (m.has('P') && (m.value('P') == 0 || m.value('P') == 1)) return {};
   return fail(alarm(AlarmId::look_ahead_wrong, m.has('P') ? m.where('P') : call.where, call.row->code));
@@ -53,7 +54,7 @@ Status smoothing(Emitter& m, const Call& call) {
 
 /// G4 P (8): dwells P seconds, or in G95 P revolutions of the main spindle.
 Status dwell_or_turns(Emitter& m, const Call& call) {
-  if (m.def.behaviour.dwell_unit != DwellUnit::seconds) {  // spec/fanuc 4.1: unit by decimal point
+  if (m.def.behaviour.dwell_unit != DwellUnit::seconds) {  // spec/fanuc 4.1: the decimal point decides the unit
     const bool by_point = m.def.behaviour.dwell_unit == DwellUnit::milliseconds_without_point;
     const char letter = m.has('P') || by_point ? 'P' : m.has('X') ? 'X' : 'U';
     if (!m.has(letter) && by_point) return fail(alarm(AlarmId::dwell_missing, call.where, call.row->code));
@@ -129,8 +130,8 @@ Status set_tables_end(Emitter&, const Call&) { return {}; }
 
 namespace kadr::fanuc {
 
-/// Returns the thread lead. F is the common modal word; E sets a thread lead of its own that remains valid until the next F (4.4, as
-/// spec/nct/04 recommends).
+/// Returns the thread lead. F is the modal word that is also the feed; E sets a thread lead apart from F, which remains valid until the
+/// next F (4.4, as spec/nct/04 recommends).
 double take_lead(BlockContext& m) {
   if (m.has('E')) fanuc_of(m).state.thread_lead = mm_per_inch / m.value('E');
   else if (m.has('F')) fanuc_of(m).state.thread_lead = 0, m.modal.feed = m.length_value('F'), m.modal.feed_known = true;
@@ -152,8 +153,8 @@ Result<double> dwell_seconds(Emitter& m, double p, Span where) {
   if (m.modal.feed_mode != FeedMode::per_revolution || fanuc_of(m).settings.dwell_seconds) return p;
   const double rpm = fanuc_of(m).spindle_part > 0 ? fanuc_of(m).spindle_rpm(m) : 0;
   const std::string_view word = where.end > where.begin ? m.block->text_of(where) : "P";
-  if (!(rpm > 0)) return fail(alarm(AlarmId::spindle_not_turning, where, word));  // 8: a dwell in revolutions would never end
-  return p * 60 / (rpm * fanuc_of(m).spindle_part);  // INFERRED (8): real revolutions of the spindle, override included
+  if (!(rpm > 0)) return fail(alarm(AlarmId::spindle_not_turning, where, word));  // without rotation, a dwell in revolutions never ends (8)
+  return p * 60 / (rpm * fanuc_of(m).spindle_part);  // INFERRED (8): the real spindle speed counts, override included
 }
 
 }  // namespace kadr::fanuc

@@ -25,7 +25,8 @@ std::pair<double, double> limits_of(const Fanuc& fanuc, int number) {
   return all;
 }
 
-/// Returns the number of the gear range that contains the speed. If several do, returns the selected range; if none does, 0 (11.3).
+/// Returns the number of the gear range that contains the speed. If several ranges contain the speed, returns the selected range; if no
+/// range contains it, 0 (11.3).
 int range_of(const Fanuc& fanuc, int number, double rpm) {
   const auto found = fanuc.ranges.find(number);
   if (found == fanuc.ranges.end()) return 0;
@@ -43,7 +44,8 @@ std::string name_of_spindle(const BlockContext& m, int number) {
   return found != fanuc_of(m).spindle_names.end() && !found->second.empty() ? found->second : "S" + std::to_string(number);
 }
 
-/// Checks that the spindle belongs to this channel. INFERRED: if the set-up lists spindles, a number that it does not list is alarm 2017.
+/// Checks that the spindle belongs to this channel. INFERRED: if the set-up lists spindles, a number missing from this list raises alarm
+/// 2017.
 Status own_spindle(const BlockContext& m, int number, Span where) {
   const SpindleState& s = fanuc_of(m).spindle(number);
   if (!s.known && !fanuc_of(m).spindle_names.empty())
@@ -62,8 +64,8 @@ void turn(Emitter& m, int number, double degrees, bool absolute) {
   m.emit(action);
 }
 
-/// Returns the number of the spindle that a word of the block names (plain S means the default spindle); without such a word, the spindle
-/// that a word referred to last (11.1.1, 11.2).
+/// Returns the number of the spindle that a word of the block names (S without a number means the default spindle); without such a word,
+/// the spindle that a word referred to last (11.1.1, 11.2).
 int spindle_of_block(const BlockContext& m) {
   const Fanuc& fanuc = fanuc_of(m);
   for (std::uint32_t i = 0; i < m.block->word_count; ++i) {
@@ -148,7 +150,7 @@ Status spindle_code(Emitter& m, const Call& call) {
   fanuc::SpindleState& s = fanuc.spindle(number);
   s.master = 0;
   const bool turned = s.dir == SpindleDir::cw || s.dir == SpindleDir::ccw;
-  // The present speed of G96 remains valid at G97 (11.5.1).
+  // When G97 ends G96, the present spindle speed remains in force (11.5.1).
   if (turned && m.modal.surface_speed && number == fanuc.state.main_spindle) s.rpm = fanuc.css_rpm(m);
   switch (call.row->arg) {
     case 3: s.dir = SpindleDir::cw; break;
@@ -183,7 +185,7 @@ Status gear_range(Emitter& m, const Call& call) {
   return {};
 }
 
-/// Executes CS2=30: turns spindle 2 to an angle by the shorter path, or by an increment (11.7.3).
+/// Executes CS2=30: turns spindle 2 to 30° by the shorter path, or, if the word is an increment, by 30° (11.7.3).
 Status spindle_axis_word(Emitter& m, const Call& call) {
   const int number = m.def.address(call.word->address).number;
   KADR_TRY(fanuc::own_spindle(m, number, call.where));
@@ -232,7 +234,8 @@ Status css_off(Emitter& m, const Call&) {
 
 namespace kadr::fanuc {
 
-/// Executes M codes of the machine: indexing (11.7.3), closing the position loop (11.7.2), optional spindle codes (11.2), all others.
+/// Executes M codes of spindles: indexing (11.7.3), closing the position loop (11.7.2), optional spindle codes (11.2). All other M codes
+/// are passed to the machine.
 Status Fanuc::machine_code(Interpreter& m, const Call& call) {
   const auto own_code = interrupt_code(m, call);
   if (!own_code) return fail(own_code.error());
@@ -265,8 +268,8 @@ Status Fanuc::spindle_machine_code(Emitter& m, int code, Span where) {
   return {};
 }
 
-/// INFERRED from the manual's example, where S1 becomes C1: the spindle's axis is named C with the spindle's number; for spindle 1 also
-/// plain C.
+/// INFERRED from the manual's example, where S1 becomes C1: the axis to which a spindle is converted is named C and the spindle's number,
+/// C2 for spindle 2. For spindle 1 the name may also be C.
 void find_spindle_axes(BlockContext& m, const Setup& setup) {
   for (const SetupEvent& event : setup.events) {
     if (event.what != SetupEvent::Do::spindle_to_axis) continue;

@@ -10,13 +10,13 @@
 
 namespace kadr::fanuc {
 
-/// Words of a drilling cycle; they are modal while the cycle mode is on. After deletion, R and the bottom are increments of 0, all others
-/// 0 (18.0).
+/// Words of a drilling cycle. They are modal while the cycle mode is on. When the mode ends, the words are deleted: R and the bottom become
+/// increments of 0, all other words 0 (18.0).
 struct DrillingMemory {
   std::size_t axis = 0;                          // the drilling axis
   double initial = 0;                            // initial level, programmed coordinates, mm
   double level = 0, bottom = 0;                  // R and the bottom as programmed, mm
-  bool level_added = true, bottom_added = true;  // the values are increments: R from the initial level, the bottom from R
+  bool level_added = true, bottom_added = true;  // true for an increment: R from the initial level, bottom from R
   bool level_known = false, bottom_known = false;
   Vec3 shift;             // I, J, K of G76 and G87, mm
   double percent = 0;     // percentage I of G85, G89, G84.2, G84.3; 0: not given
@@ -25,7 +25,8 @@ struct DrillingMemory {
   double dwell = 0;       // dwell P, seconds or revolutions
 };
 
-/// Data of the first blocks of two-block turning cycles, valid until given again, and data of the simple turning cycle in force; mm.
+/// Data of the first blocks of two-block turning cycles, valid until programmed again, and data of the simple turning cycle in force.
+/// Lengths are in mm.
 struct TurningMemory {
   double depth = 0, back = 0;  // G71.7, G72.7: depth of a pass, retract at 45°
   Vec2 relief;                 // G73.7: offset of the first pass, in the plane
@@ -58,7 +59,7 @@ struct Measurement {
   bool length = false;       // G37: a length offset is corrected
   std::size_t axis = 0;      // the measured axis
   double expected = 0;       // expected work coordinate of the signal, mm
-  double window = 0;         // N3005: how far from `expected` the signal may come, mm
+  double window = 0;         // N3005: permitted distance of the signal from `expected`, mm
   std::uint32_t offset = 0;  // number of the offset to correct
 };
 

@@ -24,10 +24,11 @@ constexpr bool controls_tip(TipControl lead) { return lead >= TipControl::tip; }
 constexpr bool by_vector(TipControl lead) { return lead == TipControl::tip_vector || lead == TipControl::contact_vector; }
 constexpr bool leads_contact(TipControl lead) { return lead >= TipControl::contact; }
 
-/// Modal group 18, the programming frame in space. none: G69.1; turned: one G68.1; turned_twice: two G68.1; plane: G68.2.
+/// The kind of programming frame in space (modal group 18). none: G69.1 is in force; turned: one G68.1 is in force; turned_twice: two G68.1
+/// are in force; plane: G68.2 is in force.
 enum class SpaceFrame : std::uint8_t { none, turned, turned_twice, plane };
 
-/// The blocks of G68.2 P2 or P3 read so far. INFERRED (25.8): the definition is over when the first block of another kind comes.
+/// The blocks of G68.2 P2 or P3 read so far. INFERRED (25.8): the first block of another kind ends the definition.
 struct PlaneBlocks {
   std::uint8_t kind = 0;          // word P of these blocks; 0: no definition is open
   std::uint8_t seen = 0;          // bit q is set if the block with Qq has been read
@@ -38,17 +39,17 @@ struct PlaneBlocks {
 
 struct FiveAxisState {
   TipControl lead = TipControl::none;
-  bool begins = false;     // tool centre point control takes effect with the next motion (25h)
-  bool posture = false;    // tool posture control: P1 in the block of G43.4 to G43.9
-  double lead_length = 0;  // tool length by H, mm
+  bool begins = false;     // true: tool centre point control takes effect with the next motion (25h)
+  bool posture = false;    // true: tool posture control, by P1 in the block of G43.4 to G43.9
+  double lead_length = 0;  // tool length that H has put into force, mm
   SpaceFrame frame = SpaceFrame::none;
   Mat3 turn;           // rotation of the programming frame
   Vec3 origin;         // origin of the programming frame, mm
-  Axes outer_shift{};  // G52 and G92 shifts at the time when the frame was set
+  Axes outer_shift{};  // shifts of G52 and G92 when the frame was set
   PlaneBlocks plane;
-  std::optional<RotaryPair> oriented;  // positions to which G53.1, G53.6 have turned the rotary axes; the frame is valid there
+  std::optional<RotaryPair> oriented;  // rotary axis positions by G53.1, G53.6; the frame is valid for them
   AxisMask positioned = 0;             // rotary axes programmed since G43.1 or tool centre point control was switched on (25.20)
-  Vec3 normal;                         // surface normal by ,L2, a unit vector in part coordinates; {}: none programmed yet
+  Vec3 normal;                         // surface normal by ,L2, a unit vector in part coordinates; {}: not programmed yet
   double radius = 0, corner = 0;       // tool radius and corner radius of offset D, mm (25.17)
 };
 

@@ -1,5 +1,6 @@
 #pragma once
-// What Fanuc, Haas and NCT remember besides macros: parameters as settings, spindles, cycles, frames, compensation. Plain values.
+// What Fanuc, Haas and NCT remember besides macros: settings derived from parameters, states of spindles, cycles, frames and compensation.
+// All are plain values.
 
 #include <array>
 #include <cstdint>
@@ -31,32 +32,33 @@ struct SpindleState {
   int master = 0;           // number of the spindle to which this one is synchronised; 0: none
 };
 
-/// The part of the memory that even a plain motion may change; saved at the start of each block.
+/// The part of the memory that even a block with nothing but a motion may change. It is saved at the start of each block, so that an alarm
+/// can restore it.
 struct MotionMemory {
   bool rigid_tap = false;  // M29 is in force (spec/fanuc 10.4)
   Axes through{};          // intermediate point of the last G28, G30, programmed coordinates (spec/fanuc 6.6)
   bool has_through = false;
   bool in_thread = false;               // the previous motion was a thread too
   double thread_lead = 0;               // thread lead, mm; 0: none
-  double surface_angle = 0;             // position of the rotary axis in G12.1, degrees, counted on beyond 360
-  AxisMask smoothed = 0;                // axes that G5.1 has named; 0: all linear axes
+  double surface_angle = 0;             // position of the rotary axis in G12.1, degrees, not reduced to 0 … 360
+  AxisMask smoothed = 0;                // axes that G5.1 has named for smoothing; 0: all linear axes
   SideStep side_step = SideStep::none;  // role of the next motion in the plane for cutter compensation
   bool compensates = false;             // a motion has been executed with cutter compensation since G41, G42
 };
 
-/// What a run remembers about cutting besides ControlState. An alarm restores it as one value.
+/// The state of cutting that a run keeps in addition to ControlState. An alarm restores this state as one value.
 struct UndoableState : MotionMemory {
   std::array<SpindleState, max_spindles + 1> spindles;
   int current_spindle = 1;  // the spindle that a word referred to last (11.2)
   int main_spindle = 1;
   double surface_speed = 0;  // constant surface speed of G96, m/min
-  int css_axis = 0;          // axis that the constant surface speed refers to, by its control-wide number
+  int css_axis = 0;          // axis of the constant surface speed, numbered through all channels
   double max_css_speed = 0;  // highest speed by G92 S, rev/min; 0: no limit
   DrillingMemory drilling;
   TurningMemory turning;
-  double tool_radius = 0;                // tool radius of offset D at the time when D was programmed (15.1)
-  std::optional<Vec2> way;               // vector I J K of G41, G42, G40 in this block
-  CompensationCheck compensation_check;  // the compensation settings last sent to the room `path`
+  double tool_radius = 0;                // tool radius of offset D when D was programmed, mm (15.1)
+  std::optional<Vec2> way;               // direction vector I J K of G41, G42, G40
+  CompensationCheck compensation_check;  // compensation settings that the room `path` has received last
   FiveAxisState five_axis;
 };
 
@@ -80,16 +82,16 @@ struct Memory {
   InterruptedCycles interrupted_cycles;
   AxisDrives driven;                                  // machine axis that each programmed axis drives
   AxisMask following = 0;                             // axes that follow another axis
-  std::uint8_t drilling_group = 0, motion_group = 0;  // modal groups of G80 and of G0
+  std::uint8_t drilling_group = 0, motion_group = 0;  // index of the modal group of G80, of G0
   std::int16_t slowing = -1;                          // row of G62 in ControlDef::codes
   std::uint64_t without_point = 0;                    // letters whose numbers may have no decimal point (spec/fanuc 1.3)
   // data of the block being executed
-  bool holds_vector = false;     // G38: the compensation vector is kept
-  bool uncompensated = false;    // motions of the block are executed without compensation: it has G53, G28 or G30
+  bool holds_vector = false;     // true: the block has G38, which keeps the compensation vector
+  bool uncompensated = false;    // true: the block has G53, G28 or G30; its motions are not compensated
   int spindle_by_p = 0;          // S1500 P2: the number of the spindle; 0: not given
   bool absolute_block = false;   // the block's axis words are absolute even with G91 (17.3)
   bool cartesian_block = false;  // the block's axis words are Cartesian even with G16 (5.4)
-  AxisMask rolled = 0;           // rotary axes of the block that roll over; `travel` is the travel of each of them
+  AxisMask rolled = 0;           // rotary axes of the block that roll over (5.6); `travel`: their travels, degrees
   Axes travel{};
   AxisMask plane_axes = 0;    // axes whose letter is in the block, with or without a number
   AxisMask taken_up = 0;      // axes without a word that the block's motion positions too, at their last programmed coordinates (25h)
@@ -100,12 +102,12 @@ struct Memory {
   std::array<std::pair<double, double>, max_axes> axis_limits{};  // lowest and highest end position of each axis, machine coordinates
   double spindle_part = 1;                                        // spindle override as a fraction: 1 is 100 %
   double singular = 0;                                            // tolerance of a singular direction, degrees (Setup::kinematics)
-  Axes servo_lag{};                                               // following error of each axis by the set-up, mm
+  Axes servo_lag{};                                               // following error of each axis as the set-up gives it, mm
   std::vector<std::pair<std::size_t, int>> spindle_axes;          // axis index, number of the spindle converted to it (11.8)
-  Axes probe_position{}, probe_length{};  // work coordinates at the probe's signal; tool length then, as a vector on the main axes
+  Axes probe_position{}, probe_length{};                          // work coordinates, and tool length as a vector, at the probe's signal
   Axes probe_machine{};
   Measurement measurement;  // purpose of the probe motion in progress
-  // for the state file: what has changed since that file was written
+  // data for the state file: tables that have changed since that file was written
   bool tables_changed = false;
   std::vector<std::uint32_t> changed_offsets;
 };

@@ -16,11 +16,12 @@ constexpr char rotation_letters[] = {'I', 'J', 'K'};  // words for the rotation 
 /// Sets a work offset by G10 L2, L20, L21. Values replace the old ones; in G91 or with the operator I they are added.
 Status set_zero(Emitter& m, const Call& call, std::uint32_t index, bool common) {
   const bool adds = !m.modal.absolute;
-  // On a control without a common offset, its number sets the shift of G52 (spec/haas 5.4).
+  // On a control without a common offset, the L and P of the common offset set the shift of G52 (spec/haas 5.4).
   Axes& shift = m.def.has_common_zero() ? m.tables.common : m.modal.local;
   Axes& table = common ? shift : m.tables.zeros[index];
-  Axes zero = table;                          // a copy: on an alarm the table is unchanged
-  const bool dynamic = index >= all_systems;  // 25.4.1: lengths are radii; UNKNOWN whether I, J, K are possible: they are refused
+  Axes zero = table;  // a copy: on an alarm the table is unchanged
+  // Lengths of a dynamic offset are radii (25.4.1). UNKNOWN whether I, J, K are allowed, so they raise an alarm.
+  const bool dynamic = index >= all_systems;
   for (const char letter : rotation_letters)
     if ((common || dynamic) && m.has(letter)) return fail(alarm(AlarmId::illegal_address, m.where(letter), letter));
   for (std::uint32_t i = 0; i < m.block->word_count; ++i) {
@@ -47,7 +48,8 @@ Status set_zero(Emitter& m, const Call& call, std::uint32_t index, bool common) 
   return {};
 }
 
-/// Returns the number in the offset table that L selects, or nullptr (15.2).
+/// Returns the value of an offset that word L of G10 selects: length, radius or corner radius, or the wear of one of them (15.2); nullptr
+/// for any other L.
 double* offset_register(ToolOffset& offset, std::uint32_t l) {
   switch (l) {
     case 10: return &offset.length;
@@ -76,8 +78,8 @@ Status set_offset(BlockContext& m, const Call& call, std::uint32_t l) {
   return {};
 }
 
-/// G10 L200 sets wear, L201 geometry: X Y Z R Q of the offset table for turning (15.2). INFERRED: without its word, a value remains
-/// unchanged.
+/// G10 L200 sets wear, L201 geometry: X Y Z R Q of the offset table for turning (15.2). INFERRED: a value without a word in the block
+/// remains unchanged.
 Status set_turning_offset(BlockContext& m, const Call& call, bool wear) {
   if (!m.has('P')) return fail(alarm(AlarmId::word_missing, call.where, 'P', call.row->code));
   const auto number = m.whole('P', 1, max_offsets(m));
@@ -145,7 +147,7 @@ Status data_line(Emitter& m) {
   return fanuc_of(m).tool_line(m);
 }
 
-/// Allows at most one code of each exclusive group, and one spindle code (13.1, 11.2).
+/// Checks that a block has at most one M code of each exclusive group, and at most one spindle code (13.1, 11.2).
 Status check_m_codes(const BlockContext& m) {
   const Settings& s = fanuc_of(m).settings;
   const auto is_spindle = [&](int code) {

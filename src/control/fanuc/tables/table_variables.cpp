@@ -16,7 +16,8 @@
 namespace kadr::fanuc {
 namespace {
 
-/// Returns the index in the channel of the axis with this control-wide number; -1 if the axis belongs to another channel or does not exist.
+/// Returns the index in the channel of an axis, given its number among the axes of all channels; -1 if the axis belongs to another channel
+/// or does not exist.
 int axis_of(const BlockContext& m, std::uint32_t number) {
   for (std::size_t a = 0; a < m.axis_count; ++a)
     if (m.def.axis_numbers[a] == number) return static_cast<int>(a);
@@ -63,7 +64,7 @@ double position_of_variable(const BlockContext& m, std::size_t axis, const Axes&
   return component(*space, axis, at).value_or(work[axis]);
 }
 
-/// Returns a position or length of an axis. An axis of another channel reads 0.
+/// Returns the position or tool length of an axis that a system variable reports; 0 for an axis of another channel.
 double axis_value(const BlockContext& m, VariableKind kind, int axis) {
   if (axis < 0) return 0;
   const auto a = static_cast<std::size_t>(axis);
@@ -81,7 +82,7 @@ double axis_value(const BlockContext& m, VariableKind kind, int axis) {
   }
 }
 
-/// Returns the number in the offset table that a variable refers to, or nullptr if the table has no such row.
+/// Returns the value in the offset table that a system variable reads and writes; nullptr if the table has no row with this number.
 double* offset_field(BlockContext& m, VariableKind kind, std::uint32_t number) {
   if (number >= m.tables.offsets.size()) return nullptr;
   ToolOffset& o = m.tables.offsets[number];
@@ -101,7 +102,8 @@ double* offset_field(BlockContext& m, VariableKind kind, std::uint32_t number) {
   }
 }
 
-/// Returns the size in mm of one unit of an offset variable, half of it for a diameter (spec/haas 2.4).
+/// Returns the factor that converts the value of an offset variable to the value in the offset table: millimetres per unit, halved for a
+/// diameter (spec/haas 2.4).
 double register_unit(const BlockContext& m, VariableKind kind) {
   if (kind == VariableKind::offset_tip) return 1;
   const bool radius = kind == VariableKind::offset_radius || kind == VariableKind::offset_radius_wear;
@@ -127,8 +129,8 @@ bool is_zero(VariableKind kind) {
 
 bool is_rotation(VariableKind kind) { return kind == VariableKind::rotation || kind == VariableKind::rotation_extended; }
 
-/// Returns #5501 … (25.4): the dynamic offset in force for the present position of the rotary table; for rotary axes, the value in the
-/// offset table.
+/// Returns #5501 … (25.4): the dynamic offset at the present position of the rotary table; for a rotary axis, the offset as the table of
+/// dynamic offsets has it.
 double dynamic_value(const BlockContext& m, int axis) {
   const FiveAxisTransform* const space = space_of(m);
   if (axis < 0 || space == nullptr || m.modal.work_zero < all_systems) return 0;

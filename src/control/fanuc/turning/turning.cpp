@@ -16,7 +16,8 @@
 namespace kadr::fanuc {
 namespace {
 
-/// Distances that a first or second block gives, by axis of the plane. They are always radii, whichever letter names the axis.
+/// Distances in the first or second block of a compound cycle, indexed by axis of the plane. Distances are always radii, whichever letter
+/// names the axis.
 struct Distances {
   std::array<double, 2> value{};
   std::array<const Word*, 2> word{};
@@ -39,7 +40,7 @@ Status out_of_range(const BlockContext& m, char letter) {
   return fail(alarm(AlarmId::value_out_of_range, m.where(letter), letter, m.value(letter)));
 }
 
-/// Reads R of a first block. R may not be negative; without R the old value remains.
+/// Reads R of the first block of a compound cycle. R may not be negative; without R the old value remains.
 Status take_r(const BlockContext& m, double& to) {
   if (!m.has('R')) return {};
   if (!(m.value('R') >= 0)) return out_of_range(m, 'R');
@@ -162,7 +163,8 @@ Status take_simple(BlockContext& m, const Call& call) {
   return {};
 }
 
-/// G77.7 cuts along the first axis, G79.7 along the second: infeed, cut, out, and back to the start point.
+/// Executes one G77.7 or G79.7 cycle: infeed, cut, retract, and return to the start point. G77.7 cuts along the first axis of the plane,
+/// G79.7 along the second.
 Status cut_once(Emitter& m, const Call& call) {
   const TurningMemory& kept = fanuc_of(m).state.turning;
   const Vec2 s = plane_point(m), t{kept.target[0], kept.target[1]};
@@ -174,7 +176,7 @@ Status cut_once(Emitter& m, const Call& call) {
   return go(m, MotionKind::rapid, s);
 }
 
-/// G78.7: cuts one thread pass. The manual does not give the length of the run-out: INFERRED none.
+/// G78.7: cuts one thread pass. The manual does not give the length of the run-out. INFERRED: there is no run-out.
 Status simple_thread(Emitter& m, const Call& call) {
   const TurningMemory& kept = fanuc_of(m).state.turning;
   const auto lead = thread_lead_of(m, call);

@@ -29,14 +29,15 @@ Result<bool> end_contour(Interpreter& m);
 
 // ---- used by the files of the single cycles
 
-/// Execute the second blocks of the compound cycles.
+/// Each of these functions executes the second block of a compound cycle.
 Status finish(Interpreter& m, const Call& call);
 Status rough(Interpreter& m, const Call& call, Vec2 allowance);
 Status pattern(Interpreter& m, const Call& call, Vec2 allowance);
 Status groove(Emitter& m, const Call& call);
 Status compound_thread(Emitter& m, const Call& call);
 
-/// One pass of a thread: at rapid from `start` to `from`, along the thread to `to`, out of the thread, and back to `start`.
+/// One pass of a thread: the tool moves at rapid from `start` to `from`, cuts along the thread to `to`, retracts from the thread, and
+/// returns to `start`.
 struct ThreadPass {
   Vec2 from, to;
   Vec2 start;          // point where the whole pass starts and ends
@@ -45,7 +46,7 @@ struct ThreadPass {
   double chamfer = 0;  // length of the run-out at 45° at the end of the thread, mm along its axis
 };
 Status thread_pass(Emitter& m, const ThreadPass& pass);
-/// Returns the thread lead by F or E in mm; without these words the last lead. alarms thread_definition, not_together (G96)
+/// Returns the thread lead in mm, given by F or E; without these words, the last thread lead. alarms thread_definition, not_together (G96)
 Result<double> thread_lead_of(BlockContext& m, const Call& call);
 
 }  // namespace kadr::fanuc

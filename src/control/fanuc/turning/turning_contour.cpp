@@ -17,8 +17,9 @@ namespace {
 
 constexpr std::size_t max_pieces = 10'000;
 
-/// Lets the interpreter read blocks without executing them, and restores its state at the end. Transformations are off meanwhile: the
-/// cycle computes with the contour as programmed, and its own motions are transformed like any others (16, INFERRED).
+/// Lets the interpreter read blocks without executing them; the destructor restores the interpreter's state. Meanwhile mirroring, scaling
+/// and rotation are off: the cycle computes with the contour as programmed, and the motions of the cycle are transformed like any others
+/// (16, INFERRED).
 class DryRun {
  public:
   explicit DryRun(Emitter& m)
@@ -102,7 +103,7 @@ class Reader {
     return address == comma_chamfer || address == comma_rounding || address == comma_angle || address == comma_vector;
   }
 
-  /// Reports an alarm in a block of the contour at the cycle's block.
+  /// Returns an alarm that a block of the contour has raised, with the location of the cycle's block.
   Status unread(Alarm alarm) const {
     const bool comma = alarm.id == AlarmId::address_unknown && alarm.args[0].text().size() == 1 && has_comma(alarm.args[0].text()[0]);
     if (comma) return without(",C ,R ,A");
@@ -110,7 +111,7 @@ class Reader {
     return fail(alarm);
   }
 
-  /// Computes ,C ,R and everything else that needs the next block (17), as for executed motions.
+  /// Computes chamfers ,C, roundings ,R and all other points that depend on the next block (17), as for executed motions.
   Status corners() {
     const auto waits = [](const Action& action) {
       const Motion& motion = std::get<Motion>(action.what);
@@ -189,7 +190,8 @@ class Reader {
     return ignored ? Status() : shape();
   }
 
-  /// Executes G41, G42: they only permit over-determined blocks (17.3). Nothing is compensated: INFERRED, as on a Fanuc (19.B).
+  /// Executes G41, G42 in a contour: the codes only permit over-determined blocks (17.3). INFERRED: the contour is not compensated, as on a
+  /// Fanuc (19.B).
   void side(const CodeRow& row) {
     m_.modal.radius_side = row.arg == 0 ? std::int8_t{0} : row.arg == 1 ? std::int8_t{-1} : std::int8_t{1};
     if (row.arg != 0 && uncompensated_.empty() && radius() != 0) uncompensated_ = row.code;
@@ -276,7 +278,7 @@ std::vector<ContourPiece> monotone(const std::vector<ContourPiece>& pieces) {
     }
     const bool ccw = piece.kind == MotionKind::arc_ccw;
     const double sweep = 360 * piece.turns;
-    const double begin = (ccw ? 1 : -1) * angle_deg(piece.from - piece.center);  // start angle, counted in the direction of the motion
+    const double begin = (ccw ? 1 : -1) * angle_deg(piece.from - piece.center);  // start angle in the arc's direction of rotation, degrees
     double done = 0;
     for (double quarter = 90 * (std::floor(begin / 90) + 1); done < 1; quarter += 90) {
       const double part = quarter - begin < sweep ? (quarter - begin) / sweep : 1;

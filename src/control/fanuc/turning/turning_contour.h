@@ -25,7 +25,7 @@ struct ContourPiece {
 struct Contour {
   std::vector<ContourPiece> pieces;  // in program order; the first one starts at the tool's position
   Position behind;                   // position in the program just after the contour's last block
-  std::string_view uncompensated;    // G41 or G42 if the contour has one, which the cycle ignores; empty: none
+  std::string_view uncompensated;    // G41 or G42 of the contour, which the cycle ignores; empty if the contour has neither
   bool follows = false;              // the contour comes after the cycle's block: the program then continues at `behind`
 };
 
@@ -42,10 +42,11 @@ Result<ContourLocation> find_contour(Interpreter& m, const Call& call);
 ///           plane_wrong: G68 in another plane; not_together: arcs with different factors of G51
 Result<Contour> read_drawing(Interpreter& m, const Call& call);
 
-/// Splits arcs where one of the axes reverses, so that both axes move in one direction only along each line or arc.
+/// Splits arcs at the points where one of the axes reverses. Along each line or arc of the result, both axes move in one direction only.
 std::vector<ContourPiece> monotone(const std::vector<ContourPiece>& pieces);
 
-/// Adds one motion of the contour, moved by `shift`. A rapid line of the program stays rapid; any other motion uses the feed in force.
+/// Adds one motion of the contour, displaced by `shift` (mm in the plane). A rapid line of the program stays rapid; any other motion uses
+/// the feed in force.
 Status emit(Emitter& m, const ContourPiece& piece, Vec2 shift);
 
 }  // namespace kadr::fanuc

@@ -40,12 +40,12 @@ class GrooveRun final : public SteppedCycleValue<GrooveRun> {
   }
 
  private:
-  /// Returns the coordinate that is reached from a towards b by at most `way`.
+  /// Returns the coordinate reached by a motion from `a` towards `b` of at most the length `way`, mm.
   static double toward(double a, double b, double way) { return std::fabs(b - a) <= way + tol::level ? b : a + (b < a ? -way : way); }
 
   Status to(Emitter& m, MotionKind kind, Vec2 at) const { return go(m, kind, job_.deep_first ? at : Vec2{at.y, at.x}); }
 
-  /// Moves away from the wall, out of the groove and to the next position; after the last position back to the start.
+  /// Moves the tool away from the wall, out of the groove and to the next position; after the last position, back to the start point.
   Status leave(Emitter& m) {
     const double off = job_.target.y < job_.start.y ? job_.relief : -job_.relief;
     KADR_TRY(to(m, MotionKind::rapid, {depth_, place_ + off}));
@@ -94,7 +94,7 @@ Status groove(Emitter& m, const Call& call) {
     job.target.y = job.start.y;
   }
   if (m.has('R') && !(m.value('R') >= 0)) return fail(alarm(AlarmId::value_out_of_range, m.where('R'), 'R', m.value('R')));
-  if (job.target.y != job.start.y) job.relief = m.length_value('R');  // INFERRED: with one position there is no free side
+  if (job.target.y != job.start.y) job.relief = m.length_value('R');  // INFERRED: a single groove has no free side for R
   job.back = fanuc_of(m).state.turning.groove_back;
   KADR_TRY(m.feed_known(call.where));
   if (std::fabs(job.target.x - job.start.x) / job.peck > max_steps)

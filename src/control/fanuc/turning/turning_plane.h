@@ -1,5 +1,6 @@
 #pragma once
-// The plane of a turning cycle (spec/nct/19): the tool's position in it, motions in it, and the words of its two axes.
+// The plane of a turning cycle (spec/nct/19): the tool's position in the plane, motions in the plane, and the words of the two axes of the
+// plane.
 
 #include <array>
 #include <cstddef>
@@ -18,12 +19,13 @@ namespace kadr::fanuc {
 
 /// Returns the tool's position in the plane, in programmed coordinates, mm.
 Vec2 plane_point(const BlockContext& m);
-/// Adds a straight motion in the plane to `to`, with words for the axes that change.
+/// Adds a straight motion in the plane to the point `to`. The motion names only the axes whose coordinate changes; without a change there
+/// is no motion.
 Status go(Emitter& m, MotionKind kind, Vec2 to);
 /// Ends a pass of the cycle. In single-block operation the machine then stops (19.B, INFERRED).
 void end_pass(Emitter& m);
 
-/// Returns 0 or 1 for an axis word of the plane's first or second axis; 2 if the axis is not in the plane.
+/// Returns the index of a word's axis in the plane: 0 for the first axis, 1 for the second; 2 if the axis is not in the plane.
 std::size_t place_in_plane(const BlockContext& m, const Word& w);
 /// The target that the cycle's axis words give in the plane, Cartesian. `given`: which of the two axes have a word in the block.
 ///   alarms  illegal_address: an axis that is not in the plane

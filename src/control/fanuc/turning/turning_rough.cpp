@@ -32,7 +32,7 @@ Status jump_after(Interpreter& m, const Contour& contour) {
 ///   depth   ─────╯ contour
 class Profile {
  public:
-  /// A pass along u. `open`: the pass starts at the u of the start point.
+  /// A pass along u. `from`, `to`: coordinates u of its ends. `open`: the pass starts at the start point's u, not in a pocket.
   struct Cut {
     double from, to;
     bool open;
@@ -57,7 +57,8 @@ class Profile {
       if (direction == 0 && std::fabs(way) > tol::level) direction = way;
       if (way * direction < 0 && std::fabs(way) > tol::level) return shape(piece);
       if (!p.pockets_ && depth > p.depth(piece.from) + tol::level) return shape(piece);
-      if (p.pockets_ && depth < -tol::level && &piece != &p.pieces_.back()) return shape(piece);  // only the end may be above the start
+      // Only the end of the contour may be above the start point.
+      if (p.pockets_ && depth < -tol::level && &piece != &p.pieces_.back()) return shape(piece);
       p.deepest_ = std::max(p.deepest_, depth);
     }
     if (direction == 0) return shape(contour.back());
@@ -65,9 +66,10 @@ class Profile {
     return p;
   }
 
-  /// Converts a point of the plane to (u, v), or back: facing cycles exchange the two axes.
+  /// Converts a point of the plane to (coordinate along the passes, coordinate of the infeed), or back. Facing cycles exchange the two
+  /// axes.
   Vec2 uv(Vec2 p) const { return facing_ ? Vec2{p.y, p.x} : p; }
-  /// Returns the point of the plane with this u and depth.
+  /// Returns the point of the plane with the coordinates u (along the passes) and depth.
   Vec2 at(double u, double depth) const { return uv({u, start_.y + sign_ * depth}); }
 
   double start() const { return start_.x; }
@@ -98,7 +100,7 @@ class Profile {
  private:
   double depth(Vec2 p) const { return sign_ * (uv(p).y - start_.y); }
 
-  /// Returns the u at which a monotone line or arc passes this depth; found by bisection.
+  /// Returns the coordinate u at which a monotone line or arc reaches the depth `depth`; computed by bisection.
   double crossing(const ContourPiece& piece, double depth) const {
     const bool rises = this->depth(piece.to) < this->depth(piece.from);
     double low = 0, high = 1;
@@ -152,7 +154,7 @@ class RoughRun final : public SteppedCycleValue<RoughRun> {
     const bool last = cut_ == cuts_.size();
     if (now.open) {
       KADR_TRY(to(m, contour_.pieces.front().kind, now.from, level_));
-    } else {  // plunges into a pocket, starting above the remaining stock
+    } else {  // the tool plunges into a pocket from above the remaining stock
       KADR_TRY(to(m, MotionKind::rapid, now.from, 0));
       KADR_TRY(to(m, MotionKind::rapid, now.from, std::max(0.0, before_ - back_)));
       KADR_TRY(to(m, MotionKind::feed, now.from, level_));
@@ -213,7 +215,7 @@ class PatternRun final : public SteppedCycleValue<PatternRun> {
 
 }  // namespace
 
-/// G71.7, G72.7. call.row->arg 717: infeed along the second axis of the plane; 727: infeed along the first (19.A 4).
+/// G71.7, G72.7. call.row->arg 717: G71.7, infeed along the second axis of the plane; 727: G72.7, infeed along the first axis (19.A 4).
 Status rough(Interpreter& m, const Call& call, Vec2 allowance) {
   const TurningMemory& kept = fanuc_of(m).state.turning;
   const bool facing = call.row->arg == 72.7_g;

@@ -30,11 +30,11 @@ Status cut_thread(Emitter& m, Vec2 to, double lead, double angle) {
 }
 
 /// Runs the passes of a compound thread. The depth of pass n is Δ1·√n, at least `least` deeper than the pass before, up to the thread's
-/// height less the finishing allowance; then the finishing passes follow.
+/// height less the finishing allowance; after these passes the finishing passes follow.
 class ThreadRun final : public SteppedCycleValue<ThreadRun> {
  public:
   struct Job {
-    Vec2 start, target;  // the target is at the root of the thread, at its end
+    Vec2 start, target;  // the target is the end of the thread, at its root
     double taper = 0;    // difference of start and end along the second axis, mm
     double height = 0;   // height of the thread, mm
     double first = 0;    // depth of the first pass (Δ1), mm

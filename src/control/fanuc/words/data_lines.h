@@ -11,7 +11,7 @@ class Emitter;
 
 namespace kadr::fanuc {
 
-/// Executes one data line.
+/// Executes one data line: the line writes a parameter (after G10 L52) or tool data (after G10 L75, L76, L77).
 ///   alarms  value_out_of_range (2002), word_missing (2004), parameter_not_writable (2193), data_block
 Status data_line(Emitter& m);
 /// Checks that no two M codes belong to one exclusive group, and that at most one is a spindle code. alarms m_codes_contradict

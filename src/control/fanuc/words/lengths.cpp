@@ -44,8 +44,9 @@ AxisMask length_axes(const BlockContext& m) {
   return axes;
 }
 
-/// Returns the shift of an axis by a length of the offset table. For an axis in diameter programming the length is a diameter (5.3,
-/// 15.3). This is decided when the length is put into force: the table does not state an axis, and G10.9 does not move the machine.
+/// Returns the shift of an axis by a length of the offset table. For an axis in diameter programming the length is a diameter (5.3, 15.3).
+/// The length is halved when it is put into force, since the offset table does not state an axis, and since G10.9 (diameter programming)
+/// must not move the machine.
 double shift_by(const BlockContext& m, std::size_t axis, double length) { return fanuc::is_diameter(m, axis) ? length / 2 : length; }
 
 /// G43.7 (15.4): puts the sums of geometry and wear of the turning offset table into force on X, Y, Z at once.
@@ -94,7 +95,7 @@ Status length_comp(Emitter& m, const Call& call) {
   const bool turning = call.row->arg == 43.7_g;
   if (turning && !fanuc_of(m).settings.turning_offsets) return fail(alarm(AlarmId::code_unknown, call.where, call.row->code));  // TOL=0
   if (call.row->arg == 0) KADR_TRY(fanuc::may_end_lead(m, call));
-  if (m.modal.turning_lengths && !turning) m.modal.lengths = {};  // 15.4: milling offsets have no X, Y
+  if (m.modal.turning_lengths && !turning) m.modal.lengths = {};  // 15.4: offsets for milling have no lengths in X and Y
   m.modal.turning_lengths = turning;
   fanuc::end_lead(m);
   if (call.row->arg == 0) {
@@ -113,7 +114,7 @@ Status length_comp(Emitter& m, const Call& call) {
   } else if (!m.has_axis_words() && !turning) {
     return {};
   }
-  // The length has no axis to act on: the program was probably written for another control, which would apply it.
+  // The tool length has no axis to act on. The program was probably written for another control, which would apply the length.
   if (m.has('H') && !turning && length_axes(m) == 0) m.warn(warning(AlarmId::length_no_axis, call.where, call.row->code));
   register_length(m, m.modal.length_number);
   m.change_frames();
@@ -172,15 +173,15 @@ Status radius_side(Emitter& m, const Call& call) {
   return {};
 }
 
-/// G38 (15.5.5): the line of this block ends with the compensation vector with which the line starts.
+/// G38 (15.5.5): at the end of this block's line, the compensation vector is the same as at the start of the line.
 Status vector_hold(Emitter& m, const Call& call) {
   if (m.modal.radius_side == 0) return fail(alarm(AlarmId::compensation_needed, call.where, call.row->code));
   fanuc_of(m).holds_vector = true;
   return {};
 }
 
-/// G39 (15.5.6): adds an arc about the programmed point, to the start of the next motion or to the direction I, J, K. The block has no
-/// other motion.
+/// G39 (15.5.6): adds an arc of the tool about the programmed point. The arc ends where the next motion starts or, with I, J, K, where a
+/// motion in the direction I, J, K would start. The block has no other motion.
 Status vector_corner(Emitter& m, const Call& call) {
   if (m.modal.radius_side == 0) return fail(alarm(AlarmId::compensation_needed, call.where, call.row->code));
   if (m.has_axis_words()) return fail(alarm(AlarmId::own_block, call.where, call.row->code));

@@ -13,7 +13,7 @@ namespace {
 
 /// Computes the end point of a block in G16: the word of the first plane axis is the radius, the word of the second axis the angle (5.4).
 void polar(const BlockContext& m, const Word* radius, const Word* angle, Axes& to, AxisMask& named) {
-  Modal& modal = const_cast<BlockContext&>(m).modal;  // the last radius and angle are stored
+  Modal& modal = const_cast<BlockContext&>(m).modal;  // radius and angle of the block are stored
   const PlaneAxes& plane = modal.axes;
   const Vec2 here{m.position.programmed[plane.first], m.position.programmed[plane.second]};
   if (!modal.polar_angle_given) modal.polar_angle = angle_deg(here);
@@ -37,7 +37,7 @@ void polar(const BlockContext& m, const Word* radius, const Word* angle, Axes& t
   named |= 1u << plane.first | 1u << plane.second;
 }
 
-/// Returns the alarm for two words that position one axis (X and its increment U), located at the later word.
+/// Returns the alarm for two words that position the same axis (such as X and the increment U), with the location of the later word.
 tl::unexpected<Alarm> twice(const BlockContext& m, std::size_t axis) {
   const Word* last = nullptr;
   for (std::uint32_t i = 0; i < m.block->word_count; ++i) {
@@ -52,7 +52,7 @@ tl::unexpected<Alarm> twice(const BlockContext& m, std::size_t axis) {
 bool is_diameter(const BlockContext& m, std::size_t axis) { return (m.modal.diameter >> axis & 1u) != 0; }
 
 double coordinate(const BlockContext& m, const Word& w, std::size_t axis) {
-  const bool is_virtual = m.modal.surface == PathSurface::polar && axis == m.modal.axes.second;  // 4.5: its word is a length
+  const bool is_virtual = m.modal.surface == PathSurface::polar && axis == m.modal.axes.second;  // 4.5: the virtual axis' word is a length
   const bool is_length = is_virtual || m.def.address(w.address).unit == WordUnit::length;
   const double v = w.value * (is_length ? m.unit_scale() : 1.0);
   return is_diameter(m, axis) ? v / 2 : v;
@@ -63,7 +63,7 @@ bool is_increment(const BlockContext& m, const Word& w) {
   return !m.modal.absolute || w.incremental || m.def.address(w.address).function == Function::increment_axis;
 }
 
-/// Returns c reduced to [0, period).
+/// Returns the position `c` of an axis that rolls over, reduced to [0, period).
 double rolled_position(double c, double period) {
   const double r = c - period * std::floor(c / period);
   return r < period ? r : 0;  // r can be rounded up to a full period
@@ -73,7 +73,7 @@ double rolled_position(double c, double period) {
 double roll_travel(const AxisSettings& axis, double c, double programmed, bool increment) {
   const double period = axis.period;
   if (increment) return axis.cuts_turns ? programmed - period * std::trunc(programmed / period) : programmed;
-  if (axis.by_sign) {  // INFERRED: ABS has priority over ASH
+  if (axis.by_sign) {  // INFERRED: parameter bit ABS has priority over ASH
     const double t = rolled_position(std::fabs(programmed), period);
     return programmed >= 0 ? rolled_position(t - c, period) : -rolled_position(c - t, period);
   }
@@ -116,7 +116,7 @@ Status target(const BlockContext& m, Axes& to, AxisMask& named) {
   // Each address occurs only once in a block: blocks.cpp has checked that.
   for (std::uint64_t left = m.block->letters & m.letters.axes; left != 0; left &= left - 1) {
     const Word& w = m.block->words[m.block->at[static_cast<std::size_t>(std::countr_zero(left))]];
-    if (w.address == 0) continue;  // a drilling cycle hides the word for a moment
+    if (w.address == 0) continue;  // a drilling cycle has hidden this word temporarily
     const std::size_t axis = m.def.address(w.address).axis;
     const bool polar_word = is_polar && (axis == plane.first || axis == plane.second);
     if ((named >> axis & 1u) != 0 || (polar_word && (axis == plane.first ? radius : angle) != nullptr)) return twice(m, axis);
@@ -124,7 +124,7 @@ Status target(const BlockContext& m, Axes& to, AxisMask& named) {
       (axis == plane.first ? radius : angle) = &w;
       continue;
     }
-    if ((fanuc.by_direction >> axis & 1u) != 0) continue;  // the word's number is a value of I, J or K
+    if ((fanuc.by_direction >> axis & 1u) != 0) continue;  // the word has replaced I, J or K; take_directed() sets the position
     const double v = coordinate(m, w, axis);
     const AxisSettings& settings = fanuc.settings.axes[axis];
     const bool increment = is_increment(m, w);

@@ -22,7 +22,7 @@ class Assigner {
     const char letter = w.written;
     if (letter < 'A' || letter > 'Z' || w.incremental || w.bare) return illegal(w);
     std::size_t number = variable_of_letter[static_cast<std::size_t>(letter - 'A')];
-    if (letter >= 'I' && letter <= 'K') {  // the next I, J or K of type 2 goes to the next variable of its letter
+    if (letter >= 'I' && letter <= 'K') {  // type 2: each further I, J or K assigns the next variable of this letter
       std::size_t& written = written_[static_cast<std::size_t>(letter - 'I')];
       if (later_counts_) number += type_2_step * written++;
       else
@@ -32,7 +32,7 @@ class Assigner {
       return illegal(w);
     }
     occupied_[number] = true;
-    locals_[number] = w.address == 0 ? vacant : w.value;  // a value from an empty variable leaves the argument empty
+    locals_[number] = w.address == 0 ? vacant : w.value;  // an empty variable gives an empty argument
     return {};
   }
 
@@ -48,7 +48,7 @@ class Assigner {
 }  // namespace
 
 Status arguments_of(const BlockContext& m, std::uint32_t caller, Locals& to) {
-  const bool later_counts = m.def.behaviour.later_word_counts != LaterWord::nowhere;  // spec/fanuc 9.3: G, L, N, O, P are no arguments
+  const bool later_counts = m.def.behaviour.later_word_counts != LaterWord::nowhere;  // spec/fanuc 9.3: no arguments: G, L, N, O, P
   Assigner assigner(to, later_counts);
   for (std::uint32_t i = 0; i < m.block->word_count; ++i) {
     const Word& w = m.block->words[i];

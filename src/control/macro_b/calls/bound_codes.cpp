@@ -15,7 +15,8 @@ constexpr int letter_variables = 195;  // #195 … #199
 constexpr int ascii_variables = 191;   // #191 … #194
 constexpr std::string_view letters_in_order = "ABCST";
 
-/// Returns the number of the program that a code of this value calls; -1 if it calls no program.
+/// Returns the number of the program that parameters bind to a G or M code; -1 if no program is bound to the code. `value`: the code's
+/// number.
 int program_of(const std::vector<CodeRun>& runs, double value, const CodeRun** run = nullptr) {
   for (const CodeRun& r : runs) {
     const double k = std::round((value - r.start) / r.step);
@@ -26,9 +27,9 @@ int program_of(const std::vector<CodeRun>& runs, double value, const CodeRun** r
   return -1;
 }
 
-/// True if a word with that address and code may call its program at this point. A word never calls inside the program that it has called
-/// (13.1, 23.3.4 … 23.3.7); inside the program of another bound word it calls only if N1755 #1 ENC allows it. ENC does not apply to a G
-/// code inside the macro of another G code (23.3.4).
+/// True if a word with this address and code may call the program bound to it, given the programs that are being called. A word makes no
+/// call inside the program that it has called itself (13.1, 23.3.4 … 23.3.7). Inside the program of another bound word it makes a call only
+/// if N1755 #1 ENC permits this. ENC does not apply to a G code inside the macro of another G code (23.3.4).
 bool may_call(const Interpreter& m, char address, std::int32_t code) {
   bool others = false;
   for (const CallFrame& frame : m.flow.frames()) {
@@ -42,7 +43,7 @@ bool may_call(const Interpreter& m, char address, std::int32_t code) {
 Status macro_by_code(Interpreter& m, const Word& w, int program, const CodeRun& run) {
   const Word* const first = m.block->words.data();
   if (w.written == 'M' && &w != first)
-    return fail(alarm(AlarmId::illegal_address, first->where, first->written));  // 23.3.5: only N may come before the calling M word
+    return fail(alarm(AlarmId::illegal_address, first->where, first->written));  // 23.3.5: only N may precede the calling M word
   CallRequest request;
   const auto place = macro_b_of(m).programs.system(m, static_cast<std::uint32_t>(program), w.where);
   if (!place) return fail(place.error());
@@ -63,7 +64,7 @@ Status macro_by_code(Interpreter& m, const Word& w, int program, const CodeRun& 
   return macros.settings.modal_each_block ? call_modal(m, arguments) : Status();
 }
 
-/// Removes the word from the block; its subprogram runs after the block.
+/// Removes a word from the block and requests the call of the subprogram bound to this word after the block.
 void pend(BlockContext& m, Word& w, int program) {
   macro_b_of(m).pending.push_back({program, w.written, w.code, w.where});
   w.address = 0;
@@ -119,8 +120,8 @@ Result<bool> call_by_code(Interpreter& m) {
   return false;
 }
 
-/// Enters the subprogram of the last word first, so that those of the earlier words run before it. INFERRED: the subprograms run in the
-/// order in which their words are written.
+/// INFERRED: the subprograms run in the order in which their words are written. The calls are therefore entered in reverse order: the call
+/// entered last runs first.
 Status call_pending(Interpreter& m) {
   MacroB& macros = macro_b_of(m);
   for (; !macros.pending.empty(); macros.pending.pop_back()) {

@@ -47,7 +47,7 @@ Result<CallRequest> named_program(Interpreter& m, const Call& code, bool name_al
 
 std::uint32_t index_of(const BlockContext& m, const Word* word) { return static_cast<std::uint32_t>(word - m.block->words.data()); }
 
-/// Discards the data of a call that has ended: its level of local variables, its saved arguments, its modal calls.
+/// Discards the data of a call that has ended: the level of local variables, the saved arguments and the modal calls of the called program.
 void close_call(MacroB& macros, const CallFrame& frame, std::size_t depth) {
   if (frame.kind == CallFrame::Kind::macro || (frame.kind == CallFrame::Kind::interrupt && frame.opened_level))
     macros.variables.close_level();
@@ -167,7 +167,8 @@ Status macro_call(Interpreter& m, const Call& call) {
   return macro_b::call(m, *request, arguments, call.where);
 }
 
-/// G66 P L arguments: calls the macro after each movement. G66.1: calls it with each block, including the G66.1 block (23.3.2, 23.3.3).
+/// G66 P L arguments: calls the macro after each movement. G66.1: calls the macro with the words of each block as arguments, the G66.1
+/// block included (23.3.2, 23.3.3).
 Status macro_modal(Interpreter& m, const Call& call) {
   constexpr std::size_t max_modal_calls = 16;
   auto request = macro_b::named_program(m, call, false);
@@ -178,7 +179,7 @@ Status macro_modal(Interpreter& m, const Call& call) {
   KADR_TRY(macro_b::arguments_of(m, macro_b::index_of(m, call.word), arguments));
   macro_b::MacroB& macros = macro_b_of(m);
   if (macros.state.modal_calls.size() >= max_modal_calls) return fail(alarm(AlarmId::call_too_deep, call.where, double{max_modal_calls}));
-  macros.state.modal_calls.resize(macros.state.active_modal_calls);  // INFERRED: modal calls that are not in force here are lost
+  macros.state.modal_calls.resize(macros.state.active_modal_calls);  // INFERRED: modal calls not in force in this macro are lost
   macros.state.modal_calls.push_back(
       {request->place.reader, request->place.start, *times, request->name, call.row->arg == 66.1_g, 0, -1, arguments});
   ++macros.state.active_modal_calls;

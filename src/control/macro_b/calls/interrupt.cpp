@@ -21,7 +21,8 @@ bool asked(MacroB& macros) {
   return macros.settings.interrupt_edge ? rose : signal_on(macros);
 }
 
-/// True if M96 or M97 is an ordinary M code for the machine: N1758 #0 USD=0, or #4 MCD assigns other codes to the interrupt macro.
+/// True if the M code `code` (M96 or M97) is passed to the machine: the interrupt macro is off (N1758 #0 USD=0), or N1758 #4 MCD assigns
+/// other codes to it. `own`: the assigned code.
 bool is_free(const MacroB& macros, int code, int own) {
   return !macros.settings.interrupts || (macros.settings.interrupt_own_codes && code != own);
 }
@@ -66,7 +67,7 @@ Result<bool> call_interrupt(Interpreter& m, BlockMoment moment) {
   return true;
 }
 
-/// M99 without P restores the modal state of the interrupted block (23.4); M99 P does not.
+/// Ends the interrupt macro. M99 without P restores the modal state of the interrupted block (`restore`); M99 P does not (23.4).
 void MacroB::end_interrupt(Emitter& m, bool restore) {
   interrupted.active = false;
   signal_rose = false;  // a signal edge of CP_MINT during the macro has no effect

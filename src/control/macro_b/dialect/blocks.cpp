@@ -1,5 +1,5 @@
-// What a control with macros does before and after the execution of a block that all controls share: it calls macros instead of executing
-// the block, makes single-block stops, and executes pending calls (spec/nct/23 23.3, 23.5). Used by control/fanuc/dialect/blocks.
+// The steps that a control with macros adds to the execution of a block by the interpreter, which all controls share: macro calls in place
+// of the block, single-block stops, pending calls (spec/nct/23 23.3, 23.5). Used by control/fanuc/dialect/blocks.
 
 #include "control/macro_b/dialect/blocks.h"
 
@@ -27,7 +27,7 @@ Result<bool> call_with_block(Interpreter& m) {
   if (macros.state.active_modal_calls == 0 || !macros.state.modal_calls[macros.state.active_modal_calls - 1u].each_block) return false;
   if (m.block->word_count == 0 || m.has_code({Function::macro_modal_off, Function::return_program, Function::macro_modal})) return false;
   Locals arguments;
-  KADR_TRY(arguments_of(m, limits::block_words, arguments));  // every word is an argument, as no word of this block makes the call
+  KADR_TRY(arguments_of(m, limits::block_words, arguments));  // every word is an argument: none of them makes the call
   KADR_TRY(call_modal(m, arguments));
   return true;
 }
@@ -103,7 +103,7 @@ void note_words(BlockContext& m) {
   take('F', words.f);
   take('H', words.h);
   take('M', words.m);
-  for (std::uint32_t i = 0; (m.block->letters & m.letters.spindles) != 0 && i < m.block->word_count; ++i)  // S2=700 too (11.1)
+  for (std::uint32_t i = 0; (m.block->letters & m.letters.spindles) != 0 && i < m.block->word_count; ++i)  // words as S2=700 too (11.1)
     if (const Word& w = m.block->words[i]; w.address != 0 && m.def.address(w.address).function == Function::spindle_word) words.s = w.value;
   take('T', words.t);
 }

@@ -1,6 +1,6 @@
 #pragma once
-// What a control with macros adds to the execution of a block that all controls share: it executes macro statements, calls macros instead
-// of executing the block, and acts after the block (spec/nct/23 23.3, 23.5).
+// The steps that a control with macros adds to the execution of a block by the interpreter, which all controls share: macro statements,
+// macro calls in place of the block, and steps after the block (spec/nct/23 23.3, 23.5).
 
 #include "base/result.h"
 
@@ -14,8 +14,8 @@ namespace kadr::macro_b {
 /// Executes the block's macro statement. The block's words are evaluated only if the statement needs their values.
 ///   returns  false: the condition of IF … THEN is true, and the words after THEN are still to be executed (23.2.10)
 Result<bool> run_statement(Interpreter& m);
-/// Checks the values of an NC block against the ranges of their addresses, after rounding the values of expressions to the last digit of
-/// their address (23.1.1). Not used for the arguments of a macro, which may be any number (23.3).
+/// Checks the values of a block's words against the ranges of their addresses. Values of expressions are first rounded to the last digit
+/// that the address has (23.1.1). Not used for the arguments of a macro, which may be any number (23.3).
 Status check_values(BlockContext& m);
 /// Starts a block of words: clears the flags of the last block, and restores words that an earlier execution of this block removed.
 void begin_words(BlockContext& m);
@@ -27,10 +27,10 @@ Result<bool> call_with_words(Interpreter& m);
 Status one_g(const BlockContext& m);
 /// Records the block's words for #4101 … (23.1.14).
 void note_words(BlockContext& m);
-/// True if single-block operation stops after this block: the switch is on, neither #3003 or #3004 nor G63 suppresses the stop, and the
-/// block is not inside a program that counts as one block (23.1.10, 23.3.9, 6.3.4).
+/// True if single-block operation stops after this block: the switch is on, #3003, #3004 and G63 do not suppress the stop, and the block is
+/// not inside a program that counts as one block (23.1.10, 23.3.9, 6.3.4).
 bool stops_each_block(const BlockContext& m);
-/// Acts after a block of words: makes the single-block stop, calls the subprograms bound to its words, and calls modal macros.
+/// Completes a block of words: makes the single-block stop, calls the subprograms bound to the block's words, and calls modal macros.
 Status end_words(Interpreter& m);
 
 }  // namespace kadr::macro_b

@@ -18,7 +18,7 @@
 namespace kadr::macro_b {
 namespace {
 
-/// Names of all axes of the machine, those of the other channels included, indexed by axis number.
+/// Returns the names of all axes of the machine, the axes of other channels included, indexed by axis number − 1.
 std::vector<std::string> all_axes(const ControlDef& def, const Setup& setup) {
   std::vector<std::string> names(32);
   std::size_t number = 1;
@@ -86,7 +86,7 @@ void MacroB::take_setup(Emitter& m, const Setup& setup) {
   }
 }
 
-/// Simulates switching the control off and on (23.5).
+/// Simulates that the control loses power and is switched on again (23.5).
 bool MacroB::lose_power(Interpreter&) {
   variables.power_off();
   clock_offset_ms = now_ms;
@@ -145,7 +145,7 @@ Status MacroB::restore(BlockContext&, const DialectState& from) {
   static_cast<Memory&>(*this) = then.memory;
   parameters.resume_from(then.parameters);
   variables.resume_from(then.variables);
-  changes = Changes();  // empty, so that all rows are written to the state file again
+  changes = Changes();  // no saved values: all rows are written to the state file again
   before_ = {};
   return {};
 }
@@ -160,7 +160,7 @@ void MacroB::set_signal(const std::string& name, double value) {
 
 void MacroB::set_time(double at_ms, double cut_ms) {
   now_ms = at_ms;
-  cutting_ms += cut_ms;  // the time is added, as the program may have assigned the timer
+  cutting_ms += cut_ms;  // added, since the program may have assigned a value to the timer
 }
 
 // ---- what the interpreter calls
@@ -169,8 +169,9 @@ void MacroB::add_variables(Emitter& m, FinalState& ending, const std::vector<std
   macro_b::add_variables(m, ending, watch);
 }
 
-/// Returns true if the block may read a clock variable: it has one, a variable with a computed number, or a text with variables (23.1.9).
-/// The clock must show the time at the block: all earlier actions are executed first, and afterwards the actions of each block are.
+/// Returns true if the block may read a clock variable: it has a clock variable, a variable with a computed number, or a text with
+/// variables (23.1.9). Before such a block is executed, all earlier actions are, so that the clock shows the time at the block. From this
+/// block on, the actions of each block are executed before the next block.
 bool MacroB::reads_clock(const Block& block) const {
   const StatementKind kind = block.statement.kind;
   if (kind == StatementKind::message || kind >= StatementKind::open_port) return true;

@@ -43,7 +43,7 @@ Result<double> value_or_zero(Emitter& m, Expression expression) {
   return evaluate(*m.block, expression, VariableReader{m});
 }
 
-/// Collects the values of the variables named in a text, in order; nullopt for a vacant one.
+/// Collects the values of the variables in a text, in the order of the text; the value of a vacant variable is nullopt.
 class Values {
  public:
   explicit Values(Emitter& m) : m_(m) { scratch_.text = {}; }

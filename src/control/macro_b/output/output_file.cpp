@@ -188,7 +188,7 @@ Status OutputFile::name_device_file(std::string_view line, PrintKind kind) {
   const Result<std::string> path = path_in_root(file, program_);
   KADR_TRY(path);
   if (!writer_.has_room(percent))
-    return fail(alarm(AlarmId::file_write, {}, std::string_view(file)));  // checked before the existing file is emptied
+    return fail(alarm(AlarmId::file_write, {}, std::string_view(file)));  // this check comes before the existing file is emptied
   KADR_TRY(open(named_file(*path, file), 2, program_));
   const Status begun = writer_.write(percent);
   if (!begun) {

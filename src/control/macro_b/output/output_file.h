@@ -18,23 +18,22 @@ namespace kadr::macro_b {
 using files::OutputOptions;
 using files::OutputWriting;
 
-/// Stands for the missing device number of PCLOS without a number (spec/fanuc 5.9).
+/// The device number that a PCLOS without a number has (spec/fanuc 5.9).
 inline constexpr double no_device = 0;
 
-/// Returns the file that <name> means in `program`, for FOPEN as for calls by name.
+/// Returns the path of the file that a program refers to by <name>, in FOPEN or in a call by name.
 ///   name     text between < >: at most 60 characters, parts separated by `\`; `..` is the folder above, a leading `\` is the program's own
 ///            folder, blanks at both ends are ignored (14.4.2)
 ///   program  path of the program that uses the name, from the root, separated by `/`: "part.nct", "sub/part.nct"
 ///   returns  path from the root, separated by `/`
-///   alarms   file_outside (name): leads above the root, or starts with a drive. file_name (name): empty, too long, not UTF-8; `/`, control
-///            characters, `: * ? " < > |`, empty parts, parts that start with a dot (hidden files: .bashrc, .git) or end in a dot or
-///            blank, names of devices (CON, NUL, COM1 …)
+///   alarms   file_outside (name): the name leads above the root, or starts with a drive. file_name (name): the name is empty, too long or
+///            not UTF-8, or has `/`, control characters, `: * ? " < > |`, empty parts, parts that start with a dot (hidden files: .bashrc,
+///            .git) or end in a dot or blank, names of devices (CON, NUL, COM1 …)
 ///   law      no part of the result is empty, `.` or `..`
 ///   manual   14.4.2; the characters and devices are our choice, so that the same program works on any system
 Result<std::string> path_in_root(std::string_view name, std::string_view program);
 
-/// The file that a program writes. An alarm leaves the open file and all other files as they were, except that a disk error may leave a
-/// file empty.
+/// The file that a program writes. A statement that raises an alarm changes no file, except that after a disk error a file may be empty.
 class OutputFile {
  public:
   explicit OutputFile(OutputOptions options) : writer_(std::move(options)) {}
@@ -51,15 +50,16 @@ class OutputFile {
 
   /// FOPENn Pp: opens the file Onnnn with the number p in four digits; in eight digits if p is longer, or if only the eight-digit file
   /// exists. Folder and extension are those of `program` (14.4.2).
-  ///   mode     1: the file must be new; 2: new, or an existing file is emptied; 3: an existing file is appended to; 4: new, or appended
-  ///   to;
+  ///   mode     1: a new file is created; 2: a new file is created, or an existing file is emptied;
+  ///            3: text is appended to an existing file; 4: a new file is created, or text is appended to an existing file;
   ///            5: an existing file is emptied
   ///   alarms   file_mode (mode), value_out_of_range (P, p), file_already_open, program_file_exists ("O0012"), program_missing ("O0012"),
   ///            file_outside, file_write; file_already_open also if the file is the running program itself (our choice)
   Status open_number(double mode, double p, std::string_view program);
 
-  /// FOPENn <name>. Alarms as open_number(), but file_exists (name) and file_missing (name), and those of path_in_root().
-  ///   Capital and small Latin letters are equal in names, but an exact match comes first (inferred, 14.4.2). Folders are not created.
+  /// FOPENn <name>. The alarms are those of open_number(), with file_exists (name) and file_missing (name) in place of those for programs,
+  /// and those of path_in_root(). Capital and small Latin letters are equal in names, but an exact match comes first (inferred, 14.4.2).
+  /// Folders are not created.
   Status open_named(double mode, std::string_view name, std::string_view program);
 
   /// Writes the text of one print statement, as decimal() or binary() returns it, with its CR LF. When print() returns, the operating
@@ -87,7 +87,8 @@ class OutputFile {
     files::FileWriter::Memory writer;
   };
   Memory memory() const;
-  /// Continues the file that was open when the snapshot was taken: text that was printed later is cut off. Other files do not change.
+  /// Continues the file that was open when the snapshot was taken: text that was printed after the snapshot is cut off. Other files do not
+  /// change.
   ///   alarms   file_write (path): the file no longer exists, is shorter than at the snapshot, or may not be written
   Status resume_from(const Memory& memory);
 

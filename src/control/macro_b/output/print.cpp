@@ -66,15 +66,17 @@ void add_text(std::vector<PrintPiece>& pieces, std::string_view text) {
   pieces.back().text += text;
 }
 
-/// Returns the end of the format that starts at `at`, so that an alarm can quote the format.
+/// Returns the end of the bracketed format that starts at `at`, so that an alarm can quote the format; the end of the text if `]` is
+/// missing.
 std::size_t format_end(std::string_view text, std::size_t at) {
   const std::size_t close = text.find(']', at);
   return close == std::string_view::npos ? text.size() : close + 1;
 }
 
-/// Returns the digits of |value| rounded to `after` decimals, ties upwards, without the decimal point: at least after + 1 digits.
-/// The digits of the exact decimal expansion are rounded, because multiplying by a power of ten would add a rounding error. A double that
-/// is no tie at 15 decimals or fewer always differs from the tie within its first 60 decimals.
+/// Returns the digits of |value| rounded to `after` decimals, ties upwards, without the decimal point: at least after + 1 digits. The
+/// digits of the exact decimal expansion are rounded, because multiplying by a power of ten would add a rounding error. The first 60
+/// decimals suffice: a double that is not exactly halfway between two numbers of at most 15 decimals differs from the midpoint within 60
+/// decimals.
 std::string rounded_digits(double value, int after) {
   constexpr int shown = 60;
   char buffer[std::numeric_limits<double>::max_exponent10 + shown + 8];

@@ -37,8 +37,8 @@ enum class PrintFill : std::uint8_t {
 
 using PrintValues = std::span<const std::optional<double>>;  // values by PrintPiece::slot; nullopt for an empty variable
 
-/// Reads the reference to a variable (`#130`, `#[#1+2]`, `#_OFSX[1]`) at the start of `rest`; returns its length in characters.
-/// The slot of a variable is its number among the successful calls, from 0.
+/// Reads the reference to a variable (`#130`, `#[#1+2]`, `#_OFSX[1]`) at the start of `rest`; returns its length in characters. The
+/// variable read by the n-th successful call, counted from 0, has slot n.
 using ReadVariable = std::function<Result<std::size_t>(std::string_view rest)>;
 
 /// Parses the bracketed text of a print statement, `[X#130[53]Y#500[53]T#10[20]]`.
@@ -48,7 +48,7 @@ using ReadVariable = std::function<Result<std::size_t>(std::string_view rest)>;
 ///   alarms   print_format (the faulty text): a character that cannot be printed, or an invalid format; bracket_not_closed;
 ///            the alarms of read_variable, unchanged. Spans count from the start of `text`
 ///   manual   23.2.13. Letters, digits, `/ + -` are printed, `*` is printed as a space. Inferred: c and d are one digit each; small letters
-///            are printed as capitals; blanks are ignored
+///            are printed as capitals; blanks in the text are not printed
 Result<PrintText> parse_print(std::string_view text, PrintKind kind, const ReadVariable& read_variable);
 
 /// Parses the text of a message: `#v[cd]` is the value of variable v with c digits before and d after the decimal point, `\n` is a line
@@ -59,12 +59,11 @@ PrintText parse_message(std::string_view text, const ReadVariable& read_variable
 /// Formats one value; an empty variable is formatted as 0.
 ///   before   c, number of digits before the decimal point
 ///   after    d, number of digits after the decimal point
-///   returns  the value rounded to `after` decimals, ties away from zero, trailing zeros included; there is no decimal point if `after` is
-///   0.
-///            With fill `spaces`: one character for the sign, `-` or space, then `before` characters
+///   returns  the value rounded to `after` decimals, ties away from zero, trailing zeros included; without a decimal point if `after` is 0.
+///            With fill `spaces`: one character for the sign, `-` or space, then at least `before` characters
 ///   manual   23.2.13. Inferred: a value that rounds to 0 has no sign; a value below 1 has a single zero before the decimal point,
 ///            or none if c = 0; a whole part longer than c digits is printed in full
-///   law      the result is the number that printf rounds to, except for ties
+///   law      except for ties, the digits are those that printf prints
 std::string decimal_number(std::optional<double> value, int before, int after, PrintFill fill);
 
 /// Concatenates the pieces, with the values inserted: the result is the text of a message, or a file name.

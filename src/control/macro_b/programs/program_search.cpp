@@ -1,5 +1,5 @@
-// Finds a called program step by step (spec/fanuc 9.2, spec/haas 1.1): in the caller's own file, by the file names, by the first word of
-// the files. Used by control/macro_b/calls; tested by tests/cases/fanuc/programs.cases.
+// Finds a called program in three steps (spec/fanuc 9.2, spec/haas 1.1): in the caller's own file, by the names of files, by the first word
+// in each file. Used by control/macro_b/calls; tested by tests/cases/fanuc/programs.cases.
 
 #include <fmt/core.h>
 
@@ -37,7 +37,7 @@ std::size_t digits_of(const fs::path& file, std::uint32_t number) {
   return std::stoul(stem.substr(1)) == number ? digits : 0;
 }
 
-/// The regular files of the folder, sorted by name.
+/// Returns the regular files of a folder, sorted by name.
 Files files_in(const fs::path& folder) {
   Files files;
   std::error_code error;
@@ -78,7 +78,8 @@ FirstWord first_word(const fs::path& file, const Grammar& grammar, const FileAcc
   }
 }
 
-/// Returns the only file in `files`, or nullopt if `files` is empty. More than one file is an alarm.
+/// Returns the only file in `files`, or nullopt if `files` is empty. More than one file raises an alarm. `shown`: the program's name in the
+/// alarm.
 ///   alarms  programs_alike
 Result<std::optional<fs::path>> only_one(const Files& files, std::string_view shown, Span where) {
   if (files.empty()) return std::optional<fs::path>();
@@ -89,7 +90,8 @@ Result<std::optional<fs::path>> only_one(const Files& files, std::string_view sh
   return fail(alarm(AlarmId::programs_alike, where, shown, std::string_view(names)));
 }
 
-/// Searches a program by file name. Files with the caller's extension come first; on a Haas names of five digits come before names of four.
+/// Searches for a program by file name. Files with the caller's extension have priority over others; on a Haas, names of five digits have
+/// priority over names of four.
 Result<std::optional<fs::path>> by_file_name(const BlockContext& m, const Files& files, std::uint32_t number, Span where) {
   const std::string extension = in_capitals(fs::path(m.program().file()).extension().string());
   const std::string shown = "O" + std::to_string(number);
@@ -108,7 +110,8 @@ Result<std::optional<fs::path>> by_file_name(const BlockContext& m, const Files&
   return std::optional<fs::path>();
 }
 
-/// The folders that hold programs: the main program's, the caller's, and the one of --files.
+/// Returns the folders in which programs are searched: the folder of the main program, the folder of the caller, and the folder of the
+/// option --files.
 std::vector<fs::path> folders_of(const BlockContext& m) {
   std::vector<fs::path> folders;
   const auto add = [&](fs::path folder) {
@@ -131,7 +134,7 @@ Result<std::optional<ProgramLocation>> Programs::in_own_file(Interpreter& m, std
     return fail(alarm(AlarmId::programs_alike, where, std::string_view(shown), std::string_view(lines)));
   }
   if (places.empty()) return std::optional<ProgramLocation>();
-  if (m.program().reader() == 0) (void)m.flow.label_of(number);  // marks the program as called
+  if (m.program().reader() == 0) (void)m.flow.label_of(number);  // records that the program is called
   return std::optional(ProgramLocation{m.program().reader(), places.front()});
 }
 

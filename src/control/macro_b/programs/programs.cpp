@@ -57,7 +57,7 @@ bool is_inside(const BlockContext& m, const fs::path& file) {
   return is_below(file, fs::path(m.program().main_file()).parent_path()) || (!given.empty() && is_below(file, given));
 }
 
-/// Tries the name with four digits, then with eight.
+/// Returns the file of a program number in a folder. The name with four digits is tried first, then the name with eight.
 std::optional<fs::path> numbered(const fs::path& folder, std::uint32_t number, const std::string& extension) {
   if (number <= most_short)
     if (auto found = in_folder(folder, fmt::format("O{:04}{}", number, extension))) return found;
@@ -92,7 +92,7 @@ bool names_are_strict(const std::string& extension) { return alike(extension, ".
 /// The program number at the start of a file, after `O` or `:`. A line of % and empty lines may come before the number.
 struct Heading {
   std::uint32_t number = 0;
-  Position start;  // start of the program; after the first line if that has `:`, which this control does not read
+  Position start;  // start of the program; if the first line has `:`, which this control does not read, the second line
 };
 
 std::optional<Heading> heading_of(const fs::path& path, const FileAccess* door) {
@@ -120,9 +120,9 @@ bool begins_with(const fs::path& path, std::uint32_t number, const FileAccess* d
   return heading && heading->number == number;
 }
 
-/// Finds a file whose name is the program number in another form ("0020" or "O00020" for 20) or, if `by_word`, whose first word is the
-/// number. Searches the caller's folder, then the folder of --files.
-///   returns  "" if there is none
+/// Finds a file of a program number. If `by_word` is false, the file's name is the number in another form ("0020" or "O00020" for 20); if
+/// `by_word` is true, the number is the first word in the file. Searches the caller's folder, then the folder of --files.
+///   returns  "" if no such file exists
 ///   alarms  label_twice
 Result<std::string> other_file(BlockContext& m, std::uint32_t number, const fs::path& caller, bool by_word, Span where) {
   const std::string extension = caller.extension().string();
@@ -136,7 +136,7 @@ Result<std::string> other_file(BlockContext& m, std::uint32_t number, const fs::
     for (const auto& entry : fs::directory_iterator(folder, fs::directory_options::skip_permission_denied, error)) {
       if (left-- == 0) break;
       const fs::path& path = entry.path();
-      const bool of_name = number_of_file(path.filename().string()) != 0;  // 14.4.1: a file with such a name has the number of its name
+      const bool of_name = number_of_file(path.filename().string()) != 0;  // 14.4.1: the number is that of the name
       if (by_word ? of_name : number_in(path.stem().string()) != number || !alike(path.extension().string(), extension)) continue;
       if (!entry.is_regular_file(error) || (by_word && !begins_with(path, number, m.program().limits().door)) || !is_inside(m, path))
         continue;
@@ -186,7 +186,7 @@ Result<ProgramLocation> Programs::by_number(Interpreter& m, std::uint32_t number
     auto other = other_file(m, number, caller, false, where);
     if (!other) return fail(other.error());
     const auto built_in = other->empty() ? m.flow.open_built_in(program_name(number)) : std::nullopt;
-    if (built_in) {  // a program of the control itself: G65 P9999 (23.6)
+    if (built_in) {  // a built-in program of the control: G65 P9999 (23.6)
       place.reader = *built_in;
     } else {
       const bool by_word = other->empty();

@@ -22,10 +22,10 @@ struct ProgramLocation {
   Position start;
 };
 
-/// Which folder is searched for a called program: that of the calling program, or that of the main program.
+/// Selects the folder in which a called program is searched: the folder of the calling program, or the folder of the main program.
 enum class Beside : std::uint8_t { caller, main_program };
 
-/// Finds called programs. A program that has been found is not searched again.
+/// Finds called programs and records where they were found, so that each program is searched only once.
 class Programs {
  public:
   /// Finds the program that M98 P, G65 P … call by number. It tries, in this order: a file `Onnnn` or `Onnnnnnnn` with the caller's
@@ -42,7 +42,8 @@ class Programs {
   Result<ProgramLocation> system(Interpreter& m, std::uint32_t number, Span where);
 
  private:
-  /// Searches in the steps of spec/fanuc 9.2 (program_search.cpp). alarms program_missing, programs_alike, file_outside, file_missing
+  /// Searches for the program in the order that spec/fanuc 9.2 describes (program_search.cpp). alarms program_missing, programs_alike,
+  /// file_outside, file_missing
   Result<ProgramLocation> by_steps(Interpreter& m, std::uint32_t number, Span where);
   static Result<std::optional<ProgramLocation>> in_own_file(Interpreter& m, std::uint32_t number, Span where);
   /// Finds a file in which the program starts with the word <name>.
@@ -54,7 +55,7 @@ class Programs {
   std::map<std::uint32_t, ProgramLocation> systems_;
 };
 
-/// Returns the name of a program: "O0012" for 12; numbers above 9999 are written with eight digits.
+/// Returns the name of a program: "O0012" for 12; a number above 9999 has eight digits.
 std::string program_name(std::uint32_t number);
 /// Returns the program number in a file name that consists of O and at most eight digits; 0 for any other name (23.1.13).
 std::uint32_t number_of_file(const std::string& path);

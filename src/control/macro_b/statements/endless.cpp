@@ -30,12 +30,13 @@ struct Moment {
 
 namespace {
 
-constexpr std::uint64_t compared_passes = 8;  // number of passes after a snapshot that are compared with it
-// After a fault: greatest number of jumps back, and of blocks in passes of loops; beyond these every loop is left.
+constexpr std::uint64_t compared_passes = 8;  // number of passes that are compared with each snapshot
+// Limits for loops after a fault: the number of jumps back, and the number of blocks executed in loops. Beyond a limit, the program
+// continues after the loop.
 constexpr std::uint64_t jumps_after_fault = 20'000, blocks_after_fault = 50'000;
 constexpr std::size_t max_faults = 1000;
 
-/// Compares bit by bit, so that vacant equals vacant.
+/// Compares the local variables bit by bit, so that a vacant variable equals a vacant variable.
 bool same(const Locals& a, const Locals& b) { return std::memcmp(a.data(), b.data(), sizeof a) == 0; }
 
 bool same(const CallFrame& a, const CallFrame& b) {
@@ -96,7 +97,7 @@ bool same_calls(const BlockContext& m, const Moment& then) {
                     then.modal_arguments.end(), [](const ModalCall& a, const Locals& b) { return same(a.arguments, b); });
 }
 
-/// Compares the values that system variables show, as far as a program can change them.
+/// Returns true if the values that system variables show, and that a program can change, are the same as at the snapshot.
 bool same_surroundings(const BlockContext& m, const Moment& then) {
   const MacroB& macros = macro_b_of(m);
   const ProgramPosition &a = m.position, &b = then.position;
@@ -150,7 +151,7 @@ bool Endless::took_too_long(const BlockContext& m, const Watch& w) {
   return ++looks_ > jumps_after_fault || looped_ > blocks_after_fault;
 }
 
-/// True if a loop around this loop has jumped back since the snapshot: then the outer loop is the one that never ends.
+/// True if a loop around this loop has jumped back since this loop's snapshot. In this case the outer loop may be the one that never ends.
 bool Endless::is_inside_another(const Watch& w) const {
   return std::any_of(watches_.begin(), watches_.end(), [&](const Watch& other) {
     if (&other == &w || other.target == ~std::uint64_t{0} || other.arrived <= w.snapshot->blocks) return false;

@@ -33,7 +33,8 @@ class Endless {
     endless,  // the loop would never end
     leave,    // after a fault: the program continues after the loop
   };
-  /// Decides, before a jump back to `target` in the file being read is made, whether the loop that it closes would never end.
+  /// Decides, before a jump back to `target` is made, whether the loop that this jump closes would never end. `reader`: number of the file;
+  /// `blocks`: blocks executed so far.
   Verdict look(const Emitter& m, Position target, std::uint16_t reader, std::uint64_t blocks) {
     Watch& w = watches_[(target.offset ^ reader * 17u) % watches_.size()];
     if (w.target != target.offset || w.reader != reader) [[unlikely]]
@@ -63,7 +64,7 @@ class Endless {
     std::uint64_t target = ~std::uint64_t{0};
     std::uint64_t from = 0;  // offset in the file of the block that jumps
     std::uint64_t passes = 0, next_look = 1;
-    std::uint64_t arrived = 0;  // blocks executed when the jump was last made
+    std::uint64_t arrived = 0;  // number of blocks executed when the jump was made last
     std::uint64_t seen = 0;     // value of `passes` when the snapshot was taken
     std::size_t depth = 0;      // number of open calls
     std::uint16_t reader = 0;
@@ -83,7 +84,8 @@ class Endless {
   std::array<Watch, 64> watches_;
   std::vector<Fault> faults_;  // faulty blocks that would have written a variable, called or jumped
   bool any_fault_ = false;
-  // Counts after a fault: jumps examined; blocks executed in successive passes of one loop; blocks() when a jump was last examined
+  // Counts after a fault: jumps examined, blocks executed in successive passes of one loop, blocks executed when the last jump was
+  // examined.
   std::uint64_t looks_ = 0, looped_ = 0, looked_at_ = 0;
   std::size_t looked_ = ~std::size_t{0};  // index in watches_ of the jump examined last
   std::uint64_t readings_ = 0, changes_ = 0;

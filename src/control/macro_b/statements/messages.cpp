@@ -41,7 +41,8 @@ Status program_alarm(BlockContext& m, const Statement& s, int number) {
   return fail(alarm(AlarmId::program_alarm, s.where, std::string_view(code), double(alarm_base + number), std::string_view(text)));
 }
 
-/// #3107 shows a question to the operator. The program reads the answer from #3107; an event of the set-up gives it, else it is OK or Yes.
+/// #3107 shows a question to the operator. The program reads the answer from #3107; an event of the set-up gives the answer; without such
+/// an event the answer is OK or Yes.
 Status question(Emitter& m, const Statement& s, int number) {
   if (number < 100 || number > 299) return fail(alarm(AlarmId::message_number, s.where, double(number)));
   auto text = embedded_values(m, text_of(m), s.where);

@@ -16,7 +16,7 @@ namespace {
 
 Result<double> value_of(Emitter& m, Expression expression) { return evaluate(*m.block, expression, VariableReader{m}); }
 
-/// Returns the number of the variable that an assignment writes; usually a constant.
+/// Returns the number of the variable that an assignment writes. The number is usually a constant of the program.
 Result<double> target_of(Emitter& m, const Statement& s) {
   const Instruction& first = m.block->code[s.target.begin];
   if (s.target.end - s.target.begin == 1 && first.op == Op::number) return first.number;
@@ -44,7 +44,7 @@ Status assign(Emitter& m, const Statement& s) {
 
 Status faulty(const Loop& loop, Span where) { return fail(alarm(loop.fault, where, double(loop.number))); }
 
-/// Jumps to `target`, unless it is a jump back that would close a loop that never ends.
+/// Jumps to `target`, unless this is a jump back in a loop that would never end.
 Status jump_to(Interpreter& m, Position target, Span where) {
   if (target.offset <= m.block->position.offset) {
     switch (macro_b_of(m).endless.look(m, target, m.program().reader(), m.program().blocks())) {
@@ -61,7 +61,7 @@ Status jump_to(Interpreter& m, Position target, Span where) {
 Status loop(Interpreter& m, const Statement& s, bool holds) {
   ProgramFile& file = m.flow.program_file();
   const Loop* const found = file.loop_from(m.block->position);
-  if (found == nullptr) return {};  // the file has more loops than are kept
+  if (found == nullptr) return {};  // the file has more loops than Kadr records
   if (found->fault != no_alarm) return faulty(*found, s.where);
   if (!holds) m.flow.jump(found->behind);
   return {};

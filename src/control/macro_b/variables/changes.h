@@ -13,7 +13,7 @@ class Emitter;
 
 namespace kadr::macro_b {
 
-/// Remembers the values that were last saved; the changes of a block are the differences from the saved values.
+/// Keeps the values that were saved last. A value has changed if it differs from the saved one.
 class Changes {
  public:
   /// Returns the values that have changed since the last call. The first call returns all values, because the set-up may have replaced

@@ -15,10 +15,10 @@ namespace {
 constexpr double ms_of_hour = 3'600'000;
 constexpr double ms_of_second = 1000;
 
-/// The quantity that a timer measures: key `arg` of the variable's row in the control file.
+/// The quantity that a timer variable measures; the values are those of the key `arg` in the control's file.
 enum class TimerOf { power_on = 20, cycle_start = 21, feed = 22, this_part = 23 };
 
-/// Key `arg` of the rows of operator switches that the set-up has; all other switches (pallet, single block, dry run) are off.
+/// Values of the key `arg` for the operator switches that a set-up can set. All other switches (pallet, single block, dry run) are off.
 constexpr int block_delete = 32, stop_at_m1 = 33;
 
 }  // namespace

@@ -14,7 +14,7 @@ namespace {
 
 constexpr double max_number = 9999;  // 24
 constexpr int bits_with_number = 8;  // Q0 to Q7 (24.1)
-constexpr int whole_value = -1;      // stands in place of a bit number
+constexpr int whole_value = -1;      // used in place of a bit number for the whole value
 
 /// Returns the number of values of a parameter, by its scope: global, or per channel, axis or spindle (24.0).
 int count_of(ParameterScope scope) {
@@ -219,10 +219,10 @@ Result<double> ParameterStore::read(double number, std::optional<double> bit, st
   if (of_bits && !bit) return fail(alarm(AlarmId::parameter_argument, where, 2.0));
   if (needs_index(of.scope) && !index) return fail(alarm(AlarmId::parameter_argument, where, 3.0));  // 24.2, inferred
   const auto nth_bit = whole_within(bit.value_or(0), 0, of_bits ? bits_with_number - 1 : -1);
-  if (bit && !nth_bit) return out_of_range('Q', *bit);  // ours: the manual is silent
+  if (bit && !nth_bit) return out_of_range('Q', *bit);  // our choice: the manual does not say
   const auto nth = whole_within(index.value_or(1), 1, count_of(of.scope));
   const bool there = nth && (of.scope != ParameterScope::axis || has_axis(*nth));
-  if (index && (!there || of.scope == ParameterScope::global)) return out_of_range('P', *index);  // ours: the manual is silent
+  if (index && (!there || of.scope == ParameterScope::global)) return out_of_range('P', *index);  // our choice: the manual does not say
   const int at = index ? *nth : 0;
   return of_bits ? static_cast<double>(this->bit(id, *nth_bit, at)) : value(id, at);
 }
@@ -241,14 +241,14 @@ Result<int> index_of(const Write& w, ParameterScope scope, int own_channel) {
     return scope == ParameterScope::channel ? own_channel : 0;
   }
   const auto index = whole_within(w.p->value, 1, count_of(scope));
-  if (!index || scope == ParameterScope::global) return fail(beyond('P', *w.p));  // for a global parameter our choice: the manual is silent
+  if (!index || scope == ParameterScope::global) return fail(beyond('P', *w.p));  // global: the manual does not say; our choice
   return *index;
 }
 
 /// Returns the word Q of the block as a bit number; whole_value for a parameter without bits.
 Result<int> bit_of(const Write& w, ParameterType type) {
   if (type != ParameterType::bits) {
-    if (w.q) return fail(beyond('Q', *w.q));  // ours: the manual is silent
+    if (w.q) return fail(beyond('Q', *w.q));  // our choice: the manual does not say
     return whole_value;
   }
   if (!w.q) return fail(missing(w, 'Q'));

@@ -1,7 +1,7 @@
 #pragma once
-// The parameters of the control: the set-up gives their values, PRM reads them (nct 24.2), G10 L52 writes them (24.1). A value is
-// identified by a row of the control's parameter table and an index (channel, axis or spindle). Rows are looked up once, when the control
-// is loaded; a read is then an array access.
+// The parameters of the control: the set-up gives their values, a program reads them by PRM (nct 24.2) and writes them by G10 L52 (24.1). A
+// value is identified by a row of the control's parameter table and an index (channel, axis or spindle). Rows are found once, when the
+// control is loaded; later reads are array accesses.
 
 #include <cstdint>
 #include <map>
@@ -35,15 +35,15 @@ class ParameterStore {
   ///   given  the values of the set-up
   ParameterStore(std::span<const ParameterRow> rows, const Parameters& given, Context context);
 
-  /// Describes the invalid parameter keys and values of the set-up; empty if all are valid.
+  /// Returns a description of the invalid parameter keys and values of the set-up; empty if all are valid.
   const std::string& error() const { return error_; }
 
   /// Returns the row with a parameter number, or ParameterId::none.
   ParameterId find(int number) const;
   /// Returns the row with a parameter name: "0107", "107", "CLRG".
   ParameterId named(std::string_view name) const;
-  /// The row, and the bit or -1, that the parameter table of a control other than the NCT assigns to a name used by Kadr (key `as` of the
-  /// row).
+  /// The parameter that has a meaning known to Kadr by name: its row, and its bit or -1. Tables of controls other than the NCT give this
+  /// name in the key `as` of the row.
   struct Meaning {
     ParameterId row = ParameterId::none;
     int bit = -1;
@@ -61,7 +61,7 @@ class ParameterStore {
 
   /// Reads PRM[number,bit]/[index]; an argument that is an empty variable counts as missing.
   ///   alarms  parameter_unknown: no such parameter; value_out_of_range Q: no such bit, P: no such channel, axis, spindle (inferred);
-  ///           parameter_argument 2: the bit is missing, 3: the axis or spindle is missing
+  ///           parameter_argument (number of the argument): 2, the bit is missing; 3, the axis or spindle is missing
   ///   manual  NCT 24.2
   Result<double> read(double number, std::optional<double> bit, std::optional<double> index, Span where) const;
 
@@ -79,9 +79,9 @@ class ParameterStore {
   /// Executes one block between G10 L52 and G11; an alarm changes nothing.
   ///   alarms  word_missing: N, R; Q of bits; P of an axis or spindle (inferred)
   ///           parameter_unknown: N, no such parameter
-  ///           value_out_of_range: P beyond 8 channels, 32 axes, 16 spindles or of a global parameter;
-  ///           Q beyond 0 to 7 or of a parameter without bits; R beyond the row's range
-  ///           parameter_not_writable: takes effect after a restart, or needs the emergency state
+  ///           value_out_of_range: P exceeds 8 channels, 32 axes, 16 spindles, or the parameter is global;
+  ///           Q is not 0 to 7, or the parameter has no bits; R is outside the range of the row
+  ///           parameter_not_writable: the parameter takes effect after a restart, or needs the emergency state
   ///   manual  NCT 24.1
   Status write(const Write& w);
 
@@ -107,11 +107,11 @@ class ParameterStore {
   };
   const Memory& memory() const { return now_; }
   void resume_from(const Memory& memory) { now_ = memory; }
-  /// Connects the store to the journal, which undoes writes after an alarm. From now on the store must not be moved in memory.
+  /// Connects the store to the journal, which undoes writes after an alarm. After this call the store must not be moved in memory.
   void keep_in(Journal& journal) { journal_.lead_to(journal); }
 
-  /// Returns the parameters for a next set-up: those that the set-up gave, under the same keys, and all others that were written, by
-  /// number.
+  /// Returns the parameters in the form of a set-up: the parameters of the present set-up under their keys, and all other parameters that
+  /// were written under their numbers.
   ///   law  a store made from the result has the same values
   Parameters written() const;
 

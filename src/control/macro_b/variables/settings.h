@@ -16,13 +16,13 @@ struct CodeRun {
   double step = 1;
   int program = 0;
   int count = 0;
-  bool modal = false;  // the call is modal: the parameter of the start is negative (23.3.4)
+  bool modal = false;  // the call is modal: the parameter of `start` is negative (23.3.4)
 };
 
 struct Settings {
   bool common_cleared = false;            // M2 and M30 empty #100 to #199: parameter 6001#6 is 0 (spec/fanuc 2.5)
   int protect_low = 0, protect_high = 0;  // first and last write-protected variable: N1702, N1703
-  int shared_100 = 0, shared_500 = 0;     // numbers of variables from #100, #500 on that all channels share: N1700, N1701
+  int shared_100 = 0, shared_500 = 0;     // how many variables from #100, #500 on the channels share: N1700, N1701
   std::vector<CodeRun> g_macros, m_macros, m_programs;
   bool binds_codes = false;                     // at least one G or M code or letter is bound to a program
   std::array<bool, 5> letters_call{};           // N1746: A, B, C, S, T
@@ -37,7 +37,8 @@ struct Settings {
   int interrupt_on = 96, interrupt_off = 97;                                                                  // N1759, N1760
 };
 
-/// Functions that read parameters. `index`: number of the axis, spindle or channel, from 1; 0: the own channel, or a global parameter.
+/// Functions that read parameters. `index`: number of the axis, spindle or channel, from 1; 0 for the channel of the store, or for a global
+/// parameter.
 struct ParameterSource {
   std::function<bool(const char* meaning)> has;  // true if the control has a parameter that Kadr knows by this name
   std::function<double(const char* name, int index)> value;

@@ -20,8 +20,8 @@ namespace kadr::macro_b {
 /// A variable number resolved in the control's table of system variables.
 struct FoundVariable {
   const VariableRow* row = nullptr;
-  std::uint32_t index = 0;   // counted from the row's first index
-  std::uint32_t family = 1;  // p of #_WZPp[n]
+  std::uint32_t index = 0;   // index of the variable: first index of the row plus offset
+  std::uint32_t family = 1;  // the digit p in a name such as #_WZPp[n]
   std::uint32_t number = 0;
 };
 
