@@ -103,10 +103,10 @@ void PrimalDual::keep_polynomials() {
     }
 }
 
-/// Sets the initial guess: a value somewhat below the envelope (find_envelope). The first cells get the values of the earlier solution,
-/// except the cells near the end of that solution that it slowed down because it had to end there.
+/// Sets the initial guess: a value somewhat below the envelope (find_envelope). The first cells get the values of the earlier solution. The
+/// last values of that solution are not used, because they are low: the axes had to crawl at its end.
 void PrimalDual::guess() {
-  // the last 1/16 of the cells that the earlier solution did not slow down for its end get no value of it either
+  // of the remaining values of the earlier solution, the last 1/16 are not used either
   constexpr std::size_t unsure = 16;
   find_envelope(*path_, *ends_, middles_);
   for (std::size_t k = 0; k < n_; ++k) m_[k + pad] = slower * middles_[k];

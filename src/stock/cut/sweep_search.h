@@ -1,7 +1,8 @@
 #pragma once
 // Finds the position on the path at which a tool's rounded or conical end reaches farthest along a lattice line. Used by
 // stock/cut/level_rows and stock/cut/upright_rows.
-//  For a convex body on a straight path, the distance that the body reaches along a line is a concave function of the position on the path.
+//
+// For a convex body on a straight path, the distance that the body reaches along a line is a concave function of the position on the path.
 // So there is one maximum, and the sign of the function's slope at a position shows on which side of it the maximum is. For most lines the
 // slopes at both ends of the path decide. For the others, the section of the path that contains the maximum (the bracket) is narrowed step
 // by step. The next position is the zero of the straight line (chord) through the slopes at both ends of the bracket; the middle of the

@@ -1,6 +1,6 @@
 #pragma once
-// Part of TiltedCutter: finds the lines that TiltedCutter does not cut, because the tool turns over them. The caller cuts these lines with
-// the two halves of the path. Only for stock/cut/tilted_cut.
+// Part of TiltedCutter: finds the lines for which the computed interval may be wrong. TiltedCutter does not cut these lines; the caller
+// cuts them with the two halves of the path. Only for stock/cut/tilted_cut.
 
 #include "stock/cut/tilted_cutter.h"
 

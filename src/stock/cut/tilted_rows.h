@@ -1,7 +1,8 @@
 #pragma once
 // Finds the intervals of lattice lines inside the volume that a body of a tilted tool sweeps. Single precision, lengths in mm, in the
 // tool's coordinates with the tool's axis along Z. Positions on a line are mm from the line's middle.
-//  What a convex body sweeps along a straight path is convex. Where a line leaves this volume, it is on the body in an end pose, on the
+//
+// What a convex body sweeps along a straight path is convex. Where a line leaves this volume, it is on the body in an end pose, on the
 // volume swept by the edge circle of a flat face, or on the volume swept by the body's outline as seen along the path. Each of these is
 // part of a convex volume, whose intersection with a line has a closed form; the result is the interval from the least of their ends to the
 // greatest. Only rounded edges need an iteration: the distance from a rounded edge is a convex function along the line, so Newton's method

@@ -60,8 +60,8 @@ std::string Repair::bad_point_message() const {
 bool Repair::turn_to_fit() {
   const std::vector<EdgeUse> ways = edge_uses(mesh);
   const std::size_t count = mesh.triangle_count();
-  // beside: for each triangle its three neighbours, as 2 · number of the neighbour, plus 1 if both triangles use the edge in the same
-  // direction
+  // For each triangle its three neighbours, each as twice the number of the neighbour, plus 1 if both triangles use their common edge in
+  // the same direction.
   std::vector<std::uint32_t> beside(3 * count), found(count, 0);
   for (std::size_t i = 0; i < ways.size(); i += 2) {
     if (i + 1 >= ways.size() || ways[i].ends != ways[i + 1].ends || (i + 2 < ways.size() && ways[i + 2].ends == ways[i].ends)) return false;

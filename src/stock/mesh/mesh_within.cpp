@@ -54,7 +54,7 @@ void add_triangle(const Polygon& triangle, const Box3& box, MeshWithin& sum) {
   }
   const double height = box.most.z - box.least.z;
   each_triangle(clipped(between_walls, 2, box.most.z, 1), [&](const Vec3& a, const Vec3& b, const Vec3& c) {
-    // a triangle that lies in the ceiling is counted below, and must not be counted twice
+    // a triangle in the plane of the ceiling is counted with the section below the ceiling, and must not be counted twice
     const bool at_ceiling = std::max({a.z, b.z, c.z}) <= box.most.z;
     if (!at_ceiling) sum.volume += flat_area(a, b, c) * height;
   });

@@ -1,6 +1,7 @@
 #pragma once
 // TriangleAcross: intersects one triangle of a mesh with lines along one axis. Used by stock/mesh/mesh_index and stock/part.
-//  TriangleAcross intersects the edges of the triangle with a ray in the plane across the lines. The position of an intersection depends
+//
+// TriangleAcross intersects the edges of the triangle with a ray in the plane across the lines. The position of an intersection depends
 // only on the two ends of the edge, so two triangles with a common edge get the same position, bit for bit.
 
 #include <algorithm>

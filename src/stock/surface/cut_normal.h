@@ -1,7 +1,8 @@
 #pragma once
 // Computes the normal of a surface that a sweep has cut: the normal of the tool where the tool touched the point. Used by
 // stock/surface/crossings.
-//  Each solid body of a tool is convex, so the distance of a point from the moving body is a convex function of the position on the path.
+//
+// Each solid body of a tool is convex, so the distance of a point from the moving body is a convex function of the position on the path.
 // The tool touched the point where this distance is least, and the tool's normal in that position is the normal of the surface. The
 // function may have its minimum at a corner, where the nearest point of the tool is on the edge circle between two faces. The edge circle
 // has then swept the surface, and the normal lies between the normals of the two faces, perpendicular to the path.
