@@ -1,6 +1,6 @@
 #pragma once
-// Part of CutResult: what each block of the program removes, and where the tool feeds through air. Lengths in mm, volumes in mm³, times
-// in s. docs/stock.md defines each value and when it is reported.
+// Part of CutResult: what each block of the program removes, and the blocks in which the tool moves at feed through air. Lengths in mm,
+// volumes in mm³, times in s. docs/stock.md defines each value and when it is reported.
 
 #include <cstdint>
 #include <optional>

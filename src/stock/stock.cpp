@@ -12,7 +12,7 @@
 namespace kadr {
 namespace {
 
-constexpr double removed_unit = 1.0 / (1 << 20);  // mm of lattice line
+constexpr double removed_unit = 1.0 / (1 << 20);  // mm: unit in which the removed lengths of lattice lines are counted as integers
 
 /// Number of sweeps after which the recorded history is reduced to its memory limit.
 constexpr std::size_t between_room = 4096;
@@ -85,7 +85,7 @@ Stock::Stock(std::shared_ptr<const Blank> blank, double cell, int threads)
   });
 }
 
-/// Fills a brick that the blank's surface does not cross: all of it is material, or nothing.
+/// Fills a brick that the blank's surface does not cross: the whole brick is material, or the whole brick is empty.
 void Stock::fill_evenly(std::size_t i) {
   const Vec3 middle = lattice_.corner(i) + 0.5 * lattice_.edge() * Vec3{1, 1, 1};
   std::vector<LineRange> ranges;

@@ -37,9 +37,10 @@ namespace kadr {
 /// A straight path of a tool. A tilted tool turns evenly from one direction to the other, along the shortest arc. The path of a turning
 /// tool lies in the half plane of a part that spins about the axis X0 Y0: x is the signed radius, y is 0.
 struct Sweep {
-  Vec3 from, to;                                        // positions of the tip
-  std::uint16_t tool = 0;                               // number from Stock::add_tool
-  bool watched = false;                                 // also reports what the cutting part removes, as for a rapid or a stopped spindle
+  Vec3 from, to;           // positions of the tip
+  std::uint16_t tool = 0;  // number from Stock::add_tool
+  // true: removals by the cutting part are reported too, because the motion is a rapid or the spindle is at rest
+  bool watched = false;
   Vec3 from_direction{0, 0, 1}, to_direction{0, 0, 1};  // unit vectors from the tip into the tool
 };
 
@@ -49,7 +50,7 @@ struct TiltedEnds {
   float from[3], to[3];
 };
 
-/// The result's positions are relative to the lattice's corner.
+/// Returns the path of a stored sweep of a tilted tool. Positions are relative to the lattice's corner.
 TiltedPath tilted_path_of(const KeptSweep& sweep, const TiltedEnds& ends);
 
 /// A sweep of a tilted tool, in the coordinates of one brick.
@@ -120,7 +121,7 @@ class Stock {
   }
   /// Returns the directions of a sweep with a tilted tool.
   const TiltedEnds& tilted_ends(std::size_t sweep) const;
-  /// Returns by how many mm lattice lines of the three directions may disagree about the position of the same surface.
+  /// Returns the greatest difference, in mm, between the positions of one surface on lattice lines of the three directions.
   float families_agree() const;
   const ToolShape& tool(std::size_t i) const { return tools_[i]; }
   std::size_t tools() const { return tools_.size(); }
@@ -180,7 +181,7 @@ class Stock {
   std::shared_ptr<const Blank> blank_;
   Lattice lattice_;
   BrickScale scale_;
-  double bend_cell_;  // mm, from divide_as()
+  double bend_cell_;  // mm, cell size that determines how paths of tilted tools are divided: divide_as()
   int threads_;
   std::vector<std::unique_ptr<Brick>> bricks_;
   std::vector<State> states_;

@@ -9,7 +9,7 @@
 namespace kadr {
 namespace {
 
-/// Returns those entries of a list, sorted by sweep, that belong to sweeps before number `count`.
+/// Returns the entries of a list that belong to the first `count` sweeps. The list is sorted by the number of the sweep.
 template <class OfSweeps>
 OfSweeps before(const OfSweeps& all, std::size_t count) {
   return OfSweeps(all.begin(), std::partition_point(all.begin(), all.end(), [&](const auto& of) { return of.sweep < count; }));

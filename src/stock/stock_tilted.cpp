@@ -87,7 +87,7 @@ void Stock::add_tilted(const Sweep& sweep) {
 }
 
 const TiltedEnds& Stock::tilted_ends(std::size_t sweep) const {
-  // In most programs either no tool is tilted, or all sweeps after the first one of a tilted tool have tilted tools too.
+  // The index is guessed first: in most programs all sweeps after the first sweep of a tilted tool have tilted tools too.
   const std::size_t guess = sweep - tilted_ends_.front().sweep;
   if (guess < tilted_ends_.size() && tilted_ends_[guess].sweep == sweep) return tilted_ends_[guess];
   const auto found =
@@ -128,7 +128,8 @@ void Stock::bin_tilted(std::size_t i) {
   }
 }
 
-/// Returns the sweep in the coordinates of the brick. A path that is much longer than its section near the brick is shortened to it.
+/// Returns the sweep in the coordinates of the brick. A path that is much longer than its section near the brick is shortened to this
+/// section.
 TiltedSweepInBrick Stock::tilted_sweep_in_brick(std::size_t number, std::size_t b) const {
   const KeptSweep s = sweeps_[number];
   const Vec3 corner = lattice_.corner(b) - lattice_.origin();

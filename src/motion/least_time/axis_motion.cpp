@@ -1,5 +1,5 @@
-// AxisMotion: converts Steps into the axes' motion in time by the Planner: it computes each motion's curve in machine coordinates, the
-// positions at which the axes stop, and the duration of pauses. Used by cli and motion.
+// AxisMotion: converts Steps into the axes' motion in time. AxisMotion computes each motion's curve in machine coordinates, the positions
+// at which the axes stop, and the duration of pauses; the Planner then computes the speeds. Used by cli and motion.
 
 #include "motion/least_time/axis_motion.h"
 
@@ -13,12 +13,13 @@
 namespace kadr {
 namespace {
 
-constexpr double shortest_rise = 1e-3;          // s, time in which the acceleration builds up if no jerk time is stated: one servo period
+constexpr double shortest_rise = 1e-3;          // s, build-up time of the acceleration if no jerk time is stated (one servo period)
 constexpr double unlimited_acceleration = 1e6;  // mm/s²: 100 g
-// chord error of an arc, as a share of the tolerance; the chords are then a tenth as long as the roundings at their ends are wide
+// Chord error of an arc, as a share of the tolerance. With this share, a chord is a tenth as long as the rounded corners at its ends are
+// wide.
 constexpr double chord_of_tolerance = 0.04;
 
-/// Returns the set-up's limits of the axis; if there are none, its limits for all axes ("*"); else nullptr.
+/// Returns the limits that the set-up states for this axis, or else for all axes ("*"); nullptr if the set-up states neither.
 const AxisLimits* of_axis(const Setup& setup, const std::string& axis) {
   for (const std::string& name : {axis, std::string("*")})
     if (const auto found = setup.machine.find(name); found != setup.machine.end()) return &found->second;
@@ -98,7 +99,8 @@ void AxisMotion::start(const Setup& setup, const std::vector<std::string>& axes)
   now_.smoothing = Smoothing(smoothing_rules(setup, axes));
 }
 
-/// Records the motion that is planned next. Returns its record number, which is the tag of its cells until they are emitted.
+/// Records the motion that is planned next. Returns the number of this record; until the cells of the motion are emitted, the number is
+/// their tag.
 std::uint64_t AxisMotion::record(Spent spent, Switches switches, const Motion& motion) {
   Record record{++now_.motions, spent.tag(), switches, now_.spindle.turning(), motion.own_override ? 1 : now_.spindle.override_part(), 0};
   SurfaceSpeed& surface = record.spindle.surface;
@@ -141,7 +143,8 @@ void AxisMotion::deliver(TimedCells& cells) {
 }
 
 void AxisMotion::look_for_faults(const TimedCells& cells) {
-  // accepted excess as a share of the tolerance, which is checked at sample positions only (docs/planner.md)
+  // accepted excess of the path's deviation, as a share of the tolerance; the deviation is checked at sample positions only
+  // (docs/planner.md)
   constexpr double tolerated = 0.01;
   if (cells.unsolved && !cells.sources.empty()) {
     if (now_.faults.unsolved++ == 0) now_.faults.unsolved_at = Spent::of(cells.sources.front().tag);
@@ -295,7 +298,7 @@ AxisMotion::Feeds AxisMotion::feeds(const Pace& pace, const MachinePath& path, c
   std::vector<double> ways, minutes;
   double length = 0, sum = 0;
   Axes last = path.start();
-  // under tool centre point control, is_even() refers to the tip's path; the axes then move unevenly
+  // Pace::is_even() refers to the tip's path: under tool centre point control the axes move unevenly although the tip moves evenly
   const bool even = pace.is_even() && !path.bends();
   for (int i = 1; i <= pieces && !stop_.asked(); ++i) {
     const Axes to = path.at(static_cast<double>(i) / pieces);

@@ -1,5 +1,5 @@
 #pragma once
-// AxisMotion: converts Steps into the axes' motion in time by the Planner: AxisMotion computes the curve of each motion in machine
+// AxisMotion: converts Steps into the axes' motion in time with the Planner. AxisMotion computes the curve of each motion in machine
 // coordinates, the positions at which the axes stop, and the duration of pauses. Threads and rigid tapping are synchronised with the
 // spindle; the output contains the spindle angle.
 
@@ -84,7 +84,8 @@ class AxisMotion {
   /// Ends planning because no more cells are needed, see Planner::end_here().
   void end_here() { planner_.end_here(); }
   const PlanFaults& faults() const { return now_.faults; }
-  /// The segment that the planner refused to emit because of a planner error: its length, and the activity and program line there.
+  /// The segment that the planner did not emit because of a planner error: its length, and the activity and program line of the cell that
+  /// would have taken longest.
   struct Refused {
     double way = 0;  // length of the refused segment, mm
     Spent at;
@@ -97,7 +98,7 @@ class AxisMotion {
     std::uint64_t motion, spent;
     Switches switches;
     SpindleTurning spindle;
-    double spindle_part;  // spindle override / 100
+    double spindle_part;  // spindle override as a share (1: 100 %)
     // work coordinate minus machine coordinate, mm, of the axis whose position sets the spindle speed at constant surface speed
     double shift;
   };

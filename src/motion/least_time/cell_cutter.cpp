@@ -17,9 +17,10 @@ namespace {
 // growth of the cell size per mm of distance from the corner, stop or feed change that requires small cells
 constexpr double cell_growth = 0.2;
 constexpr double corner_part = 1.0 / SoftCorner::cells;
-constexpr double gentle = 0.1;       // greatest |Δu| of a corner that is treated like a corner between the chords of a curve
-constexpr double longest_s = 0.014;  // duration of the longest cell, at the commanded speed
-constexpr double fastest = 1e12;     // mm²/s²: means that ṡ² has no limit; finite, so that it can be used in calculations
+constexpr double gentle = 0.1;       // greatest change of direction |Δu| of a corner that counts as a corner between two chords of a curve
+constexpr double longest_s = 0.014;  // s, duration of the longest cell at the commanded speed
+// mm²/s²: this value means that ṡ² has no limit; the value is finite, so that it can be used in calculations
+constexpr double fastest = 1e12;
 
 /// Computes the polynomial of the fifth degree that has the given positions and first two derivatives at 0 and at h.
 void quintic(const std::array<double, 3>& from, const std::array<double, 3>& to, double h, double* c) {
@@ -61,7 +62,8 @@ void CellCutter::begin() {
 }
 
 bool CellCutter::feed_changes(std::size_t vertex) const {
-  // relative feed changes that are ignored: the feed is length / time, with errors; in polar or cylindrical motions it varies everywhere
+  // Relative changes of feed that are ignored. The feed is computed as length / time, with numerical errors; in polar or cylindrical
+  // interpolation the feed varies everywhere.
   constexpr double of_way = 1e-3, on_surface = 0.05;
   if (path_->is_paced(vertex)) return false;
   const double same = path_->on_curve(vertex) ? on_surface : of_way;
@@ -69,8 +71,9 @@ bool CellCutter::feed_changes(std::size_t vertex) const {
   return std::fabs(before - behind) > same * (before + behind);
 }
 
-/// Returns the size of cells at a change of feed, mm. A cell has the lowest feed of its pieces: if one piece is short and much slower,
-/// the cell must not extend far beyond this piece.
+/// Returns the length, mm, that bounds the size of the cells at a change of feed: the length of the slower piece if its feed is less than
+/// half of the other feed, else the length of the whole path. A cell has the lowest feed of its pieces, so a cell must not extend far
+/// beyond a short and much slower piece.
 double CellCutter::room_at_feed_change(std::size_t vertex) const {
   constexpr double much = 2;
   const std::size_t slower = path_->feed(vertex - 1) < path_->feed(vertex) ? vertex - 1 : vertex, faster = 2 * vertex - 1 - slower;
@@ -78,7 +81,7 @@ double CellCutter::room_at_feed_change(std::size_t vertex) const {
   return path_->at(slower + 1) - path_->at(slower);
 }
 
-/// Returns a time that is longer than any ramp to `speed`, s. At a greater distance in time from the ends of a piece, the speed is
+/// Returns a time that is longer than any ramp to `speed`, s. Where the ends of a piece are farther away than this time, the speed is
 /// constant.
 double CellCutter::ramp_s(double speed) const {
   double seconds = 0;
@@ -87,13 +90,13 @@ double CellCutter::ramp_s(double speed) const {
   return seconds;
 }
 
-/// Returns the cell size at a length of the path: small at corners, reversals, stops and changes of feed, growing with the distance from
-/// them. A cell takes at most longest_s, except in the middle of a long piece. `curve_part`: cell size at the roundings between the
-/// chords of a curve, as a share of the roundings' width.
+/// Returns the cell size, mm, at the path length `s`. Cells are small at corners, reversals, stops and changes of feed, and their size
+/// grows with the distance from these positions. A cell takes at most longest_s, except in the middle of a long piece. `curve_part`: cell
+/// size at the rounded corners between the chords of a curve, as a share of the width of these rounded corners.
 double CellCutter::size_at(double s, std::size_t piece, bool last, double curve_part) const {
   const double feed = path_->feed(piece), nearest = std::min(s - path_->at(piece), path_->at(piece + 1) - s);
   double size = longest_s * feed + cell_growth * std::max(0.0, nearest - feed * ramp_s(feed));
-  // cell size next to a stop, as a share of the length of the speed ramp
+  // Cell size next to a stop, mm: a hundredth of `way`, the length in which the speed can rise, but at most 0.01 mm.
   const auto ramp_part = [](double way) { return 0.01 * std::min(1.0, way); };
   const auto rest = [&](std::size_t vertex) { return ramp_part(path_->room(vertex)); };
   size = std::min(size, rest(0) + cell_growth * s);
@@ -113,11 +116,11 @@ double CellCutter::size_at(double s, std::size_t piece, bool last, double curve_
   return std::min(size, size_in_chain(s, piece, reach));
 }
 
-/// Returns the size of a cell among the chain's corners: between programmed lines the cell is as long as the roundings are wide, so that
-/// it smooths the path further. Between the chords of a curve, which is smooth already, it is shorter, because shorter cells follow the
-/// changes of speed better.
+/// Returns the size of a cell, mm, among gentle corners that are rounded together (a chain, path/smooth/smooth_path.h). Between programmed
+/// lines a cell is as long as the rounded corners are wide, so that the cell smooths the path further. Between the chords of a curve the
+/// path is smooth already; there the cells are shorter, because shorter cells follow the changes of speed better.
 double CellCutter::size_in_chain(double s, std::size_t piece, double reach) const {
-  constexpr double between_lines = 1, on_curves = 0.45;  // cell size as a share of the rounding width
+  constexpr double between_lines = 1, on_curves = 0.45;  // cell size as a share of the width of the rounded corners
   double away = reach;
   bool on_curve = false;
   const auto take = [&](std::size_t i, double off) {
@@ -161,7 +164,7 @@ double CellCutter::next_size(bool last) {
 
 void CellCutter::set_knot(double s, std::size_t piece) { path_->evaluate(s, piece, knot_.x.data(), knot_.x1.data(), knot_.x2.data()); }
 
-/// Returns the type (corner or curve) of the tightest rounding that extends into a cell.
+/// Returns the type (corner or curve) of the tightest rounded corner that extends into the cell from the last knot to the length `to`.
 Bend CellCutter::bend_at(double to, std::size_t end_piece) const {
   const double from = cut_, chain_before = path_->width_at(from, piece_).w, chain_after = path_->width_at(to, end_piece).w;
   Bend bend = Bend::none;
@@ -177,8 +180,9 @@ Bend CellCutter::bend_at(double to, std::size_t end_piece) const {
   return bend;
 }
 
-/// Returns how far a cell with these polynomials, from the last knot on, exceeds the tolerance of the path, as a share of the tolerance:
-/// checked at vertices, halfway between them, and at more positions if the cell has few pieces.
+/// Returns by how much the deviation of a cell from the path exceeds the tolerance, as a share of the tolerance. The cell starts at the
+/// last knot and has the polynomials `c`. The deviation is checked at vertices, halfway between them, and at more positions if the cell has
+/// few pieces.
 double CellCutter::beyond(const double* c, double to, std::size_t last_piece) const {
   constexpr double dense = 16;    // number of positions checked in a cell that lies within one piece
   constexpr double used = 0.992;  // share of the tolerance that is used; the rest is a reserve for the positions between the samples
@@ -239,7 +243,7 @@ double CellCutter::draw_cell(double to, std::size_t end_piece, double* c, Knot& 
     double* const of_axis = c + a * TimedPath::terms;
     std::fill(of_axis, of_axis + TimedPath::terms, 0);
     if (straight)
-      // tiny rounding errors would otherwise cause a third derivative that slows the cell
+      // a straight cell gets a linear polynomial: numerical errors would give a quintic one a third derivative, which slows the cell
       of_axis[0] = start.x[a], of_axis[1] = start.x1[a];
     else quintic({start.x[a], start.x1[a], start.x2[a]}, {end.x[a], end.x1[a], end.x2[a]}, to - cut_, of_axis);
   }
@@ -274,8 +278,9 @@ double CellCutter::standing_s(double from, double to, std::size_t piece) {
   return seconds;
 }
 
-/// Divides the last cell into several with the same path where the path, not the feed, limits its speed: the speed can then change within
-/// a cell that is long because its path is smooth. `width`: width of the chain's roundings there, mm.
+/// Divides the last cell into several cells on the same path if the shape of the path, and not the feed, limits the speed. A cell on a
+/// smooth path is long; after the division the speed can change within its length. `width`: width of the corners that are rounded together
+/// there, mm.
 void CellCutter::divide(double width, CutCells& out) const {
   constexpr double part = 0.2;  // length of a part as a share of `width`
   constexpr int max_parts = 8;
@@ -320,7 +325,7 @@ double CellCutter::add_cell(double to, double least, bool turns, CutCells& out) 
 }
 
 void CellCutter::cut(SmoothPath& path, bool last, StopToken stop, CutCells& out) {
-  constexpr double rest = 1.5;  // if the remaining path before an end is shorter than this many cells, it becomes one cell
+  constexpr double rest = 1.5;  // number of cells: if the remaining path before an end is shorter, this remainder becomes one cell
   path_ = &path;
   standing_ = {};
   piece_ = passed_ - std::min(passed_, path.forgotten());

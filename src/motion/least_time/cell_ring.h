@@ -13,7 +13,7 @@ namespace kadr {
 
 class CellRing {
  public:
-  /// The CellSource::tag and CellSource::motion of a cell.
+  /// The piece and the motion that a cell belongs to: its CellSource::tag and CellSource::motion.
   struct Owner {
     std::uint64_t tag = 0, motion = 0;
   };
@@ -26,7 +26,7 @@ class CellRing {
         spindle_(cells),
         path_(cells * axes * TimedCells::terms) {}
 
-  // called by the writer
+  // Functions for the writer.
 
   /// Appends the cells with the index `first` and above, as many as fit. Returns the number of cells appended.
   std::size_t offer(const TimedCells& cells, std::size_t first) {
@@ -51,7 +51,7 @@ class CellRing {
   /// Marks that no more cells follow.
   void finish() { finished_.store(true, std::memory_order_release); }
 
-  // called by the reader; `cell` is the number of cells offered before this cell since the start
+  // Functions for the reader. Cells are numbered from 0 in the order in which they were offered; `cell` is such a number.
 
   bool finished() const { return finished_.load(std::memory_order_acquire); }
   std::uint64_t end() const { return end_.load(std::memory_order_acquire); }

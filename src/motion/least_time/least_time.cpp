@@ -17,9 +17,9 @@ double LeastTime::time() const {
   return sum;
 }
 
-/// Solves H · step_ = −gradient_ by L D Lᵀ. If limits of very different magnitudes act together, rounding errors may make an element d of
-/// D zero or negative. Then the diagonal element of H is used instead (Gill, Murray, Wright: Practical Optimization 4.4.2): the step
-/// becomes shorter, but is still a descent.
+/// Solves H · step_ = −gradient_, where H is the Hessian, by the decomposition H = L D Lᵀ. If limits of very different magnitudes act
+/// together, rounding errors may make an element d of D zero or negative. Then the diagonal element of H is used instead (Gill, Murray,
+/// Wright: Practical Optimization 4.4.2): the step becomes shorter, but is still a descent.
 ///   returns  false if H is not positive definite
 bool LeastTime::newton_step() {
   constexpr double rounding = 1e-13;
@@ -30,7 +30,7 @@ bool LeastTime::newton_step() {
     if (i >= 2) {
       const double l = h2[i - 2] / h0[i - 2];
       d -= l * h2[i - 2];
-      h1[i - 1] -= l * h1[i - 2] * h0[i - 2];  // h1[i − 2] holds L by now
+      h1[i - 1] -= l * h1[i - 2] * h0[i - 2];  // h1[i − 2] already contains an element of L
       z -= l * step_[i - 2];
       h2[i - 2] = l;
     }
@@ -77,8 +77,8 @@ double LeastTime::line_search(double mu) {
   return 0;
 }
 
-/// First guess: the earlier solution; after its end, b decreases from cell to cell. The decrease per cell grows to a tenth, which it
-/// reaches `gently` cells after the end of the earlier solution.
+/// Sets the first guess: the earlier solution, and after its last cell a squared path speed b that decreases from cell to cell. The
+/// decrease per cell grows to a tenth; `gently` is the number of cells after which a tenth is reached.
 ///   returns  false if the guess exceeds a limit
 bool LeastTime::can_continue_crawling(double gently) {
   constexpr double slowing = 0.1;  // greatest decrease of b per cell, as a share
@@ -90,7 +90,8 @@ bool LeastTime::can_continue_crawling(double gently) {
       double less = slowing;
       if (gently > 1) less *= std::min(1.0, (cells += k < ends_.guess.size() ? 0 : 1) / gently) * std::min(1.0, path_->h[k] / size);
       m = k < ends_.guess.size() ? ends_.guess[k] : std::max(floor, m * (1 - less));
-      double& y = y_[variable_[k]];  // where several cells share a variable (next to a stop or a reversal) the slowest cell determines it
+      // next to a stop or a reversal several cells share a variable: the slowest of these cells determines the variable
+      double& y = y_[variable_[k]];
       y = std::min(y, m / scale_[k]);
     }
     if (is_within(y_)) return true;
@@ -98,8 +99,8 @@ bool LeastTime::can_continue_crawling(double gently) {
   return false;
 }
 
-/// First guess: the earlier solution; after its end the speed at that end, reduced towards the final stop and the reversals to the speed
-/// that constant jerk reaches from rest at that distance.
+/// Sets the first guess: the earlier solution, and after its last cell the speed of this cell. Near the final stop and the reversals the
+/// speed is lower: at most the speed that a start from rest with constant jerk reaches at the same distance.
 ///   returns  false if the guess exceeds a limit
 bool LeastTime::can_continue_to_stop() {
   constexpr int max_tries = 16;
@@ -129,7 +130,8 @@ bool LeastTime::can_continue_to_stop() {
   return false;
 }
 
-/// Finds a start that obeys all limits: an earlier solution continued at a crawl, or a speed so low that all limits are far away.
+/// Finds initial values of the variables that obey all limits: an earlier solution, continued at a low speed, or a speed that is so low
+/// everywhere that all limits are far away.
 bool LeastTime::first_guess() {
   for (const double gently : {1., 30., 100., 300.})  // 1: the full decrease starts at the first new cell
     if (!ends_.guess.empty() && can_continue_crawling(gently)) return true;

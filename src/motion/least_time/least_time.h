@@ -1,9 +1,9 @@
 #pragma once
-// LeastTime: the least time along a path in cells (motion/least_time/timed_path.h), by an interior-point method whose iterates all obey
-// all limits. It makes Newton steps on T − μ Σ log(slack), μ → 0, where T is the time and slack is the distance from a limit; the Hessian
-// is pentadiagonal. The unknown is b = ṡ², the squared path speed: Verscheure et al. 2009, IEEE TAC 54(10). The jerk limit is not convex
-// in b: the logarithmic barrier enforces it, and its curvature is left out of the Hessian. Slow but reliable: used for the paths that
-// motion/least_time/primal_dual does not solve.
+// LeastTime: the least time along a path in cells (motion/least_time/timed_path.h), by an interior-point method whose iterates all obey all
+// limits. It makes Newton steps on T − μ Σ log(slack), μ → 0, where T is the time and slack is the distance from a limit; the Hessian is
+// pentadiagonal. The unknown is b = ṡ², the squared path speed: Verscheure et al. 2009, IEEE TAC 54(10). The jerk limit is not convex in b:
+// the logarithmic barrier enforces it, and its curvature is left out of the Hessian. The method is slow but reliable; it is used for the
+// paths that motion/least_time/primal_dual does not solve.
 
 #include <array>
 #include <cstddef>
@@ -37,7 +37,7 @@ class LeastTime {
   int steps() const { return steps_; }
 
  private:
-  // number of dummy variables after the last one, which the last cells refer to; their derivatives and steps are 0
+  // Number of dummy variables after the last variable. The last cells refer to the dummy variables, whose derivatives and steps are 0.
   static constexpr std::size_t beyond = 2;
   using Three = std::array<double, 3>;
   /// The three Bézier ordinates of the polynomial b in a cell: at the start, in the middle, at the end.
@@ -102,7 +102,8 @@ class LeastTime {
   LimitMargins margins_;
   std::vector<double> x1_, x2_, x3_;  // x′, x″, x‴ at the sample positions of each cell; index (cell * axes + axis) * places + place
   std::size_t n_ = 0;                 // number of cells
-  // number of unknowns; middle ordinate m of a cell = scale * variable; a cell next to a stop or reversal shares its neighbour's variable
+  // Number of unknowns (variables). The middle ordinate m of a cell is scale * variable. A cell next to a stop or a reversal shares the
+  // variable of its neighbour.
   std::size_t variables_ = 0;
   std::vector<std::size_t> variable_;
   std::vector<double> scale_;

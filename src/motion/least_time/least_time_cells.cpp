@@ -12,8 +12,8 @@ namespace kadr {
 namespace {
 
 constexpr double most_of_slack = 0.95;  // the share of a slack that one step may use up
-// factor of the second derivative of the time, 0.75 in theory; a smaller factor makes the steps longer far from the limits; near the
-// limits the barrier dominates
+// Factor in the second derivative of the time; its exact value is 0.75. A smaller factor makes the steps longer far from the limits; near
+// the limits the barrier dominates.
 constexpr double bend_of_time = 0.1;
 constexpr std::size_t group_size = 16;  // number of cells in a group
 

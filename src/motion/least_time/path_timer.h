@@ -28,7 +28,8 @@ class PathTimer {
 
   PrimalDual quick_;
   LeastTime sure_;
-  LeastTime sure_to_limits_{LimitMargins{1.003, 1.003}};  // for a start speed that is nearer to the limits than the default margins allow
+  // the reliable solver with limits raised by 0.3 %, for a start speed that is nearer to the limits than the default margins allow
+  LeastTime sure_to_limits_{LimitMargins{1.003, 1.003}};
   const std::vector<CellSpeeds>* speeds_ = nullptr;
   const std::vector<double>* middles_ = nullptr;
   Work work_;

@@ -37,9 +37,9 @@ class Planner {
   /// Sets the position `at` at which the axes are at rest. Call begin() first, and whenever something other than this planner has moved
   /// the axes.
   void begin(const double* at);
-  /// Adds a straight piece. `feed`: mm/s along the piece. `tolerance`: how far the corner at the start of the piece may be rounded, mm;
-  /// 0: not at all, so the axes stop at the corner. `on_curve`: the corner lies between two chords of a curve. `tag`: is copied to the
-  /// cells of the piece.
+  /// Adds a straight piece. `feed`: mm/s along the piece. `tolerance`: how far the corner at the start of the piece may be rounded, mm; 0:
+  /// not at all, so the axes stop at the corner. `on_curve`: the corner lies between two chords of a curve. `tag`: is copied to the cells
+  /// of the piece. `paced`: the feed changes smoothly from that of the previous piece to that of this piece.
   void line_to(const double* to, double feed, double tolerance, bool on_curve, std::uint64_t tag, bool paced = false);
   /// Brings the axes to rest and emits everything.
   void stop();
@@ -47,7 +47,8 @@ class Planner {
   /// Makes the planner start a plan whenever the pieces received since the last plan take `seconds` at the commanded feeds, not only
   /// after some hundred pieces. For callers that need the first cells of long pieces early; the cost is additional plans.
   void plan_each(double seconds) { plan_each_ = seconds; }
-  /// Cuts and times cells in a separate thread while further pieces arrive and are smoothed. The next plan emits the cells of this one.
+  /// Cuts and times cells in a separate thread while further pieces arrive and are smoothed. The cells of a plan are emitted at the next
+  /// plan.
   void work_in_background() { in_background_ = true; }
   /// Waits for the separate thread and emits its finished cells. Call settle() before memory().
   void settle();

@@ -10,11 +10,12 @@
 namespace kadr {
 namespace {
 
-constexpr double first_mu = 0.5, last_mu = 3e-3;  // first and last value of μ, summed over all limits, as a share of the time
-constexpr double smaller = 0.2;                   // factor by which μ is reduced from step to step
+// first and last value of the barrier parameter μ, summed over all limits, as a share of the time
+constexpr double first_mu = 0.5, last_mu = 3e-3;
+constexpr double smaller = 0.2;  // factor by which μ is reduced from step to step
 constexpr int steps_of_all = 6;
 constexpr std::size_t beside = 4;  // blocks on each side that continue together with a block that has not converged
-constexpr double slower = 0.7;     // initial guess, as a share of the envelope
+constexpr double slower = 0.7;     // initial guess of a middle ordinate, as a share of the envelope (find_envelope)
 
 }  // namespace
 
@@ -102,10 +103,11 @@ void PrimalDual::keep_polynomials() {
     }
 }
 
-/// Sets the initial guess: a value somewhat below the envelope (find_envelope). The first cells get the earlier solution, except near its
-/// end, where the end reduced its speed.
+/// Sets the initial guess: a value somewhat below the envelope (find_envelope). The first cells get the values of the earlier solution. The
+/// last values of that solution are not used, because they are low: the axes had to crawl at its end.
 void PrimalDual::guess() {
-  constexpr std::size_t unsure = 16;  // of the part that the earlier solution's end did not slow, the last 1/16 is not used either
+  // of the remaining values of the earlier solution, the last 1/16 are not used either
+  constexpr std::size_t unsure = 16;
   find_envelope(*path_, *ends_, middles_);
   for (std::size_t k = 0; k < n_; ++k) m_[k + pad] = slower * middles_[k];
   const std::vector<double>& known = ends_->guess;
@@ -202,8 +204,8 @@ bool PrimalDual::settle(double mu) {
 
 bool PrimalDual::solve(const TimedPath& path, const PathEnds& ends, StopToken stop) {
   constexpr int max_polls = 12;
-  // greatest factor of the excess by which limits are tightened; it doubles with each check, because tightening also acts between the
-  // positions
+  // Limits are tightened by a multiple of the excess. The multiple doubles with each check, up to this value, because the excess is
+  // measured between the positions at which the tightened limits act.
   constexpr int max_tighter = 16;
   constexpr double most_of_limit = 1.01;
   path_ = &path;

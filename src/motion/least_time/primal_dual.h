@@ -45,13 +45,14 @@ class PrimalDual {
   static constexpr std::size_t shape_row(std::size_t place) { return place * 3; }
   // first row of a position's jerk limit: slack of the upper and lower limit, dual variable of the upper and lower limit
   static constexpr std::size_t jerk_row(std::size_t place) { return 9 + place * 4; }
-  // the same for the acceleration limit, at the middle and the end only: continuous acceleration makes the start equal the previous end
+  // First row of a position's acceleration limit, with the same four numbers as a jerk limit. The start of a cell has no such rows: the
+  // acceleration is continuous, so it equals the acceleration at the end of the previous cell.
   static constexpr std::size_t acceleration_row(std::size_t place) { return 17 + place * 4; }
   static constexpr std::size_t polynomial_row = 29;
 
   static constexpr LimitMargins margins{0.996, 0.995};
   static constexpr double at_rest = 0.005;  // a middle ordinate has converged when its relative step is below this
-  // greatest accepted excess over a limit less its margin, at the checked positions
+  // Greatest accepted excess over a limit that is reduced by its margin, at the positions where limits are checked.
   static constexpr double max_excess = 0.005;
   // greatest accepted slack · dual of any limit in a cell, as a multiple of the target μ
   static constexpr double max_gap = 3;
@@ -91,7 +92,8 @@ class PrimalDual {
     double worst = 1, step = 0;  // worst: least slack before the step; step: greatest relative step
     double gap = 0;              // greatest slack · dual of the limits of a cell, as a multiple of the target μ
     bool is_quiet() const { return step <= at_rest && worst >= -max_excess && gap <= max_gap; }
-    /// True if further steps would change nothing. Needed where the start comes from an earlier solution that is very near the limits.
+    /// True if further steps would change nothing, so that the range counts as solved. This is needed if the speed at the start comes from
+    /// an earlier solution that is very near the limits.
     bool stands() const { return step < 0.2 * at_rest && worst > 1 - allowed / margins.jerk; }
   };
   struct Moving {
@@ -157,7 +159,7 @@ class PrimalDual {
   std::array<std::vector<double>, 6> products_;
   std::array<std::vector<double>, 3> slopes_;  // each cell's contribution to the gradient, for the previous, own and next middle ordinate
   std::array<std::vector<double>, 3> diagonals_;
-  // one per cell: after a reversal, its middle ordinate divided by the previous cell's; elsewhere 0
+  // One per cell. For a cell after a reversal: its middle ordinate divided by that of the previous cell; for other cells 0.
   std::vector<double> tied_;
   bool turns_ = false;                       // true if the path has reversals
   std::vector<char> restless_;               // one flag per block: it has not converged

@@ -216,7 +216,7 @@ KADR_LANES void PrimalDual::build(const Range& range, double mu) {
   }
 }
 
-/// Adds the contributions of the cells up to the pentadiagonal matrix.
+/// Adds the contributions of all cells of a range, which gives the pentadiagonal matrix and the right-hand side.
 template <class Lanes>
 KADR_LANES void PrimalDual::gather(const Range& range) {
   for (std::size_t block = range.first; block < range.end; ++block) {

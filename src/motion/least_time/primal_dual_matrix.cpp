@@ -11,7 +11,8 @@ namespace kadr {
 void PrimalDual::factor(std::size_t first, std::size_t end) {
   constexpr double rounding = 1e-11;
   double *const d0 = diagonals_[0].data(), *const d1 = diagonals_[1].data(), *const d2 = diagonals_[2].data(), *const x = step_.data();
-  // of the previous row, and (…_before) of the row before that: 1/d, the elements to the right of the diagonal, the right-hand side
+  // Values of the previous row: 1/d, the elements to the right of the diagonal, the right-hand side. The names with `_before` are values of
+  // the row before the previous one.
   double by_d = 0, next = 0, after = 0, value = 0, by_d_before = 0, after_before = 0, value_before = 0;
   for (std::size_t i = first; i < end; ++i) {
     const double l1 = next * by_d, l2 = after_before * by_d_before;

@@ -76,7 +76,7 @@ void Smoothing::finish(const Line& line) {
 }
 
 /// Emits the held piece. `next`: the piece that follows; nullptr: no smoothed piece follows, so the held piece ends in its own direction
-/// (4.7: next to a piece that is not smoothed, the tangent is that of the chord).
+/// (NCT 4.7: next to a piece that is not smoothed, the tangent of the curve is the direction of the chord).
 void Smoothing::let_out(const Held* next, const Line& line) {
   const Held& held = *held_;
   const Piece& piece = held.piece;

@@ -4,7 +4,8 @@
 //   Q2   the path goes through the programmed points: each straight piece becomes a Bezier curve at most N3104 away from the piece
 //   Q3   the path leaves the programmed points too: each corner is rounded, at most N3106 away from the programmed path
 //
-// One piece is held back until the next piece arrives, because the next piece's direction determines how the held piece ends.
+// One piece is stored (held) until the next piece arrives, because the direction of the next piece determines how the held piece ends.
+// Names such as N3104 are parameters of the control (SmoothingRules).
 
 #include <cstdint>
 #include <functional>

@@ -12,9 +12,10 @@ namespace kadr {
 namespace {
 
 constexpr double straight_on = 1e-12;  // |Δu| (change of direction) below which two pieces count as collinear; covers rounding errors
-// mm: most that rounding may move the axes, even if the tip would stay within its tolerance; the tolerance itself applies if it is larger
+// mm: greatest deviation of the axes at a rounded corner, even if the tip would stay within its tolerance at a greater deviation. If the
+// tolerance is larger than this value, the tolerance applies.
 constexpr double most_off = 0.1;
-constexpr double max_swing = 0.05;  // degrees: most that rounding may move a rotary axis
+constexpr double max_swing = 0.05;  // degrees: greatest deviation of a rotary axis at a rounded corner
 // degrees: allowed error of the tool direction; half of what the test of the five-axis samples allows (docs/planner.md)
 constexpr double of_direction = 0.01;
 
@@ -62,7 +63,7 @@ double tcp_tolerance(const TcpPiece& before, const TcpPiece& behind, double tole
   }
   turn = std::sqrt(turn);
   if (turn < straight_on) return tolerance;
-  // greatest deviation as a share of the allowed deviation, per unit of rounding
+  // greatest deviation of tip or direction as a share of the allowed deviation, per unit of the axes' deviation at the corner
   const double felt = std::max(off / tolerance, std::sqrt(off_direction) / of_direction);
   return std::min(
       {turn / std::max(felt, straight_on), std::max(most_off, tolerance), max_swing * turn / std::max(std::sqrt(swing), straight_on)});

@@ -1,9 +1,8 @@
 #pragma once
-// LedCorner: computes how far a corner of the axes' path may be rounded under tool centre point control (nct 25.14; "led" means that the
-// control guides the tip along the programmed path). A corner of the axes' path has two causes: a corner of the tip's own path, and a
-// change of the rotary axes' motion, which the linear axes compensate. The second cause does not move the tip as long as all axes are
-// rounded together. Two quantities therefore limit the rounding: the deviation of the tip across its path, and the change of the tool
-// direction at each tip position.
+// Computes how far a corner of the axes' path may be rounded under tool centre point control (nct 25.14). A corner of the axes' path has
+// two causes: a corner of the tip's own path, and a change of the rotary axes' motion, which the linear axes compensate. The second cause
+// does not move the tip as long as all axes are rounded together. Two quantities therefore limit the rounding: the deviation of the tip
+// across its path, and the change of the tool direction at each tip position.
 
 #include "action/axis_roles.h"
 #include "base/vec.h"

@@ -15,8 +15,9 @@
 namespace kadr {
 namespace {
 
-constexpr std::size_t least_window = 600;  // number of cells from which on a window is solved
-constexpr std::size_t max_window = 6000;   // with more cells, some are emitted although the window's end may have slowed them
+constexpr std::size_t least_window = 600;  // a window is solved as soon as it has this number of cells
+// if a window has more cells, some are emitted although the end of the window may have slowed them down
+constexpr std::size_t max_window = 6000;
 constexpr double crawl_of_slowest = 0.03;  // ṡ² of the crawl at the window's end, as a share of the ṡ² that the slowest cell allows
 
 }  // namespace
@@ -69,7 +70,8 @@ void WindowTimer::solve(bool last, const StopToken& stop) {
   now_.ends.to_stop = last;
   now_.ends.crawl = crawl_of_slowest * slowest_alone(now_.cells.path);
   bool found = timer_.solve(now_.cells.path, now_.ends, stop);
-  // the crawling speed of the earlier solution may stay if it is below twice that of the new cells
+  // The low speed at the end of the earlier solution is permitted at the new end too, if its square is below twice the square computed for
+  // the new cells.
   constexpr double as_slow = 2, a_little = 1e-6;
   if (const auto& known = now_.ends.guess; !found && !stop.asked() && !known.empty() && known.back() < as_slow * now_.ends.crawl) {
     now_.ends.crawl = std::max(now_.ends.crawl, (1 + a_little) * known.back());
@@ -113,9 +115,9 @@ void WindowTimer::deliver(std::size_t count, bool stops) {
   now_.cells.forget(count);
 }
 
-/// Handles the case that no speed was found that continues an earlier solution: the axes stop where the earlier solution ended at
-/// crawling speed, and the rest of the path starts there from rest.
-///   returns  false if there is no such crawling position, or the axes cannot stop there
+/// Handles the case that an earlier solution cannot be continued: the axes stop at the position where the earlier solution ended at
+/// crawling speed, and the rest of the path starts at this position from rest.
+///   returns  false if the earlier solution has no such position, or the axes cannot stop there
 bool WindowTimer::stop_where_known(const StopToken& stop) {
   const std::size_t known = now_.ends.guess.size();
   if (now_.ends.from_stop || known < least_cells || known >= now_.cells.count()) return false;

@@ -51,8 +51,8 @@ double slowest(const Axes& most, const Axes& part) {
   return least;
 }
 
-/// Returns du/ds of an arc at the point `at`. It points to the centre; its magnitude is in_plane²/r, with in_plane the share of s in the
-/// arc's plane.
+/// Returns du/ds of an arc at the point `at`, where u is the direction of the path (PathShape). The vector du/ds points to the centre of
+/// the arc. Its magnitude is in_plane²/r, where r is the radius and in_plane the share of the path length s that lies in the arc's plane.
 Axes bend(const Motion& m, const Axes& at, double in_plane, const FrameTurn* turn) {
   const Vec2 arm = m.center - Vec2{at[m.first], at[m.second]};
   Axes towards{};
@@ -68,14 +68,16 @@ void widen(Axes& most, const Axes& u) {
 
 void set_arc(PathShape& shape, const Motion& m, const Axes& from, double in_plane, const FrameTurn* turn) {
   const auto radius_at = [&](const Axes& at) { return length(Vec2{at[m.first], at[m.second]} - m.center); };
-  shape.radius = std::max(std::min(radius_at(from), radius_at(m.to)), tol::least_radius);  // INFERRED (7.2): the smaller radius of a spiral
+  // INFERRED (NCT 7.2): the smaller of the two radii of a spiral
+  shape.radius = std::max(std::min(radius_at(from), radius_at(m.to)), tol::least_radius);
   shape.in_plane = in_plane;
   shape.start_bend = bend(m, from, in_plane, turn);
   shape.end_bend = bend(m, m.to, in_plane, turn);
   for (const std::size_t axis : {driven(m.first, turn), driven(m.second, turn)}) shape.most[axis] = std::max(shape.most[axis], in_plane);
 }
 
-/// Returns du/ds of a spline at the position `part`, 0 … 1: the curvature vector, perpendicular to the path, positive to the left.
+/// Returns du/ds of a spline at the position `part`, 0 … 1: the curvature vector, which is perpendicular to the path. It points to the left
+/// of the path if the curvature is positive.
 Axes bend_of_spline(const Motion& m, const Curve& curve, double part, double in_plane, const FrameTurn* turn) {
   const Axes rates = curve.rates(part);
   const double along = std::hypot(rates[m.first], rates[m.second]);
@@ -100,7 +102,7 @@ void set_spline(PathShape& shape, const Motion& m, const Curve& curve, double in
   for (const std::size_t axis : {driven(m.first, turn), driven(m.second, turn)}) shape.most[axis] = std::max(shape.most[axis], in_plane);
 }
 
-/// Returns the share of the feed that applies if the tool is on the inside of an arc (6.4); 1 on the outside, INFERRED.
+/// Returns the share of the feed that applies if the tool is on the inside of an arc (NCT 6.4); 1 on the outside, INFERRED.
 double inner_arc_part(const SpeedRules& rules, const Motion& m, const PathShape& shape) {
   const bool turns_left = m.kind == MotionKind::arc_ccw;
   const bool inside = m.tool_radius != 0 && m.side != 0 && (m.side * m.tool_radius > 0) == turns_left;
@@ -109,7 +111,7 @@ double inner_arc_part(const SpeedRules& rules, const Motion& m, const PathShape&
 }
 
 /// Returns the arc feed F = √(a·r), with r the radius and a the normal acceleration of the weaker of the two axes, but at least Circ F
-/// Min (7.2). INFERRED: for a helix only the motion in the plane counts.
+/// Min (NCT 7.2). INFERRED: for a helix only the motion in the plane counts.
 double arc_speed(const SpeedRules& rules, const PathShape& shape) {
   double most = unlimited;
   for (std::size_t i = 0; i < max_axes; ++i)
@@ -128,7 +130,7 @@ bool cuts_in_plane(const Motion& m, const PathShape& shape) {
   return m.side != 0 && (m.kind == MotionKind::feed || is_arc(m.kind)) && (shape.moves & ~shape.plane) == 0;
 }
 
-/// Sets u under tool centre point control: sampled over quarters of the motion, and close to its ends.
+/// Sets the directions u of a path under tool centre point control. They are sampled at the quarters of the motion, and close to both ends.
 void set_with_tip_control(PathShape& shape, const MachinePath& path, std::size_t axes) {
   constexpr double near = 1.0 / 64;
   constexpr double parts[] = {0, near, 0.25, 0.5, 0.75, 1 - near, 1};

@@ -65,9 +65,11 @@ LimitUsage shares_at(const TimedCells& cells, std::size_t cell, double part, con
 }
 
 LimitedBy limited_by(const TimedCells& cells, std::size_t cell, const MotionLimits& limits) {
-  // curvature is reported as the cause if it causes a fifth or more: the speed then changes because of the curvature
+  // The curvature is reported as the cause if its part of the acceleration or jerk is more than this multiple of the other part, that is,
+  // more than a fifth of the sum: the speed then changes because of the curvature.
   constexpr double felt = 0.25;
-  constexpr double same = 1e-6;  // relative difference of equal speeds, because the feed is calculated as length / time
+  // relative difference below which two speeds count as equal, because the feed is calculated as length / time
+  constexpr double same = 1e-6;
   const CellSource& source = cells.sources[cell];
   if (source.feed <= 0) return {Limit::pause, 0};
   Nearness speed, acceleration, jerk;

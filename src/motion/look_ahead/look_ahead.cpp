@@ -23,8 +23,8 @@ bool stops(const Action& action, const SpeedRules& rules) {
            Uncouple>(true));
 }
 
-/// Returns true for motions that keep their programmed time: the spindle or the rotary axis of polar interpolation determines this time,
-/// or it is infinite.
+/// Returns true for motions that keep their programmed time: the spindle or the rotary axis of polar interpolation determines this time, or
+/// the programmed time is infinite.
 bool keeps_time(const Motion& motion, const MotionTime& programmed) {
   const bool polar = motion.detail && motion.detail->surface == PathSurface::polar;
   return motion.kind == MotionKind::thread || polar || !(programmed.seconds > 0);

@@ -5,7 +5,7 @@
 //   motions at feed ──▶ a path of pieces, until the axes must stop ──▶ SpeedPlan ──▶ time of each motion
 //   rapid motions: each from rest to rest, or overlapping the next (N0421 ROL)
 //
-// Threads and polar interpolation keep their programmed time, because the spindle or the rotary axis determines it (6.2, 4.5). Threads,
+// Threads and polar interpolation keep their programmed time, because the spindle or the rotary axis determines it (NCT 6.2, 4.5). Threads,
 // polar interpolation and probe motions start and end at rest.
 
 #include <cstdint>

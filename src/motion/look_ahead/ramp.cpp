@@ -39,8 +39,8 @@ double ramp_length(double from, double to, const Acceleration& acceleration) {
   return (from + to) / 2 * ramp_seconds(std::abs(to - from), acceleration);
 }
 
-/// With v = from, D the change of speed, L = length, a the acceleration and T the build-up time: solves the quadratic equation (2v + D)/2
-/// · (D/a + T) = L; for D < a·T the equation (2v + D) · √(D·T/a) = L, which is cubic in √D.
+/// Solves the quadratic equation (2v + D)/2 · (D/a + T) = L for the change of speed D. If D < a·T, the equation is (2v + D) · √(D·T/a) = L,
+/// which is cubic in √D. Here v = from, L = length, a is the acceleration and T the build-up time.
 double reached(double from, double length, const Acceleration& acceleration) {
   const double a = acceleration.most, t = acceleration.build_up;
   if (std::isinf(a)) return length > 0 ? a : from;
@@ -93,7 +93,7 @@ Ramp::Ramp(double from, double to, const Acceleration& acceleration)
 /// Computes the first half of the ramp; the second half is its mirror image.
 Ramp::Moment Ramp::rising(double t, double start_speed, double sign) const {
   const double flat = std::max(t - build_up_, 0.0), build = std::min(t, build_up_);
-  double gained = 0, way = 0;  // change of speed and distance, at first for a time within the build-up
+  double gained = 0, way = 0;  // gained: change of speed; way: distance; both are first computed for the time within the build-up
   if (build_up_ > 0 && jerk_free_) {
     const double turn = build_up_ / pi;
     gained = peak_ / 2 * (build - turn * std::sin(build / turn));

@@ -11,7 +11,7 @@
 
 namespace kadr {
 
-/// The acceleration with which a path may change its speed.
+/// The acceleration with which the speed along a path may change.
 struct Acceleration {
   double most = std::numeric_limits<double>::infinity();  // mm/s²; infinite: the speed changes instantly
   double build_up = 0;                                    // time until `most` is reached, s; 0: linear ramp
@@ -34,8 +34,8 @@ double reached(double from, double length, const Acceleration& acceleration);
 /// least the higher of `from` and `to`.
 double top_speed(double from, double to, double length, double most, const Acceleration& acceleration);
 
-/// Returns the time of such a path: ramp up to the top speed, constant speed, ramp down. If `length` is too short for the ramp, the speed
-/// changes linearly.
+/// Returns the time for a path of `length` with the speeds `from` and `to` at its ends: ramp up to the top speed, constant speed, ramp
+/// down. If `length` is too short for the ramp, the speed changes linearly.
 double travel_seconds(double from, double to, double length, double most, const Acceleration& acceleration);
 
 /// A single change of speed, which can be evaluated at any time or position.

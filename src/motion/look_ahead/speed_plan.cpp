@@ -13,7 +13,8 @@
 namespace kadr {
 namespace {
 
-// relative: because of rounding errors a change of speed may need this much more length than that it was computed from
+// Relative error: because of rounding errors, a change of speed may need more length, by this share, than the length from which it was
+// computed.
 constexpr double rounding = 1e-9;
 
 /// Returns true if two speeds differ by rounding errors only: such speeds must be treated as equal.
@@ -64,7 +65,8 @@ void SpeedPlan::make_linear() {
   }
 }
 
-/// Returns the gentlest acceleration of several pieces: with it no axis exceeds its limits in any of them.
+/// Returns the lowest acceleration and the longest build-up time of several pieces. With these values no axis exceeds its limits in any of
+/// the pieces.
 Acceleration SpeedPlan::gentlest(std::size_t first, std::size_t last) const {
   Acceleration all = pieces_[first].acceleration;
   for (std::size_t k = first + 1; k < last; ++k) {
@@ -86,7 +88,8 @@ Acceleration SpeedPlan::liveliest(std::size_t first, std::size_t last) const {
   return all;
 }
 
-/// Returns true if the speed limit does not change at the node, so that a line divided into two pieces is planned as one piece.
+/// Returns true if the speed limit does not change at the node. Such a node needs no anchor, so a line that is divided into two pieces is
+/// planned as one piece.
 bool SpeedPlan::is_anchor_free(std::size_t node) const {
   return is_same(speed_[node], pieces_[node - 1].most) && is_same(speed_[node], pieces_[node].most);
 }

@@ -22,7 +22,8 @@ constexpr Axes axes_filled(double value) {
   return axes;
 }
 
-/// The speed limits of a channel. Values per axis are in mm (rotary axes: degrees) and seconds.
+/// The speed limits of a channel. Values per axis are in mm (rotary axes: degrees) and seconds. Numbers such as N0305 are parameters of the
+/// control, with their names (NCT).
 struct SpeedRules {
   bool in_force = false;                       // true: a limit is stated, so speeds must be planned
   AxisMask stated = 0;                         // axes whose acceleration is stated, either as a number or as unlimited
@@ -48,7 +49,7 @@ struct SpeedRules {
   // N0422 Rapid Reduct. Ratio: share of the deceleration after which the next rapid motion starts
   double overlap_from = 1;
   std::optional<double> blend;  // how far a corner may be rounded while one motion slows down and the next speeds up, mm; empty: no limit
-  bool frames_stop = false;     // a change of work offset, tool length or work area empties the buffer (nct 13.3): the axes stop (7.0.2)
+  bool frames_stop = false;  // a change of work offset, tool length or work area empties the buffer (nct 13.3): the axes stop (NCT 7.0.2)
 
   /// Returns true if some axis needs time to change its speed.
   bool accelerates() const;

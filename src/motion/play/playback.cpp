@@ -12,21 +12,23 @@
 namespace kadr {
 namespace {
 
-constexpr int tries_an_instant = 25;  // number of positions of the next ramp that are checked per servo period; takes some µs
-constexpr double least_places = 25;   // least number of checked positions per ramp; in a long ramp one per servo period
+constexpr int tries_an_instant = 25;  // number of positions of the next ramp that are checked per servo period; the check takes some µs
+constexpr double least_places = 25;   // least number of checked positions per ramp; a long ramp is checked once per servo period
 constexpr double longer = 1.15;       // factor by which the next ramp to try is longer than the last
-// s, the longest ramp; if it fails too, the trial starts again with the shortest ramp and more jerk
+// s, duration of the longest ramp that is tried. If this ramp is not allowed either, the search starts again with the shortest ramp and a
+// higher jerk limit.
 constexpr double longest = 20;
-// excess over the jerk limit that a ramp may have, as a share of the limit; raised by this amount if no ramp fits,
+// A ramp may exceed the jerk limits by this share. If no ramp is found, the allowed excess is raised by the same share, at most to
+// most_over.
 constexpr double a_little_more = 0.005;
-constexpr double most_over = 0.015;              // up to this excess
-constexpr double rounding_of_limits = 1 + 1e-9;  // tolerance for rounding errors, of all limits
-// If the plan uses its full jerk, playing it at these shares leaves 2, 9, 27 and 66 % of the jerk for the change. A ramp that would take
-// much longer than shortest() is therefore split at one of them, so that the little jerk available at its start does not limit the whole
-// change.
+constexpr double most_over = 0.015;              // greatest allowed excess over the jerk limits, as a share of them
+constexpr double rounding_of_limits = 1 + 1e-9;  // factor for all limits, which allows for rounding errors
+// If the plan uses the full jerk limit, playing the plan at these shares of its speed leaves 2, 9, 27 and 66 % of the jerk for the change.
+// A ramp that would take much longer than shortest() is therefore split at one of them, so that the little jerk available at its start does
+// not limit the whole change.
 constexpr std::array on_the_way = {0.992, 0.97, 0.9, 0.7};
 constexpr double much_longer = 1.2;
-constexpr double least_change = 0.001;  // least change of the share that is tried when cells are missing
+constexpr double least_change = 0.001;  // least change of the share that is tried if there are not enough cells for the check
 constexpr double least_ramp = 4;        // shortest ramp, in servo periods
 
 }  // namespace
@@ -34,8 +36,8 @@ constexpr double least_ramp = 4;        // shortest ramp, in servo periods
 Playback::Playback(MotionLimits limits, double rate, std::size_t cells)
     : limits_(std::move(limits)), period_(1 / rate), ring_(limits_.speed.size(), cells) {}
 
-/// Moves the cursor by `seconds` of the servo clock. `crossed(end, time on the ramp)` is called for each cell that ends meanwhile. The
-/// call may return a delay, s, for the next cell, in which the axes are at rest; from that cell on the share is 1.
+/// Moves the cursor by `seconds` of the servo clock. Calls `crossed(end, time on the ramp)` for each cell that ends in this time. crossed()
+/// may return a delay, s, for the next cell, in which the axes are at rest; from that cell on, the plan is played at the share 1.
 ///   returns  false if there are not enough cells; the cursor is then at the end of the last cell
 template <class Crossed>
 bool Playback::advance(Cursor& at, const OverrideRamp& ramp, double on_ramp, double seconds, Crossed&& crossed) const {
@@ -182,8 +184,8 @@ void Playback::keep_trying() {
   }
 }
 
-/// Returns the share that the operator requests. Where the override switch does not act, it is 1; where feed hold does not act, the last
-/// share above 0 replaces a request of 0.
+/// Returns the share of the planned speed that the operator requests. In cells where the override switch has no effect, the result is 1. In
+/// cells where feed hold has no effect, the last requested share above 0 replaces a request of 0.
 double Playback::asked() {
   const double wanted = wanted_.load(std::memory_order_relaxed);
   if (wanted > 0) now_.last_override = wanted;
@@ -210,10 +212,10 @@ void Playback::steer() {
   now_.trying = now_.tried = false;
 }
 
-/// Called at the start of a cell at whose end the axes synchronise with the spindle. Returns by how much the axes must wait longer than
-/// planned for the spindle angle, s.
+/// Returns by how many seconds longer than planned the axes must wait for the spindle angle in a cell at whose end they synchronise with
+/// the spindle. Called at the start of this cell.
 double Playback::wait_for_spindle(std::uint64_t cell) {
-  constexpr double turn = 360, same = 1e-6;  // one revolution; angles that count as equal; degrees
+  constexpr double turn = 360, same = 1e-6;  // degrees: one revolution; difference below which two angles count as equal
   const double rate = ring_.spindle(cell).per_second, turns = std::round(now_.slip / turn);
   if (rate == 0 || std::fabs(now_.slip - turn * turns) < same) {
     now_.slip = turn * turns;
@@ -230,7 +232,8 @@ bool Playback::go_on() {
   constexpr double turn = 360;
   const bool as_planned = now_.on_ramp >= now_.ramp.seconds() && now_.ramp.end() == 1;
   const double begins = now_.on_ramp;
-  double on_plan = now_.at.t, on_clock = begins, over = 0;  // times at the start of the current cell, s
+  // on_plan, on_clock: plan time and ramp time at the start of the current cell, s
+  double on_plan = now_.at.t, on_clock = begins, over = 0;
   bool in_step = false;
   // adds to `over` how far the spindle, which rotates in real time, is ahead of its planned rotation at `to`
   const auto turns_on = [&](const Cursor& to, double clock) {

@@ -101,7 +101,8 @@ class Playback {
   };
 
  public:
-  /// The position in the plan, and the cells not played yet. Copy or restore it only while no other thread is active.
+  /// The state of Playback: the position in the plan, and the cells that have not been played yet. Copy or restore it only while no other
+  /// thread is active.
   struct Memory {
     Place place;
     double wanted = 1;

@@ -14,7 +14,7 @@
 namespace kadr {
 namespace {
 
-/// Returns the set-up's entry of the axis, else the one for all axes.
+/// Returns the value that the set-up states for the axis, or else for all axes ("*"); nullopt if the set-up states neither.
 template <class T>
 std::optional<T> of_setup(const Setup& setup, const std::string& axis, std::optional<T> AxisLimits::*field) {
   for (const std::string& name : {axis, std::string("*")})
@@ -58,7 +58,8 @@ double Rates::least_most() const {
   return least;
 }
 
-/// INFERRED: on an arc each axis of the plane reaches the full path speed, as it does on an arc of at least a quadrant.
+/// Finds the axis that needs the longest time at its rapid rate. INFERRED: on an arc each axis of the plane reaches the full path speed, as
+/// it does on an arc of at least a quadrant.
 SlowestAxis slowest_axis(const AxisRoles& roles, const Curve& curve, const Motion& motion, const Axes& most) {
   SlowestAxis slowest;
   if (curve.surface() != PathSurface::plane) return slowest;  // polar_feed.h limits the feed of these motions by the rotary axis
@@ -201,7 +202,8 @@ void TimeEstimate::other(const Action& action) {
               CompensationBreak, CompensationCorner, CompensationCheck>);
 }
 
-/// Computes the time of a step. A step's pause is the increase of the sums, so that all pauses add up exactly to the sums.
+/// Computes the time of a step. The pause of a step is computed as the increase of the time sums, so that the pauses of all steps add up
+/// exactly to these sums.
 void TimeEstimate::time(Step& step) {
   if (const Motion* const moved = step.motion()) {
     step.time = motion(*moved, step.curve(), &step.from);

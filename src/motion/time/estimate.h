@@ -12,8 +12,8 @@ namespace kadr {
 /// The speeds of the machine, per axis.
 struct Rates {
   Axes rapid{};             // rapid rate of each axis, mm/min or degrees/min, override included
-  double feed_part = 1;     // feed override / 100
-  double spindle_part = 1;  // spindle override / 100
+  double feed_part = 1;     // feed override as a share (1: 100 %)
+  double spindle_part = 1;  // spindle override as a share (1: 100 %)
   double tool_change_s = 0;
   double spindle_start_s = 0;
   bool exact_times = false;  // true: the axes accelerate instantly, so the estimate is exact
@@ -36,7 +36,7 @@ struct SlowestAxis {
 };
 SlowestAxis slowest_axis(const AxisRoles& roles, const Curve& curve, const Motion& motion, const Axes& most);
 
-/// Seconds, by what they were spent on.
+/// Sums of time in seconds, by what the time was spent on.
 struct TimeSplit {
   double cutting = 0;
   double rapid = 0;
@@ -52,7 +52,7 @@ class TimeEstimate {
   TimeEstimate(const AxisRoles& roles, const Rates& rates);
 
   /// Computes the time of a motion along its curve and adds it to the sum.
-  ///   from  the axes' position before it; nullptr: the start of the curve
+  ///   from  the axes' position before the motion; nullptr: the start of the curve
   MotionTime motion(const Motion& motion, const Curve& curve, const ToolPosition* from = nullptr);
 
   /// Adds the time of an action that is not a motion. A Sync (wait for another channel) adds no time.

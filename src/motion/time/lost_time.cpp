@@ -61,7 +61,7 @@ void LostTime::take(const TimedCells& cells) {
 }
 
 std::vector<LostTime::Place> LostTime::worst(std::size_t count) const {
-  // losses below this share of the time are ignored; the planner's error is up to half of it (motion/least_time/least_time)
+  // losses below this share of the time are ignored; the planner's error is up to half of this share (motion/least_time/least_time)
   constexpr double accurate = 1e-3;
   constexpr double shown = 5e-4;  // s; a smaller loss would be displayed as 0
   std::vector<Place> places;

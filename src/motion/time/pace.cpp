@@ -1,6 +1,6 @@
 // Pace: computes how the time of a motion is distributed along it where the axes do not move in proportion to the feed: in polar
-// interpolation (NCT 4.5), in cylindrical interpolation (4.6), and at feed per revolution of a spindle whose speed depends on the tool's
-// position (11.5). Used by motion/least_time/axis_motion; tested by tests/motion/pace_test.cpp.
+// interpolation (NCT 4.5), in cylindrical interpolation (NCT 4.6), and at feed per revolution of a spindle whose speed depends on the
+// tool's position (NCT 11.5). Used by motion/least_time/axis_motion; tested by tests/motion/pace_test.cpp.
 
 #include "motion/time/pace.h"
 

@@ -1,8 +1,8 @@
 #pragma once
 // Pace: computes how the time of a motion is distributed along it where the axes do not move in proportion to the feed. There are three
 // cases: polar interpolation, where the feed applies in the programmed plane and the rotary axis has a speed limit (NCT 4.5); cylindrical
-// interpolation, where the feed applies on the unrolled surface (4.6); and feed per revolution of a spindle whose speed depends on the
-// tool's position (11.5).
+// interpolation, where the feed applies on the unrolled surface (NCT 4.6); and feed per revolution of a spindle whose speed depends on the
+// tool's position (NCT 11.5).
 
 #include "action/axis_roles.h"
 #include "motion/time/polar_feed.h"

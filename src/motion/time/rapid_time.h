@@ -9,15 +9,16 @@ struct RapidTime {
   double seconds = 0;
   // the highest speed along the path, mm/s; if the axes move independently, the highest speed of the axis that takes longest
   double top = 0;
-  double ahead = 0;  // time before the end of the motion at which the next motion may start, s (4.1.2)
+  double ahead = 0;  // time before the end of the motion at which the next motion may start, s (NCT 4.1.2)
 };
 
-/// Returns the time of a rapid motion along a straight line (4.1.1). `speed`: path speed at which the slowest axis has its rapid rate,
+/// Returns the time of a rapid motion along a straight line (NCT 4.1.1). `speed`: path speed at which the slowest axis has its rapid rate,
 /// mm/s.
 RapidTime rapid_together(const SpeedRules& rules, const PathShape& shape, double speed);
 
-/// Returns the time if each axis moves at its own rapid rate with its own acceleration (4.1.2, INFERRED). The next motion starts when the
-/// speed of the slowest axis has fallen by N0422 (INFERRED: N0422 is per cent of the speed).
+/// Returns the time of a rapid motion in which each axis moves at its own rapid rate with its own acceleration (NCT 4.1.2, INFERRED). The
+/// next motion starts when the speed of the slowest axis has fallen by the share in the NCT parameter N0422 (INFERRED: N0422 is a
+/// percentage of the speed).
 ///   ways   signed travel of the axes, mm or degrees
 ///   rates  rapid rates of the axes, mm/s or degrees/s
 RapidTime rapid_apart(const SpeedRules& rules, const Axes& ways, const Axes& rates);

@@ -64,7 +64,7 @@ SpindleTurn SpindleClock::turn(double per_second, const TimeLaw& law) {
 }
 
 double SpindleClock::seconds_to(double angle, double ahead) const {
-  constexpr double same = 1e-9;  // share of a revolution: a zero pulse that occurs at this moment counts
+  constexpr double same = 1e-9;  // share of a revolution: a zero pulse that is at most this far in the past counts as occurring now
   const double rate = std::fabs(per_second()), angle_now = spindles_[leading_].angle, turned = turning().reversed ? -angle_now : angle_now;
   const double pulse = full_turn * std::ceil(turned / full_turn - same);
   const double least = rate * ahead;  // least rotation since the zero pulse, degrees

@@ -15,7 +15,7 @@ namespace kadr {
 class SpindleClock {
  public:
   /// Sets a spindle's initial state, as TimeEstimate does: the spindle rotates at the speed that the set-up states.
-  ///   override_part  spindle override / 100
+  ///   override_part  spindle override as a share (1: 100 %)
   void start(const SpindleSetup& setup, double override_part = 1, std::size_t number = 1);
 
   /// Makes a spindle the leading one. Spindle 1 leads unless the program selects another (nct 11.4).

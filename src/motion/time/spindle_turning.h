@@ -8,8 +8,9 @@
 namespace kadr {
 
 struct SpindleTurning {
-  double rpm = 0;         // commanded speed, rev/min
-  bool on = true;         // true at the start too; if the set-up states that the spindle is at rest, rpm is 0
+  double rpm = 0;  // commanded speed, rev/min
+  // true: the spindle rotates at `rpm`. Also true at the program start; a spindle that the set-up states to be at rest has rpm 0 then
+  bool on = true;
   bool reversed = false;  // true: counter-clockwise rotation (M4)
 
   SurfaceSpeed surface{};  // constant surface speed, for the main spindle only

@@ -23,8 +23,8 @@ class Blank {
   /// Appends to `ranges`, in ascending order, the intervals in which a line along the axis `family` is inside the blank. u, v: positions
   /// of the line along the axes (family + 1) % 3 and (family + 2) % 3.
   virtual void cross(int family, double u, double v, std::vector<LineRange>& ranges) const = 0;
-  /// Returns the outward normal at a point of the blank's surface. There a line along the axis `family` leaves the blank if `out` is
-  /// true, else it enters.
+  /// Returns the outward normal at a point of the blank's surface. At this point a line along the axis `family` leaves the blank if `out`
+  /// is true, else the line enters the blank.
   virtual Vec3 normal(Vec3 at, int family, bool out) const = 0;
   virtual double volume() const = 0;
   /// Returns the volume in mm³ inside a box. Blanks without a better method add up intervals of lines, with a relative error of some 1e-5.

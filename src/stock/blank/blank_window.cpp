@@ -8,7 +8,7 @@
 namespace kadr {
 namespace {
 
-constexpr double same_place = 1e-3;  // mm: positions were rounded to single precision
+constexpr double same_place = 1e-3;  // mm: positions that differ by less count as equal, because they were rounded to single precision
 
 class BlankWindow : public Blank {
  public:

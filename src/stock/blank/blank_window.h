@@ -14,7 +14,7 @@ std::shared_ptr<const Blank> blank_within(std::shared_ptr<const Blank> blank, co
 class WindowFaces {
  public:
   WindowFaces(const Box3& window, const Box3& blank);
-  /// True if `at` is on such a face: the surface at this point comes from the window, and is not a surface of the part.
+  /// True if the point `at` is on one of these faces: the surface at this point is a face of the window, not a surface of the part.
   bool hold(const Vec3& at) const;
 
  private:

@@ -13,7 +13,8 @@
 namespace kadr {
 namespace {
 
-constexpr double same_hit = 1e-3;  // mm: positions were rounded to single precision
+// mm: hits at positions that differ by less count as one, because positions were rounded to single precision
+constexpr double same_hit = 1e-3;
 constexpr int lines_to_overlap = 128;
 
 class MeshBlank : public Blank {
@@ -44,7 +45,8 @@ class MeshBlank : public Blank {
   Mesh mesh_;
   Box3 box_;
   double volume_;
-  // Built at the first use: callers that need only the box and the bricks do not need these.
+  // The index of the triangles for lines along each axis. It is built at the first use, because callers that need only the box and the
+  // bricks need no index.
   mutable std::once_flag made_[3];
   mutable std::unique_ptr<const MeshIndex> along_[3];
   mutable std::once_flag asked_;
@@ -56,7 +58,8 @@ const MeshIndex& MeshBlank::index(int family) const {
   return *along_[family];
 }
 
-/// Sorts hits along a line. Where two solid bodies touch, the hit that enters the second comes before the hit that leaves the first.
+/// The order of hits along a line: returns true if `a` comes before `b`. Where two solid bodies touch, the hit that enters the second comes
+/// before the hit that leaves the first.
 bool before(const MeshHit& a, const MeshHit& b) {
   if (a.place != b.place) return a.place < b.place;
   return a.turn != b.turn ? a.turn > b.turn : a.triangle < b.triangle;
@@ -74,7 +77,8 @@ bool winds_twice(std::vector<MeshHit>& hits) {
   return false;
 }
 
-/// Finds overlaps that are at least about a hundredth of the blank's width; the volume error of smaller ones does not matter.
+/// Returns true if solid bodies of the mesh overlap. Finds overlaps that are at least about a hundredth of the blank's width; smaller
+/// overlaps hardly change the volume.
 bool MeshBlank::find_overlap() const {
   const double step_x = (box_.most.x - box_.least.x) / lines_to_overlap, step_y = (box_.most.y - box_.least.y) / lines_to_overlap;
   std::vector<MeshHit> hits;

@@ -27,7 +27,8 @@ struct KadrBodiesInterface {
   /// Returns the distance between the surfaces of two bodies; negative if they overlap, NaN if it could not be computed.
   ///   nearest  receives six numbers: the closest points on the first and on the second body; unchanged if the bodies overlap
   double (*distance)(KadrBodies*, int a, const double* pose_a, int b, const double* pose_b, double* nearest);
-  /// Returns the distance by which one of two overlapping bodies must move so that they no longer overlap; 0 if unknown. Not for meshes.
+  /// Returns the distance by which one of two overlapping bodies must move so that they no longer overlap; 0 if unknown. The bodies must
+  /// not be meshes.
   double (*depth)(KadrBodies*, int a, const double* pose_a, int b, const double* pose_b);
 };
 

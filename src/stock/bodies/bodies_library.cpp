@@ -13,8 +13,8 @@ namespace kadr {
 namespace {
 
 constexpr const char* bodies_file = "kadr-bodies.so";
-// The first two folders are relative to the program's folder, the next two to the folder of libkadr.so, the last to that of a build's
-// tests.
+// The folders in which the module is searched. The first two are relative to the folder of the program, the next two to the folder of
+// libkadr.so, the last to the folder of the tests in a build.
 constexpr const char* bodies_folders[] = {"", "../lib/kadr/modules/", "kadr/modules/", "../kadr/modules/", "../"};
 
 /// Returns the folder of the program or library that contains this code, with a final `/`; empty if unknown.

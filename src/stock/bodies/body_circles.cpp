@@ -10,8 +10,8 @@ namespace {
 
 constexpr double same_circle = 1e-9;  // mm
 
-/// Appends the tangent lines that replace a quarter circle about (x, y) with the radius r, from the point below its centre to the point at
-/// the same height.
+/// Appends the tangent lines that replace a quarter circle about (x, y) with the radius r, from the point below the centre to the point at
+/// the centre's height.
 void add_arc(std::vector<Vec2>& profile, double x, double y, double r, double chord) {
   const double half = std::acos(1 / (1 + std::max(chord, 1e-9) / r));  // the tangents lie outside the circle by `chord`
   const int count = std::clamp(int(std::ceil(pi / 4 / half)), 2, 64);

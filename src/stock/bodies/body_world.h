@@ -1,5 +1,6 @@
 #pragma once
-// BodyWorld: a set of solid bodies, and the distance between any two of them in any pose. FCL computes it (stock/bodies/bodies_library).
+// BodyWorld: a set of solid bodies, and the distance between any two of them in any pose. The library FCL computes the distances
+// (stock/bodies/bodies_library).
 
 #include <memory>
 #include <optional>
@@ -13,7 +14,7 @@
 
 namespace kadr {
 
-/// A body of a BodyWorld: its number there, and its pose in the coordinates of its description (machine file, mesh or tool).
+/// A body of a BodyWorld: its number in the BodyWorld, and its pose in the coordinates of its description (machine file, mesh or tool).
 struct SolidBody {
   int number = 0;
   LinkPose lies;

@@ -75,7 +75,8 @@ std::vector<std::pair<std::size_t, std::size_t>> MovingBodies::accept_initial_co
     pair.is_checked = true;
     const Body &a = bodies_[pair.first], &b = bodies_[pair.second];
     const bool of_machine = a.kind == BodyKind::machine && b.kind == BodyKind::machine;
-    // The tool is in the spindle, so bodies that enclose it there are built so. For bodies of the table, a contact at 0 proves nothing.
+    // A body on a link that carries the tool may touch the tool by design, because the tool is in the spindle. But a contact between the
+    // tool and a body of the table at axis positions 0 does not prove that the machine is built so.
     const Body& other = a.kind == BodyKind::tool ? b : a;
     const bool about_spindle = (a.kind == BodyKind::tool || b.kind == BodyKind::tool) && links_.carries_tool(other.link);
     if (!of_machine && !about_spindle) continue;
@@ -155,7 +156,8 @@ void MovingBodies::follow(Pair& pair, const Axes& from, const Axes& by, std::vec
   }
 }
 
-/// Two bodies that have met are not reported again until they have separated.
+/// Checks whether two bodies that have met have separated at the axis positions `to`. Before they have separated, they are not reported
+/// again.
 void MovingBodies::part_from(Pair& pair, const Axes& to) {
   links_.poses(to, now_);
   const double distance = gap(pair, now_).distance;

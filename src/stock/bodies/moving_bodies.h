@@ -29,7 +29,7 @@ struct BodyMeeting {
   std::size_t first, second;  // numbers from add()
   double part;                // share of the motion (0 to 1) at which they met
   Vec3 at;                    // in the coordinates of the bed
-  double depth;               // mm by which the two overlap after the motion; 0: unknown
+  double depth;               // mm by which the two bodies overlap after the motion; 0: unknown
 };
 
 class MovingBodies {
@@ -46,7 +46,7 @@ class MovingBodies {
   void put(std::size_t body, const LinkPose& on_link);
   /// Excludes a body from the checks, or includes it again.
   void show(std::size_t body, bool is_there);
-  /// Must be called after the axes have moved along an unknown path.
+  /// Makes all stored distances and contacts unknown. Must be called after the axes have moved along an unknown path.
   void jump();
 
   /// Excludes the pairs that are in contact when all axes are at 0, because the machine is built so: pairs of bodies of the machine, and

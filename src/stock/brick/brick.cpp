@@ -1,4 +1,4 @@
-// Computes the height bounds of a brick. Used by stock/cut/brick_cut.
+// Computes upper bounds of the height of the material in a brick. Used by stock/cut/brick_cut.
 
 #include "stock/brick/brick.h"
 

@@ -38,7 +38,8 @@ class Cutter {
   void end();
 
  protected:
-  /// Safety margin for skipping, mm. The bounds of the brick may be older than its last cuts; skipping never changes the result.
+  /// Safety margin, mm, for skipping material that the sweep does not reach. The height bounds of the brick may be older than its last
+  /// cuts, that is, too high but never too low; so skipping never changes the result.
   float margin() const { return scale_.cell * 1e-3f; }
   float lowest_over_brick() const;
   template <class V>

@@ -110,7 +110,7 @@ KADR_IN_LANES void Cutter::cut_family(const PointRange& range) {
   BrickLines& lines = brick_.family[std::size_t(family)];
   const LocalSweep sweep = body_.turned ? upside_down(sweep_) : sweep_;
   const LevelPath way(sweep, family == 2 ? 0 : family);
-  // Tested before this cut: intervals that this cut itself splits off lie outside the swept volume.
+  // The further intervals are tested for before this cut, because intervals that this cut itself splits off lie outside the swept volume.
   const bool several = !lines.further.empty();
   alignas(32) float all_from[brick_lines], all_to[brick_lines], all_tips[brick_lines];
   if (several) std::fill(all_from, all_from + brick_lines, missed), std::fill(all_to, all_to + brick_lines, -missed);

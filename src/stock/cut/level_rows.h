@@ -19,10 +19,12 @@ struct LevelPath {
   float start, across_start;  // position of the tip at the start, along the lines and across them
   float forth, across, up;    // unit vector of the path
   float per_across;
-  float side;  // where a disc of the tool leaves a line: distance of this point across the lines, per mm of the disc's radius
+  // signed distance, across the lines, of the centre of a disc of the tool from a line, per mm of the disc's radius, at the position on the
+  // path where the disc reaches farthest along the line
+  float side;
 };
 
-/// Positions of the lines across and above the tip at the start of the path.
+/// Positions of lines relative to the tip at the start of the path: distance across the lines, and height above the tip.
 template <class V>
 struct LevelLines {
   V across, up;
@@ -79,11 +81,11 @@ KADR_IN_LANES Swept<V> level_ball(const LevelPath& w, const SweptBody& b, const 
   return between(w, LeftAt<V>{from, room - from_far * from_far * square}, LeftAt<V>{to, room - to_far * to_far * square}, on.any);
 }
 
-/// A cone or a rounded edge (the end of a tool) and a line, at one position on the path.
+/// The intersection of a line with the end of a tool (a cone or a rounded edge), at one position on the path.
 template <class V>
 struct EndAt {
   V square;  // square of half the length of the line inside the end
-  V forth;   // the slope of the exit position along the path is proportional to sign · forth + turn
+  V forth;   // sign · forth + turn is proportional to the slope, along the path, of the position where the line leaves the end
   V turn;    // see `forth`
 };
 template <class V, BodyEnd end>
@@ -96,7 +98,8 @@ KADR_IN_LANES EndAt<V> end_at(const LevelPath& w, const SweptBody& b, const Leve
   } else {
     scale = root(height * (2 * b.corner - height)), radius = scale + b.flat, grows = spread<V>(b.corner) - height;
   }
-  // Where the line is missed, the slope must point towards the positions at which the line is met.
+  // At positions on the path where the end misses the line, a slope is returned whose sign points towards the positions at which the end
+  // meets the line.
   const V square = (radius - side) * (radius + side), towards = choose(side > 0.f, spread<V>(w.across), spread<V>(-w.across));
   const V rises = grows * w.up;
   const MarksOf<V> meets = square > 0.f;

@@ -14,8 +14,8 @@ struct RingOutcome {
   bool changed = false;
   double length = 0;  // removed length, summed over the lattice lines along Z, mm
   float longest = 0;  // longest interval removed from a lattice line of any direction, mm
-  // True: also records `radii` and `heights`, without intervals thinner than `least_piece` (along the radius on lines along X and Y,
-  // else along Z).
+  // True: `radii` and `heights` are recorded too. Removed intervals thinner than `least_piece` are left out of them; the thickness is
+  // measured along the radius for lines along X and Y, and along Z for lines along Z.
   bool watched = false;
   double least_piece = 0;
   RingRange radii, heights;  // ranges of radius and height of the removed material, if `watched`

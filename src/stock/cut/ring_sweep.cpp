@@ -33,7 +33,8 @@ RingSweep::RingSweep(const InsertBody& body, const InsertPoint& from, const Inse
   const InsertPoint way{to.x - from.x, to.z - from.z};
   const double far = std::sqrt(inner(way, way));
   const InsertPoint right =
-      far > 0 ? InsertPoint{way.z / far, -way.x / far} : InsertPoint{};  // right of the path; from there on normals point ahead
+      // unit vector to the right of the path: counter-clockwise from it, the normals of the outline point ahead
+      far > 0 ? InsertPoint{way.z / far, -way.x / far} : InsertPoint{};
   std::vector<InsertCorner> corners;
   std::vector<InsertPoint> outward;
   for (std::size_t k = 0; k < n; ++k) {

@@ -2,11 +2,11 @@
 // Finds the position on the path at which a tool's rounded or conical end reaches farthest along a lattice line. Used by
 // stock/cut/level_rows and stock/cut/upright_rows.
 //
-// For a convex body on a straight path, the distance that the body reaches along a line is a concave function of the position on the
-// path. So there is one maximum, and the sign of the function's slope at a position shows on which side of it the maximum is. For most
-// lines the slopes at both ends of the path decide. For the others, the zero of the chord through the slopes at both ends of the bracket
-// is the next position; the middle of the bracket is used instead if the line misses the body at one end, or if the last chord has not
-// halved the bracket.
+// For a convex body on a straight path, the distance that the body reaches along a line is a concave function of the position on the path.
+// So there is one maximum, and the sign of the function's slope at a position shows on which side of it the maximum is. For most lines the
+// slopes at both ends of the path decide. For the others, the section of the path that contains the maximum (the bracket) is narrowed step
+// by step. The next position is the zero of the straight line (chord) through the slopes at both ends of the bracket; the middle of the
+// bracket is used instead if the line misses the body at one end, or if the last chord has not halved the bracket.
 
 #include "stock/cut/float_lanes.h"
 
@@ -28,8 +28,8 @@ struct Bracket {
   Slope<V> at_first, at_last;
 };
 
-/// `slope_at(place)` must return the Slope at a position. In the lanes `sought` it is positive at `first` and negative at `last`; other
-/// lanes are ignored.
+/// Narrows the section of the path that contains the maximum, until it is at most `error` mm long. `slope_at(place)` must return the Slope
+/// at a position. In the lanes `sought` the slope is positive at `way_first` and negative at `way_last`; other lanes are ignored.
 template <class V>
 KADR_IN_LANES Bracket<V> bracketed(const V& way_first, const V& way_last, const Slope<V>& slope_first, const Slope<V>& slope_last,
                                    const MarksOf<V>& sought, float error, const auto& slope_at) {
@@ -41,7 +41,7 @@ KADR_IN_LANES Bracket<V> bracketed(const V& way_first, const V& way_last, const 
     const V width = last - first, middle = half * (first + last);
     if (!any(sought & (width > error))) break;
     const V chord = within(first + width * (at_first.value / (at_first.value - at_last.value)), first, last);
-    // The position is moved slightly towards the middle, so that the maximum is between it and the near end of the bracket.
+    // The position is moved slightly towards the middle, so that the maximum is between this position and the nearer end of the bracket.
     const V pushed = choose(chord < middle, least(chord + beyond, middle), most(chord - beyond, middle));
     const V place = choose(at_first.smooth & at_last.smooth & ~slow, pushed, middle);
     const Slope<V> here = slope_at(place);

@@ -43,7 +43,7 @@ SweptBody swept_body(const ConvexBody& convex) {
     body.widens = float((end.top_radius - end.bottom_radius) / (end.top - end.bottom));
     body.stands = float((end.top - end.bottom) / (end.top_radius - end.bottom_radius));
   }
-  // A position that is wrong by e shifts the result by e² / (2 corner); at the apex of a cone by up to e.
+  // A position on the path that is wrong by e shifts the result by e² / (2 corner), or at the apex of a cone by up to e.
   body.error_at_position = float(body.end == BodyEnd::cone ? 3e-4 : std::sqrt(2 * error_by_position * double(body.corner)));
   return body;
 }

@@ -61,7 +61,8 @@ KADR_IN_LANES Swept<V> in_ball_tube(const BallTube& b, const V& lanes, const aut
   return either(ends, where((room > 0.f) & (tube.from <= tube.to), tube.from + b.line[0], tube.to + b.line[0]));
 }
 
-/// Returns the material that remains after the ball has cut, as far as the shaft behind the ball may still remove some of it.
+/// Returns for each line the interval of material that the shaft above the ball may still have to cut: `material` without what the ball
+/// removes at one of its ends.
 template <class V>
 KADR_IN_LANES Swept<V> left_by(const Swept<V>& ball, const Swept<V>& material) {
   const MarksOf<V> takes_from = ball.from <= material.from, takes_to = ball.to >= material.to;

@@ -28,7 +28,8 @@ float half_shift(const TiltedSweep& s) {
   return length / 2 + s.guess_error() + 1e-4f;
 }
 
-/// Returns a cylinder, in the pose half way, that encloses everything the body sweeps; for a ball end, everything its shaft sweeps.
+/// Returns a cylinder, in the pose half way along the path, that encloses everything the body sweeps; for a ball end, everything that its
+/// shaft sweeps.
 Frustum bounds_of(const TiltedBody& body, const TiltedSweep& s) {
   const float room = s.guess_error() + 1e-4f, rise = std::fabs(s.shift[2]) / 2 + room,
               beside = std::sqrt(s.shift[0] * s.shift[0] + s.shift[1] * s.shift[1]) / 2 + room;
@@ -108,7 +109,7 @@ bool TiltedCutter::is_below_shaft() const {
   return high < tilted_body_.shaft.low;
 }
 
-/// Finds out which flat faces of the body can be in the brick, with a margin for enlarged bodies.
+/// Finds out which flat faces of the body may enter the brick during the sweep, with a margin for enlarged bodies.
 FacesNear TiltedCutter::faces_near() const {
   float reach = std::fabs(tilted_sweep_.shift[2]) * 1.5f + tilted_sweep_.guess_error() + 4 * scale_.cell;
   for (int d = 0; d < 3; ++d) reach += std::fabs(tilted_sweep_.axes[d][2]) * half_;
@@ -119,7 +120,7 @@ FacesNear TiltedCutter::faces_near() const {
   return near;
 }
 
-/// True if the brick is inside the shaft in the pose half way.
+/// True if the brick is inside the shaft in the pose half way along the path.
 bool TiltedCutter::takes_all() const {
   const Frustum& f = tilted_body_.shaft;
   const float reach = tilted_sweep_.reach + tilted_sweep_.guess_error(), height = tilted_sweep_.middle[2];

@@ -21,10 +21,11 @@ struct TiltedSweep {
   float axes_first[3][3], axes_last[3][3];  // tool's axes at the start and at the end of the path
   float tips[2][3], directions[2][3];       // tip and direction of the tool at the start and the end, relative to the brick's middle
   float half_turn;                          // half the angle by which the tool turns, radians
-  float aside[3];                           // half way: offset of the brick's middle from the chord of its path
+  float aside[3];                           // half way along the path: offset of the brick's middle from the chord of its path
   float bend;                               // upper bound of this offset for all points of the brick
   float reach;                              // distance from the brick's middle to its corners
-  /// Greatest error in the brick, mm, if an intersection is computed with the shift of a wrong position on the line.
+  /// Greatest error of an intersection in the brick, mm, if the intersection is computed with the shift that belongs to another position on
+  /// the line.
   float guess_error() const { return half_turn * reach; }
 };
 

@@ -93,7 +93,7 @@ class TiltedCutter : public Cutter {
   LineSet& later_;
 };
 
-/// Cut with eight lanes, as two vectors or as one; cut_tilted_wide() needs AVX2.
+/// Cut eight lines at once, with two vectors of the processor or with one; cut_tilted_wide() needs AVX2.
 void cut_tilted_pair(TiltedCutter& cutter);
 void cut_tilted_wide(TiltedCutter& cutter);
 
@@ -186,7 +186,7 @@ KADR_IN_LANES TiltedCutter::Reached TiltedCutter::reached(const PathPast<V>& pas
   return r;
 }
 
-/// Returns the rows, among the four rows of lines over a square, in which a line with at least this lane is reached.
+/// Returns those of four rows of lines (row `square` of the squares) in which the sweep may reach one of the eight lines from `lane` on.
 inline TiltedCutter::RowRange TiltedCutter::rows_of(const Reached& r, int family, int square, int lane, const BrickScale& scale) {
   constexpr int wide = brick_edge / squares_along;
   const RowRange all{square * wide, square * wide + wide}, none{0, 0};
@@ -255,7 +255,7 @@ KADR_OWN_FUNCTION Swept<V> TiltedCutter::by_end(const TiltedFamily<V>& all, int 
     if (i + 1 == max_refined || !any(open)) break;
     place = next;
   }
-  // An end outside the brick may be moved anywhere outside the brick.
+  // An end of an interval that is outside the brick may be moved anywhere outside the brick.
   const MarksOf<V> misses = end_of.from > end_of.to, inside = (low > -half) & (high < half);
   const V from = choose(inside, within(end_of.from, low, high), end_of.from), to = choose(inside, within(end_of.to, low, high), end_of.to);
   const Swept<V> end{choose(by_from, from, end_of.from) + half_, choose(by_from, end_of.to, to) + half_};
@@ -270,7 +270,7 @@ KADR_IN_LANES Swept<V> TiltedCutter::ends_in(const TiltedFamily<V>& all, int fam
   const MarksOf<V> reached = meet(guess, material);
   const MarksOf<V> by_from = (guess.from > material.from - room) | (guess.to > material.to + room);
   const Swept<V> one = by_end<V, kind>(all, family, line, guess, by_from, reached, material);
-  // An end is certainly outside the material only if it is an end in a pose at the start or the end of the path.
+  // An end of the interval is certainly outside the material only if it is an end in the pose at the start or the end of the path.
   const MarksOf<V> open_from = line.at_ends.from + half_ > material.from, open_to = line.at_ends.to + half_ < material.to;
   const MarksOf<V> other_to = by_from & ((one.to < material.to + room) | open_to);
   const MarksOf<V> other_from = ~by_from & ((one.from > material.from - room) | open_from);
@@ -293,7 +293,7 @@ KADR_OWN_FUNCTION bool TiltedCutter::sweeps(const TiltedFamily<V>& all, int fami
   if (!any(beside)) return false;
   TiltedRow<V> line;
   line.at = line_value(tilted_sweep_.middle, tilted_sweep_.axes, family, places, row_position);
-  // A quick test with the pose half way and a body enlarged by the shift.
+  // A quick test with the pose half way along the path and a body enlarged by the shift.
   const Swept<V> nearly = in_cylinder(line.at, all.even.heading, around_);
   const MarksOf<V> near = beside & meet({nearly.from + half_, nearly.to + half_}, material);
   if (!any(near)) return false;
@@ -318,7 +318,7 @@ KADR_OWN_FUNCTION bool TiltedCutter::sweeps(const TiltedFamily<V>& all, int fami
   }
 }
 
-/// Uses the poses at both ends of the path; what the tool sweeps between them is computed only where it may reach more material.
+/// Like sweeps(), for a cylinder: uses the end poses; what the tool sweeps between them is computed only where it may reach more material.
 template <class V>
 KADR_IN_LANES bool TiltedCutter::sweeps_cylinder(const TiltedFamily<V>& all, int family, TiltedRow<V>& line, const MarksOf<V>& near,
                                                  const Swept<V>& material, Swept<V>& swept) const {

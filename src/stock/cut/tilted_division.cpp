@@ -33,7 +33,8 @@ bool has_face(const TiltedBody& body, const HeightRange& heights) {
   return true;
 }
 
-/// Returns the bend for one body. All of a ball bends as its centre does; the shaft of a ball end counts only in bricks above the centre.
+/// Returns the bend (tilted_division.h) of the path past one body, mm. For a ball the bend at its centre counts; the shaft of a ball end
+/// counts only in bricks above the centre.
 double bend_of(const TiltedSweep& s, const TiltedBody& body, const HeightRange& heights) {
   if (body.kind != TiltedBody::Kind::ball) return double(s.bend);
   const double of_ball = double(body.middle * s.half_turn * s.half_turn) / 2;

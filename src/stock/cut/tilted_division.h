@@ -2,8 +2,8 @@
 // TiltedDivision: the parts into which the path of a tilted tool is divided for one brick.
 //
 // In each part, the points of the brick must move past the tool on nearly straight paths, since the bend of these paths is the error of
-// the cut. And no lattice line of the brick may turn from one side of a flat face of the tool to the other: the face would reach the
-// line from both of its ends, and the material between them would be removed too.
+// the cut. And no lattice line of the brick may turn from one side of a flat face of the tool to the other: the face would reach the line
+// from both ends of the line, and the material between the two positions would be removed too.
 
 #include <array>
 

@@ -158,7 +158,7 @@ template <class V>
 KADR_IN_LANES Swept<V> in_cone(const Vec3Of<V>& at, const Vec3Of<V>& e, float radius, float bottom, float widens) {
   const V here = spread<V>(radius) + (at.z - bottom) * widens, grows = e.z * widens;
   const V a = e.x * e.x + e.y * e.y - grows * grows, b = at.x * e.x + at.y * e.y - here * grows;
-  // b² - a c is computed from three products in which the common terms of the two products are cancelled already.
+  // The discriminant b² - a c is computed from three squares, in which the common terms of b² and a c have already cancelled.
   const V cross = at.x * e.y - at.y * e.x, u = at.x * grows - here * e.x, v = at.y * grows - here * e.y;
   const V room = u * u + v * v - cross * cross, r = root(room);
   const V c = at.x * at.x + at.y * at.y - here * here, q = -(b + choose(b < 0.f, -r, r));
@@ -176,8 +176,8 @@ KADR_IN_LANES float widens(const Frustum& f) {
   return f.low_radius == f.high_radius ? 0.f : (f.high_radius - f.low_radius) / (f.high - f.low);
 }
 
-/// mm. A line that is in a flat face to within this rounding error counts as inside: the tool may turn the line out of the face just
-/// there.
+/// mm: a line that is in a flat face to within this numerical error counts as inside the body, because the tool's turn may move the line
+/// out of the face at this very position.
 inline constexpr float in_face = 2e-5f;
 
 template <class V>
@@ -196,8 +196,8 @@ KADR_IN_LANES Swept<V> in_frustum(const Vec3Of<V>& at, const Heading& h, const F
 /// Returns the interval that a flat face sweeps by a shift without a turn: the face is a disc, the same at every height.
 template <class V>
 KADR_IN_LANES Swept<V> in_shifted_disc(const TiltedLines<V>& l, const Vec3Of<V>& at, float height, float radius) {
-  // The point at s on the line is in the plane of the face, which is at t on the path, if s h.z - t way.z = height - at.z. The solution
-  // nearest to the origin (foot point) is computed first; the solutions are a line through it.
+  // The point at s on the line is in the plane of the face, which is at t on the path, if s h.z - t way.z = height - at.z. The solutions
+  // (s, t) form a straight line; the solution nearest to the origin (0, 0) is computed first.
   const Heading& h = l.heading;
   const Vec3Of<V>& way = l.past.way;
   const V square = way.z * way.z + h.z * h.z, per = 1.f / most(square, spread<V>(shortest_path * shortest_path)),
@@ -212,8 +212,8 @@ KADR_IN_LANES Swept<V> in_shifted_disc(const TiltedLines<V>& l, const Vec3Of<V>&
   return where((in.from <= in.to) & (square > shortest_path * shortest_path) & l.past.moves, least(a, b), most(a, b));
 }
 
-/// Returns the interval that the outline of the side sweeps. The outline is the two straight lines of the side that are seen at its edge
-/// along the path.
+/// Returns the interval that the outline of the side sweeps. The outline consists of those two straight lines of the side that form its
+/// edge when it is seen along the path.
 template <class V>
 KADR_IN_LANES Swept<V> in_shifted_outline(const TiltedLines<V>& l, const Vec3Of<V>& at, const Frustum& f) {
   const Heading& e = l.heading;
@@ -252,7 +252,8 @@ KADR_IN_LANES Swept<V> in_shifted_cone_outline(const TiltedLines<V>& l, const Ve
   return where((s.from <= s.to) & p.moves_flat & (beside_square > shortest_path), s.from, s.to);
 }
 
-/// Marks lines, except those that stay on one side of the axis and farther from it than `radius` during the whole path.
+/// Marks the lines that may come nearer to the axis than `radius`: all lines except those that stay on one side of the axis and farther
+/// away during the whole path.
 template <class V>
 KADR_IN_LANES MarksOf<V> come_near(const TiltedLines<V>& l, const Vec3Of<V>& at, float radius) {
   const Heading& h = l.heading;

@@ -1,13 +1,13 @@
 #pragma once
-// Part of TiltedCutter: finds the lines that it does not cut, so that the caller cuts them with the two halves of the path. Only for
-// stock/cut/tilted_cut.
+// Part of TiltedCutter: finds the lines for which the computed interval may be wrong. TiltedCutter does not cut these lines; the caller
+// cuts them with the two halves of the path. Only for stock/cut/tilted_cut.
 
 #include "stock/cut/tilted_cutter.h"
 
 namespace kadr {
 
-/// Marks lines where the end of the swept interval is an end in this pose (at the start or end of the path), and where the line crosses the
-/// cylinder's surface at an angle much greater than the tool's turn.
+/// Marks lines on which `end`, an end of the swept interval, is also an end of the interval inside the cylinder in this pose (at the start
+/// or the end of the path), and on which the line crosses the cylinder's surface at an angle much greater than the tool's turn.
 ///   half   half the edge of the brick: positions of poses are relative to its middle
 ///   steep  sine of the least such angle
 template <class V>

@@ -28,15 +28,16 @@ TiltedOver::TiltedOver(const TiltedSweep& s, const TiltedBody& body, float edge)
   apart = 4 * over_allowed / turn;
   const bool faces = has_flat_face(s, body);
   const float bent = turn * turn / (8 * over_allowed);
-  // The sine of the angle along the rounding, measured from the lower face, gives the height; 0.01 mm is a margin for the error of an end.
+  // The sine of the angle along the rounded edge, measured from the lower face, gives the height; 0.01 mm is a margin for the error of an
+  // interval's end.
   const float sine = std::min(bent * (body.flat + body.corner), 1.f);
   edge_below = body.low() + body.corner * (1 - std::sqrt(1 - sine * sine)) + 0.01f;
   for (int d = 0; d < 3; ++d) {
     const float cosine = std::fabs(s.axes[d][2]), least = std::max(cosine - s.half_turn, 0.f), most = std::min(cosine + s.half_turn, 1.f);
     family[d].by_end = body.kind == TiltedBody::Kind::cone && is_flat_along(body.end, least, most, bent);
     family[d].by_shaft = is_flat_along(body.shaft, least, most, bent);
-    // Where a line touches a rounded edge, the edge is at least as steep as the line. Its curvature is this slope divided by the distance
-    // from the axis.
+    // Where a line touches a rounded edge, the edge is at least as steep as the line. The curvature of the edge at this point is its slope
+    // divided by the distance of the point from the axis.
     family[d].by_edge = body.kind == TiltedBody::Kind::rounded && body.flat > 0 && least < bent * (body.flat + body.corner);
     family[d].by_face = faces && least < turn;
   }

@@ -31,12 +31,12 @@ struct TiltedOver {
   TiltedOver(const TiltedSweep& sweep, const TiltedBody& body, float edge);
 
   struct Family {
-    bool by_end = false, by_shaft = false, by_edge = false, by_face = false;  // where on the body lines may nearly lie
+    bool by_end = false, by_shaft = false, by_edge = false, by_face = false;  // parts of the body in whose surface lines may nearly lie
     bool any() const { return by_end || by_shaft || by_edge || by_face; }
   };
   Family family[3];
   float apart = 0;       // mm: the two intervals of a line may be this far apart
-  float edge_below = 0;  // mm: the rounded edge is this flat only below this height above the tip
+  float edge_below = 0;  // height above the tip, mm: only below this height the rounded edge is so flat that lines may nearly lie in it
 };
 
 }  // namespace kadr

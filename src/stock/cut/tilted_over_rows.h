@@ -21,8 +21,8 @@ struct LineAtEnd {
   Heading heading;
 };
 
-/// Marks lines with an interval in both end poses (`first`, `last`) and a gap of more than `apart` between the two. If the interval
-/// `asked` extends only a little into this gap, its error is at most turn · (length in the gap).
+/// Marks lines with an interval in both end poses (`first`, `last`) and a gap of more than `apart` between the two. A line whose interval
+/// `asked` extends only a little into this gap is not marked, because the error is then at most turn · (length in the gap).
 template <class V>
 KADR_IN_LANES MarksOf<V> are_apart(const Swept<V>& first, const Swept<V>& last, const Swept<V>& asked, float apart) {
   const V from = least(first.to, last.to), to = most(first.from, last.from);
@@ -60,7 +60,8 @@ KADR_IN_LANES MarksOf<V> are_turned_over(const TiltedOver& over, int family, con
   MarksOf<V> turned = asked.from < asked.to;
   if (!any(turned)) return turned;
   turned = turned & ~turned;
-  // Sides count as unlimited: beyond a face of the body, they are reached at some time on the path.
+  // The side of the shaft counts as unlimited in height: a line that meets the side beyond a face of the body in an end pose meets the body
+  // at another time on the path.
   if (by.by_shaft) {
     const float radius = body.shaft.low_radius;
     const auto in = [&](const LineAtEnd<V>& l) { return in_circle(l.at.x, l.at.y, l.heading, radius); };

@@ -36,13 +36,14 @@ class Carry {
 
 }  // namespace
 
-/// Returns the angle: for a short chord by the series of 2 asin(chord / 2), else an upper bound.
+/// Returns the angle by which the tool turns: for a short chord by the series of 2 asin(chord / 2), else an upper bound.
 double TiltedPath::turn() const {
   const double chord = size_of(to_direction - from_direction), square = chord * chord;
   return chord < 0.5 ? chord * (1 + square * (1 / 24.0 + square * (3 / 640.0 + square * 5 / 7168.0))) : chord * pi / 2;
 }
 
-/// Halves the arc repeatedly. It uses only the square root, which every processor rounds alike.
+/// Returns the direction of the tool at a share of the path. Halves the arc repeatedly, and uses only the square root, which every
+/// processor rounds alike.
 Vec3 TiltedPath::direction(double part) const {
   if (part <= 0 || from_direction == to_direction) return from_direction;
   if (part >= 1) return to_direction;

@@ -17,7 +17,8 @@ struct TiltedFamily {
   TiltedLines<V> even;  // the lines, with the shift of the brick's middle for all
   Heading first, last;  // direction of the lines in the end poses
   /// Signed distance of a line from the tool's axis times the sine of the angle between them: `aside` for the line through the brick's
-  /// middle, and its change per mm of lane and per mm of row. `reach` bounds the absolute value for lines that come near.
+  /// middle, and its change per mm of lane and per mm of row. `reach` bounds the absolute value of this product for lines that come near
+  /// the tool.
   float aside, aside_lane, aside_row, reach;
 };
 /// Eight lines of a family.
@@ -52,8 +53,8 @@ struct PastTool {
   float bend;              // mm by which the paths of the points may deviate from straight lines
 };
 
-/// Marks lines whose entry or exit point at `place` is moving out of the cylinder. In the lanes of `by_face` the point is on a flat face
-/// (the upper one if `face_is_upper`), else on the side.
+/// Marks lines whose entry or exit point at `place` is moving out of the cylinder, as the tool moves along its path (`forth` 1) or back
+/// (`forth` -1). In the lanes of `by_face` the point is on a flat face (the upper one if `face_is_upper`), else on the side.
 template <class V>
 KADR_IN_LANES MarksOf<V> moves_out(const Pose<V>& pose, const V& place, const PastTool<V>& past, float forth, const MarksOf<V>& by_face,
                                    bool face_is_upper) {
@@ -66,7 +67,8 @@ KADR_IN_LANES MarksOf<V> moves_out(const Pose<V>& pose, const V& place, const Pa
   return choose(by_face, face, side);
 }
 
-/// Marks lines on which the cylinder reaches farthest backwards in one of the end poses; is_farthest_on() does so for forwards.
+/// Marks lines on which the cylinder reaches farthest, in the negative direction of the line, in one of the end poses. is_farthest_on()
+/// does the same for the positive direction.
 template <class V>
 KADR_IN_LANES MarksOf<V> is_farthest_back(const Pose<V>& first, const Pose<V>& last, const PastTool<V>& past) {
   const auto at = [&](const Pose<V>& p, float forth) {

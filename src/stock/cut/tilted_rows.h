@@ -3,10 +3,10 @@
 // tool's coordinates with the tool's axis along Z. Positions on a line are mm from the line's middle.
 //
 // What a convex body sweeps along a straight path is convex. Where a line leaves this volume, it is on the body in an end pose, on the
-// volume swept by the rim of a flat face, or on the volume swept by the body's outline as seen along the path. Each of these is part of a
-// convex volume, whose intersection with a line has a closed form; the result is the interval from the least of their ends to the
-// greatest. Only rounded edges need an iteration: the distance from a rounded edge is a convex function along the line, so Newton's
-// method converges from outside.
+// volume swept by the edge circle of a flat face, or on the volume swept by the body's outline as seen along the path. Each of these is
+// part of a convex volume, whose intersection with a line has a closed form; the result is the interval from the least of their ends to the
+// greatest. Only rounded edges need an iteration: the distance from a rounded edge is a convex function along the line, so Newton's method
+// converges from outside.
 //
 //   law  a point in an interval is inside the body at some share of the path, to within 2e-4 mm   (tests/stock/tilted_sweep_test)
 
@@ -50,7 +50,8 @@ struct UnderTop {
 inline constexpr int max_newton = 24;
 inline constexpr float on_surface = 5e-5f;  // mm
 
-/// Vector from the shaft, cut off at the height of the rounding's centre, to a point of the line, after `t` mm of the path.
+/// Vector from a cylinder inside the body (radius `flat`, above the height `middle`) to a point of the line, after the tool has moved `t`
+/// mm along its path.
 template <class V>
 struct FromShaft {
   V beside, below;  // horizontal and vertical component: `beside` is at least 0, `below` is at most 0
@@ -63,8 +64,8 @@ KADR_IN_LANES FromShaft<V> from_shaft(const TiltedLines<V>& l, const TiltedBody&
   return {most(radius - b.flat, spread<V>(0.f)), least(at.z - b.middle, spread<V>(0.f)), at.x * per, at.y * per};
 }
 
-/// Finds one end of the interval in which the line is within `corner` of the shaft, by an iteration that starts outside. `sign` is the
-/// outward direction along the line, 1 or -1.
+/// Finds one end of the interval in which the line is within `corner` of that cylinder, by an iteration that starts outside the body.
+/// `sign` is the outward direction along the line, 1 or -1.
 template <class V>
 KADR_OWN_FUNCTION V end_of_rounded(const TiltedLines<V>& l, const TiltedBody& b, const Vec3Of<V>& at, const MarksOf<V>& sought,
                                    const V& start, float sign) {
@@ -92,7 +93,7 @@ KADR_OWN_FUNCTION V end_of_rounded(const TiltedLines<V>& l, const TiltedBody& b,
     const FromShaft<V> from = from_shaft(l, b, here, t);
     const V far = square_root(from.beside * from.beside + from.below * from.below), distance = far - b.corner;
     V grows = from.beside * (from.out_x * e.x + from.out_y * e.y) + from.below * e.z;
-    // Where the top of the body limits the path, this limit depends on the position on the line.
+    // If the top of the body limits the section of the path that counts, this limit changes with the position on the line.
     const V towards = from.beside * (from.out_x * forth.x + from.out_y * forth.y) + from.below * up;
     const MarksOf<V> held = ~level & choose(rises, begins & (bound > 0.f), ends & (bound < length));
     grows = grows - choose(held, towards * e.z * per_up, none);
@@ -135,8 +136,8 @@ template <class V, TiltedBody::Kind kind>
 KADR_OWN_FUNCTION Swept<V> tilted_at_ends(const TiltedLines<V>& l, const TiltedBody& b, const TiltedPosition<V>& at) {
   if constexpr (kind == TiltedBody::Kind::cylinder) return in_frustum_at_ends<V, Side::straight>(l, at, b.shaft);
   if constexpr (kind == TiltedBody::Kind::rounded) {
-    // Cylinders inside the body. Without the turn, a line that nearly lies in their side or flat face could leave it in the wrong
-    // direction.
+    // The end poses of cylinders inside the body are used. Without the turn, a line that nearly lies in the side or a flat face of a
+    // cylinder could seem to leave it in the wrong direction.
     const Frustum core{b.middle - b.corner, b.shaft.high, b.flat, b.flat};
     Swept<V> s{spread<V>(missed), spread<V>(-missed)};
     if (b.flat > 0) s = either(s, in_frustum_at_ends<V, Side::straight>(l, at, core));

@@ -25,7 +25,8 @@ KADR_IN_LANES Swept<V> where(const MarksOf<V>& meets, const V& from, const V& to
 /// The part of the path on which the body is over a line.
 template <class V>
 struct Over {
-  V nearest, apart;  // position on the path where the tool's axis is nearest to the line; their squared distance there
+  // position on the path where the tool's axis is nearest to the line; squared distance of axis and line at this position
+  V nearest, apart;
   V first, last;
   MarksOf<V> meets;
 };
@@ -45,7 +46,7 @@ KADR_IN_LANES Over<V> over_line(const LocalSweep& s, const V& x, float y, float 
 /// a nearly vertical side.
 inline constexpr float rounded_radius = 1e-5f;
 
-/// Returns the height of the end's surface above the end's bottom at this radius.
+/// Returns the height of the end's surface above the end's bottom at the distance `radius` from the axis.
 template <class V, BodyEnd end>
 KADR_IN_LANES V end_height(const SweptBody& b, const V& radius) {
   const V beyond = most(radius - (end == BodyEnd::cone ? b.flat + rounded_radius : b.flat), spread<V>(0.f));

@@ -1,8 +1,8 @@
 #pragma once
-// MeshIndex: finds the hits, where lines along one axis meet the triangles of a mesh.
+// MeshIndex: finds the points (hits) at which lines along one axis meet the triangles of a mesh.
 //
 // Two triangles with a common edge compute the same position for it, bit for bit (stock/mesh/triangle_across). So a line enters a closed
-// mesh as often as it leaves the mesh, even where it meets an edge or a point.
+// mesh as often as it leaves the mesh, even where the line meets an edge or a corner of a triangle.
 //
 //   law  on every line, the values `turn` of the hits of a closed mesh add up to 0   (tests/stock/mesh_blank_test)
 

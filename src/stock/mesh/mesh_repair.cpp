@@ -55,12 +55,14 @@ std::string Repair::bad_point_message() const {
   return {};
 }
 
-/// Two neighbouring triangles must use their common edge in opposite directions. Turns each triangle of a shell to fit the first one.
-/// Returns false if this is not possible.
+/// Two neighbouring triangles must use their common edge in opposite directions. Turns the triangles of each shell so that they fit its
+/// first triangle. Returns false if this is not possible.
 bool Repair::turn_to_fit() {
   const std::vector<EdgeUse> ways = edge_uses(mesh);
   const std::size_t count = mesh.triangle_count();
-  std::vector<std::uint32_t> beside(3 * count), found(count, 0);  // three neighbours each; odd: both use the edge in the same direction
+  // For each triangle its three neighbours, each as twice the number of the neighbour, plus 1 if both triangles use their common edge in
+  // the same direction.
+  std::vector<std::uint32_t> beside(3 * count), found(count, 0);
   for (std::size_t i = 0; i < ways.size(); i += 2) {
     if (i + 1 >= ways.size() || ways[i].ends != ways[i + 1].ends || (i + 2 < ways.size() && ways[i + 2].ends == ways[i].ends)) return false;
     const EdgeUse &a = ways[i], &b = ways[i + 1];
@@ -92,7 +94,7 @@ bool Repair::turn_to_fit() {
   return true;
 }
 
-/// Merges points within the tolerance, then turns triangles the right way; each of these only if edges are still open.
+/// Merges points within the tolerance, then turns triangles the right way. Each of these two repairs is made only if edges are still open.
 void Repair::close() {
   edges = edges_of(mesh);
   if (edges.open == 0) return;

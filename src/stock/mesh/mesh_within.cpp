@@ -54,7 +54,8 @@ void add_triangle(const Polygon& triangle, const Box3& box, MeshWithin& sum) {
   }
   const double height = box.most.z - box.least.z;
   each_triangle(clipped(between_walls, 2, box.most.z, 1), [&](const Vec3& a, const Vec3& b, const Vec3& c) {
-    const bool at_ceiling = std::max({a.z, b.z, c.z}) <= box.most.z;  // a triangle at the ceiling counts only once, below
+    // a triangle in the plane of the ceiling is counted with the section below the ceiling, and must not be counted twice
+    const bool at_ceiling = std::max({a.z, b.z, c.z}) <= box.most.z;
     if (!at_ceiling) sum.volume += flat_area(a, b, c) * height;
   });
   each_triangle(clipped(clipped(between_walls, 2, box.least.z, 1), 2, box.most.z, -1), [&](const Vec3& a, const Vec3& b, const Vec3& c) {

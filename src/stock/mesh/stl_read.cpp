@@ -43,7 +43,7 @@ ReadMesh read_binary(std::string_view bytes, const MeshRules& rules, std::vector
   return mesh;
 }
 
-/// Returns a word of the file for a message; an empty word is the end of the file.
+/// Formats a word of the file for a message, in quotation marks. An empty word means the end of the file, and is formatted as a phrase.
 std::string word_shown(std::string_view word) { return word.empty() ? translated(texts::mesh_file::end_of_file) : "'" + shown(word) + "'"; }
 
 /// Reads text STL. Format: solid NAME { facet normal x y z outer loop { vertex x y z } x3 endloop endfacet } endsolid NAME, repeated any
@@ -83,7 +83,8 @@ bool TextStl::number(float& value) {
   return false;
 }
 
-/// Reads a facet after the word "facet". Its normal is skipped: some programs write "nan" as the normal of a triangle without area.
+/// Reads a facet after the word "facet". The normal in the file is skipped: some programs write "nan" as the normal of a triangle without
+/// area.
 bool TextStl::facet() {
   if (!expect("normal")) return false;
   for (int i = 0; i < 3; ++i) (void)words_.next();

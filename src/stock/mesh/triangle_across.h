@@ -1,8 +1,8 @@
 #pragma once
 // TriangleAcross: intersects one triangle of a mesh with lines along one axis. Used by stock/mesh/mesh_index and stock/part.
 //
-// It intersects the triangle's edges with a ray in the plane across the lines. The position of an intersection depends only on the two
-// ends of the edge, so two triangles with a common edge get the same position, bit for bit.
+// TriangleAcross intersects the edges of the triangle with a ray in the plane across the lines. The position of an intersection depends
+// only on the two ends of the edge, so two triangles with a common edge get the same position, bit for bit.
 
 #include <algorithm>
 #include <array>
@@ -80,8 +80,8 @@ class TriangleAcross {
   struct Corner {
     double u, v, w;
   };
-  /// Computes from the lower end of the edge, whatever the orientation of the triangle, so that both triangles of an edge get the same
-  /// bits.
+  /// Computes the point of an edge at `v`. The computation starts at the lower end of the edge, whatever the orientation of the triangle,
+  /// so that both triangles of an edge get the same bits.
   static TriangleRow::EdgePlace edge_place(const Corner& low, const Corner& high, double v) {
     const double share = (v - low.v) / (high.v - low.v);
     const auto between = [&](double a, double b) { return std::clamp(a + share * (b - a), std::min(a, b), std::max(a, b)); };

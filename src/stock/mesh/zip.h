@@ -1,6 +1,6 @@
 #pragma once
-// ZIP archives, as far as 3MF needs them. Archives that it writes are smaller than 4 GB; files are stored or deflated, without a password
-// (PKWARE, APPNOTE.TXT 6.3).
+// Reads and writes ZIP archives, as far as 3MF needs them (PKWARE, APPNOTE.TXT 6.3). Files in an archive are stored or deflated, without a
+// password. Written archives are smaller than 4 GB.
 
 #include <cstdint>
 #include <string>

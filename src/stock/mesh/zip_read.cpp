@@ -43,7 +43,8 @@ struct Directory {
   std::uint64_t count, first;  // number of files in the archive; position of its first directory entry
 };
 
-/// Finds the archive's directory. Some programs write eight-byte numbers even where four bytes would suffice.
+/// Finds the archive's directory. Its position is read from the ZIP64 record too, because some programs write eight-byte numbers even if
+/// four bytes would suffice.
 Directory directory_at(std::string_view archive, std::size_t end) {
   const Directory plain{le_number(archive, end + 10, 2), le_number(archive, end + 16, 4)};
   if (plain.first != in_zip64 || end < locator64_bytes || le_number(archive, end - locator64_bytes, 4) != locator64_mark) return plain;

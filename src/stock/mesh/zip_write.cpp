@@ -10,13 +10,13 @@ namespace {
 constexpr std::size_t max_bytes = 0xfffffffe;            // greatest size of an archive without ZIP64
 constexpr std::uint32_t first_day = (1 << 5 | 1) << 16;  // 1 January 1980, so that the bytes do not depend on the date
 constexpr std::uint32_t version = 20, deflate = 8;
-constexpr int packing_level = 3;  // from 1 to 9: a mesh packed in twice the time would be only a tenth shorter
+constexpr int packing_level = 3;  // zlib level, 1 to 9: a level that takes twice the time makes a mesh only a tenth shorter
 
 void put_le(std::string& out, std::uint32_t value, int bytes) {
   for (int i = 0; i < bytes; ++i) out.push_back(char(value >> (8 * i) & 0xff));
 }
 
-/// Packs its input, and counts the input's length and checksum.
+/// Packs its input, and computes the length and the checksum of the input.
 class Deflater {
  public:
   explicit Deflater(const Zlib& zlib) : zlib_(zlib) {

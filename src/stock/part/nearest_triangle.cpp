@@ -19,12 +19,14 @@ namespace {
 
 constexpr std::uint32_t of_blocks = std::uint32_t{1} << 31;
 constexpr float nowhere = 1e30f;
-constexpr float rounding_of_places = 0x1p-21f;   // share of the greatest coordinate: rounding of the point, the box, and their difference
+// numerical error of the point, the box and their difference, as a share of the greatest coordinate
+constexpr float rounding_of_places = 0x1p-21f;
 constexpr double more_than_rounding = 1 + 4e-6;  // factor for a squared distance that was computed in single precision
 constexpr double hair_squared = 1e-18;           // mm²
 constexpr std::size_t nodes_at_once = 1024;
 
-/// Returns a limit for a box: if its squared distance is greater, the box contains nothing nearer than `square`.
+/// Returns a limit for the squared distance of a box, which has an error of single precision: a box above the limit contains no triangle
+/// nearer than the squared distance `square`.
 double limit_of(double square) { return square * more_than_rounding + hair_squared; }
 
 }  // namespace
@@ -84,7 +86,7 @@ NearestTriangle::NearestTriangle(const Mesh& mesh, int threads) {
   }
 }
 
-/// One query for a point. Triangles are tested four at a time; up to three are stored until there are four.
+/// One query for a point. Triangles are tested four at a time: up to three triangles wait until there are four.
 class NearestTriangle::Search {
  public:
   Search(const NearestTriangle& tree, const Vec3& point, std::uint32_t hint) : tree_(tree), point_(point), nearest_(hint) {

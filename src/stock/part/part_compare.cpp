@@ -19,9 +19,11 @@ namespace kadr {
 namespace {
 
 constexpr std::size_t points_at_once = 1024;
-constexpr double same_surface = 2e-3;  // mm: a segment whose points are all nearer to the part's surface comes from rounding along a wall
-constexpr double step_of_cell = 0.5;   // distance between the points of a segment at which the depth is measured, in cells
-constexpr double between_lines = 2;    // a surface point may be this many times deeper than nearby lines: a groove may be between lines
+// mm: a segment whose points are all nearer to the part's surface is a numerical error on a line that lies along a wall
+constexpr double same_surface = 2e-3;
+constexpr double step_of_cell = 0.5;  // distance between the points of a segment at which the depth is measured, in cells
+// a surface point may be this many times deeper than nearby lines show, because a groove may be between lines
+constexpr double between_lines = 2;
 
 constexpr double bytes_of_triangle = 130;  // memory of the tree, and of the triangle itself twice
 
@@ -112,7 +114,7 @@ class PartInComparison {
   std::vector<std::uint8_t> inside_;  // for each point of the surface: 1 if it is inside the wanted part
 };
 
-/// In a window, the wanted part ends at the window's faces.
+/// Returns true if a point of the material's surface is inside the wanted part. In a window, the wanted part ends at the window's faces.
 bool PartInComparison::is_inside(std::size_t point, const Vec3& at) const {
   if (inside_[point] == 0 || faces_ == nullptr) return inside_[point] != 0;
   const Box3 box = body_->box();
@@ -174,8 +176,8 @@ void PartInComparison::hold_brick(std::size_t brick, Work& work) {
   work.found.take(here);
 }
 
-/// Handles a brick that is wholly material or wholly empty, and wholly inside or wholly outside the part: one of its lines shows whether
-/// inside or outside.
+/// Handles a brick that is wholly material or wholly empty, and that is wholly inside or wholly outside the part. One line of the brick
+/// shows whether the brick is inside.
 void PartInComparison::hold_evenly(std::size_t brick, bool material, Work& work) {
   const double edge = wider_.lattice.edge(), middle = wider_.lattice.corner(brick).z + 0.5 * edge;
   const auto stretches = lines_.of(wider_.lattice.place(brick), 2, brick_lines / 2 + brick_edge / 2);
@@ -189,8 +191,9 @@ void PartInComparison::hold_evenly(std::size_t brick, bool material, Work& work)
   (part ? work.found.gouged : work.found.left_on).take(here);
 }
 
-/// Computes the volume along the direction whose lines contain most of the difference: lines across a thin layer measure it well, lines
-/// along the layer hardly meet it. Finds the depth along all three directions, ignoring segments that come from rounding along a wall.
+/// Computes the volume of the difference in a brick, along the direction whose lines contain most of the difference: lines across a thin
+/// layer measure it well, lines along the layer hardly meet it. Finds the depth along all three directions, ignoring segments that are
+/// numerical errors on lines along a wall.
 ///   returns  the volume, mm³
 float PartInComparison::hold_stretches(std::size_t brick, bool gouged, Deepest& deepest, Work& work) {
   const auto of = [&](int family) -> const std::vector<Stretch>& {
@@ -210,7 +213,7 @@ float PartInComparison::hold_stretches(std::size_t brick, bool gouged, Deepest& 
 }
 
 /// Measures the depth at the middle of a segment, and in steps along it if it can exceed the greatest depth found so far.
-///   returns  false if the segment comes from rounding along a wall
+///   returns  false if the segment is a numerical error on a line along a wall
 bool PartInComparison::walk(const Stretch& stretch, int family, std::size_t brick, Deepest& deepest, Work& work) const {
   const double cell = wider_.lattice.cell(), half = (stretch.to - stretch.from) / 2;
   Vec3 at = wider_.lattice.corner(brick);

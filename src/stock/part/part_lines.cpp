@@ -112,8 +112,9 @@ std::span<const LineRange> PartLines::of(BrickPlace brick, int family, int line)
   return {all.ranges.data() + all.first[number], all.ranges.data() + all.first[number + 1]};
 }
 
-/// Estimates the hits: lines along an axis meet a triangle about as often as the triangle's area, seen along the axis, contains lattice
-/// cells. For a triangle that extends out of the lattice, the section of its bounding rectangle inside the lattice is used instead.
+/// Estimates the number of hits, and returns the memory for them. Lines along an axis meet a triangle about as often as the triangle's
+/// area, seen along the axis, contains lattice cells. For a triangle that extends out of the lattice, the section of its bounding rectangle
+/// inside the lattice is used instead.
 double PartLines::bytes(const Mesh& solid, const Lattice& lattice) {
   constexpr double bytes_of_hit = 2 * (sizeof(Hit) + sizeof(MeshHit));  // a vector may reserve twice the memory of its content
   double hits = 0;

@@ -1,8 +1,8 @@
 #pragma once
 // PartLines: the segments in which the lines of a lattice are inside a solid. Used by stock/part/part_compare.
 //
-// It goes through the triangles, and finds for each the lines that cross it. The other way round, finding for each line the triangles
-// that it crosses (stock/mesh/mesh_index), takes several times as long when nearly all lines of a lattice are needed.
+// PartLines goes through the triangles, and finds for each triangle the lines that cross it. The opposite order (stock/mesh/mesh_index),
+// which finds for each line the triangles that the line crosses, takes several times as long if nearly all lines of a lattice are needed.
 
 #include <array>
 #include <cstdint>

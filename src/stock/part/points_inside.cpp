@@ -17,8 +17,8 @@ namespace {
 constexpr double points_of_square = 2;
 constexpr std::size_t triangles_at_once_inside = 4096;
 
-/// A point, and sums of the `turn` values of the triangles that its vertical line meets below the point, and at the point. The order of
-/// the triangles does not matter.
+/// A point, and two sums of MeshHit::turn: over the triangles that the vertical line through the point meets below the point, and over
+/// those that it meets at the point. The order of the triangles does not matter.
 struct HeldPoint {
   float x, y, z;
   std::uint32_t number;
@@ -83,7 +83,8 @@ void PointSquares::hold(const Mesh& solid, std::size_t number) {
   const std::size_t low = row(triangle.least_v()), high = row(triangle.most_v());
   for (std::size_t r = low; r <= high; ++r) {
     double left = triangle.least_u(), right = triangle.most_u();
-    if (low < high && right - left > 1 / per_mm) {  // a long slanted triangle: uses its extent over this row only, with a small margin
+    // a long slanted triangle: only its extent over this row of squares is used, with a small margin
+    if (low < high && right - left > 1 / per_mm) {
       const double hair = 1e-3 / per_mm, begin = least_y + double(r) / per_mm, end = begin + 1 / per_mm;
       const auto extent = triangle.between(r == low ? triangle.least_v() : begin - hair, r == high ? triangle.most_v() : end + hair);
       left = extent[0] - hair, right = extent[1] + hair;

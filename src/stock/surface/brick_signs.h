@@ -20,9 +20,9 @@ struct BricksAround {
   bool same;  // all eight are empty, or all are full: there is no surface between them
 };
 
-/// One bit per lattice point, grouped in columns along Z, the lowest point in bit 0: 1 means material. Only the lattice lines along Z
-/// decide. So each point has one state, even where lines of the other directions disagree about a position close to the surface, and the
-/// surface computed from the points is closed.
+/// One bit per lattice point, grouped in columns along Z, the lowest point in bit 0: 1 means material. Only the intervals on lattice lines
+/// along Z determine this bit. So each point has one state, even where lines of the other directions disagree about a position close to the
+/// surface, and the surface computed from the points is closed.
 class BrickSigns {
  public:
   void take(const BricksAround& around, float cell);

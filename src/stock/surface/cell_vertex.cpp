@@ -7,16 +7,16 @@
 namespace kadr {
 namespace {
 
-/// Weight of the mean of the crossings, compared with one tangent plane. Normals that differ by less than the square root of this weight,
-/// about 3°, count as those of a flat surface.
+/// Weight of the mean of the crossings in the least-squares fit; the weight of one tangent plane is 1. Normals that differ by less than the
+/// square root of this weight, about 3°, count as those of a flat surface.
 constexpr double weight_of_middle = 0.003;
 
 /// Least length of the mean of the unit normals: normals that differ by less than about 40° belong to one smooth face.
 constexpr double smooth_mean = 0.94;
 
-/// In a concave region, the vertex is on the way from the mean of the crossings (on a chord) to the point where the tangent planes meet, at
-/// this share. The true surface is at one half. To this, two thirds of what the chord between two vertices cuts off are added, so that the
-/// flat faces between the vertices enclose as much volume as the curved surface.
+/// In a concave region, the vertex is between the mean of the crossings, which is on a chord (share 0), and the point where the tangent
+/// planes meet (share 1). This constant is the share of the vertex. The true surface is at the share 1/2. Two thirds of the height that the
+/// chord between two vertices cuts off are added, so that the flat faces between the vertices enclose as much volume as the curved surface.
 constexpr double share_of_tangents = 5.0 / 6;
 
 /// A symmetric matrix, stored as its upper triangle by rows.

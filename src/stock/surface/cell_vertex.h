@@ -9,7 +9,7 @@ namespace kadr {
 class CellVertex {
  public:
   void add(const Crossing& crossing);
-  /// Returns the number of the last sweep among the crossings.
+  /// Returns the number of the last of the sweeps that cut at the crossings.
   std::int32_t made_by() const { return made_by_; }
   /// Returns the point nearest to all tangent planes, limited to the cell with the lowest corner `low`. Where the planes leave the point
   /// undetermined, it is near the mean of the crossings.

@@ -65,7 +65,8 @@ struct Crossings::Finder {
   float cell, edge, families_agree;
   std::array<std::array<FurtherByLine, 3>, 8> further{};
 
-  std::vector<std::uint32_t> sweeps_near{};  // sweeps that may have cut where this brick meets others; found at the first use
+  // numbers of the sweeps that may have cut where this brick meets its neighbours; found at the first use
+  std::vector<std::uint32_t> sweeps_near{};
   bool near_known = false;
 
   /// Returns the directions of the sweep if its tool is tilted, else nullptr.
@@ -79,7 +80,8 @@ struct Crossings::Finder {
   Crossing crossing_at(const LatticeEdge& e, bool leaves, const LineEnd& end) const;
 };
 
-/// Returns the end of a material interval that is nearest to the end point of the cell edge that is material.
+/// Finds the ends of material intervals on the lattice line of a cell edge. Returns the end that is nearest to the one end point of the
+/// cell edge that is material.
 LineEnd Crossings::Finder::end_on(const LatticeEdge& e, bool leaves) {
   const int f = e.family, u = (f + 1) % 3, v = (f + 2) % 3;
   const auto p = [&](int axis) { return e.point[std::size_t(axis)]; };

@@ -19,7 +19,7 @@ constexpr double same_spot = 3e-4;
 constexpr double along_the_line = 0.01;  // least component of a normal along the lattice line; with less, the line lies in the face
 constexpr int max_steps = 60;
 constexpr double same_part = 1e-6;  // mm of path
-constexpr double level = 1e-9;      // slope of the distance that counts as 0, relative to the length of the path
+constexpr double level = 1e-9;      // a slope of the distance along the path that is below this share of the path length counts as 0
 constexpr double on_axis = 1e-12;   // mm: a point nearer to the tool's axis than this is on the axis
 
 /// A face of the tool near the point: its distance, and its outward normal in the half plane of radius and height.
@@ -85,8 +85,9 @@ struct Touching {
   Vec3 normal;  // outward from the tool
 };
 
-/// A line does not cross a plane in which it lies. So if several faces of the tool are at about the same distance, the one that the line
-/// crosses most nearly at a right angle is used.
+/// Returns the distance of the point from the body at the share `part` of the path, and the normal of the nearest face. A line does not
+/// cross a plane in which the line lies. So if several faces of the tool are at about the same distance, the one that the line crosses most
+/// nearly at a right angle is used.
 Touching at_part(const BodyFaces& body, const Way& way, const PlaceSeen& place, double part) {
   const Seen seen = way.seen(place.at, part);
   const auto square_to = [&](const Vec3& normal) { return -dot(normal, place.outward); };
@@ -120,7 +121,7 @@ std::optional<double> part_at_once(const BodyFaces& body, const Way& way, const 
   return std::nullopt;
 }
 
-/// Returns the slope of the distance along the path.
+/// Returns the slope, along the path, of the distance between the point and the tool.
 double growth(const Vec3& normal, const Vec3& way) { return -(normal.x * way.x + normal.y * way.y + normal.z * way.z); }
 
 /// The distance of the tool from the point, at a share of the path.

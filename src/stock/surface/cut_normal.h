@@ -3,9 +3,9 @@
 // stock/surface/crossings.
 //
 // Each solid body of a tool is convex, so the distance of a point from the moving body is a convex function of the position on the path.
-// The tool touched the point where this distance is least, and the tool's normal in that position is the normal of the surface. If the
-// minimum is at a corner of the function (at a rim between two faces of the tool), the rim has swept the surface: the normal then lies
-// between the normals of the two faces, perpendicular to the path.
+// The tool touched the point where this distance is least, and the tool's normal in that position is the normal of the surface. The
+// function may have its minimum at a corner, where the nearest point of the tool is on the edge circle between two faces. The edge circle
+// has then swept the surface, and the normal lies between the normals of the two faces, perpendicular to the path.
 //
 //   law  perpendicular to every direction in which the distance from the swept tool (stock/tool/round_solid.h) is constant
 //        (tests/stock/surface_test)

@@ -14,7 +14,8 @@ namespace {
 constexpr std::uint32_t no_index = ~std::uint32_t{0};
 constexpr std::uint32_t most_around = 40;  // greatest number of triangles around a point
 constexpr std::size_t max_tried = 3;       // number of neighbours that are tried for each point, the best first
-constexpr double worth_trying = 3;  // times the permitted distance: a neighbour farther from the planes around the point is not tried
+// multiple of the permitted distance: a neighbour that is farther from the planes around the point is not tried
+constexpr double worth_trying = 3;
 constexpr int max_passes = 60;
 constexpr double least_height = 1e-3;  // triangle height over longest side: thinner triangles have no reliable normal
 constexpr double turned_little = 0.2;  // least cosine of the angle between a triangle's normals before and after a merge
@@ -62,8 +63,8 @@ bool Decimation::look_around(std::uint32_t u) {
   return star_.size() >= 3 && ring_.size() == star_.size();
 }
 
-/// Returns true if the surface remains a manifold without doubled edges after the merge: the only common neighbours of u and v must be the
-/// two points that form triangles with both.
+/// Returns true if the surface remains a manifold without doubled edges after u is merged into v: the only common neighbours of u and v
+/// must be the two points that form triangles with both.
 bool Decimation::may_go(std::uint32_t u, std::uint32_t v) {
   if (count_[u] + count_[v] - 4 > most_around) return false;
   ++question_;
@@ -179,7 +180,7 @@ bool Decimation::try_point(std::uint32_t u, double most_off) {
   return false;
 }
 
-/// Points next to a removed point must wait for the next pass. So triangles grow evenly and do not form fans.
+/// Points next to a removed point are not tried again before the next pass, so that the triangles grow evenly and do not form fans.
 void Decimation::go(double most_off, const StopToken& stop) {
   std::fill(waits_.begin(), waits_.end(), std::uint8_t{1});
   for (int pass = 0, any = 1; pass < max_passes && any != 0 && !stop.asked(); ++pass) {

@@ -36,7 +36,8 @@ struct Joiner {
   double apart_squared(std::uint32_t a, std::uint32_t b) const;
 };
 
-/// `cell` is counted from the corner of `brick`; an index may be -1.
+/// Returns the number, in the whole mesh, of the point for the sheet that contains the edge `edge` of a cell. The indices `cell` are
+/// counted from the corner of `brick`; an index may be -1.
 std::uint32_t Joiner::point_of(BrickPlace brick, std::array<int, 3> cell, int edge) const {
   std::array<int*, 3> place{&brick.x, &brick.y, &brick.z};
   for (std::size_t d = 0; d < 3; ++d)

@@ -37,7 +37,7 @@ void PartMaker::put(const CellVertex& vertex, const std::array<int, 3>& at, bool
   (first_sheet ? part.made_by : further_by).push_back(vertex.made_by());
 }
 
-/// Returns the corners of a cell that may be in another brick.
+/// Returns the states of the corners of a cell, one bit per corner (stock/surface/sheets.h). The cell may be in another brick.
 unsigned PartMaker::corners_in_other_bricks(const std::array<int, 3>& at) const {
   if (std::all_of(at.begin(), at.end(), [](int i) { return i >= 0 && i < brick_edge; })) return work.signs.corners(at[0], at[1], at[2]);
   const BrickPlace place = stock.lattice().place(brick);
@@ -49,7 +49,8 @@ unsigned PartMaker::corners_in_other_bricks(const std::array<int, 3>& at) const 
   return corners;
 }
 
-/// In each configuration of corners, at most one face has both pairs in one sheet.
+/// Returns the sheets of a cell that has a face with both pairs in one sheet. The air is separated on this face if both pairs belong to one
+/// sheet in the cell beyond the face too. In each configuration of corners, at most one face has both pairs in one sheet.
 Sheets PartMaker::parted(const std::array<int, 3>& at, unsigned corners, unsigned doubled) const {
   const int face = std::countr_zero(doubled);
   std::array<int, 3> beside = at;

@@ -8,12 +8,13 @@
 namespace kadr {
 namespace {
 
-/// Plane or cone: returns the distance from the straight line through a point with this outward normal.
+/// Returns the distance from a flat face or a cone: in the half plane of radius and height, the distance from the straight line through a
+/// point with this outward normal.
 Away beyond(double radius, double height, double at_radius, double at_height, double normal_radial, double normal_axial) {
   return {(radius - at_radius) * normal_radial + (height - at_height) * normal_axial, normal_radial, normal_axial};
 }
 
-/// Circle about (x, y): returns the distance from it, negative inside.
+/// Returns the distance from the circle of radius `r` about (x, y), negative inside.
 Away within_circle(double radius, double height, double x, double y, double r) {
   const double dx = radius - x, dy = height - y, d = std::hypot(dx, dy);
   if (d < 1e-12) return {-r, 0, -1};
