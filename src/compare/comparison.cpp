@@ -17,12 +17,12 @@ namespace {
 
 using Kind = CourseDifference::Kind;
 constexpr double chord_of_tolerance = 1.0 / 16;
-constexpr double same_value = 1e-6;        // relative tolerance of dwell times and feeds
-constexpr std::size_t most_ahead = 3000;   // greatest number of items of each course that are searched for a common position
-constexpr std::size_t max_sliver = 1000;   // greatest number of successive motions that may stay within the tolerance of one position
+constexpr double same_value = 1e-6;       // relative tolerance of dwell times and feeds
+constexpr std::size_t most_ahead = 3000;  // greatest number of items of each course that are searched for a common position
+constexpr std::size_t max_sliver = 1000;  // greatest number of successive motions that may stay within the tolerance of one position
 // greatest number of vertices of each path between which the distance of a difference is measured
 constexpr std::size_t max_measured = 500;
-constexpr int max_searches = 200;          // greatest number of searches far ahead; programs that need more count as unrelated
+constexpr int max_searches = 200;  // greatest number of searches far ahead; programs that need more count as unrelated
 
 bool is_same(double a, double b) { return std::abs(a - b) <= same_value * std::max({1.0, std::abs(a), std::abs(b)}); }
 

@@ -74,13 +74,13 @@ struct Comparison {
   std::map<std::uint16_t, std::string> files_a{}, files_b{};  // names of the called files that segments come from, by Origin::file
   // origin of the work system in which the first cut is made, in machine coordinates
   Vec3 zero;
-  std::size_t passed_messages = 0;                            // messages of a that the rules exclude from the comparison
-  std::size_t passed_exact_stops = 0;                         // exact stops of a that were not compared, because b's control has none
+  std::size_t passed_messages = 0;     // messages of a that the rules exclude from the comparison
+  std::size_t passed_exact_stops = 0;  // exact stops of a that were not compared, because b's control has none
   // at least one pair of feeds was equal only because of CompareRules::feeds_at_speed
   bool feeds_at_speed = false;
   // at least one pair of feeds was equal only because of CompareRules::feed_step
   bool feeds_rounded = false;
-  bool lost = false;                                          // after the last difference no common position was found
+  bool lost = false;  // after the last difference no common position was found
 
   bool equal() const { return !cancelled && differences.empty(); }
 };

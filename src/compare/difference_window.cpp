@@ -10,7 +10,7 @@ namespace {
 
 // greatest size of a window, in distances between the paths; a larger window hardly shows the distance
 constexpr double max_times = 12;
-constexpr double good_times = 6;       // size of a window that shows the distance well, in distances between the paths
+constexpr double good_times = 6;  // size of a window that shows the distance well, in distances between the paths
 // size of a window as a share of the part; a larger one shows no more than the view of the whole part
 constexpr double little_part = 0.6;
 constexpr double margin_part = 0.15;   // margin around a window, as a share of the window

@@ -10,8 +10,8 @@ namespace kadr {
 struct PathMatch {
   // true: one path has ended, or its state changes; false: the paths separate at the present positions of the cursors
   bool together = true;
-  double reach = 0;      // greatest distance of either path from its start, mm
-  double greatest = 0;   // greatest distance between the paths that no matching can avoid, measured at the vertices of both, mm
+  double reach = 0;     // greatest distance of either path from its start, mm
+  double greatest = 0;  // greatest distance between the paths that no matching can avoid, measured at the vertices of both, mm
 };
 
 /// Follows both courses from their current positions, which are at most `tolerance` (mm) apart, along motions whose state does not change

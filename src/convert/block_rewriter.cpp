@@ -49,7 +49,7 @@ struct BlockRewriter::Kinds {
   const CodeRow* exact_stop = nullptr;  // an exact stop at the end of this block only
   // bits of the letters of words that belong to a corner mode, and that the target control's code for that mode does not accept
   std::uint64_t left_out = 0;
-  bool returns = false;                 // the block has M99
+  bool returns = false;  // the block has M99
   bool has_axes = false, has_feed = false;
   bool takes_axes = false;  // a code other than a motion uses the axis words
   bool drills = false;      // a canned cycle is in force or in the block

@@ -92,11 +92,11 @@ class BlockRewriter {
   bool is_metric_ = false;  // the target control reads mm only
   bool is_inch_ = false, in_section_ = false;
   bool repeats_modes_ = false, repeats_feed_ = false;
-  double feed_ = -1;                                // last F in the source text
-  double tool_ = 0;                                 // last T in the source text
+  double feed_ = -1;  // last F in the source text
+  double tool_ = 0;   // last T in the source text
   // by letter: formats of the words whose meaning does not depend on other words of the block
   std::array<std::optional<PlainWord>, 26> plain_;
-  std::uint64_t plain_letters_ = 0;                 // bits of the letters in plain_
+  std::uint64_t plain_letters_ = 0;  // bits of the letters in plain_
 };
 
 }  // namespace kadr

@@ -59,8 +59,8 @@ struct ConversionTry {
   Comparison proof;                     // the comparison of both programs, if the target control can express the program
   // `proof` is from a set-up with added table values: the text depends on values that the set-up does not state
   bool differs_unstated = false;
-  bool differs_elsewhere = false;       // `proof` is from a run in which the probe touches at another point
-  bool zero_by_operator = false;        // proven with the origin set by hand at the machine, since one of the controls has no code for it
+  bool differs_elsewhere = false;  // `proof` is from a run in which the probe touches at another point
+  bool zero_by_operator = false;   // proven with the origin set by hand at the machine, since one of the controls has no code for it
   std::optional<std::uint16_t> counts_from{};  // for `plain`: the work system that all motions of the program use
   std::shared_ptr<ByteSource> text = text_source({});
   bool is_equal() const { return !cannot_express && text->size() != 0 && proof.equal() && !proof.stopped_a && !proof.stopped_b; }

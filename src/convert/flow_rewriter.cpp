@@ -13,8 +13,8 @@
 namespace kadr {
 namespace {
 
-constexpr int max_nested = 3;                                                    // DO1 to DO3
-constexpr std::uint32_t first_named = 8000;                                      // first number for named subprograms
+constexpr int max_nested = 3;                // DO1 to DO3
+constexpr std::uint32_t first_named = 8000;  // first number for named subprograms
 // variable numbers: #1 to #33, #100 to #199 (spec/fanuc 5.1)
 constexpr std::uint32_t last_local = 33, first_global = 100, last_global = 199;
 

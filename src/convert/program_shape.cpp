@@ -78,7 +78,7 @@ ProgramShape::ProgramShape(std::shared_ptr<ByteSource> source, const ControlDef&
     TextLines passed{std::min(line, at->second), std::max(line, at->second)};
     if (passed.first == line) passed.last = block_before(passed.last);
     if (const auto around = loop_around({line, line}); around && around->last == passed.last) leaves_.insert(line);
-    for (const TextLines& loop : own)  // grows the range, so that a loop is either complete in the range or outside
+    for (const TextLines& loop : own)  // grows the range to contain each loop that it overlaps, unless that loop contains the range
       if (loop.first <= passed.last && passed.first <= loop.last && !(loop.first <= passed.first && passed.last <= loop.last))
         passed = {std::min(passed.first, loop.first), std::max(passed.last, loop.last)};
     if (passed.first < passed.last) loops_.push_back(passed);
@@ -118,7 +118,7 @@ void ProgramShape::take_jump(const Block& block, const ControlDef& def) {
 }
 
 /// Reads a block that has axis words only, as most blocks of a long program; faster than the general function. Returns false if the block
-/// has other words.
+/// needs the general function.
 bool ProgramShape::take_plain(const Block& block) {
   if (!block.shape || (block.letters & ~plain_letters_) != 0 || in_section_) return false;
   names_of_words_.letters |= block.letters;

@@ -13,7 +13,7 @@
 namespace kadr {
 namespace {
 
-constexpr std::size_t max_reported = 60;   // bytes of a block that a comment quotes
+constexpr std::size_t max_reported = 60;  // bytes of a block that a comment quotes
 // lines read after the last line that cannot be expressed; most such lines are close together, near the beginning
 constexpr std::uint32_t early_end = 1000;
 

@@ -34,7 +34,7 @@ bool move_over_hole(Session& session, Stepping& stepping, std::uint32_t hole, Re
 
 /// One item of the state that differs from what is required.
 struct Difference {
-  std::optional<InForce> wanted;  // required value; nullopt: the item (a variable) is set and must not be
+  std::optional<InForce> wanted;  // required value; nullopt: the item (a variable) must not be set, but is
   std::optional<InForce> now;     // present value; nullopt: the item is not set
 };
 /// Returns the differences item by item, in the order of `wanted`. `now`: what is in force at the machine.
@@ -56,7 +56,8 @@ struct WayRules {
 /// length are omitted.
 std::vector<WayPoint> way_there(const ToolPosition& from, const Restart& to, const WayRules& rules, std::size_t axes);
 
-/// Converts the path to the work coordinates in force at the block, for restart_blocks(). At least one block names the tool's axis.
+/// Converts the path to the work coordinates in force at the block, for restart_blocks(). At least one block names the tool's axis, so that
+/// the tool length offset becomes effective.
 ///   pre  the coordinate system is not rotated (no G68), as no words could express the path then
 std::vector<BlockMove> in_work_coordinates(const std::vector<WayPoint>& way, const Restart& to, const ControlDef& def);
 

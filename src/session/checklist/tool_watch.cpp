@@ -19,7 +19,7 @@ void note_row(std::map<std::uint32_t, Origin>& rows, std::uint32_t row, const Or
 
 }  // namespace
 
-/// Records a spindle action. In the block of a tapping cycle it is ignored, as its effect ends with the block.
+/// Records a spindle action. In the block of a tapping cycle the action is ignored, since its effect ends with the block.
 void ToolWatch::take_spindle(const Spindle& spindle, const Origin& origin) {
   if (cycle_block_ && origin.number == *cycle_block_) return;
   if (spindle.dir == SpindleDir::orient || spindle.dir == SpindleDir::position) return;
@@ -68,7 +68,7 @@ void ToolWatch::take(const Step& step, Advices&) {
         zero_speeds_ += rpm_ == 0;
       },
       [&](const MachineFunction& function) {
-        constexpr std::uint32_t rigid_tapping = 29;  // on Fanuc and Haas, by convention of machine builders
+        constexpr std::uint32_t rigid_tapping = 29;  // M29, rigid tapping on Fanuc and Haas, by convention of machine builders
         taps_rigidly_ = taps_rigidly_ || function.code == rigid_tapping;
       },
       [&](const CoolantSwitch& coolant) { coolant_ = coolant.what != Coolant::off; },

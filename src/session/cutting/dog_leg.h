@@ -13,7 +13,7 @@
 
 namespace kadr {
 
-/// The arrival time of each axis, as a part of the motion's time: 0 to 1; 0 for an axis that does not move.
+/// Stores the arrival time of each axis as a part of the motion's time, from 0 to 1. An axis that does not move has 0.
 class DogLeg {
  public:
   /// `rates`: rapid rates of the machine's axes, mm or degrees per unit of time (the same unit for all).
