@@ -74,11 +74,11 @@ class FreeSpace {
   // (v1, v1), if
   //   - vE is farther than the tolerance from every point of v0 v1, and
   //   - v2 … vE-1 are within the tolerance of v1.
-  // Proof: take a path through the free space on which one of the two (a, say) is ahead. When b comes to v1, a has not passed vE, as it
+  // Proof: take a path through the free space on which one of the two (a, say) is ahead. When b comes to v1, a has not passed vE, since a
   // could not pass vE while b was between v0 and v1. So a is then between v1 and vE, and all of that range within the tolerance of v1 is
-  // connected: a gets there while b is at v1. If b has lagged behind v0, the same is true if vE is also farther than the tolerance from
-  // that part. Near a position where the paths differ there is no such vE within the identical segments: there the free space decides as
-  // usual.
+  // connected: a gets there while b is at v1. If b has lagged behind v0, the same is true if vE is also farther than the tolerance from the
+  // segments of b up to v0. Near a position where the paths differ there is no such vE within the identical segments: there the free space
+  // decides as usual.
 
   /// Passes identical segments. Returns false, and changes nothing, if there are none.
   bool pass_alike() {
@@ -130,7 +130,7 @@ class FreeSpace {
   }
 
   /// Follows a segment of a: from the reachable intervals of b at the segment's start to the reachable intervals at its end.
-  ///   returns  false if there are none; `ends_` is then the part of a's segment from which b's end can be reached
+  ///   returns  false if no interval at the end can be reached; `ends_` is then the part of a's segment from which b's end can be reached
   bool advance() {
     const Axes from = a_.at(), to = a_.item(0).to;
     next_.clear();
@@ -190,7 +190,7 @@ class FreeSpace {
     b_.pass(count);
   }
 
-  /// a is at its end: moves b to its own end if that can be reached, else to the nearest reachable position.
+  /// Called when a is at its end. Moves b to the end of b if that end can be reached, else to the reachable position nearest to a.
   void bring_b() {
     const std::size_t last = column_.size() - 1;
     if (!column_[last].empty() && column_[last].last >= 1 && goes_on(b_, state_b_, last) && !goes_on(b_, state_b_, last + 1))
@@ -210,7 +210,7 @@ class FreeSpace {
     bring_b();
     return result_;
   }
-  /// b ends within the present segment of a: cuts that segment in two.
+  /// Called when b ends within the present segment of a. Cuts that segment in two.
   PathMatch cut_a() {
     std::size_t last = 0;
     while (goes_on(b_, state_b_, last)) ++last;

@@ -141,8 +141,8 @@ void FolderGuess::take_folder(const std::string& folder, const std::vector<std::
   folders_[folder] = found;
 }
 
-/// Returns the control that a file of the same folder, or of a folder above, clearly has; else the control that the files of the folder
-/// suggest together.
+/// Returns the control for which a single file of the folder of `file`, or of a folder above, is evidence; else the control that the files
+/// of the folder suggest together. Returns nullopt if the files of a folder disagree.
 std::optional<FolderGuess::Neighbours> FolderGuess::neighbours_of(const std::string& file) const {
   const std::string own = folder_of(file);
   for (fs::path folder = own;; folder = folder.parent_path()) {

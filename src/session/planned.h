@@ -50,7 +50,7 @@ class Planned {
     motion_.on_motion = [tell = std::move(on_motion)](std::uint64_t motion, double) { tell(motion); };
   }
 
-  /// Makes the planner start a plan after each `seconds` of motion, see Planner::plan_each(): the first cells then come early.
+  /// Makes the planner start a plan after each `seconds` of motion, so that the first cells come early; see Planner::plan_each().
   void plan_each(double seconds) { motion_.plan_each(seconds); }
   /// Makes the planner work in a separate thread, see Planner::work_in_background().
   void work_in_background() { motion_.work_in_background(); }

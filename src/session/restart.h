@@ -20,8 +20,8 @@ struct Restart {
   std::size_t normal = 2;         // index of the axis normal to the working plane; the tool approaches along it
 };
 
-/// Interprets without output from the session's present position to the line, pass, call or condition of `target`. `hole`: if the block
-/// drills with a canned cycle, the restart is over its n-th drilled hole, counted from 1; 0: before the block.
+/// Interprets the program without output, from the session's present position to the line, pass, call or condition of `target`. `hole`: if
+/// the block drills with a canned cycle, the restart is over its n-th drilled hole, counted from 1; 0: before the block.
 ///   returns  nullopt if the target is not reached; the state of the session says why
 std::optional<Restart> restart_at(Session& session, Stepping& stepping, const StopPoint& target, std::uint32_t hole = 0);
 /// Returns what is required to continue from the block where the session is held; nullopt if the session is not held.

@@ -63,7 +63,7 @@ class FlatProgram {
   ///   alarms  function_has_no_code  the target control has no code for it
   ///           word_has_no_room
   Status take(const Action& action, const OffsetsInForce& now);
-  /// Ends the output for one block of the source program.
+  /// Ends the flat blocks that express one block of the source program.
   Status end_block();
   Status finish();
 

@@ -66,8 +66,8 @@ void judge_unused(const ToolTable& table, const Calls& calls, const NamedInText&
   to.add(AlarmId::table_tools_unused, first_of(calls), 0, std::string_view(list_of(unused, "T")), std::string_view(table.file));
 }
 
-/// Reports a row without values that the program uses, if there is a row with values that it does not use: the numbers are probably
-/// wrong. Unused rows alone are no fault.
+/// Reports a row without values that the program uses, if another row has values and is not used: the row numbers are probably wrong.
+/// Unused rows alone are no fault.
 void judge_rows(const Calls& tools, const NamedInText& named, const Setup& setup, const ProgramUse& use, Advices& to) {
   const Use* empty = nullptr;
   std::set<std::uint32_t> used;

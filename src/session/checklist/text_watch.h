@@ -67,8 +67,8 @@ class TextWatch {
   std::size_t with_point_ = 0, without_point_ = 0;
   std::vector<Advice> pointless_;
   bool inch_ = false;
-  // state of the drilling cycle, in the order of the text
-  // absolute_: G90 is in force; in_xy_: G17 is in force; both are false if uncertain
+  // State of the drilling cycle, in the order of the text. absolute_: G90 is in force; in_xy_: G17 is in force; both are false if the
+  // state is uncertain.
   bool in_cycle_ = false, absolute_ = true, in_xy_ = true;
   std::optional<Advice> cancelled_;  // a canned cycle that a motion code has cancelled
   bool lost_ = false;  // blocks after that cancellation have contained only positions, which the cancelled cycle no longer drills

@@ -36,7 +36,7 @@ void BlockLoads::add(const CutMotion& m) {
   open_.push_back({m, sum, m.end_sweep});
 }
 
-/// Ends the current block. A block that is long enough is reported with values of its own.
+/// Ends the current block. A block at least as long as reach_ is reported with values of its own; shorter blocks are collected.
 void BlockLoads::end_block() {
   if (open_.empty()) return;
   if (open_.back().sum.length >= reach_) {
