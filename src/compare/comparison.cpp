@@ -17,24 +17,25 @@ namespace {
 
 using Kind = CourseDifference::Kind;
 constexpr double chord_of_tolerance = 1.0 / 16;
-constexpr double same_value = 1e-6;        // relative tolerance of dwell times and feeds
-constexpr std::size_t most_ahead = 3000;   // items of each course in which a common position is searched
-constexpr std::size_t max_sliver = 1000;   // greatest number of motions that stay within the tolerance of one position
-constexpr std::size_t max_measured = 500;  // vertices of a difference between which the distance is measured
-constexpr int max_searches = 200;          // greatest number of searches far ahead; with more, the programs count as unrelated
+constexpr double same_value = 1e-6;       // relative tolerance of dwell times and feeds
+constexpr std::size_t most_ahead = 3000;  // greatest number of items of each course that are searched for a common position
+constexpr std::size_t max_sliver = 1000;  // greatest number of successive motions that may stay within the tolerance of one position
+// greatest number of vertices of each path between which the distance of a difference is measured
+constexpr std::size_t max_measured = 500;
+constexpr int max_searches = 200;  // greatest number of searches far ahead; programs that need more count as unrelated
 
 bool is_same(double a, double b) { return std::abs(a - b) <= same_value * std::max({1.0, std::abs(a), std::abs(b)}); }
 
 bool is_same(const CourseEvent& a, const CourseEvent& b) { return a.kind == b.kind && a.text == b.text && is_same(a.value, b.value); }
 
-/// Returns the feed per minute at the speed in force; 0 if it is not known.
+/// Returns the feed in mm/min that the state has at its spindle speed; 0 if the spindle speed is not known.
 double per_minute(const CourseState& s) {
   if (s.unit == FeedUnit::mm_per_min) return s.feed;
   return s.unit == FeedUnit::mm_per_rev && !s.surface ? s.feed * s.speed : 0;
 }
 
-/// True if the feeds differ by no more than the increment of the F word, and by a small share of the feed, however large the increment
-/// is.
+/// True if two feeds are equal apart from the rounding of the F word: they differ by at most half the increment of that word (`step`), and
+/// by at most 1 % of the feed.
 bool is_rounded(double a, double b, double step) { return std::abs(a - b) <= std::min(step / 2 + same_value, 0.01 * std::abs(a)); }
 
 /// Returns the first difference between the states, apart from the feed unit; nullopt if there is none.
@@ -111,7 +112,7 @@ class Comparer {
     (of_b ? out_.read_b : out_.read_a) = control.files_read();
   }
 
-  /// Passes an act that both courses do; also compares the states in force at it.
+  /// Passes an act that occurs in both courses, and compares the states in force during the act.
   void act() {
     if (const auto differs = difference(as_act(a_.item(0).state), as_act(b_.item(0).state)))
       follower_.begin(ComparedPiece::Part::changed, report_state(*differs));
@@ -143,7 +144,8 @@ class Comparer {
     if (!result.together) meet_again();
   }
 
-  /// Passes motions that stay near the other course's position, up to an item for which `wanted` is true.
+  /// Passes the motions of one course that stay within the tolerance of the other course's position, up to an item for which `wanted` is
+  /// true. Returns false, and passes nothing, if there is no such item.
   template <class Wanted>
   bool pass_sliver(CourseCursor& lane, const CourseCursor& other, const Wanted& wanted) {
     for (std::size_t i = 0; i < max_sliver; ++i) {
@@ -157,8 +159,8 @@ class Comparer {
     return false;
   }
 
-  /// Adds a difference of the state.
-  ///   returns  its index
+  /// Adds a difference between the states in force in the two courses, such as feed or spindle.
+  ///   returns  the index of the difference in Comparison::differences
   std::size_t report_state(Kind kind) {
     const std::string a_value = words_of_state(a_.item(0).state, kind), b_value = words_of_state(b_.item(0).state, kind);
     const CourseDifference d{kind, spot(a_), spot(b_), spot(a_), spot(b_), 0, {}, {}, a_value, b_value};
@@ -166,8 +168,8 @@ class Comparer {
     add(d);
     return number;
   }
-  /// Compares the ends of both courses, and the state of spindle and coolant there. b's end may switch off what a's end leaves on, since
-  /// most controls do so by themselves; the reverse is a difference.
+  /// Compares the ends of both courses, and the states of spindle and coolant at the ends. At its end b may switch off what a leaves on,
+  /// since most controls switch spindle and coolant off by themselves; the reverse is a difference.
   void ends() {
     const CourseItem &a = a_.item(0), &b = b_.item(0);
     if (a.fault != b.fault) return ends_differ();
@@ -206,7 +208,8 @@ class Comparer {
     add(d);
   }
 
-  /// Returns the number of items to the end of the course, up to a limit: reading them shows whether the course ends by an alarm.
+  /// Returns the number of items up to the end of the course, at most max_looked_at. Reading the items shows whether an alarm ends the
+  /// course.
   static std::size_t items_ahead(CourseCursor& lane) {
     constexpr std::size_t max_looked_at = 50;
     std::size_t count = 0;
@@ -296,7 +299,7 @@ class Comparer {
   std::size_t number_of_next(const CourseDifference& d) const {
     return out_.differences.size() + out_.more - (continues_last_difference(d) ? 1 : 0);
   }
-  /// Adds a difference; joins it with the last one if it begins where that one ended.
+  /// Adds a difference. A difference that begins where the last one ended is joined with the last one.
   void add(CourseDifference d) {
     if (continues_last_difference(d)) {
       CourseDifference& last = out_.differences.back();
@@ -314,8 +317,8 @@ class Comparer {
   Comparison out_;
 };
 
-/// Maps the M functions of both courses to the numbers of b, or to the coolant that they switch on either control. A number of a that has
-/// another function on b gets a number that b does not use.
+/// Makes the M functions of both courses comparable: each gets its number on b's control, or the coolant that it switches. A number of a
+/// that means another function on b's control gets a number that b does not use.
 void match_codes(Course& a, Course& b) {
   using Meaning = Course::CodeMeaning;
   const ControlDef &of_a = a.session().def(), &of_b = b.session().def();
@@ -352,7 +355,7 @@ Comparison compare_sessions(std::unique_ptr<Session> a, std::unique_ptr<Session>
   if (rules.tools_by_hand) course_a.change_tools_by_hand(), course_b.change_tools_by_hand();
   const PathModes of_b = path_modes_of(course_b.session().def());
   PathModes modes = path_modes_of(course_a.session().def()) & of_b;
-  modes.exact = of_b.exact;  // if a's control has no exact stops, b's course should have none
+  modes.exact = of_b.exact;  // exact stops of b are compared even if a's control has none
   course_a.look_at(modes), course_b.look_at(modes);
   match_codes(course_a, course_b);
   Comparison made = Comparer(course_a, course_b, frame.size(), rules).all();

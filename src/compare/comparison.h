@@ -5,7 +5,8 @@
 //
 //   compare_sessions(a, b, rules)
 //
-// Follows both courses once, in constant memory. Where they separate, it searches for the next position that they have in common.
+// The comparison follows both courses once, in constant memory. Where the courses separate, it searches for the next position that both
+// have in common.
 
 #include <functional>
 #include <map>
@@ -32,10 +33,10 @@ struct ComparedPiece {
 struct CompareRules {
   double tolerance = 0.001;                   // allowed distance of the paths, mm (degrees of rotary axes)
   bool messages = true;                       // compare the messages to the operator
-  bool tools_by_hand = false;                 // a tool change counts as a program stop
+  bool tools_by_hand = false;                 // a tool change counts as a program stop at which the operator changes the tool
   bool feeds_at_speed = false;                // a feed per revolution equals the feed per minute that it gives at the speed in force
   double feed_step = 0;                       // least increment of b's F word, mm/min or mm/rev; feeds that differ by less are equal
-  std::map<std::string, double> zero_of_b{};  // mm by axis: origin set by the operator, since b's control has no work offsets
+  std::map<std::string, double> zero_of_b{};  // by axis name: work origin that the operator sets, mm, since b's control has no work offsets
   bool first_only = false;                    // stop at the first difference
   bool times = true;                          // compute CourseSpot::at
   std::size_t max_reported = 1000;            // greatest number of differences that are listed one by one
@@ -46,7 +47,7 @@ struct CompareRules {
 /// A position in one of the two programs.
 struct CourseSpot {
   Origin origin;       // the block that comes next at this position
-  std::string file{};  // name of the called file that contains the block; empty for the program itself
+  std::string file{};  // name of the called file that contains the block; empty: the block is in the program itself
   double at = 0;       // programmed time since the start, s; 0 if the rules request no times
   Axes stand{};        // axis positions in machine coordinates, in the order of Comparison::axes
 };
@@ -70,13 +71,16 @@ struct Comparison {
   std::size_t more = 0;                                       // number of differences that are not listed
   std::optional<AlarmReport> stopped_a, stopped_b;            // the alarm that stopped the program; what would follow is not compared
   std::vector<std::string> read_a, read_b;                    // names of the files that the program called
-  std::map<std::uint16_t, std::string> files_a{}, files_b{};  // names of called files in segments, by Origin::file
-  Vec3 zero;                                                  // origin of the work system of the first cut, in machine coordinates
-  std::size_t passed_messages = 0;                            // messages of a that the rules exclude from the comparison
-  std::size_t passed_exact_stops = 0;                         // exact stops of a that were not compared, because b's control has none
-  bool feeds_at_speed = false;                                // at least one feed was equal only by CompareRules::feeds_at_speed
-  bool feeds_rounded = false;                                 // at least one feed was equal only by CompareRules::feed_step
-  bool lost = false;                                          // after the last difference no common position was found
+  std::map<std::uint16_t, std::string> files_a{}, files_b{};  // names of the called files that segments come from, by Origin::file
+  // origin of the work system in which the first cut is made, in machine coordinates
+  Vec3 zero;
+  std::size_t passed_messages = 0;     // messages of a that the rules exclude from the comparison
+  std::size_t passed_exact_stops = 0;  // exact stops of a that were not compared, because b's control has none
+  // at least one pair of feeds was equal only because of CompareRules::feeds_at_speed
+  bool feeds_at_speed = false;
+  // at least one pair of feeds was equal only because of CompareRules::feed_step
+  bool feeds_rounded = false;
+  bool lost = false;  // after the last difference no common position was found
 
   bool equal() const { return !cancelled && differences.empty(); }
 };

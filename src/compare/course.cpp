@@ -11,7 +11,7 @@
 namespace kadr {
 namespace {
 
-constexpr int max_pieces = 16'384;  // greatest number of segments of a motion
+constexpr int max_pieces = 16'384;  // greatest number of straight segments into which a motion is divided
 
 CourseMove move_of(MotionKind kind) {
   switch (kind) {
@@ -23,7 +23,7 @@ CourseMove move_of(MotionKind kind) {
   }
 }
 
-/// True if the path is the straight line to the end of the motion: MachinePath would compute the same.
+/// True if the path of the motion is the straight line to its end, so that MachinePath, which would compute the same line, is not needed.
 bool is_plain_line(const Step& step, const Motion& motion) {
   return !motion.detail && !is_arc(motion.kind) && motion.kind != MotionKind::spline && !controls_tip(step.from, motion);
 }
@@ -67,7 +67,8 @@ void Course::more(ItemRing& to) {
   }
 }
 
-/// Copies the axes of the control into the order of the frame; the other axes of the frame stay at 0.
+/// Copies positions from the order of the control's axes into the order of the frame's axes. Axes of the frame that the control lacks stay
+/// at 0.
 void Course::put_in_frame(Axes& to, const Axes& machine) const {
   for (std::size_t i = 0; i < axis_of_.size(); ++i) to[i] = axis_of_[i] >= 0 ? machine[std::size_t(axis_of_[i])] + shift_[i] : 0;
 }
@@ -129,7 +130,7 @@ void Course::take_function(const Step& step, std::uint32_t code) {
   else take_event(step, CourseEvent::Kind::function, meaning->second.code);
 }
 
-/// Adds an exact stop if the next step moves the axes: before any other action they are at rest anyway.
+/// Adds an exact stop if the next step moves the axes. Before any other step the axes are at rest anyway, so the exact stop has no effect.
 void Course::stop_exactly(const Step& next) {
   static const auto act = std::make_shared<const CourseEvent>(CourseEvent{CourseEvent::Kind::exact_stop, 0, {}});
   CourseItem& item = ahead_->add();

@@ -18,7 +18,7 @@ namespace kadr {
 /// Runs one program, without other channels, only as far as items are requested.
 class Course {
  public:
-  ///   frame  axis names, in the order of the positions; an axis that the control does not have stays at 0
+  ///   frame  axis names in the order in which the course's positions list them; an axis that the control does not have stays at 0
   ///   chord  mm by which a straight segment may deviate from a curved path
   Course(std::unique_ptr<Session> session, const std::vector<std::string>& frame, double chord, const StopToken& stop);
 
@@ -26,7 +26,7 @@ class Course {
   void pass_messages() { messages_ = false; }
   /// Adds this vector (mm, by axis of the frame) to all positions: the origin that the operator has set. Call it before the first item.
   void shift(const Axes& by);
-  /// Computes no times. Call it before the first item.
+  /// Switches off the computation of times. Call it before the first item.
   void pass_times() { session_->outlets().clock = nullptr; }
   /// Number of exact stops excluded by look_at().
   std::size_t passed_exact_stops() const { return passed_exact_stops_; }
@@ -41,7 +41,7 @@ class Course {
     std::uint32_t code = 0;            // else the number of the function on the other control
   };
   void read_codes(std::map<std::uint32_t, CodeMeaning> codes) { codes_ = std::move(codes); }
-  /// The state before the last block read so far.
+  /// The state that was in force before the last block that has been read.
   const CourseState& before_last_block() const { return before_block_; }
   /// Position of the axes before the first item, machine coordinates.
   const Axes& start() const { return start_; }
@@ -64,7 +64,7 @@ class Course {
   void put_in_frame(Axes& to, const Axes& machine) const;
 
   std::unique_ptr<Session> session_;
-  std::vector<int> axis_of_;  // number of the control's axis, by axis of the frame; -1: the control has no such axis
+  std::vector<int> axis_of_;  // index of the control's axis, by axis of the frame; -1: the control has no such axis
   double chord_;
   StopToken stop_;
   Chain chain_;

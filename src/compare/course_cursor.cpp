@@ -9,7 +9,7 @@ namespace kadr {
 namespace {
 
 constexpr double no_length = 1e-12;  // mm², square of the length: a shorter segment counts as a point
-constexpr double whole = 1 - 1e-9;   // a fraction from here on counts as the whole segment, because of rounding
+constexpr double whole = 1 - 1e-9;   // a fraction of a segment from this value on counts as 1, because of rounding errors
 
 }  // namespace
 
@@ -40,7 +40,7 @@ Axes CourseSpace::between(const Axes& a, const Axes& b, double part) const {
 }
 
 CourseSpace::Interval CourseSpace::within(const Axes& point, const Axes& from, const Axes& to, double most) const {
-  double way = 0, along = 0, off = 0;  // |to − from|², (point − from)·(to − from), |point − from|²
+  double way = 0, along = 0, off = 0;  // way = |to − from|², along = (point − from)·(to − from), off = |point − from|²
   for (std::size_t i = 0; i < axes_; ++i) {
     const double w = to[i] - from[i], p = point[i] - from[i];
     way += w * w, along += p * w, off += p * p;
@@ -66,13 +66,14 @@ void CourseCursor::look_ahead(std::size_t i) {
   }
 }
 
-/// Removes motions of length 0 from the items from index `from` on.
+/// Removes the motions of length 0 among the items with index `from` and above.
 void CourseCursor::tidy(std::size_t from) {
   std::size_t kept = from;
   for (std::size_t k = from; k < ahead_.size(); ++k) {
     CourseItem& item = ahead_[k];
     const Axes& before = kept == 0 ? at_ : ahead_[kept - 1].to;
-    if (item.kind != CourseItem::Kind::move) item.to = before;  // the frame may change while the axes are at rest
+    // the axes do not move during an act, though its position may differ in another coordinate frame
+    if (item.kind != CourseItem::Kind::move) item.to = before;
     else if (item.to == before) continue;
     if (kept != k) ahead_[kept] = std::move(item);
     ++kept;

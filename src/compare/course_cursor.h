@@ -16,7 +16,7 @@ class CourseSpace {
   /// Returns true if the point is farther than `most` from every point of the segment `from` … `to`.
   bool is_off(const Axes& point, const Axes& from, const Axes& to, double most) const;
   Axes between(const Axes& a, const Axes& b, double part) const;
-  /// The range of fractions (0 … 1) of a segment that is within `most` of a point; empty if first > last.
+  /// The range of fractions (0 … 1) of a segment in which the segment is at most `most` mm away from a point; empty if first > last.
   struct Interval {
     double first = 1, last = 0;
     bool empty() const { return first > last; }

@@ -26,7 +26,7 @@ struct CourseState {
   Coolant coolant = Coolant::off;
   double tolerance = 0;  // mm by which corners may be rounded (G64 P)
   CornerSpeed corners = CornerSpeed::limited;
-  std::uint8_t smoothing = 0;  // Q of G5.1
+  std::uint8_t smoothing = 0;  // smoothing mode: the word Q of G5.1
   friend bool operator==(const CourseState&, const CourseState&) = default;
 };
 

@@ -16,7 +16,7 @@
 
 namespace kadr {
 
-/// Returns two file names, without their folders if they are different then.
+/// Returns both file names: without their folders if the names alone are different, else with them.
 std::array<std::string, 2> short_names(const std::string& a, const std::string& b);
 
 struct DifferenceTitle {
@@ -70,8 +70,8 @@ class DifferencePlot {
   std::deque<SketchPiece> recent_;   // the last segments that both programs follow
   std::array<Closeup, 3> closeups_;  // close-ups of the first two differences and of the greatest one
   double greatest_ = 0;
-  std::optional<std::size_t> begun_;  // the last difference of which a segment has arrived
-  std::vector<Longest> longest_;      // by difference, for the first differences
+  std::optional<std::size_t> begun_;  // index of the last difference of which a segment has arrived
+  std::vector<Longest> longest_;      // by index of the difference; only for the first differences
   Vec3 zero_;
   std::array<std::optional<Vec3>, 2> first_, last_;  // first and last positions of a and of b
   std::array<ProgramLine, 2> first_line_, last_line_;

@@ -10,10 +10,11 @@ namespace kadr {
 namespace {
 
 using Interval = CourseSpace::Interval;
-constexpr std::size_t most_open = 20'000;  // segments of one path that are near a single position of the other
+constexpr std::size_t most_open = 20'000;  // greatest number of segments of one path that may be near a single position of the other path
 
-constexpr std::size_t max_lag = 4, most_alike = 16;  // in segments
-constexpr double same_projection = 1e-12;            // mm
+// greatest number of segments by which b may be behind a; greatest number of identical segments among which vE is searched
+constexpr std::size_t max_lag = 4, most_alike = 16;
+constexpr double same_projection = 1e-12;  // mm; a smaller distance is not reported
 
 Interval common(Interval a, double from) { return {std::max(a.first, from), a.last}; }
 
@@ -64,19 +65,20 @@ class FreeSpace {
       near_.push_back(tolerance_);
       if (free.last < 1) break;
     }
-    if (column_.empty()) column_.push_back({0, 0}), near_.push_back(tolerance_);  // rounding: both are at the same position
+    // both paths are at the same position, and only rounding errors hide it
+    if (column_.empty()) column_.push_back({0, 0}), near_.push_back(tolerance_);
   }
 
   // Identical segments need not be searched. Assume that both paths are at the vertex v0, on the diagonal of the free space, and that
   // their next segments are the same, v0 v1 … vE. Then (v1, v1) can be reached, and everything that can be reached can be reached through
-  // it, if
+  // (v1, v1), if
   //   - vE is farther than the tolerance from every point of v0 v1, and
   //   - v2 … vE-1 are within the tolerance of v1.
-  // Proof: take a path through the free space on which one of the two (a, say) is ahead. When b comes to v1, a has not passed vE, as it
+  // Proof: take a path through the free space on which one of the two (a, say) is ahead. When b comes to v1, a has not passed vE, since a
   // could not pass vE while b was between v0 and v1. So a is then between v1 and vE, and all of that range within the tolerance of v1 is
-  // connected: a gets there while b is at v1. If b has lagged behind v0, the same is true if vE is also farther than the tolerance from
-  // that part. Near a position where the paths differ there is no such vE within the identical segments: there the free space decides as
-  // usual.
+  // connected: a gets there while b is at v1. If b has lagged behind v0, the same is true if vE is also farther than the tolerance from the
+  // segments of b up to v0. Near a position where the paths differ there is no such vE within the identical segments: there the free space
+  // decides as usual.
 
   /// Passes identical segments. Returns false, and changes nothing, if there are none.
   bool pass_alike() {
@@ -94,8 +96,8 @@ class FreeSpace {
     return true;
   }
 
-  /// True if both can be at a's position, b is ahead of that position only by a connected part of the free space, and no vertex that is
-  /// passed has a distance to report.
+  /// True if both paths can be at a's position, b can be ahead of that position only in a connected part of the free space, and every
+  /// vertex of b that would be passed lies on a's path, so that no distance must be reported for it.
   bool is_reached(std::size_t lag) const {
     if (lag > 0) {
       if (column_[lag - 1].empty() || column_[lag - 1].last < 1) return false;
@@ -128,7 +130,7 @@ class FreeSpace {
   }
 
   /// Follows a segment of a: from the reachable intervals of b at the segment's start to the reachable intervals at its end.
-  ///   returns  false if there are none; `ends_` is then the part of a's segment from which b's end can be reached
+  ///   returns  false if no interval at the end can be reached; `ends_` is then the part of a's segment from which b's end can be reached
   bool advance() {
     const Axes from = a_.at(), to = a_.item(0).to;
     next_.clear();
@@ -174,7 +176,7 @@ class FreeSpace {
     return space_.distance(point, space_.between(begin, end, space_.nearest(point, begin, end, in)));
   }
 
-  /// Removes the segments of b that can no longer be reached.
+  /// Removes the leading segments of b that can no longer be reached.
   void drop() {
     std::size_t count = 0;
     while (count < column_.size() && column_[count].empty()) ++count;
@@ -188,7 +190,7 @@ class FreeSpace {
     b_.pass(count);
   }
 
-  /// a is at its end: moves b to its own end if that can be reached, else to the nearest reachable position.
+  /// Called when a is at its end. Moves b to the end of b if that end can be reached, else to the reachable position nearest to a.
   void bring_b() {
     const std::size_t last = column_.size() - 1;
     if (!column_[last].empty() && column_[last].last >= 1 && goes_on(b_, state_b_, last) && !goes_on(b_, state_b_, last + 1))
@@ -208,7 +210,7 @@ class FreeSpace {
     bring_b();
     return result_;
   }
-  /// b ends within the present segment of a: cuts that segment in two.
+  /// Called when b ends within the present segment of a. Cuts that segment in two.
   PathMatch cut_a() {
     std::size_t last = 0;
     while (goes_on(b_, state_b_, last)) ++last;
@@ -231,8 +233,8 @@ class FreeSpace {
   const double tolerance_;
   const CourseState state_a_, state_b_;
   const Axes begins_a_, begins_b_;
-  std::vector<Interval> column_, next_;  // by segment of b ahead: the part that can be reached while a is at its present vertex
-  std::vector<double> near_;             // by segment of b: the least distance at which its end can be passed
+  std::vector<Interval> column_, next_;  // by segment of b: the part of the segment that can be reached while a is at its present vertex
+  std::vector<double> near_;             // by segment of b: the least distance from a at which the end of the segment can be passed
   Interval ends_;
   PathMatch result_;
 };

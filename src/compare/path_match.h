@@ -8,14 +8,15 @@
 namespace kadr {
 
 struct PathMatch {
-  bool together = true;  // true: followed until one path ends or its state changes; false: the paths separate where the lanes are now
-  double reach = 0;      // mm, the greatest distance of either path from its start
-  double greatest = 0;   // mm, the greatest distance between the paths that no matching can avoid, at the vertices of both
+  // true: one path has ended, or its state changes; false: the paths separate at the present positions of the cursors
+  bool together = true;
+  double reach = 0;     // greatest distance of either path from its start, mm
+  double greatest = 0;  // greatest distance between the paths that no matching can avoid, measured at the vertices of both, mm
 };
 
-/// Follows both lanes from their current positions, which are at most `tolerance` apart, along motions whose state does not change within
-/// a lane. Where one path ends, the other is cut in two at the nearest position.
-///   pre  the first item of both lanes is a motion
+/// Follows both courses from their current positions, which are at most `tolerance` (mm) apart, along motions whose state does not change
+/// within a course. Where one path ends, the segment of the other path is cut in two at the nearest position.
+///   pre  the first item of each course is a motion
 PathMatch match_paths(CourseCursor& a, CourseCursor& b, const CourseSpace& space, double tolerance);
 
 }  // namespace kadr

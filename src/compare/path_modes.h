@@ -1,6 +1,6 @@
 #pragma once
-// PathModes: which codes for corners and exact stops a control has. Two programs are compared only in the modes that both controls have;
-// in exact stops only if the second control has them.
+// PathModes: which codes for corners and exact stops a control has. Two programs are compared only in the modes that both controls have.
+// Exact stops are compared only if the control of the second program has them.
 
 #include "config/control/control_def.h"
 

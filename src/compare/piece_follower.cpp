@@ -6,7 +6,8 @@
 namespace kadr {
 namespace {
 
-constexpr std::size_t max_waiting = 1000;  // segments held back near one position; with more, they are sent as Part::together
+// greatest number of segments held back near one position; when there are more, all are sent as Part::together
+constexpr std::size_t max_waiting = 1000;
 
 }  // namespace
 

@@ -17,8 +17,8 @@ class PieceFollower {
 
   /// Sets the type (ComparedPiece::Part) and the difference of the segments until end() is called.
   void begin(ComparedPiece::Part part, std::size_t number, double distance = 0);
-  /// Like begin(), but the segments belong to the difference only if they lead farther than the tolerance from `here`. Until that is
-  /// known they are held back.
+  /// Like begin(), but the segments belong to the difference only if they lead farther than the tolerance from the position `here`. The
+  /// segments are held back until that is known.
   void begin_waiting(std::size_t number, const Axes& here);
   ///   counts  segments that are still held back belong to the difference
   void end(bool counts = true);
@@ -34,7 +34,7 @@ class PieceFollower {
   std::function<void(const ComparedPiece&)> told_;
   const CourseSpace& space_;
   double tolerance_;
-  ComparedPiece now_;  // values that all segments have in common
+  ComparedPiece now_;  // the values that all segments until end() have in common
   Axes here_{};
   bool waits_ = false;
   std::vector<ComparedPiece> waiting_;

@@ -16,7 +16,7 @@ namespace kadr {
 
 /// The greatest size in bytes of a converted program: some ten million blocks. The text is kept in memory while it is proven.
 constexpr std::size_t max_made = std::size_t{256} << 20;
-/// Returns the alarm conversion_too_long.
+/// Returns the alarm conversion_too_long, which reports that a converted program exceeds max_made.
 Alarm too_long();
 
 class BlockMaker {
@@ -32,14 +32,14 @@ class BlockMaker {
   /// Returns "O0012", with as many digits as the control's program numbers have.
   std::string program_label(std::uint32_t number) const;
 
-  /// Adds the code that has one of these functions to the block.
+  /// Adds to the block the code with which the control calls one of these functions.
   ///   alarms  function_has_no_code
   Status code(std::initializer_list<Wanted> wanted);
   /// Like code(), but returns false and adds nothing if the control has no such code.
   bool code_if_there(std::initializer_list<Wanted> wanted);
   /// Adds a word. `value` is in the unit of the address: mm, degrees, s, … A feed or speed is written as its code if the control has a
   /// table of codes.
-  ///   more    additional decimals if the format allows any number of decimals; one for inches
+  ///   more    additional decimals if the format allows any number of decimals; 1 if the lengths are in inches
   ///   alarms  word_has_no_room; word_below_format if an F would become 0
   Status word(char letter, double value, int more = 0);
   /// Like word() above, for an address whose format has been looked up already.
@@ -90,7 +90,7 @@ class BlockMaker {
   std::string words_, comment_;
   std::string line_;  // a member so that its memory is reused
   std::uint32_t wanted_number_ = 0, last_number_ = 0;
-  std::uint32_t section_ = 0, number_before_ = 0;  // number of the subprogram, 0: none; last block number before it
+  std::uint32_t section_ = 0, number_before_ = 0;  // number of the subprogram, 0: none; last block number before the subprogram
   std::uint8_t skip_ = 0;
   std::size_t blocks_ = 0;
 };

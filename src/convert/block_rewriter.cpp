@@ -19,7 +19,7 @@ std::uint8_t group_of_motions(const ControlDef& def) {
 
 bool is_axis(const AddressRow& row) { return row.function == Function::axis || row.function == Function::machine_axis; }
 
-/// True if the word is a length: its number has a decimal point, or an implied one.
+/// True if the word states a length, so that its number has a decimal point, written or implied.
 bool is_length(const AddressRow& row) { return row.unit == WordUnit::length; }
 
 constexpr std::int32_t tenths_of_code = 10;
@@ -27,7 +27,8 @@ constexpr std::int32_t tenths_of_code = 10;
 /// Returns the number of a code word.
 std::uint32_t number_of(const Word& word) { return static_cast<std::uint32_t>(word.code / tenths_of_code); }
 
-constexpr int more_decimals = 3;  // added to three decimals, since the source program may have more: inches, or a fine CAM program
+// decimals of a length in addition to three, since the source program may have more: inches, or the output of a fine CAM program
+constexpr int more_decimals = 3;
 
 /// Returns the letter of the length offset: H, or D if H is a number of repetitions (spec/s2c42 4).
 char letter_of_lengths(const ControlDef& def) {
@@ -46,8 +47,9 @@ struct BlockRewriter::Kinds {
   const CodeRow* call = nullptr;
   const CodeRow* macro = nullptr;       // G65
   const CodeRow* exact_stop = nullptr;  // an exact stop at the end of this block only
-  std::uint64_t left_out = 0;           // words of a corner mode that the target control's mode lacks
-  bool returns = false;                 // the block has M99
+  // bits of the letters of words that belong to a corner mode, and that the target control's code for that mode does not accept
+  std::uint64_t left_out = 0;
+  bool returns = false;  // the block has M99
   bool has_axes = false, has_feed = false;
   bool takes_axes = false;  // a code other than a motion uses the axis words
   bool drills = false;      // a canned cycle is in force or in the block
@@ -74,7 +76,7 @@ BlockRewriter::BlockRewriter(const ControlDef& from, const ControlDef& to)
 
 Status BlockRewriter::cannot(std::string_view what) { return fail(alarm(AlarmId::function_has_no_code, {}, what)); }
 
-/// Fast path for blocks with axis words only, which are most blocks of a long program. word() would write the same.
+/// Writes a block that has axis words only, as most blocks of a long program. The function is faster than word(), and writes the same.
 Status BlockRewriter::write_plain(const Block& block, BlockMaker& out) {
   for (std::uint32_t i = 0; i < block.word_count; ++i) {
     const Word& one = block.words[i];
@@ -173,7 +175,8 @@ bool BlockRewriter::is_other_code(const Word& word, const CodeRow& row) const {
   return row.function == Function::machine_function && !codes_.there(number) && codes_.here(number);
 }
 
-/// Writes an M code by its number: by the tables of both controls, or unchanged if it is a machine function without a row of its own.
+/// Writes an M code by its number. The number is mapped by the tables of both controls; the number of a machine function without a row of
+/// its own stays unchanged.
 ///   returns  false if the code must be matched by its function
 bool BlockRewriter::machine_code(const Word& word, const CodeRow& row, BlockMaker& out) const {
   const std::uint32_t number = number_of(word);
@@ -213,7 +216,8 @@ std::optional<char> BlockRewriter::letter_of(const Word& word, const Kinds& kind
   const Function here = from_.address(letter).function;
   if (kinds.call != nullptr && letter != 'P' && (letter == 'L' || letter == 'Q')) letter = 'L';
   else if (kinds.drills && letter == repeats_of(from_)) letter = repeats_of(to_);
-  else if (letter == 'H' && !is_own(here) && is_own(to_.address('H').function)) letter = 'D';  // offsets of both kinds (spec/s2c42 4)
+  // D selects length and radius offsets alike (spec/s2c42 4)
+  else if (letter == 'H' && !is_own(here) && is_own(to_.address('H').function)) letter = 'D';
   const Function there = to_.address(letter).function;
   return (is_own(here) || is_own(there)) && here != there ? std::nullopt : std::optional(letter);
 }
@@ -249,7 +253,8 @@ Status BlockRewriter::word(const Block& block, const Word& word, const Kinds& ki
   return number(word, letter, out);
 }
 
-/// RS274/NGC uses the tool number if H or D is missing (spec/linuxcnc 7.6); the other controls need the word.
+/// Writes the tool number as H or D if the block does not state the word. RS274/NGC uses the tool number then (spec/linuxcnc 7.6); the
+/// other controls need the word.
 Status BlockRewriter::implied_number(const Block& block, const CodeRow& row, BlockMaker& out) const {
   if (!from_.has_parameter_file() || to_.has_parameter_file() || tool_ == 0) return {};
   if (row.function == Function::tool_length && row.arg == 0 && !block.has('H')) return out.word(letter_of_lengths(to_), tool_);
@@ -366,7 +371,8 @@ Status BlockRewriter::words_of(const Block& block, const Kinds& kinds, BlockMake
     if (one.code >= 0) {
       const CodeRow* const row = row_of(one);
       if (row == nullptr) return cannot(block.text_of(one.where));
-      if (traits_of(row->function).phase == Phase::path_mode && match_.of(*row) == nullptr) continue;  // reported by conversion_text
+      // the target control has no such path mode; conversion_text reports the omitted code
+      if (traits_of(row->function).phase == Phase::path_mode && match_.of(*row) == nullptr) continue;
       if (row->function == Function::millimetre && is_metric_) continue;
       if (in_section_ && (row->function == Function::program_end || row->function == Function::tape_end)) continue;
       if (one.address == 'M' && is_other_code(one, *row)) return cannot(row->code);

@@ -24,18 +24,18 @@ class BlockRewriter {
   /// Writes the words of a block into `out`. After an alarm the block may be incomplete.
   ///   alarms  function_has_no_code, word_has_no_room  the target control cannot express the block
   Status write(const Block& block, BlockMaker& out);
-  /// Call it after each block: ends the modes that the rewritten block has switched on for itself only.
+  /// Call this function after each block. It ends the modes that the rewritten block has switched on for itself only.
   Status end(BlockMaker& out);
-  /// Sets the numbers of the variables that the program uses.
+  /// Sets the numbers of the variables that the program uses; no named variable gets one of them.
   void set_used(std::set<std::uint32_t> used) { flow_.set_used(std::move(used)); }
   void set_macros(MacroShape shape) { o_lines_.set_shape(std::move(shape)); }
   /// Writes the first block of a subprogram.
   Status write_label(std::uint32_t label, BlockMaker& out);
   /// Sets whether the blocks belong to the section of subprograms, in which a program end code ends nothing (spec/s2c42 6).
   void set_in_section(bool is) { in_section_ = is; }
-  /// Call it for a block that is not rewritten here: only tracks the modes that the block puts in force.
+  /// Call this function for a block that is not rewritten here. It only tracks the modes that the block puts in force.
   void pass(const Block& block);
-  /// Call it when other blocks were inserted: the next motion then repeats its code and, in inches, its feed.
+  /// Call this function when other blocks were inserted. The next motion then repeats its code and, in inches, its feed.
   void repeat_modes() { repeats_modes_ = true, repeats_feed_ = is_inch_; }
   /// True if the lengths in the text are inches from the present block on.
   bool is_inch() const { return is_inch_; }
@@ -85,17 +85,18 @@ class BlockRewriter {
   const CodeRow* motion_ = nullptr;  // motion code in force in the source text
   bool motion_is_cycle_ = false;
   struct Stops {
-    bool by_block = false, by_mode = false;  // the target control has only exact stop per block, or only as a mode
+    bool by_block = false, by_mode = false;  // the target control has exact stops for a single block only, or as a mode only
     bool is_mode = false;                    // exact stop mode is in force in the source text
-    bool goes_on = false;                    // the mode ends after this block
+    bool goes_on = false;                    // the exact stop mode was switched on for this block, and ends after it
   } stops_;
   bool is_metric_ = false;  // the target control reads mm only
   bool is_inch_ = false, in_section_ = false;
   bool repeats_modes_ = false, repeats_feed_ = false;
-  double feed_ = -1;                                // last F in the source text
-  double tool_ = 0;                                 // last T in the source text
-  std::array<std::optional<PlainWord>, 26> plain_;  // by letter: words whose meaning does not depend on other words of the block
-  std::uint64_t plain_letters_ = 0;                 // bits of the letters in plain_
+  double feed_ = -1;  // last F in the source text
+  double tool_ = 0;   // last T in the source text
+  // by letter: formats of the words whose meaning does not depend on other words of the block
+  std::array<std::optional<PlainWord>, 26> plain_;
+  std::uint64_t plain_letters_ = 0;  // bits of the letters in plain_
 };
 
 }  // namespace kadr

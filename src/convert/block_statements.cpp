@@ -19,7 +19,7 @@ std::string BlockRewriter::assignment(std::string_view text) const {
   return has_operators ? fmt::format("{}[{}]", text.substr(0, equals + 1), value) : std::string(text);
 }
 
-/// Writes an expression or an assignment: named variables become numbers if the other control has no names.
+/// Writes an expression or an assignment. Named variables become numbered ones if the target control has no named variables.
 Status BlockRewriter::slice(std::string_view text, BlockMaker& out) {
   const auto made = flow_.expression(text);
   if (!made) return fail(made.error());

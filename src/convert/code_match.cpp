@@ -16,7 +16,7 @@ struct Meaning {
   int arg = 0;  // argument of the function; any_argument matches every argument
 };
 
-/// Functions of different families with the same effect.
+/// Each row lists functions that have the same effect on controls of different families.
 constexpr std::array<std::array<Meaning, 4>, 35> families = {{
     {{{Function::plane_xy, any_argument}, {Function::select_plane, 17}}},
     {{{Function::plane_zx, any_argument}, {Function::select_plane, 18}}},

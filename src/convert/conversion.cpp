@@ -20,7 +20,7 @@
 namespace kadr {
 namespace {
 
-/// Writes the whole program as flat blocks, in one of the ways of FlatForm.
+/// Writes the whole program as flat blocks (single motions), expressed as FlatForm selects.
 class Writing {
  public:
   Writing(const ConversionSpec& spec, ConvertedAs as)
@@ -101,7 +101,7 @@ class Writing {
   OffsetsInForce now_;
 };
 
-/// Proves the text from the other states too, which add values that the given set-up does not state.
+/// Proves the text from the other states too: set-ups with added values that the given set-up does not state.
 ///   returns  an error sentence if a session could not be opened
 tl::expected<void, std::string> prove_in_others(const Proving& proving, ConversionTry& one) {
   auto other = proving.from_others(one.text, one.as, one.counts_from);
@@ -155,7 +155,7 @@ tl::expected<void, std::string> write_in_letters(const ConversionSpec& spec, Con
   one.transliterated = characters;
   one.text = text.source();
   const std::size_t passed = one.proof.passed_messages;
-  auto proof = proving.from_given(one.text, one.as, false);  // without messages: their letters differ now
+  auto proof = proving.from_given(one.text, one.as, false);  // the messages are not compared, since their letters differ now
   if (!proof) return tl::unexpected(proof.error());
   one.proof = std::move(*proof);
   one.proof.passed_messages = passed;
@@ -172,7 +172,7 @@ bool is_of_exact_stop(const CodeRow& row) {
          row.function == Function::constant_velocity || (row.function == Function::feed_control && row.arg == continuous_cutting);
 }
 
-/// True if expanded blocks can express the code too.
+/// True if the expanded blocks of a target control with these path modes can express the code.
 bool is_written_there(const CodeRow& code, const PathModes& there) {
   if (there.exact && is_of_exact_stop(code)) return true;
   return (there.speeds && code.function == Function::feed_control) || (there.smoothing && code.function == Function::smoothing);
@@ -188,7 +188,8 @@ double usual_tolerance(const ControlDef& from, const ControlDef& to, bool arcs) 
     return coarser / 2;
   };
   constexpr std::pair<char, char> axes[] = {{'X', 'I'}, {'Y', 'J'}, {'Z', 'K'}};
-  double lines = 0, around = 0;  // sums of squared rounding errors; spec/gost 3 has hundredths for Z only
+  // mm²: sums of squared rounding errors; the increments differ by axis: in spec/gost 3 only Z has hundredths
+  double lines = 0, around = 0;
   for (const auto& [axis, centre] : axes) {
     const double end = half_increment(axis), off = end + 2 * half_increment(centre);
     lines += end * end;

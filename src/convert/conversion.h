@@ -21,7 +21,7 @@ namespace kadr {
 enum class ConvertedAs : std::uint8_t {
   as_it_stands,
   words,     // rewritten word by word; lines are expanded only where necessary (convert/word_by_word)
-  contours,  // this and the following ways: the whole program is expanded, see FlatForm
+  contours,  // with this value and the following ones the whole program is expanded, see FlatForm
   lengths,
   plain,
 };
@@ -46,9 +46,9 @@ struct ConversionSpec {
 /// Lines that are expanded into single motions, while the other lines are rewritten word by word.
 struct WrittenOut {
   TextLines lines;
-  std::optional<Alarm> cannot_express{};      // the reason: the target control cannot express the lines,
-  std::optional<CourseDifference> differs{};  // or it would do something else in them or nearby,
-  bool varies = false;                        // or each execution differs. No reason: contours and frames, which are computed
+  std::optional<Alarm> cannot_express{};      // reason, if the target control cannot express the lines
+  std::optional<CourseDifference> differs{};  // reason, if the target control would do something else in the lines or nearby
+  bool varies = false;                        // reason: executions of the lines differ; without any reason the lines are contours or frames
 };
 
 /// One of the ways that were tried, and the reason if it was not used.
@@ -57,14 +57,15 @@ struct ConversionTry {
   std::optional<Alarm> cannot_express;  // what the target control cannot express
   Origin at;                            // the block that cannot_express refers to
   Comparison proof;                     // the comparison of both programs, if the target control can express the program
-  bool differs_unstated = false;        // `proof` uses values for tables that the set-up does not state: the text depends on them
-  bool differs_elsewhere = false;       // `proof` is from a run in which the probe touches at another point
-  bool zero_by_operator = false;        // proven with the origin set by hand at the machine, since one of the controls has no code for it
+  // `proof` is from a set-up with added table values: the text depends on values that the set-up does not state
+  bool differs_unstated = false;
+  bool differs_elsewhere = false;  // `proof` is from a run in which the probe touches at another point
+  bool zero_by_operator = false;   // proven with the origin set by hand at the machine, since one of the controls has no code for it
   std::optional<std::uint16_t> counts_from{};  // for `plain`: the work system that all motions of the program use
   std::shared_ptr<ByteSource> text = text_source({});
   bool is_equal() const { return !cannot_express && text->size() != 0 && proof.equal() && !proof.stopped_a && !proof.stopped_b; }
   bool is_proven() const { return is_equal() && told_states.has_value(); }
-  std::optional<std::size_t> told_states{};  // number of other states in which it was proven; nullopt: not proven yet
+  std::optional<std::size_t> told_states{};  // number of other states (set-ups) from which the text was proven; nullopt: not proven yet
   std::size_t transliterated = 0;            // number of characters replaced because the target control lacks their letters
   std::vector<WrittenOut> written_out{};     // for `words`, in the order in which the lines were found
 };

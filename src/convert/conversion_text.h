@@ -22,7 +22,7 @@ struct ConversionRefusal {
   std::uint32_t written_line = 0;  // line of the converted text; 0: none
   std::string written_text{};      // the text of written_line, for an alarm
 };
-/// The two controls, whose wording is used.
+/// The two controls of a conversion; the sentences use their codes and alarm texts.
 struct ConversionSides {
   const ControlDef& from;       // the source control
   const AlarmTexts& of_source;  // alarm texts of the source control

@@ -13,9 +13,10 @@
 namespace kadr {
 namespace {
 
-constexpr int max_nested = 3;                                                    // DO1 to DO3
-constexpr std::uint32_t first_named = 8000;                                      // first number for named subprograms
-constexpr std::uint32_t last_local = 33, first_global = 100, last_global = 199;  // ranges of variable numbers (spec/fanuc 5.1)
+constexpr int max_nested = 3;                // DO1 to DO3
+constexpr std::uint32_t first_named = 8000;  // first number for named subprograms
+// variable numbers: #1 to #33, #100 to #199 (spec/fanuc 5.1)
+constexpr std::uint32_t last_local = 33, first_global = 100, last_global = 199;
 
 Status no_way(std::string_view what) { return fail(alarm(AlarmId::function_has_no_code, {}, what)); }
 
@@ -25,7 +26,7 @@ std::string_view trimmed(std::string_view text) {
   return text;
 }
 
-/// Returns the text after the keyword.
+/// Returns the text of an O line after its keyword.
 std::string_view after_keyword(const Block& block) {
   std::string_view rest = block.text.substr(block.statement.label_where.end, block.where.end - block.statement.label_where.end);
   rest = rest.substr(0, rest.find_first_of("(;"));
@@ -217,7 +218,7 @@ Status FlowRewriter::begin_section(const std::string& label, BlockMaker& out) {
   return {};
 }
 
-/// Writes the call. The block's other words take effect before the call (spec/s2c42 3).
+/// Writes the call of a subprogram of the section. The block's other words take effect before the call (spec/s2c42 3).
 Status FlowRewriter::call_in_section(const std::string& label, std::uint32_t times, BlockMaker& out) {
   const auto call = sections_.call(label, times);
   if (!call) return no_way("L");
@@ -240,7 +241,8 @@ Status FlowRewriter::call_in_section(const Block& block, BlockMaker& out) {
   return call_in_section(std::to_string(*label), times, out);
 }
 
-/// Returns the negated comparison; for any other expression the condition that it is 0.
+/// Returns the negation of a condition: for a comparison, the opposite comparison; for any other expression, the condition that the
+/// expression is 0.
 Result<std::string> FlowRewriter::not_that(std::string_view condition) {
   auto text = expression(condition);
   if (!text) return text;

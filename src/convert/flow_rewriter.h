@@ -52,7 +52,7 @@ class FlowRewriter {
     OWord word;
     int loop = 0;                      // m of the macro statement DOm
     std::uint32_t variable = 0;        // number of the variable that counts the repetitions
-    std::uint32_t next = 0, over = 0;  // N of the next branch or repetition; N of the block after the loop; 0: not needed yet
+    std::uint32_t next = 0, over = 0;  // block numbers N: of the next branch or repetition, of the block after the loop; 0: not needed yet
   };
   Status begin_loop(Open open, std::string_view condition, BlockMaker& out);
   Status branch(OWord word, std::string_view condition, BlockMaker& out);
@@ -74,7 +74,7 @@ class FlowRewriter {
   std::map<std::string, std::uint32_t> labels_;     // block number assigned to each named subprogram
   std::map<std::string, std::uint32_t> variables_;  // number assigned to each named variable, by scope and name
   std::set<std::uint32_t> used_;
-  std::string scope_;  // label of the subprogram that is being rewritten
+  std::string scope_;  // label of the subprogram that is being rewritten; its local variables have this scope
   std::uint32_t next_label_ = 9000;
 };
 

@@ -29,14 +29,15 @@ class OLineRewriter {
   explicit OLineRewriter(FlowRewriter& flow) : flow_(flow) {}
   void set_shape(MacroShape shape) { shape_ = std::move(shape); }
 
-  /// Call it for the N of each block: ends the jumps that lead to this block, or begins the loop of jumps back to it.
+  /// Call this function for the N of each block. It ends the jumps that lead to this block, or begins the loop that replaces jumps back to
+  /// this block.
   Status number(std::uint32_t number, BlockMaker& out);
   /// Rewrites a macro statement. `words` writes the other words of the block, which follow a condition.
   ///   alarms  function_has_no_code
   Status write(const Block& block, const std::function<Status()>& words, BlockMaker& out);
   /// Rewrites a macro call, G65.
   Status call(const Block& block, const std::function<Status(const Word&, std::string&)>& value, BlockMaker& out);
-  /// True if this O word begins a subprogram that is called with arguments. end() writes its return.
+  /// True if a subprogram with this label begins here and is called with arguments. end() writes the return of the subprogram.
   bool begins(std::uint32_t label) const { return shape_.macros.count(label) != 0; }
   Status begin(std::uint32_t label, BlockMaker& out);
   bool is_in_macro() const { return macro_ != 0; }

@@ -81,7 +81,7 @@ class Filler {
       for (int number = 1; number <= max_offsets; ++number) numbers.push_back(number);
     for (const int number : numbers) {
       if (number == 0 || !known_.allows(SetupNames::offset, std::to_string(number))) continue;
-      if (state_.setup.correctors.contains(number)) continue;  // another name of the same table row
+      if (state_.setup.correctors.contains(number)) continue;  // the set-up states this table row already, as a corrector
       const auto [at, is_open] = state_.setup.offsets.try_emplace(number);
       if (is_open) at->second.length = values_.length(), at->second.radius = values_.radius();
     }

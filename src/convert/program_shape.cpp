@@ -28,7 +28,7 @@ bool returns(Function function) {
          function == Function::return_numbered;
 }
 
-/// True for motions and modes: blocks with only these neither jump nor call, and the next block follows.
+/// True for motions and modes. A block with only these functions neither jumps nor calls, so the next block in the text follows.
 bool is_straight(Function function) {
   constexpr Phase phases[] = {Phase::unit,    Phase::feed_mode,   Phase::speed_mode, Phase::spindle,  Phase::spindle_stop,
                               Phase::coolant, Phase::coolant_off, Phase::dwell,      Phase::plane,    Phase::compensation,
@@ -78,7 +78,7 @@ ProgramShape::ProgramShape(std::shared_ptr<ByteSource> source, const ControlDef&
     TextLines passed{std::min(line, at->second), std::max(line, at->second)};
     if (passed.first == line) passed.last = block_before(passed.last);
     if (const auto around = loop_around({line, line}); around && around->last == passed.last) leaves_.insert(line);
-    for (const TextLines& loop : own)  // only complete loops
+    for (const TextLines& loop : own)  // grows the range to contain each loop that it overlaps, unless that loop contains the range
       if (loop.first <= passed.last && passed.first <= loop.last && !(loop.first <= passed.first && passed.last <= loop.last))
         passed = {std::min(passed.first, loop.first), std::max(passed.last, loop.last)};
     if (passed.first < passed.last) loops_.push_back(passed);
@@ -117,7 +117,8 @@ void ProgramShape::take_jump(const Block& block, const ControlDef& def) {
   if (number != 0) jumps_.emplace_back(block.position.line, number);
 }
 
-/// Fast path for blocks with axis words only, which are most blocks of a long program.
+/// Reads a block that has axis words only, as most blocks of a long program; faster than the general function. Returns false if the block
+/// needs the general function.
 bool ProgramShape::take_plain(const Block& block) {
   if (!block.shape || (block.letters & ~plain_letters_) != 0 || in_section_) return false;
   names_of_words_.letters |= block.letters;
@@ -213,7 +214,8 @@ void ProgramShape::close_subprogram() {
 void ProgramShape::take_calls(const Block& block, const ControlDef& def) {
   bool is_call = false;
   names_of_words_.letters |= block.letters;
-  has_arcs_ = has_arcs_ || block.codes_vary || (block.letters >> ('Z' - 'A' + 1)) != 0;  // a computed code, G#1, or a corner rounding, ,R
+  // a computed code (G#1) may be an arc; the address ,R is the rounding of a corner
+  has_arcs_ = has_arcs_ || block.codes_vary || (block.letters >> ('Z' - 'A' + 1)) != 0;
   if (const Word* const speed = block.find('S'); speed != nullptr && !speed->expression)
     names_of_words_.most_speed = std::max(names_of_words_.most_speed, speed->value);
   if (const Word* const t = block.find('T'); t != nullptr && !t->expression && t->value >= 0 && t->value < most_tool)

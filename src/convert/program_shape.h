@@ -27,7 +27,7 @@ struct TextLines {
 /// The tools, address letters and speeds that occur in a program.
 struct ProgramNames {
   std::set<std::uint32_t> tools;
-  std::uint64_t letters = 0;  // address letters of its words: bit (address - 'A')
+  std::uint64_t letters = 0;  // address letters of the program's words: bit (address - 'A')
   double most_speed = 0;      // greatest S, rev/min
 };
 
@@ -62,7 +62,7 @@ class ProgramShape {
   const ProgramNames& names() const { return names_of_words_; }
   /// Numbers of the variables that occur in the text.
   const std::set<std::uint32_t>& variables() const { return variables_; }
-  /// True if everything after that line is executed only once: no later line leads back to it or to a line before it.
+  /// True if everything after this line is executed only once: no later line leads back to this line or to a line before it.
   bool goes_straight_on_after(std::uint32_t line) const { return !has_flow_ && edges_.empty() && callers_.empty() && line >= last_turn_; }
   std::uint32_t lines() const { return lines_; }
 
@@ -103,9 +103,9 @@ class ProgramShape {
   bool has_jumps_ = false;  // the control has GOTO
   bool main_over_ = false, in_section_ = false;
   bool has_flow_ = false;        // the program contains calls, repetitions or jumps
-  std::uint32_t last_turn_ = 0;  // the last line that is not only motions and modes
+  std::uint32_t last_turn_ = 0;  // the last line whose block contains more than motions and modes
   std::uint32_t lines_ = 0;
-  std::uint64_t plain_letters_ = 0;  // letters of words that do not matter for this structure
+  std::uint64_t plain_letters_ = 0;  // bits of the letters of words that cannot belong to loops, subprograms or calls
 };
 
 }  // namespace kadr

@@ -86,7 +86,7 @@ tl::expected<Proving::Other, std::string> Proving::in_all(const std::vector<Side
 
 tl::expected<Proving::Other, std::string> Proving::from_others(const std::shared_ptr<ByteSource>& text, ConvertedAs as,
                                                                std::optional<std::uint16_t> counts_from) const {
-  std::optional<Other> first;  // the result if no Zero gives equality: that of by_tables, or of of_system if it was tried
+  std::optional<Other> first;  // the result if the programs differ with every Zero: that of of_system if it was tried, else the first one
   for (const Zero zero : {Zero::by_tables, Zero::at_power_on, Zero::of_system}) {
     if (zero == Zero::of_system && (as != ConvertedAs::plain || !counts_from)) continue;
     std::vector<Side> sides;

@@ -18,7 +18,7 @@ namespace kadr {
 
 class Proving {
  public:
-  ///   opened  a session of the source program that was not run
+  ///   opened  an opened session of the source program that has not been run
   Proving(const ConversionSpec& spec, const Session& opened, const ProgramShape& shape, CompareRules rules);
 
   /// Returns the set-up of the target control with which this text begins.
@@ -29,14 +29,14 @@ class Proving {
 
   struct Other {
     Comparison proof;
-    bool differs = false;       // the programs differ in this state, although the source program itself does not stop there
+    bool differs = false;       // the programs differ from some state from which the source program itself does not stop
     bool is_elsewhere = false;  // the state differs in what a probe touches, not in a table
     bool by_operator = false;   // equal if the operator sets the origin on both machines; at most one control has a code for it
     std::size_t told = 0;       // number of states in which the source program reaches its end as it does from the given set-up
   };
   /// Compares both programs from each of the other states until they differ. A state in which the source program itself stops proves
   /// nothing.
-  ///   counts_from  for a text with all offsets applied: the work system of its words
+  ///   counts_from  for a text with all offsets applied: the work system that the words of the text use
   tl::expected<Other, std::string> from_others(const std::shared_ptr<ByteSource>& text, ConvertedAs as,
                                                std::optional<std::uint16_t> counts_from) const;
 

@@ -13,10 +13,11 @@
 namespace kadr {
 namespace {
 
-constexpr std::size_t max_reported = 60;   // bytes of a block that a comment quotes
-constexpr std::uint32_t early_end = 1000;  // lines: most lines that cannot be expressed are close together, near the beginning
+constexpr std::size_t max_reported = 60;  // bytes of a block that a comment quotes
+// lines read after the last line that cannot be expressed; most such lines are close together, near the beginning
+constexpr std::uint32_t early_end = 1000;
 
-/// Shortens the text, without cutting a UTF-8 character in two.
+/// Returns the beginning of a text, as long as a comment may quote, without cutting a UTF-8 character in two.
 std::string_view beginning_of(std::string_view text) {
   constexpr unsigned char follows = 0x80, mask = 0xc0;
   if (text.size() <= max_reported) return text;
@@ -164,7 +165,7 @@ class Rewriter {
 
   /// Copies the lines without blocks before this line: comments and empty lines.
   void lines_before(std::uint32_t line) {
-    if (line == next_raw_) {  // there were no such lines so far: raw_ is opened at the first one
+    if (line == next_raw_) {  // no line without a block has come so far; raw_ is opened at the first one
       next_raw_ = line + 1;
       passed_ = block_.position;
       return;
@@ -192,7 +193,7 @@ class Rewriter {
     (void)blocks_.end();
   }
 
-  /// True if the target control allows no subprogram after the program end.
+  /// True if the source control reads nothing after the program end, so that no subprogram can be there.
   bool is_all_after_end() const {
     const Grammar& grammar = spec_.from->grammar;
     return spec_.from->behaviour.ends_reading && (grammar.label_address == 0 || spec_.from->behaviour.label_is_number) &&
@@ -278,7 +279,7 @@ class Rewriter {
   std::uint32_t source_line_ = 0, last_block_ = 0, next_raw_ = 1;
   Position passed_{0, 0, 0};           // position of a line that raw_ has not read yet; line 0: none
   std::uint32_t label_ = 0;            // label of the present subprogram in a section
-  std::uint32_t last_in_section_ = 0;  // number of the last block in the target control's section
+  std::uint32_t last_in_section_ = 0;  // number of the last block in the section of subprograms of the target control
   std::string tail_;
   std::vector<std::uint32_t> tail_lines_;
   bool is_over_ = false, in_section_ = false, in_subprogram_ = false, is_full_ = false, is_labelled_ = false;

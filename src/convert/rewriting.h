@@ -32,13 +32,13 @@ struct RewriteSpec {
   MacroShape macros{};
   StopToken stop{};
   bool ends_early = false;  // stop soon after the last line that cannot be expressed, since the text is written again anyway
-  Lang lang = Lang::en;     // of the comments that are added
+  Lang lang = Lang::en;     // language of the comments that are added
 };
 
 /// Maps lines of the new text to lines of the source program. Stored as ranges, since most lines follow each other in both.
 class LineOrigins {
  public:
-  /// The next line of the new text comes from this line of the source program.
+  /// Declares that the next line of the new text comes from this line of the source program.
   void add(std::uint32_t source) {
     if (stretches_.empty() || source != stretches_.back().source + (count_ - stretches_.back().made))
       stretches_.push_back({count_, source});
@@ -53,7 +53,8 @@ class LineOrigins {
 
  private:
   struct Stretch {
-    std::uint32_t made = 0, source = 0;  // first line of the range in the new text, from 0; its line in the source program, from 1
+    // `made`: first line of the range in the new text, from 0; `source`: the source line of that line, from 1
+    std::uint32_t made = 0, source = 0;
   };
   std::vector<Stretch> stretches_;
   std::uint32_t count_ = 0;
@@ -65,7 +66,8 @@ struct Rewritten {
   std::string head;   // text that goes before the text passed to `put`: a section of subprograms
 };
 
-/// Leaves out lines that the target control cannot express and reports them; with `ends_early` not all of them.
+/// Rewrites the program. Lines that the target control cannot express are left out and reported; with `ends_early` not all of them are
+/// reported.
 ///   alarms  conversion_too_long
 Result<Rewritten> rewrite(const RewriteSpec& spec, const std::function<bool(std::string_view)>& put);
 

@@ -17,7 +17,8 @@ class SourceComments {
   /// Returns the comments up to this line that earlier calls have not returned.
   std::vector<std::string> up_to(std::uint32_t line);
   std::vector<std::string> rest() { return up_to(~std::uint32_t{0}); }
-  /// True if a line read by the last up_to() may select another row of an offset table: it contains one of the letters that do.
+  /// True if a line read by the last up_to() may select another row of an offset table, because it contains one of the letters with which a
+  /// block does that.
   bool names_rows() const { return names_rows_; }
 
  private:

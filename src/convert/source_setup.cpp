@@ -103,7 +103,8 @@ bool allows_key(const ControlDef& def, const char* key) {
 OffsetsInForce offsets_of(const Control& control) {
   OffsetsInForce now;
   const auto number_in = [](const std::string& word) { return std::uint32_t(std::strtoul(word.c_str() + 1, nullptr, 10)); };
-  for (const std::string& word : control.state_now().modal) {  // not in_force(), which includes the variables: there may be thousands
+  // in_force() is not used, since it includes the variables, of which there may be thousands
+  for (const std::string& word : control.state_now().modal) {
     if (word.front() == 'D') now.radius_number = number_in(word);
     if (word.front() == 'H') now.length_number = number_in(word);
     if (word == "G43" || word == "G44") now.length_sign = word == "G43" ? 1 : -1;

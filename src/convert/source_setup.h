@@ -14,7 +14,7 @@ namespace kadr {
 
 /// Returns the set-up with which a program of `to` begins in the same state as a program of `from` begins with `setup`. Table rows get
 /// the numbers that the target control has for them; tools that it looks up in a table get rows.
-///   plain  leave out the tables: all offsets are applied to the coordinates
+///   plain  true: leave out the tables, since the converted program has all offsets applied to its coordinates
 Setup corresponding_setup(const Setup& setup, const ControlDef& from, const ControlDef& to, const ProgramNames& names, bool plain);
 
 /// True if the set-up of this control may contain the key.
@@ -23,8 +23,8 @@ bool allows_key(const ControlDef& def, const char* key);
 /// True if the control has a code for tool changes; otherwise the program stops and the operator changes the tool.
 bool changes_tools(const ControlDef& def);
 
-/// Shifts the surface that a probe touches a little, to find coordinates that depend on it; they must not be expanded. Returns false if
-/// the set-up has nothing to probe.
+/// Shifts the surface that a probe touches a little. Coordinates that change with the shift depend on the probe, so they must not be
+/// expanded. Returns false if the set-up has nothing to probe.
 bool probe_elsewhere(Setup& setup);
 
 /// True if both controls display messages in the same way: (MSG,…) of RS274/NGC and Mach3, or #3006 of macros.

@@ -16,7 +16,7 @@ class VariableNumbers {
   ///   from, to  the source control and the target control; both must outlive this object
   VariableNumbers(const ControlDef& from, const ControlDef& to) : from_(from), to_(to) {}
 
-  /// Returns the number on the target control; nullopt if it has no such variable.
+  /// Returns the number of the corresponding variable on the target control; nullopt if that control has no such variable.
   std::optional<std::uint32_t> of(std::uint32_t number) const;
 
   /// Returns the target control's name, "#100", of a variable to which the set-up gives a value; nullopt if a set-up of the target

@@ -15,8 +15,9 @@
 namespace kadr {
 namespace {
 
-constexpr int max_rounds = 100;              // greatest number of rounds; a round rewrites and proves the program once
-constexpr int early_rounds = 3;              // number of first rounds that may stop soon after a line that cannot be expressed
+constexpr int max_rounds = 100;  // greatest number of rounds; a round rewrites and proves the program once
+// number of rounds, from the first on, that may stop soon after a line that cannot be expressed
+constexpr int early_rounds = 3;
 constexpr std::size_t max_work = 6'000'000;  // greatest number of lines, blocks and motions processed in all rounds together
 
 class WordByWord {
@@ -55,7 +56,7 @@ class WordByWord {
     return whole.source();
   }
 
-  /// Rewrites and proves once. Returns true if more lines must be expanded.
+  /// Rewrites and proves the program once. Returns true if more lines must be expanded.
   tl::expected<bool, std::string> one_round(bool ends_early) {
     made_.text = text_source({}), made_.cannot_express.reset(), made_.proof = {};
     made_.told_states.reset(), made_.differs_elsewhere = made_.differs_unstated = false;
@@ -168,8 +169,8 @@ class WordByWord {
     for (const std::uint32_t line : shape_.calls_outside()) add({line, line});
   }
 
-  /// Restarts with lines expanded from the beginning that have been seen to fail: first contours; at the next restart lines that rotate,
-  /// mirror or scale; then both.
+  /// Starts the rounds again, with lines expanded from the first round on that often cannot be rewritten: at the first restart contours, at
+  /// the second one lines that rotate, mirror or scale, at the third one both. Returns false if no restart is left.
   bool begin_anew() {
     const bool has_contours = !shape_.contours().empty(), has_transforms = !shape_.transforms().empty();
     for (++stage_; stage_ <= 3; ++stage_) {
@@ -200,7 +201,7 @@ class WordByWord {
   bool is_in_place(std::uint32_t line) const { return place_at(line).has_value(); }
   /// Removes the expanded ranges that begin in these lines.
   void erase_places(TextLines lines) { places_.erase(places_.lower_bound(lines.first), places_.upper_bound(lines.last)); }
-  /// True if neither a further round nor another way can succeed.
+  /// True if neither a further round nor a restart can succeed.
   bool is_hopeless() const {
     return made_.proof.stopped_a || (made_.cannot_express && made_.cannot_express->id == AlarmId::conversion_too_long);
   }

@@ -36,7 +36,8 @@ bool AxisLinks::may_link(const LinkedAxis& link) const {
   return !leads && channels_[link.channel].control->may_exchange(link.far.axis) && its.may_exchange(link.to_axis);
 }
 
-/// Returns the machine position of the master: while the master is parked its programmed position (20.2), else its actual one.
+/// Returns the machine position of the master. While the master is parked, this is its programmed position (nct 20.2), else its actual
+/// position.
 double AxisLinks::master_at(const LinkedAxis& link) const {
   const Control& control = *channels_[link.to_channel].control;
   const bool parked = control.is_parked(link.to_axis);

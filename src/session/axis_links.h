@@ -1,6 +1,6 @@
 #pragma once
-// AxisLinks: links between axes of different channels: an axis follows a master axis of another channel, or two axes are exchanged (nct
-// 20.2, 20.3).
+// AxisLinks: links between axes of different channels. Either an axis follows a master axis of another channel, or two axes are exchanged
+// (nct 20.2, 20.3).
 //
 //   machine's logic ─▶ Control::cross_channel_axes() ─▶ relink()          a block of the master's channel ─▶ carry() ─▶ the follower has
 //   moved along
@@ -24,7 +24,7 @@ struct Channel;
 struct LinkedAxis {
   std::size_t channel = 0;  // index of the channel whose axis follows or is exchanged
   CrossChannelAxis far;
-  std::size_t to_channel = 0, to_axis = 0;  // channel and axis that are followed, or exchanged with
+  std::size_t to_channel = 0, to_axis = 0;  // indices of the channel and the axis that are followed or exchanged
   double lead = 0;  // offset of a following axis: its machine position = lead + sign · machine position of the master
 };
 
@@ -41,7 +41,7 @@ class AxisLinks {
   Status carry(std::size_t moved);
 
   const std::vector<LinkedAxis>& memory() const { return links_; }
-  /// Restores the links. The channels must be restored to the same time before.
+  /// Restores the links. The channels must have been restored to the same time before this call.
   void resume_from(const std::vector<LinkedAxis>& then);
 
  private:

@@ -48,7 +48,7 @@ class Collector {
       return static_cast<std::int64_t>(code) >= g.first && static_cast<std::int64_t>(code) <= g.second;
     });
     const bool in_group = group != rules_.groups.end();
-    // In a group only the last code is kept; of a code without a group, its last use.
+    // Of each group only the last code is kept; of a code that belongs to no group, only its last use is kept.
     auto& list = in_group ? grouped_ : others_;
     const std::int64_t key = in_group ? group - rules_.groups.begin() : static_cast<std::int64_t>(code);
     std::erase_if(list, [&](const auto& noted) { return noted.first == key; });

@@ -16,8 +16,8 @@ struct BlockSearch {
     Origin origin;  // the block that programmed the code last
     Action action;  // the action that the machine executes for the code
   };
-  /// The modal codes, feed, speed, offsets, variables and tool position at the target, as if all blocks before it had been executed
-  /// (INFERRED, 13.1).
+  /// The modal codes, feed, speed, offsets, variables and tool position at the target, as if all blocks before the target had been executed
+  /// (INFERRED, nct 13.1).
   Restart restart;
   /// The codes that are executed when the search ends, in this order: from each group of the machine builder (N1341 to N1372) the code
   /// programmed last, sorted by last use; then the tool change (N1338 #0: on T or on M6).
@@ -28,7 +28,7 @@ struct BlockSearch {
   std::vector<InForce> forgotten;
 };
 
-/// Searches from the session's present position to the first block that matches the target; #_BSEARCH is 1 during the search (23.1.11).
+/// Searches from the session's present position to the first block that matches the target; #_BSEARCH is 1 during the search (nct 23.1.11).
 /// The outlets receive no steps.
 ///   pre      the control has a block search: Control::search_rules()
 ///   returns  nullopt if the block is not reached; the state of the session says why

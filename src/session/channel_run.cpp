@@ -13,7 +13,7 @@ namespace {
 
 constexpr unsigned shown_each = 64;  // number of batches between two updates of the progress display
 
-/// Says what follows a batch, for the calculation of corners in room `path`.
+/// Returns what follows a batch, in the form that the calculation of corners in room `path` needs.
 CornerResolver::Follows behind(Control::State state) {
   switch (state) {
     case Control::State::running:
@@ -69,13 +69,13 @@ ChannelRun::ChannelRun(Control& control, const MachineProfile& profile, const Se
 }
 
 ChannelRun::~ChannelRun() {
-  ahead_.reset();  // before the objects that the control calls back are destroyed
+  ahead_.reset();  // the control's thread must end before the objects that the control calls back are destroyed
   control_.on_block = nullptr;
   control_.on_signal = nullptr;
   control_.on_warning = nullptr;
 }
 
-/// Passes the machine's position to the control: on a compensated contour the control has only the programmed point.
+/// Stores the machine's position in `stopped_` if the tool is on a compensated contour, where the control knows only the programmed point.
 void ChannelRun::note_position() {
   if (beside_contour()) stopped_.machine_stood = machine_.position();
 }
@@ -141,7 +141,8 @@ ChannelRun::State ChannelRun::take(Control::State state) {
   if (!ahead_ || !ahead_->is_going()) blocks_ = control_.blocks();
   else if (!batch_.empty()) blocks_ = batch_.back().origin.number;
   const bool is_ahead = (ahead_ && ahead_->is_going()) || !to_come_.empty();  // then control_ must be used through settled() only
-  const auto corner_fault = corners_.take(batch_, behind(state));             // room path: calculated corners and roundings
+  // room path: computes corners that the program does not state, and the arcs that round corners
+  const auto corner_fault = corners_.take(batch_, behind(state));
   if (outlets_.programmed && !outlets_.silent)
     for (const Action& action : batch_) outlets_.programmed(action);
   const auto fault = compensate(state, corner_fault.has_value());  // room path: cutter radius compensation
@@ -156,7 +157,8 @@ ChannelRun::State ChannelRun::take(Control::State state) {
     for (const Action& action : batch_) apply(logic_.plc.action(action), control_, logic_.channels);
   if (taken.alarm) {
     const AlarmReport report = settled().report_for(*taken.alarm, taken.origin);
-    if (taken.refused) control_.refused();  // from then on the control passes each block separately, so it is no longer ahead
+    // from now on the control passes each block separately, so that it is no longer ahead of the machine
+    if (taken.refused) control_.refused();
     if (!outlets_.alarm(report)) {
       stopped_.machine_stood = machine_.position();
       return stop(report);
@@ -347,7 +349,7 @@ void ChannelRun::give(Steps& steps, const Action& action) {
   });
 }
 
-/// True for a motion whose feed may exceed the speed of some axis.
+/// True for a motion whose feed may exceed the greatest speed of some axis, so that watch_feed() must examine it.
 bool ChannelRun::is_suspect(const Action& action) const {
   const auto* const motion = motion_of(action);
   return motion != nullptr && motion->feed > lowest_rapid_rate_ && motion->unit == FeedUnit::mm_per_min;
@@ -366,8 +368,8 @@ void ChannelRun::watch_gear(const Action& action) {
                               action.origin));
 }
 
-/// Room motion: warns once of a feed that an axis cannot reach; the axis then moves at its rapid rate, which determines the motion's
-/// time.
+/// Room motion: warns, once in a run, of a feed that an axis cannot reach. The axis then moves at its rapid rate, which determines the
+/// motion's time.
 void ChannelRun::watch_feed(const Step& step) {
   constexpr double rounding = 1e-9;
   const Motion& motion = *step.motion();

@@ -44,8 +44,8 @@ class ProgressDisplay {
 /// The observers of a run.
 struct Outlets {
   std::function<void(const Step&)> step{};  // called after the machine has accepted an action; empty: nobody observes the steps
-  /// Like `step`, but with the time that the machine really takes, if something limits the speed (ChannelRun::look_ahead). It is called
-  /// later than `step`; the step takes `longer` s more than was computed for `step`.
+  /// Like `step`, but with the time that the machine really takes, if something limits the speed (ChannelRun::look_ahead). This function is
+  /// called later than `step`. The machine takes `longer` s more for the step than the time that `step` received.
   std::function<void(const Step&, double longer)> timed{};
   std::function<void(const AlarmReport&)> warning;
   /// Called at an alarm. Returns true to continue with the next block (checking).
@@ -57,7 +57,7 @@ struct Outlets {
   std::function<void(const Action&)> programmed{};  // called for each action before cutter radius compensation is applied
   std::function<bool()> writable{};                 // returns false if output could not be written; empty: the observers write no output
   StopToken stop{};                                 // polled after each batch
-  bool works_long = false;                          // the observer works long on each step, because it writes or draws it
+  bool works_long = false;                          // the observer works long on each step, because it writes or draws the step
   bool silent = false;                              // the program is only scanned: steps and warnings are not passed to the observers
 };
 
@@ -66,7 +66,7 @@ struct Stopped {
   std::optional<AlarmReport> report{};  // the alarm that stopped the run; nullopt: no alarm
   // the machine's position, if it differs from the control's because the control had read ahead or ignores an offset
   std::optional<ToolPosition> machine_stood{};
-  int channel = 0;  // number of the channel that raised the alarm, if that was another channel
+  int channel = 0;  // number of the channel that raised the alarm, if another channel did
 };
 
 /// The machine's logic (PLC), and the controls of the channels that it acts on.
@@ -93,7 +93,7 @@ class ChannelRun {
   /// Passes an action to the outlets that all channels execute together at this time.
   void show(const Action& action);
   const Stopped& stopped() const { return stopped_; }
-  /// Stops the run for a reason other than a faulty block.
+  /// Stops the run with an alarm whose reason is not a faulty block.
   void refuse(const Alarm& alarm);
   void warn(const AlarmReport& warning);
 
@@ -113,7 +113,7 @@ class ChannelRun {
   void finish();
   /// Number of blocks that the control has executed and the later rooms (path, machine) have processed.
   std::uint64_t blocks() const { return blocks_; }
-  /// Waits until the control's thread has stopped, as far ahead as it may run, and returns the control, which may be queried then.
+  /// Waits until the control's thread has run as far ahead as it may and has stopped. Returns the control, which the caller may then query.
   Control& settled();
   /// The position of the machine.
   const ToolPosition& position() const { return machine_.position(); }
@@ -128,8 +128,8 @@ class ChannelRun {
   void exchange(std::size_t axis, ChannelRun& with, std::size_t other, bool on);
   /// Exchanges the data that belong to the axes themselves (names, end positions and zones), but not their positions.
   void exchange_limits(std::size_t axis, ChannelRun& with, std::size_t other) { machine_.exchange(axis, with.machine_, other); }
-  /// Called when the outlets have another clock: from now on it counts. It takes over the previous clock's state, but not the time
-  /// counted so far.
+  /// Called when the outlets have another clock. From now on the new clock counts. It takes over the state of the previous clock, but not
+  /// the time counted so far.
   void change_clock();
   /// Acknowledges the alarm that stopped the run, so that the run may continue.
   void acknowledge() { stopped_ = {}; }
@@ -137,8 +137,8 @@ class ChannelRun {
   /// The state of this object between two steps.
   struct Clocks {
     double waited = 0;        // total waiting time, s
-    double continued_at = 0;  // time at which the last waiting ended, s …
-    // … and the time spent until then, s. Both are stored, since rounding of a running sum could change the order of steps
+    double continued_at = 0;  // time at which the last waiting ended, s
+    // time on the clock when the last waiting ended, s; stored separately, since rounding errors of a running sum could reorder steps
     double spent_then = 0;
     bool too_fast_reported = false;
     SingularityWatch whirls{};
@@ -191,8 +191,8 @@ class ChannelRun {
   VirtualMachine machine_;
   Rates rates_;
   double lowest_rapid_rate_;               // the lowest rapid rate of all axes
-  TimeEstimate* clock_;                    // the clock of the outlets, or …
-  std::optional<TimeEstimate> own_clock_;  // … this object's own clock, created at the first query; clock_ is nullptr until then
+  TimeEstimate* clock_;                    // the clock in use: that of the outlets, or own_clock_; nullptr: no clock yet
+  std::optional<TimeEstimate> own_clock_;  // this object's own clock, created at the first query if the outlets have no clock
   std::optional<LookAhead> look_ahead_;    // set if something limits the speed
   Clocks now_;
   ActionBatch batch_;

@@ -252,7 +252,7 @@ Status Channels::resume_from(const Memory& memory) {
 
 void Channels::begin_waiting(std::size_t i) {
   const auto& meeting = channels_[i].control->meeting();
-  if (!meeting) return;  // the machine's logic has already cancelled the waiting
+  if (!meeting) return;  // no channel is waited for: the machine's logic has already cancelled the waiting
   states_[i] = State::waiting;
   if (only_) return;  // no other channel runs, so none can arrive at the waiting code
   if (outlets_.waits) outlets_.waits(i, *meeting);
@@ -319,7 +319,8 @@ void Channels::stop_all(std::size_t by) {
   }
 }
 
-/// Passes on the steps that are in the past of all channels. A waiting channel continues only after the channels that release it.
+/// Passes on the steps that begin before the present time of every channel. A waiting channel counts with the time of the earliest running
+/// channel, since only a running channel can release it.
 void Channels::show_past() {
   std::vector<double> clocks(states_.size(), std::numeric_limits<double>::infinity());
   double lowest = std::numeric_limits<double>::infinity();

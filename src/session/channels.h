@@ -53,8 +53,8 @@ struct ChannelOutlets {
   std::function<void(std::size_t channel)> over;
 };
 
-/// Sorts the steps of several channels by the time at which they begin. A step is passed on later than the machine executes it, so it is
-/// stored with the tool position at its beginning.
+/// Sorts the steps of several channels by the time at which they begin. A step is passed on later than the machine executes it. Therefore
+/// each step is stored with the tool position at its beginning.
 class TimeOrder {
  public:
   explicit TimeOrder(std::size_t channels) : queues_(channels) {}
@@ -101,7 +101,7 @@ class Channels {
   void all();
   /// If on, a channel that is held stays held while the others continue, until each is held, waiting or ended.
   void hold_each(bool on) { each_holds_ = on, held_.assign(held_.size(), false); }
-  /// Receives a step from an outlet. It is passed on when the virtual time of all channels has reached it.
+  /// Receives a step from an outlet. The step is passed on when the virtual time of all channels has reached the beginning of the step.
   void show(std::size_t channel, const Step& step) { order_.put(channel, step); }
 
  private:
@@ -147,10 +147,11 @@ class Channels {
   std::vector<Stopped> stopped_;
   Rendezvous rendezvous_;
   TimeOrder order_;
-  std::vector<std::uint64_t> common_;  // version of the shared data in each channel, when the data of all channels last agreed
+  // by channel: version of the shared data at the last instant at which the data of all channels agreed
+  std::vector<std::uint64_t> common_;
   bool over_ = false;
   bool each_holds_ = false;
-  std::vector<bool> held_;  // by channel: it is held; used if each_holds_
+  std::vector<bool> held_;  // by channel: true if the channel is held; used if each_holds_
   /// The channel that runs alone, and the states of all channels before that.
   struct Only {
     std::size_t channel;

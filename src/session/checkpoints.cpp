@@ -53,7 +53,7 @@ void Checkpoints::thin_out() {
 bool Checkpoints::may_hold(const LineMarks& marks, const StopPoint& target) const {
   if (target.line == 0) return true;
   if (target.file.empty()) return marks.may_hold(0, target.line);
-  return true;  // unknown until the file is called, so the segment may contain the line
+  return true;  // the number of the file is not known before the file is called, so any segment may contain the line
 }
 
 Result<Session::State> Checkpoints::reach(Stepping& stepping, const StopPoint& target) {

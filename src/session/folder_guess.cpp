@@ -63,14 +63,14 @@ std::vector<GuessRows> own_rows(const std::string& folder, const FileAccess* doo
 
 std::string folder_of(const std::string& file) { return fs::path(file).parent_path().string(); }
 
-/// Returns the part of the path that is evidence for a control: the names of the folder and the file, "/folder/part.nc".
+/// Returns the part of a path that may be evidence for a control: the names of the folder and the file, as in "/folder/part.nc".
 std::string called(const std::string& file) {
   std::error_code error;
   const fs::path whole = fs::absolute(file, error).lexically_normal();
   return "/" + whole.parent_path().filename().string() + "/" + whole.filename().string();
 }
 
-/// Returns programs of the folder that are not in `but`, which follow or precede the first of `but` alphabetically.
+/// Returns some programs of the folder that are not in `but`: those next to the first file of `but` in alphabetical order.
 std::vector<std::string> others_near(const std::string& folder, const std::vector<std::string>& but) {
   constexpr std::size_t max_looked_at = 2000, most = 12;
   const auto names = files_of(folder, max_looked_at, [](const fs::path& path) {
@@ -141,7 +141,8 @@ void FolderGuess::take_folder(const std::string& folder, const std::vector<std::
   folders_[folder] = found;
 }
 
-/// Returns the control that a file of the same folder, or of a folder above, decides; else the one that the folder as a whole suggests.
+/// Returns the control for which a single file of the folder of `file`, or of a folder above, is evidence; else the control that the files
+/// of the folder suggest together. Returns nullopt if the files of a folder disagree.
 std::optional<FolderGuess::Neighbours> FolderGuess::neighbours_of(const std::string& file) const {
   const std::string own = folder_of(file);
   for (fs::path folder = own;; folder = folder.parent_path()) {

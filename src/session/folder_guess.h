@@ -35,7 +35,7 @@ class FolderGuess {
 
   struct Neighbours {
     CommonGuess common;
-    std::string file;  // the neighbouring file that is the evidence; empty: several files are
+    std::string file;  // the neighbouring file that is the evidence; empty: several files together are the evidence
     std::string reason_en, reason_ru;
   };
   struct Answer {

@@ -33,8 +33,8 @@ std::vector<std::string> axes_of(const MachineProfile& profile) {
   return axes;
 }
 
-/// The value of parameter N3205: the code for the direction of a line, and its inclination; nullopt if the line is in none of the three
-/// planes (25.1, spec/nct/25a 3).
+/// The value of parameter N3205: the code for the direction of a line, and the inclination of the line. A line in none of the three planes
+/// has no code (nct 25.1, spec/nct/25a 3).
 struct DirectionCode {
   int code = 0;
   double inclination = 0;

@@ -37,7 +37,7 @@ bool is_of_language(const Alarm& alarm) {
   return alarm.id <= AlarmId::not_together && alarm.id != AlarmId::program_start_missing && alarm.id != AlarmId::end_of_block_missing;
 }
 
-/// Returns the number of different alarms that show this, when `control` reads the text.
+/// Lets `control` read the text. Returns the number of different alarms that show that the text is for another control.
 std::size_t faults_of(const std::string& control, const std::string& text) {
   auto def = load_control(control);
   auto machine = load_machine("generic");

@@ -50,11 +50,11 @@ class Planned {
     motion_.on_motion = [tell = std::move(on_motion)](std::uint64_t motion, double) { tell(motion); };
   }
 
-  /// Calls Planner::plan_each().
+  /// Makes the planner start a plan after each `seconds` of motion, so that the first cells come early; see Planner::plan_each().
   void plan_each(double seconds) { motion_.plan_each(seconds); }
-  /// Calls Planner::work_in_background().
+  /// Makes the planner work in a separate thread, see Planner::work_in_background().
   void work_in_background() { motion_.work_in_background(); }
-  /// Calls AxisMotion::run_dry().
+  /// Dry run: replaces all feeds, except thread feeds, by `feed`, mm/min, see AxisMotion::run_dry().
   void run_dry(double feed) { motion_.run_dry(feed); }
 
   void consume(const Step& step) { motion_.consume(step); }

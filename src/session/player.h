@@ -62,9 +62,9 @@ class Player {
   Planned& planned_;
   std::size_t axes_;
   Playback playback_;
-  std::deque<TimedCells> to_come_;  // cells of the plan not yet offered to playback_ …
-  bool begun_ = false;              // … the first of them is offered in part …
-  std::size_t offered_ = 0;         // … with this many of its elements
+  std::deque<TimedCells> to_come_;  // cells of the plan that have not been offered to playback_ completely
+  bool begun_ = false;              // the first entry of to_come_ has been offered in part
+  std::size_t offered_ = 0;         // number of cells of that entry that have been offered
   Session::State state_ = Session::State::running;
   bool planned_all_ = false;
 };

@@ -17,7 +17,7 @@ void apply(const std::vector<PlcCommand>& commands, Control& from, std::span<Con
                         [&](const Synchronise& coupled) { each([&](Control& c) { c.synchronise(coupled.slave, coupled.master); }); },
                         [&](const CoupleAxes& axes) { each([&](Control& c) { c.couple_axes(axes.axes, axes.link, axes.on); }); },
                         [&](const ConvertSpindle& one) { each([&](Control& c) { c.convert_spindle(one.number, one.to_axis); }); },
-                        // the virtual operator presses START at once anyway
+                        // Start is ignored, since the virtual operator presses START at once anyway
                         [&](const PowerCycle&) { each([](Control& c) { c.power_cycle(); }); }, ignores<Start>},
                command);
   }

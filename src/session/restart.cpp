@@ -17,8 +17,8 @@ bool same_value(const InForce& a, const InForce& b) {
   return a.code == b.code && std::fabs(a.value - b.value) <= tol::same_point * (1 + std::fabs(a.value));
 }
 
-/// True if two positions differ across the normal of the plane. A drilled hole is counted at a position over which the tool moves down.
-/// If the tool is over the first hole already, that hole begins at the R level.
+/// True if two positions differ in an axis other than the normal of the plane. The caller counts a drilled hole at a position over which
+/// the tool moves down. If the tool is over the first hole already, that hole begins at the R level.
 bool is_beside(const Axes& a, const Axes& b, std::size_t axes, std::size_t normal) {
   for (std::size_t i = 0; i < axes; ++i)
     if (i != normal && std::fabs(a[i] - b[i]) > tol::same_point) return true;
@@ -45,7 +45,7 @@ bool move_over_hole(Session& session, Stepping& stepping, std::uint32_t hole, Re
   while (state == Session::State::running && control.in_block()) {
     const Axes now = control.tool_position().work;
     const bool moved_down = !is_beside(now, last, axes, normal) && std::fabs(now[normal] - last[normal]) > tol::same_point;
-    // a motion up to the R level comes first; its end is not the position of the hole
+    // a cycle may begin with a motion up to the R level, whose end is not the position of a hole
     const bool rises = moved_down && now[normal] > last[normal];
     if (!over && !rises) over = now, holes = 1;
     else if (over && !is_beside(now, *over, axes, normal) && !std::exchange(went_down, true)) level = now[normal];
@@ -114,7 +114,7 @@ std::vector<WayPoint> way_there(const ToolPosition& from, const Restart& to, con
   next[n] = std::min(at[n], near);
   if (at[n] > near) go(next, normal, true);
   next[n] = end;
-  go(next, normal, at[n] < end);  // `rapid` upwards, since the tool is out of the material
+  go(next, normal, at[n] < end);  // the motion is a rapid if it leads upwards, since the tool is then out of the material
   return way;
 }
 
@@ -129,7 +129,7 @@ std::vector<BlockMove> in_work_coordinates(const std::vector<WayPoint>& way, con
   };
   for (const WayPoint& point : way) add(point);
   const bool none_along = std::none_of(blocks.begin(), blocks.end(), [](const BlockMove& block) { return block.along_tool; });
-  // no travel, but the block makes the tool length offset effective
+  // a block without travel, which makes the tool length offset effective
   if (!way.empty() && none_along) add({true, normal, way.back().machine, 0});
   return blocks;
 }

@@ -20,8 +20,8 @@ struct Restart {
   std::size_t normal = 2;         // index of the axis normal to the working plane; the tool approaches along it
 };
 
-/// Interprets without output from the session's present position to the line, pass, call or condition of `target`. `hole`: if the block
-/// drills with a canned cycle, the restart is over its n-th drilled hole, counted from 1; 0: before the block.
+/// Interprets the program without output, from the session's present position to the line, pass, call or condition of `target`. `hole`: if
+/// the block drills with a canned cycle, the restart is over its n-th drilled hole, counted from 1; 0: before the block.
 ///   returns  nullopt if the target is not reached; the state of the session says why
 std::optional<Restart> restart_at(Session& session, Stepping& stepping, const StopPoint& target, std::uint32_t hole = 0);
 /// Returns what is required to continue from the block where the session is held; nullopt if the session is not held.
@@ -34,7 +34,7 @@ bool move_over_hole(Session& session, Stepping& stepping, std::uint32_t hole, Re
 
 /// One item of the state that differs from what is required.
 struct Difference {
-  std::optional<InForce> wanted;  // required value; nullopt: the item (a variable) is set and must not be
+  std::optional<InForce> wanted;  // required value; nullopt: the item (a variable) must not be set, but is
   std::optional<InForce> now;     // present value; nullopt: the item is not set
 };
 /// Returns the differences item by item, in the order of `wanted`. `now`: what is in force at the machine.
@@ -56,7 +56,8 @@ struct WayRules {
 /// length are omitted.
 std::vector<WayPoint> way_there(const ToolPosition& from, const Restart& to, const WayRules& rules, std::size_t axes);
 
-/// Converts the path to the work coordinates in force at the block, for restart_blocks(). At least one block names the tool's axis.
+/// Converts the path to the work coordinates in force at the block, for restart_blocks(). At least one block names the tool's axis, so that
+/// the tool length offset becomes effective.
 ///   pre  the coordinate system is not rotated (no G68), as no words could express the path then
 std::vector<BlockMove> in_work_coordinates(const std::vector<WayPoint>& way, const Restart& to, const ControlDef& def);
 

@@ -25,7 +25,7 @@ class RunAhead {
   RunAhead(const RunAhead&) = delete;
   RunAhead& operator=(const RunAhead&) = delete;
 
-  /// Starts the control, which runs until it needs an answer. From now on it may be queried only after settle().
+  /// Starts the control, which runs until it needs an answer. From now on the control may be queried only after settle().
   void start();
   /// True while batches are ready or still to be created.
   bool is_going() const { return going_; }
@@ -71,10 +71,10 @@ class RunAhead {
 
   std::atomic<std::uint64_t> allowed_ = 0;  // total number of batches that may be created so far
   std::atomic<std::uint64_t> made_ = 0;
-  std::atomic<bool> stands_ = true;         // the last batch created was the final one, or creation has not started
+  std::atomic<bool> stands_ = true;         // true: the final batch has been created, or creation has not started
   std::atomic<std::uint32_t> in_hand_ = 0;  // 1: one of the two threads is running the control
   std::atomic<bool> over_ = false;
-  std::atomic<std::uint32_t> news_ = 0;  // counter on which the thread waits
+  std::atomic<std::uint32_t> news_ = 0;  // counter on whose change the waiting thread continues
 };
 
 }  // namespace kadr

@@ -71,7 +71,7 @@ void Session::attach_planners() {
   for (std::size_t i = 0; i < channels_.size(); ++i) {
     if (!planned_[i] || attached_[i]) continue;
     attached_[i] = true;
-    outlets_.own[i].wants_times = true;  // the planner gets the feed from the times of the steps
+    outlets_.own[i].wants_times = true;  // the planner computes the feed from the times of the steps
     outlets_.own[i].step = [look = std::move(outlets_.own[i].step), planned = planned_[i].get()](const Step& step) {
       if (look) look(step);
       planned->consume(step);

@@ -17,7 +17,7 @@ struct Relation {
   std::string_view written;
   Op op;
 };
-// Longer operators come first, so that "<=" is not read as "<".
+// Relational operators of conditions. Longer operators come first, so that "<=" is not read as "<".
 constexpr std::array relations = {Relation{"<=", Op::less_equal},    Relation{">=", Op::greater_equal}, Relation{"==", Op::equal},
                                   Relation{"!=", Op::not_equal},     Relation{"<>", Op::not_equal},     Relation{"<", Op::less},
                                   Relation{">", Op::greater},        Relation{"EQ", Op::equal},         Relation{"NE", Op::not_equal},
@@ -105,7 +105,7 @@ bool Stepping::asked(const Origin& origin) {
     next_ = origin;
     return true;
   }
-  // a second block in the same line: `N1 … ПС N2 …`
+  // the block is not the first one in its line: `N1 … ПС N2 …`
   const bool same_line = before.line == origin.line && before.file == origin.file && origin.column > before.column;
   const bool begins_call = origin.depth > before.depth;
   const auto is_asked_for = [&](const StopPoint& p) { return p.line == origin.line; };
@@ -125,7 +125,7 @@ bool Stepping::asked(const Origin& origin) {
 }
 
 void Stepping::set_out() {
-  // false in the middle of a block: the control has already asked about it
+  // in the middle of a block the control has asked already; before a block it asks again when the run continues
   again_ = next_.has_value() && !session_.control().in_block();
   depth_ = next_ ? next_->depth : 0;
   next_.reset();

@@ -63,7 +63,7 @@ class Stepping {
   /// Call after begin(). Holds before the next block, whichever it is.
   void hold_next() { hold_asked_ = true; }
 
-  /// called before each block of the program, whether or not the session is held there
+  /// Called before each block of the program, whether or not the session is held before that block.
   std::function<void(const Origin&)> on_asked;
 
   /// The block that is executed next; nullopt if the session is not held.
@@ -117,11 +117,11 @@ class Stepping {
 
   Session& session_;
   How how_ = How::block;
-  std::size_t depth_ = 0;                   // call depth of the block where the session was held
+  std::size_t depth_ = 0;                   // number of calls around the block where the session was held
   std::optional<StopPoint> target_;         // the target of go_to()
   std::uint32_t past_ = 0;                  // the line of go_past(); 0: none
   std::optional<std::size_t> past_at_;      // call depth of the line of go_past(), once it is reached
-  bool again_ = false;                      // the control asks a second time about the block where it was held: do not hold again
+  bool again_ = false;                      // the control asks a second time about the block where the session was held: do not hold again
   std::uint64_t most_ = ~std::uint64_t{0};  // max_blocks of go_to()
   bool ran_out_ = false;
   bool entered_ = false;  // a line of the operator is being executed
@@ -130,7 +130,7 @@ class Stepping {
   std::size_t hit_ = 0;
   std::optional<Origin> next_;
   Origin last_;  // the block about which the control asked last
-  // tool in the spindle at that block, and at the block before it; updated only if a stop point names a tool
+  // tool in the spindle at the block last_, and at the block before that one; updated only if a stop point names a tool
   std::uint32_t tool_ = 0, tool_before_ = 0;
   std::map<std::size_t, StopPoint> points_;
   // number of times that each line, (file, line), was reached; only lines of stop points

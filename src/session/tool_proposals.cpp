@@ -20,7 +20,7 @@ ProgramLines lines_of(const Control& control) {
 }
 
 /// The unit of the motions that cut decides, not the unit in force at the end: M30 of a Fanuc or Haas resets the unit to mm, and G70 is a
-/// unit on one control and a canned cycle on another. Only if the program has no motion, the codes in force decide.
+/// unit on one control and a canned cycle on another. If the program has no motion, the codes in force at the end decide.
 bool comments_in_inches(const Control& control, const MotionUnits& moved) {
   if (!moved.empty()) return moved.unit() == LengthUnit::inch;
   const FinalState ending = control.ending();

@@ -17,7 +17,8 @@ namespace kadr {
 /// Text of lines, by line number counted from 1.
 using ProgramLines = std::map<std::uint32_t, std::string>;
 
-/// Returns the lines of the main program up to some line number. Longer programs are written by machines and have no comments beyond it.
+/// Returns the lines of the main program up to a fixed greatest line number. Longer programs are the output of CAM systems, and have no
+/// comments about tools after that line.
 ProgramLines lines_of(const Control& control);
 
 /// True if numbers without a unit in the program's comments are in inches. Call after the run.
@@ -39,7 +40,8 @@ class ToolProposals {
   /// from a comment next to the block that calls the tool, if that comment names no other tool.
   ///   called_at  line of the block that calls the tool; 0: the block is in another file
   std::optional<ToolProposal> of(std::uint32_t tool, std::uint32_t called_at) const;
-  /// If of() has no proposal: returns the proposal from such a comment if it describes a tool but its size is uncertain.
+  /// Call this function if of() has no proposal. It returns the proposal from a comment that describes the tool but does not state its size
+  /// for certain.
   std::optional<ToolProposal> unsure(std::uint32_t tool, std::uint32_t called_at) const;
 
  private:

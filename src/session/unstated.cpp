@@ -36,7 +36,8 @@ std::optional<AlarmReport> unstated(const Control& control, const ControlDef& de
     const UsedKey used = used_key(use, def);
     if (is_stated(use, used, stated)) continue;
     if (first == nullptr) first = &use;
-    if (!words.insert(used.word).second) continue;  // listed already: D of the 2С42 is both length and radius
+    // the word is listed already: on the 2С42 the word D is both the length and the radius offset
+    if (!words.insert(used.word).second) continue;
     if (!list.empty()) list += ", ";
     if (use.kind == UseKind::variable) list += translated(texts::session::variable_vacant, used.word, use.origin.line);
     else list += fmt::format("{} ({})", used.word, use.origin.line);

@@ -54,7 +54,7 @@ bool FlatProgram::is_in_machine(const Motion& motion) const {
   return way_ != FlatForm::plain && source_.has_systems && motion.system == 0 && has_no_zeroless_system();
 }
 
-/// True if G1 can move in machine coordinates too.
+/// True if the target control allows motions at feed (G1), and not only rapids, in machine coordinates.
 bool FlatProgram::cuts_in_machine() const {
   return row_that_does(blocks_.def(), {{Function::machine_coordinates, any_argument}, {Function::machine_block, any_argument}}) != nullptr;
 }
@@ -79,7 +79,8 @@ bool FlatProgram::is_by_reference(const Motion& motion) const {
   return point != 0 && reference_code(blocks_.def(), point) != nullptr;
 }
 
-/// Writes a reference point motion over an intermediate point 0 increments away: straight to the reference point of the machine.
+/// Writes a motion to a reference point. Its intermediate point is the present position (increments of 0), so that the axes move straight
+/// to the reference point.
 Status FlatProgram::reference_motion(const Motion& motion) {
   const int point = reference_of(motion.end_reference);
   const CodeRow* const row = reference_code(blocks_.def(), point);

@@ -179,7 +179,7 @@ Status FlatProgram::write_before_motion(const Motion& motion, const OffsetsInFor
   KADR_TRY(length_by_word(now));
   if (is_between() && system_is_written_) system_ = motion.system;
   if (way_ == FlatForm::plain || motion.system == system_ || !source_.has_systems) return {};
-  known_ = 0;  // work offsets that are equal in this set-up may differ on the machine
+  known_ = 0;  // work offsets that are equal in this set-up may differ on the machine, so all axes are written again
   const int system = motion.system;
   if (system == 0 && has_no_zeroless_system()) return {};  // each motion is then written in machine coordinates
   if (std::size_t(system) < source_.systems.size() && !source_.systems[std::size_t(system)].empty())
@@ -254,7 +254,8 @@ Status FlatProgram::motion(const Motion& motion, const OffsetsInForce& now) {
       break;
     case MotionKind::probe:
       KADR_TRY(feed(motion));
-      code_ = Function::count;  // another code of the same group may have replaced the motion code
+      // another code of the same group may have replaced the motion code, so the next motion writes its code again
+      code_ = Function::count;
       KADR_TRY(blocks_.code({{Function::probe, any_argument}, {Function::measure, any_argument}, {Function::probe_move, 2}}));
       KADR_TRY(axis_words(motion));
       break;
@@ -334,7 +335,8 @@ Status FlatProgram::arc(const Motion& motion) {
   return {};
 }
 
-/// Returns the start of the arc as the target control has it: the words before were rounded. The centre is measured from there.
+/// Returns the start of the arc as the target control computes it from the rounded words of the preceding blocks. The centre of the arc is
+/// measured from this position.
 Axes FlatProgram::written_position(const Axes& zero) const {
   Axes place = at_;
   for (std::size_t a = 0; a < axes_.size() && a < max_axes && !relative_; ++a)
@@ -342,7 +344,7 @@ Axes FlatProgram::written_position(const Axes& zero) const {
   return place;
 }
 
-/// Returns how far the rounded words move an axis.
+/// Returns how far the rounded words move an axis to the position `to`, in the unit of the axis.
 double FlatProgram::rise_of(std::size_t axis, const Axes& to) const {
   const Words form(blocks_.def(), axes_[axis].front());
   const double zero = base()[axis];

@@ -46,7 +46,8 @@ struct FlatSource {
   std::map<int, Axes> zeros;      // work offsets of the set-up, by number of the work system
   bool has_systems = true;        // the source control has work systems
   bool same_messages = true;      // both controls display messages in the same way, without a code; false: messages become comments
-  std::map<std::uint32_t, std::uint32_t> machine_codes{};  // M functions that have another number on the target control, by both tables
+  // by M function: its number on the target control, if the tables of both controls state another one
+  std::map<std::uint32_t, std::uint32_t> machine_codes{};
   std::array<std::optional<std::uint32_t>, 3> coolants{};  // target control's M codes by Coolant, if its tables state them
   std::vector<std::string> systems{};                      // work system codes of the target control, by number: "G54", "G54.1 P1"
 };
@@ -62,16 +63,16 @@ class FlatProgram {
   ///   alarms  function_has_no_code  the target control has no code for it
   ///           word_has_no_room
   Status take(const Action& action, const OffsetsInForce& now);
-  /// Ends the output for one block of the source program.
+  /// Ends the flat blocks that express one block of the source program.
   Status end_block();
   Status finish();
 
-  /// Call it for an action that other blocks express: only tracks the state after it.
+  /// Call this function for an action that other blocks express. It only tracks the state after the action.
   void pass(const Action& action);
   /// Begins flat blocks after rewritten blocks.
   ///   before, now  modes and offsets that the rewritten blocks have put in force
   Status open(const FlatBefore& before, const OffsetsInForce& now);
-  /// Call it if only the flat blocks, and no rewritten ones, select the work system from here on.
+  /// Declares that from here on only flat blocks, and no rewritten ones, select the work system.
   void system_changes() { system_is_written_ = false; }
   /// Ends flat blocks: restores the modes that the source program has in force here, since the rewritten blocks that follow rely on them.
   Status close(const FlatBefore& after);
@@ -163,18 +164,18 @@ class FlatProgram {
   bool counts_from_several_ = false;
   Axes written_origin_{};  // origin of the work system in the target text, with the shifts that the rewritten blocks have put in force
   bool after_probe_allowed_ = false;
-  bool has_probed_ = false;  // later coordinates may depend on what the probe touched: they would be wrong in another run
+  bool has_probed_ = false;  // a probe motion was written; later coordinates may depend on what the probe touched in this run
   bool system_is_written_ = true;
   bool relative_ = false;  // incremental programming is in force in the target text
   double rpm_ = -1;
   SpindleDir turns_ = SpindleDir::stop;
   Coolant coolant_ = Coolant::off;
-  double written_length_ = 0;  // mm; on a control that states the tool length itself as a word
+  double written_length_ = 0;  // tool length written last, mm; on a control whose code states the length itself as a word
   bool surface_ = false, has_acts_ = false;
   bool is_exact_ = false;  // exact stop mode is in force in the target text
   double tolerance_ = 0;   // mm by which corners may be rounded (G64 P)
   CornerSpeed corners_ = CornerSpeed::limited;
-  std::uint8_t smoothing_ = 0, smoothing_before_ = 0;  // Q of G5.1, in the flat blocks and in the rewritten blocks before them
+  std::uint8_t smoothing_ = 0, smoothing_before_ = 0;  // smoothing (Q of G5.1): in the flat blocks, in the rewritten blocks before them
   bool wants_direction_ = false;                       // the block has an S word, so it needs M3 or M4 too
 };
 

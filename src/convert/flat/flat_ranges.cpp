@@ -35,7 +35,7 @@ class RangeWriter {
     Outlets& outlets = session_.outlets();
     outlets.stop = stop;
     if (centres_) {
-      // A path arrives later than its block was read: an action belongs to the block in its origin.
+      // A compensated motion arrives after later blocks were read, so the origin of an action determines its block.
       outlets.step = [this](const Step& step) {
         if (step.action.origin.number != number_) begin_block(step.action.origin);
         take(step.action);
@@ -49,7 +49,7 @@ class RangeWriter {
       };
     }
     if (const Status begun = flat_.begin(session_.stand(), control_.placement()); !begun) return fail(begun.error());
-    text_.clear();  // the rewritten blocks express this action
+    text_.clear();  // discards what begin() has written: the rewritten blocks express it
     while (!is_over_ && !is_full_ && session_.go_on() == Session::State::running) {
     }
     close();
@@ -100,7 +100,7 @@ class RangeWriter {
     else is_over_ = straight_on_ && origin.depth == 0 && origin.file == 0 && origin.line > places_.back().lines.last;
   }
 
-  ///   afresh  rewritten blocks come directly before this range
+  ///   afresh  true: rewritten blocks come directly before this range
   void open(std::size_t place, bool afresh) {
     open_ = place;
     text_.clear();
@@ -126,7 +126,7 @@ class RangeWriter {
     return modes;
   }
 
-  ///   at_end  rewritten blocks follow this range
+  ///   at_end  true: rewritten blocks follow this range
   void close(bool at_end = true) {
     if (open_ == nowhere) return;
     note(at_end ? close_flat() : flat_.end_block());

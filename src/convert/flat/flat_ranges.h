@@ -1,5 +1,5 @@
 #pragma once
-// FlatPlaces: expands ranges of lines into flat blocks (single motions) of the target control; the lines between them are rewritten. The
+// FlatRange: expands ranges of lines into flat blocks (single motions) of the target control; the lines between them are rewritten. The
 // program is run, and each action in these ranges is written (convert/flat/flat_program). A range that does the same in each execution
 // becomes one text.
 
@@ -29,9 +29,9 @@ struct FlatRange {
 
 /// Runs the program once and fills in `places`, which must be in order and must not overlap.
 ///   centres      cutter compensation is applied to the coordinates; contours are expanded as a whole
-///   straight_on  nothing after the last range leads back to it, so the run may end there
+///   straight_on  no line after the last range leads back to that range, so the run may end after it
 ///   returns      number of blocks executed
-///   alarms       conversion_too_long if all ranges together are too long; what cannot be expressed is stored in `places`
+///   alarms       conversion_too_long if all ranges together are too long; an alarm about a single range is stored in `places`
 Result<std::size_t> write_flat_ranges(Session& source, const ControlDef& to, std::vector<FlatRange>& places, bool centres, bool straight_on,
                                       const StopToken& stop);
 

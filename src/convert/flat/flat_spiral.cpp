@@ -11,7 +11,8 @@ namespace kadr {
 namespace {
 
 constexpr int max_pieces = 20'000;
-constexpr double chord_of_increment = 1.0 / 8;  // chord error in increments; adds to the rounding error, half an increment of each axis
+// greatest chord error, in increments; the rounding error, half an increment of each axis, is added to it
+constexpr double chord_of_increment = 1.0 / 8;
 
 double increment_of(const ControlDef& def, const std::string& axis) {
   const Words form(def, axis.front());

@@ -171,8 +171,8 @@ Status FlatProgram::stop_mode(bool exact) {
   return exact ? blocks_.code({{Function::exact_stop_mode, any_argument}}) : blocks_.code(continuous_path_codes);
 }
 
-/// Writes, in the block of the motion, whether the axes stop exactly at its end. A control without a code for it does not stop; the
-/// conversion reports that (convert/conversion).
+/// Writes, in the block of the motion, whether the axes stop exactly at the end of the motion. A control without a code for exact stops
+/// does not stop there; the conversion reports that (convert/conversion).
 Status FlatProgram::end_of_motion(bool exact) {
   if (exact == is_exact_) return {};
   const bool has_modes = has_stop_modes();
@@ -194,7 +194,7 @@ Status FlatProgram::rounding(const Motion& motion) {
 /// Writes the corner mode in the block of the motion: G62, G63 or the code that ends them.
 Status FlatProgram::corners(const Motion& motion) {
   if (motion.corner_speed == corners_ || !modes_.speeds) return {};
-  const bool exact_by_mode = motion.exact && !is_between() && has_stop_modes();  // exact stop mode replaces the corner modes
+  const bool exact_by_mode = motion.exact && !is_between() && has_stop_modes();  // exact stop mode already replaces the corner modes
   return exact_by_mode ? Status() : corner_mode(motion.corner_speed);
 }
 
@@ -220,7 +220,8 @@ Status FlatProgram::smoothing_mode(std::uint8_t smoothing) {
   return blocks_.end();
 }
 
-/// Writes an M code by the tables of both controls, or unchanged if the target control also passes this number to its machine.
+/// Writes an M code. Its number is mapped by the tables of both controls, or stays unchanged if the target control also passes this number
+/// to its machine.
 Status FlatProgram::machine_code(std::uint32_t code) {
   const ControlDef& def = blocks_.def();
   const auto mapped = source_.machine_codes.find(code);

@@ -15,7 +15,7 @@ namespace kadr {
 struct Advice {
   Alarm alarm;
   Origin origin;
-  char address = 0;  // the word that the finding concerns, by its address; 0: the whole block
+  char address = 0;  // address of the word that the finding concerns; 0: the finding concerns the whole block
 };
 
 /// The findings in the order of the run, limited to a number that a person would read.

@@ -35,7 +35,8 @@ void FeedWatch::take_tap(const Motion& motion, const Origin& origin, Advices& to
   const double pitch = motion.unit == FeedUnit::mm_per_rev ? motion.feed : rpm_ > 0 ? motion.feed / rpm_ : 0;
   const double inch = 25.4;
   const double written = motion.inch ? motion.feed / inch : motion.feed;
-  const double near = 0.004 + std::min(0.05 / std::max(written, 1.0), 0.01);  // tolerance for an F that is rounded to one decimal place
+  // relative tolerance of the pitch, for an F that is rounded to one decimal place
+  const double near = 0.004 + std::min(0.05 / std::max(written, 1.0), 0.01);
   // A program that does not state its unit may use the other unit, so both are tried.
   if (pitch <= 0 || pitch == tap_reported_ || is_pitch(pitch, near) || is_pitch(pitch * inch, near)) return;
   tap_reported_ = pitch;
@@ -48,7 +49,7 @@ void FeedWatch::take_motion(const Step& step, const Motion& motion, Advices& to)
   const Ends ends(step.roles, step.from, motion);
   const bool moves = ends.sideways() || std::fabs(ends.to.z - ends.from.z) > Ends::least_way;
   if (!is_cut(motion) || motion.kind == MotionKind::thread || !moves || motion.feed <= 0) return;
-  constexpr double least = 1, most = 100'000, most_a_turn = 5;  // limits of a feed: mm/min, mm/min, mm/rev
+  constexpr double least = 1, most = 100'000, most_a_turn = 5;  // limits of a feed: least and greatest mm/min, greatest mm/rev
   const char* const unit = motion.unit == FeedUnit::mm_per_rev ? "mm/rev" : "mm/min";
   const bool per_minute = motion.unit == FeedUnit::mm_per_min, per_turn = motion.unit == FeedUnit::mm_per_rev;
   if (per_minute && motion.feed < least && !small_reported_) {
@@ -79,7 +80,7 @@ void FeedWatch::take(const Step& step, Advices& to) {
 }
 
 void FeedWatch::finish(const std::map<std::uint32_t, int>& teeth, Advices& to) {
-  constexpr double least = 0.0005, most = 1;  // limits of the feed per tooth, mm
+  constexpr double least = 0.0005, most = 1;  // least and greatest feed per tooth, mm
   for (const auto& [tool, advance] : advances_) {
     const auto known = teeth.find(tool);
     if (known == teeth.end() || known->second <= 0) continue;

@@ -7,7 +7,7 @@
 namespace kadr {
 
 void HoleWatch::take(const Step& step, Advices& to) {
-  // The same position is another hole with another tool, or after a machine function (B90 of a table that the control does not drive).
+  // After a tool change or a machine function (such as B90 of a table that the control does not drive) the same position is another hole.
   if (std::holds_alternative<ToolChange>(step.action.what) || std::holds_alternative<AuxiliaryFunction>(step.action.what))
     return holes_.clear();
   constexpr std::size_t max_holes = 20'000;

@@ -28,7 +28,8 @@ void LevelWatch::take_point(const Ends& ends, const Origin& origin) {
   for (std::size_t i = 0; i < values.size(); ++i) {
     Span& span = spans_[i];
     const double v = values[i];
-    if (std::fabs(v - came_from[i]) < level) continue;  // the coordinate is unchanged since another block
+    // the coordinate is that of an earlier block, so it is not a coordinate of this block
+    if (std::fabs(v - came_from[i]) < level) continue;
     const auto take = [&](std::array<double, 2>& best, std::array<Origin, 2>& where, double sign) {
       if (sign * v > sign * best[0]) {
         if (where[0].line != origin.line || best[0] * sign <= -1e299) best[1] = best[0], where[1] = where[0];
@@ -58,10 +59,10 @@ void LevelWatch::take_motion(const Step& step, const Motion& motion, Advices& to
   if (ends.to.z != ends.from.z) z_by_machine_ = false;
   if (plunge_ && is_cut(motion) && ends.sideways() && std::fabs(ends.from.z - plunge_->z) < level &&
       std::fabs(ends.to.z - plunge_->z) < level)
-    // the tool then moves sideways at feed, not deeper: the rapid has entered the material
+    // after the rapid down the tool moves sideways at feed, not deeper: the rapid has entered the material
     if (!is_drilled(*plunge_)) note_low(*plunge_);
   plunge_.reset();
-  // the rapid led to the next cut, so it did not leave the part
+  // the sideways rapid led to this cut, so it stayed inside the part
   if (sideways_ && is_cut(motion)) note_low(*sideways_), sideways_.reset();
   if (motion.of_cycle && to_hole_ && to_hole_->second.number == origin.number) take_point(to_hole_->first, origin);
   to_hole_.reset();
@@ -114,7 +115,7 @@ void LevelWatch::take(const Step& step, Advices& to) {
     take_change(step.action.origin, to);
 }
 
-/// True if a canned cycle has drilled a hole at this position at least as deep.
+/// True if a canned cycle has drilled a hole at this position, at least as deep as the rapid motion `low` ends.
 bool LevelWatch::is_drilled(const Low& low) const {
   constexpr double near = 1;  // mm
   return std::any_of(drilled_.begin(), drilled_.end(),
@@ -122,20 +123,21 @@ bool LevelWatch::is_drilled(const Low& low) const {
 }
 
 void LevelWatch::judge_lows(Advices& to) const {
-  // findings of one type; if there are more, it is the habit of a CAM system, which knows the cleared region
+  // greatest number of findings of one type; more of them are the habit of a CAM system, which knows where the material is already removed
   constexpr std::ptrdiff_t most = 2;
   const auto like = [this](AlarmId id) { return std::count_if(lows_.begin(), lows_.end(), [id](const Low& low) { return low.id == id; }); };
   for (const Low& low : lows_) {
     const bool plunges = low.id == AlarmId::rapid_below_zero;
     // If no motion enters the material at feed, the tool may enter it through a hole or from outside the part.
-    // `border`: mm inside the border of the cut region. A contour starts at the border, and a rapid along the border is outside the part
+    // `border`: distance from the border of the cut region inwards, mm. A contour starts at the border, and a rapid along the border is
+    // outside the part.
     const double border = plunges ? -0.01 : 0.5;
     const auto inside = [border](const Span& s, double v) { return v > s.least[0] + border && v < s.most[0] - border; };
     if (like(low.id) <= most && inside(spans_[0], low.x) && inside(spans_[1], low.y) && (!plunges || feeds_down_ > 0))
       to.add(low.id, low.origin, plunges ? 'Z' : '\0', low.z);
   }
   if (only_below_ && below_ == 1 &&
-      // other rapids end at the same height above the part: the Z probably has a wrong sign
+      // another rapid ends at the same height above the part, so the sign of this Z is probably wrong
       heights_.contains(std::llround(-only_below_->z * micrometre)))
     to.add(AlarmId::rapid_below_zero, only_below_->origin, 'Z', only_below_->z);
 }
@@ -151,8 +153,8 @@ void LevelWatch::finish(Advices& to) {
     const double others = high - low;
     if (!(others >= 0 && others < 1e299)) continue;
     const std::string range = fmt::format("{:.4g} … {:.4g}", low, high);
-    constexpr double unknown = 250;  // mm: a greater gap is reported, if all other coordinates are equal
-    // a gap is reported if it exceeds this multiple of the span of the others, and this many mm
+    constexpr double unknown = 250;  // mm: a gap to the other coordinates that exceeds this value is reported if all of them are equal
+    // a gap is reported if it exceeds `many` times the span of the other coordinates, and `least` mm
     const double many = i == 2 ? 10 : 5, least = i == 2 ? 50 : 20;
     const auto is_far = [&](double by) { return by > many * others && by > (others > 0 ? least : unknown); };
     if (is_far(s.most[0] - high) && !is_far(low - s.least[0]))

@@ -23,7 +23,8 @@ class LevelWatch {
   const std::optional<Origin>& ends_in_cut() const { return in_cut_; }
 
  private:
-  /// A rapid motion at a low Z. It is reported only if it is inside the region that is cut; outside it is next to the part.
+  /// A rapid motion at a low Z. The motion is reported only if it ends inside the region that is cut; outside that region the tool is next
+  /// to the part.
   struct Low {
     Origin origin;
     AlarmId id;
@@ -64,7 +65,7 @@ class LevelWatch {
   std::optional<Low> sideways_;   // a sideways rapid at a low Z since the last cut
   std::optional<Low> plunge_;     // the previous motion if it was a rapid below the part's zero
   bool was_cut_ = false;          // the previous motion was a cut
-  std::optional<Origin> in_cut_;  // see ends_in_cut()
+  std::optional<Origin> in_cut_;  // the value of ends_in_cut()
   std::vector<Low> lows_;
   std::vector<Vec3> drilled_;  // bottoms of the holes that canned cycles have drilled
   std::array<Span, 3> spans_;

@@ -33,7 +33,7 @@ Vec2 mirrored(Vec2 v, Vec2 line) {
 }  // namespace
 
 std::optional<PathWatch::Piece> PathWatch::piece_of(const Step& step, const Motion& motion) {
-  constexpr double least = 1e-4;  // mm: a shorter motion is ignored
+  constexpr double least = 1e-4;  // least length of a motion, mm; a shorter motion is ignored
   if ((motion.kind != MotionKind::feed && !is_arc(motion.kind)) || motion.of_cycle) return std::nullopt;
   if (motion.detail && (motion.detail->surface != PathSurface::plane || motion.detail->contour)) return std::nullopt;
   Piece p;
@@ -61,8 +61,8 @@ std::optional<PathWatch::Piece> PathWatch::piece_of(const Step& step, const Moti
   return p;
 }
 
-/// Checks whether the other code (G2 instead of G3, or reversed) would make the arc tangent to the motions before and after it. The other
-/// arc has the same centre if I and J give the centre; if R does, the centre is mirrored in the chord.
+/// Checks whether the other code (G2 instead of G3, or reversed) would make the arc tangent to the motions before and after it. If I and J
+/// state the centre, the arc of the other code has the same centre; if R states the radius, its centre is mirrored in the chord.
 void PathWatch::look_at_arc(const Piece& before, const Piece& arc, const Piece& after) {
   if (!arc.arc || arc.full || before.first != arc.first || after.first != arc.first) return;
   constexpr double smooth = 5, corner = 20;  // degrees
@@ -80,10 +80,11 @@ void PathWatch::look_at_arc(const Piece& before, const Piece& arc, const Piece& 
   if (now.first > corner && now.second > corner && (same_centre || mirrored_centre)) kinks_.push_back({arc.origin, other});
 }
 
-/// Checks for an arc that is nearly a full circle: a circle is usually programmed with its end at its start. An end that is rounded by
-/// some micrometres is accepted.
+/// Checks for an arc that is nearly a full circle: a circle is usually programmed with its end at its start. An end that differs from the
+/// start by some micrometres, because its words are rounded, is accepted.
 void PathWatch::look_at_circle(const Piece& arc, Advices& to) {
-  constexpr double nearly = 340, small = 0.1, fine = 0.0015, coarse = 0.004;  // degrees, share of the radius, mm, mm
+  // least angle, degrees; greatest gap, as a share of the radius; gaps in mm that rounding of words may cause, metric and inch
+  constexpr double nearly = 340, small = 0.1, fine = 0.0015, coarse = 0.004;
   const double apart = length(arc.to - arc.from);
   const double radius = length(arc.from - arc.center);
   if (arc.arc && !arc.helix && arc.degrees > nearly && arc.degrees < 360 && apart > (arc.inch ? coarse : fine) && apart < small * radius)
@@ -154,7 +155,7 @@ void PathWatch::take(const Step& step, Advices& to) {
 
 void PathWatch::finish(Advices& to) {
   close();
-  constexpr std::size_t slips = 2;  // arcs in more lines than this are the intended shape: corners that are cut into
+  constexpr std::size_t slips = 2;  // greatest number of lines with such arcs; if there are more, the shape is intended
   std::set<std::uint32_t> lines;
   for (const auto& [origin, other] : kinks_) lines.insert(origin.line);
   if (lines.size() <= slips)

@@ -36,7 +36,7 @@ class PathWatch {
   void close();
 
   std::array<std::optional<Piece>, 2> last_;  // the previous two motions
-  // arcs that reverse the direction at both ends, and for each the code that would fit: G2 or G3
+  // arcs that reverse the direction of motion at both ends, each with the code that would fit (G2 or G3)
   std::vector<std::pair<Origin, const char*>> kinks_;
   std::vector<Piece> first_;    // the first two motions of the contour, to be compared with the last ones of a closed contour
   std::optional<Origin> side_;  // first motion of the compensation in force

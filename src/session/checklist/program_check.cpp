@@ -54,7 +54,7 @@ void ProgramCheck::check(Session& session) {
                           .stop = request_.stop};
     of.checklist.attach();
   }
-  // a single channel does not wait: the programs of the other channels are missing
+  // a single channel does not wait at waiting codes, since the programs of the other channels are missing
   if (channels.size() == 1) session.control().set_waiting(Control::Waiting::pass);
   (void)session.run();
   for (std::size_t i = 0; i < channels.size() && !request_.stop.asked(); ++i) {

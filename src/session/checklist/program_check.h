@@ -17,7 +17,7 @@ namespace kadr {
 
 class ProgramCheck {
  public:
-  /// Receives the findings in this order. Returns false to get no more findings of that channel.
+  /// Receives the findings in the order described above. Returns false to receive no more findings of that channel.
   using Take = std::function<bool(std::size_t channel, const AlarmReport& report)>;
 
   struct CheckRequest {

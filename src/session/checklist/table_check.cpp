@@ -38,7 +38,7 @@ bool is_of_program(std::size_t used, std::size_t unused) { return unused > 0 && 
 void judge_missing(const ToolTable& table, const Calls& calls, Advices& to) {
   const auto is_there = [&](const Calls::value_type& call) { return table.tools.find(call.first) != nullptr; };
   const auto there = static_cast<std::size_t>(std::count_if(calls.begin(), calls.end(), is_there));
-  // fewer than half of the called tools are in the table, so it belongs to other programs
+  // if fewer than half of the called tools are in a common table, the table belongs to other programs
   if (table.kind == ToolTable::Kind::common && 2 * there < calls.size()) return;
   for (const auto& call : calls)
     if (!is_there(call)) to.add(AlarmId::tool_not_in_table, call.second, 'T', double(call.first), std::string_view(table.file));
@@ -66,8 +66,8 @@ void judge_unused(const ToolTable& table, const Calls& calls, const NamedInText&
   to.add(AlarmId::table_tools_unused, first_of(calls), 0, std::string_view(list_of(unused, "T")), std::string_view(table.file));
 }
 
-/// Reports a row without values that the program uses, if there is a row with values that it does not use: the numbers are probably
-/// wrong. Unused rows alone are no fault.
+/// Reports a row without values that the program uses, if another row has values and is not used: the row numbers are probably wrong.
+/// Unused rows alone are no fault.
 void judge_rows(const Calls& tools, const NamedInText& named, const Setup& setup, const ProgramUse& use, Advices& to) {
   const Use* empty = nullptr;
   std::set<std::uint32_t> used;

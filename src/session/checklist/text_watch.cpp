@@ -15,7 +15,7 @@ namespace kadr {
 namespace {
 
 constexpr std::size_t max_found = 200;
-constexpr std::size_t max_numbers = 10'000;  // stored numbers of called blocks and programs, at most
+constexpr std::size_t max_numbers = 10'000;  // greatest number of stored numbers of called blocks and programs
 
 /// A function that should be cancelled at the end of a program, and the function that cancels it. There is no finding if the program
 /// states one of the two before its first motion.
@@ -79,8 +79,8 @@ void TextWatch::add(AlarmId id, const Origin& origin, Span where, Args... args) 
   if (found_.size() < max_found) found_.push_back({advice(id, where, AlarmArg(args)...), origin});
 }
 
-/// Records numbers without a decimal point, which count increments, in a program whose other numbers have one. In a dwell, a call or a
-/// table this may be intended.
+/// Records numbers without a decimal point, which count increments, in a program whose other numbers have one. In a block with a dwell, a
+/// call or table values such numbers may be intended.
 void TextWatch::take_points(const Block& block) {
   if (has_code(block, 'G', 4_g) || has_code(block, 'G', 10_g) || has_code(block, 'G', 65_g) || has_code(block, 'G', 66_g)) return;
   for (std::uint32_t i = 0; i < block.word_count; ++i) {
@@ -149,7 +149,7 @@ void TextWatch::take_levels(const Block& block, const Word& cycle) {
 }
 
 /// Finds positions after a cancelled cycle. In `G81 …`, positions, `G0 X10 Y10`, positions, `G80` the positions after G0 are not drilled,
-/// though the G80 suggests that the programmer expects it.
+/// though the G80 suggests that the programmer expects them to be drilled.
 void TextWatch::take_cycle(const Block& block) {
   const bool axis_words = moves(block);
   for (std::uint32_t i = 0; i < block.word_count; ++i) {
@@ -251,7 +251,7 @@ void TextWatch::take_comments(const Block& block) {
     const auto named = read_tool_comment(text, false).tool;
     const bool beside_call = !named && block.has('T') && tool_ != 0;
     if ((named || beside_call) && teeth_.size() < max_numbers) teeth_.try_emplace(named ? *named : tool_, teeth);
-    else loose_teeth_ = teeth;  // teeth of the tool that is called next
+    else loose_teeth_ = teeth;  // the comment belongs to the tool that is called next
   }
 }
 

@@ -41,7 +41,7 @@ class TextWatch {
     std::map<std::uint32_t, std::uint32_t> twice;
     std::optional<Origin> behind_end;  // first motion after the end of the program
     std::uint32_t lines_after_end = 0;
-    bool has_targets = false;  // something refers to block numbers, so that lines after the end of the program may be reachable
+    bool has_targets = false;  // true: some block refers to block numbers, so that lines after the end of the program may be reachable
   };
   void take(const Block& block);
   void take_points(const Block& block);
@@ -67,9 +67,10 @@ class TextWatch {
   std::size_t with_point_ = 0, without_point_ = 0;
   std::vector<Advice> pointless_;
   bool inch_ = false;
-  // state of the drilling cycle, in the order of the text
-  bool in_cycle_ = false, absolute_ = true, in_xy_ = true;  // false also if the state is uncertain: absolute_ is G90, in_xy_ is G17
-  std::optional<Advice> cancelled_;                         // a canned cycle that a motion code has cancelled
+  // State of the drilling cycle, in the order of the text. absolute_: G90 is in force; in_xy_: G17 is in force; both are false if the
+  // state is uncertain.
+  bool in_cycle_ = false, absolute_ = true, in_xy_ = true;
+  std::optional<Advice> cancelled_;  // a canned cycle that a motion code has cancelled
   bool lost_ = false;  // blocks after that cancellation have contained only positions, which the cancelled cycle no longer drills
   std::optional<double> level_, bottom_;
   // modes set so far

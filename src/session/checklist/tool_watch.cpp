@@ -11,7 +11,7 @@ namespace kadr {
 namespace {
 
 constexpr std::size_t max_tool_periods = 2000;
-constexpr std::size_t max_rows = 64;  // table rows recorded per tool, at most
+constexpr std::size_t max_rows = 64;  // greatest number of table rows recorded per tool
 
 void note_row(std::map<std::uint32_t, Origin>& rows, std::uint32_t row, const Origin& origin) {
   if (row != 0 && rows.size() < max_rows) rows.try_emplace(row, origin);
@@ -19,7 +19,7 @@ void note_row(std::map<std::uint32_t, Origin>& rows, std::uint32_t row, const Or
 
 }  // namespace
 
-/// Records a spindle action. In the block of a tapping cycle it is ignored, as its effect ends with the block.
+/// Records a spindle action. In the block of a tapping cycle the action is ignored, since its effect ends with the block.
 void ToolWatch::take_spindle(const Spindle& spindle, const Origin& origin) {
   if (cycle_block_ && origin.number == *cycle_block_) return;
   if (spindle.dir == SpindleDir::orient || spindle.dir == SpindleDir::position) return;
@@ -68,7 +68,7 @@ void ToolWatch::take(const Step& step, Advices&) {
         zero_speeds_ += rpm_ == 0;
       },
       [&](const MachineFunction& function) {
-        constexpr std::uint32_t rigid_tapping = 29;  // on Fanuc and Haas, by convention of machine builders
+        constexpr std::uint32_t rigid_tapping = 29;  // M29, rigid tapping on Fanuc and Haas, by convention of machine builders
         taps_rigidly_ = taps_rigidly_ || function.code == rigid_tapping;
       },
       [&](const CoolantSwitch& coolant) { coolant_ = coolant.what != Coolant::off; },
@@ -88,8 +88,8 @@ void ToolWatch::take(const Step& step, Advices&) {
               CompensationCorner, CompensationCheck>);
 }
 
-/// Reports tools that cut with the spindle stopped, if the other tools start it. A program that often switches M3 and M5 controls the
-/// beam of a laser or a pen, and is not checked.
+/// Reports tools that cut with the spindle stopped, if the program starts the spindle for the other tools. A program that often switches M3
+/// and M5 controls the beam of a laser or a pen, and is not checked.
 void ToolWatch::judge_spindles(Advices& to) const {
   const auto started = std::count_if(stints_.begin(), stints_.end(), [](const ToolPeriod& s) { return s.cuts && s.started; });
   const bool switches_a_beam = starts_ > 2 * stints_.size() + 4;
@@ -121,8 +121,8 @@ void ToolWatch::judge_lengths(Advices& to) const {
     if (s.without_length && s.tool != 0) to.add(AlarmId::length_not_called, *s.without_length, 0, double(s.tool));
 }
 
-/// Compares row numbers with tool numbers. The most frequent difference (H = T, D = T + 30) is the habit
-/// of the workshop, and a tool with another difference probably uses another tool's row.
+/// Compares row numbers with tool numbers. The most frequent difference (H = T, D = T + 30) is the habit of the workshop, and a tool with
+/// another difference probably uses another tool's row.
 void ToolWatch::judge_rows(Rows ToolPeriod::*rows, AlarmId id, char address, Advices& to) const {
   struct Pair {
     std::uint32_t tool, row;

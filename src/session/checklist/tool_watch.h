@@ -28,7 +28,7 @@ class ToolWatch {
     std::optional<Origin> counter_clockwise;
     bool mills = false;  // the tool mills or drills and is not a tap
     bool clockwise = false, turned = false, started = false, wet = false;
-    std::optional<Origin> without_length;  // location of the tool's first cut, if no length offset was in force there
+    std::optional<Origin> without_length;  // location of the tool's first cut, if no length offset was in force during that cut
     Rows lengths, radii, systems;
   };
   void take_motion(const Step& step, const Motion& motion);

@@ -1,6 +1,6 @@
 #pragma once
-// AirLines: finds the lines that spend the most time moving at feed in the air. The input is the motions at feed, divided into pieces;
-// each piece says whether it removed material.
+// AirLines: finds the lines that spend the most time moving at feed in the air. The input is the motions at feed, divided into pieces; for
+// each piece the caller states whether it removed material.
 //
 // A piece shorter than a cell may pass between two lattice lines and miss the material. Therefore a piece counts as air only if at least
 // two cells of path in succession removed nothing.
@@ -28,9 +28,9 @@ class AirLines {
     bool cuts = false;
   };
   void add(const Piece& piece);
-  /// The lines with time in the air, in descending order of their seconds.
+  /// The lines that spend time in the air, in descending order of their seconds in the air.
   std::vector<AirCut> emptiest() const;
-  /// s by which the time of a line may be too short, at most.
+  /// Greatest error of the times: the time of a line may be too short by this many s.
   double missing() const { return missing_; }
 
  private:
@@ -41,7 +41,8 @@ class AirLines {
 
   double reach_;
   std::size_t most_;
-  std::vector<Piece> row_;  // the latest pieces that removed nothing; together they are shorter than reach_
+  // the latest pieces that removed nothing, which do not count as air yet, since together they are shorter than reach_
+  std::vector<Piece> row_;
   double row_length_ = 0;
   bool in_air_ = false;  // the last reach_ mm of the path have removed nothing
   std::map<Key, AirCut> lines_;

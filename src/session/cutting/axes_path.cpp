@@ -9,10 +9,10 @@ namespace kadr {
 namespace {
 
 constexpr int max_pieces_of_turn = 4096;
-constexpr int least_tcp_pieces = 8;  // pieces, at least, of a motion whose tool tip the control guides (the axes compensate for rotation)
-constexpr int max_halvings = 10;     // halvings of each of these pieces, at most
+constexpr int least_tcp_pieces = 8;  // least number of pieces of a motion with tool centre point control (the axes compensate for rotation)
+constexpr int max_halvings = 10;     // greatest number of times that each of these pieces is halved
 
-/// The travel of the axes between two parts of a motion, if the axes do not move along a straight line.
+/// Divides the travel of the axes between two parts (0 to 1) of a motion on which the axes do not move along a straight line.
 class TcpAxesPath {
  public:
   TcpAxesPath(const Step& step, double chord, const AxesVisitor& visit) : step_(step), chord_(chord), visit_(visit) {}

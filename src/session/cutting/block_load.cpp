@@ -10,7 +10,8 @@
 namespace kadr {
 namespace {
 
-constexpr double steepest = 1;  // Z travel per mm in the plane; on steeper motions depth and width of cut are meaningless
+// greatest travel in Z per mm of travel in the plane; on steeper motions depth and width of cut have no meaning
+constexpr double steepest = 1;
 
 bool of_same_line(const Origin& a, const Origin& b) { return a.line == b.line && a.file == b.file; }
 
@@ -35,7 +36,7 @@ void BlockLoads::add(const CutMotion& m) {
   open_.push_back({m, sum, m.end_sweep});
 }
 
-/// Ends the current block. A block that is long enough is reported with values of its own.
+/// Ends the current block. A block at least as long as reach_ is reported with values of its own; shorter blocks are collected.
 void BlockLoads::end_block() {
   if (open_.empty()) return;
   if (open_.back().sum.length >= reach_) {
@@ -60,7 +61,7 @@ void BlockLoads::finish() {
   end_row();
 }
 
-/// Reports successive short blocks, which share their values.
+/// Reports successive short blocks. All get the mean values of the whole row of blocks.
 void BlockLoads::tell(const std::vector<Block>& row) {
   Sum all;
   for (const Block& b : row) all.add(b.sum);

@@ -20,7 +20,7 @@ struct CutMotion {
   Origin origin;
   std::uint32_t tool = 0;
   double diameter = 0;  // diameter of the tool, mm
-  double teeth = 0;     // teeth per second; 0: unknown
+  double teeth = 0;     // teeth that pass a point of the material per second; 0: unknown
   double begins = 0, seconds = 0;
   double length = 0, flat = 0;  // length of the path; length of its projection onto the working plane, mm
   double volume = 0, depth = 0;

@@ -13,9 +13,10 @@ namespace kadr {
 namespace {
 
 constexpr double share_for_material = 0.5;  // share of the memory limit; the rest is for the surface
-constexpr double share_of_cell = 0.02;      // volume error per mm² of surface, divided by the cell size: docs/stock.md
-constexpr double cells_to_see = 2;          // cells across a tool, at least, for its cuts to be visible
-constexpr std::size_t tools_of_a_job = 24;  // number of tools; a file with more is a library, most of which the program does not use
+constexpr double share_of_cell = 0.02;      // volume error per mm² of surface, as a share of the cell size (docs/stock.md)
+constexpr double cells_to_see = 2;          // least number of cells across the diameter of a tool whose cuts are to be visible
+// greatest number of tools for a single job; a file with more is a library, of which the program uses only a part
+constexpr std::size_t tools_of_a_job = 24;
 
 /// Returns the diameter of the thinnest tool of a job, mm; 0 if it is unknown.
 double finest_of(const ToolLibrary& tools) {
@@ -65,7 +66,7 @@ bool find_cells(double resolution, const std::optional<Box3>& window, double max
   }
   job.window = blank_within(job.blank, *window);
   if (!job.window || !(job.window->volume() > 0)) return false;
-  // The whole need not have finer cells than its window; each of the two gets half of the memory.
+  // The lattice of the whole blank need not have finer cells than the window. Each of the two gets half of the memory.
   job.cell = std::max(cell_for(job.blank->box(), most / 2), resolution);
   job.window_cell = resolution > 0 ? resolution : std::min(cell_for(job.window->box(), most / 2, finest_of(job.tools)), job.cell);
   return true;

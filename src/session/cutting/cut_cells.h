@@ -12,8 +12,8 @@ namespace kadr {
 double bytes_of_meshes(const CutJob& job);
 
 /// Chooses the cell sizes of blank and window. `resolution` applies to the window if there is one, else to the whole blank.
-///   job         has its tools: if they are few, as for a single job, the cell size depends on them as well as on the blank
-///   resolution  mm; 0: as fine as is useful and fits into memory
+///   job         must contain the tools; if they are few, as for a single job, the cell size depends on the tools as well as on the blank
+///   resolution  requested cell size, mm; 0: cells as small as is useful and fits into memory
 ///   max_bytes  memory limit of the stock
 ///   returns     false if the window is outside the blank
 bool find_cells(double resolution, const std::optional<Box3>& window, double max_bytes, CutJob& job);

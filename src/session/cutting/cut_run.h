@@ -64,7 +64,7 @@ class CutRun {
   Cutting cutting_;
   MachineWatch* const watch_;  // the collision check; nullptr: the machine has no bodies
   TimeEstimate clock_;
-  double later_ = 0;  // s by which the real time of the machine is later than the programmed time
+  double later_ = 0;  // delay of the machine's real time after the programmed time, s
   std::size_t alarms_ = 0, warnings_ = 0;
   std::optional<AlarmReport> without_shape_;
 };

@@ -1,6 +1,6 @@
 #pragma once
-// Copies into a cutting job what machine and set-up of a session state: the tool in the spindle, tool lengths, and the chains of axes to
-// tool and part. Used by cli/cut and view/part_run.
+// Copies data of a session's machine and set-up into a cutting job: the tool in the spindle, tool lengths, and the chains of axes to tool
+// and part. Used by cli/cut and view/part_run.
 
 #include "session/cutting/cutting.h"
 #include "session/session.h"

@@ -14,18 +14,18 @@ namespace kadr {
 namespace {
 
 constexpr std::size_t batch_sweeps = 1 << 15;
-constexpr std::size_t max_kept = 100'000;     // motions kept before the work system of the blank is known
+constexpr std::size_t max_kept = 100'000;     // greatest number of motions kept before the work system of the blank is known
 constexpr std::size_t max_findings = 1000;    // number of findings that are reported individually
-constexpr double sideways = 0.01;             // mm that a drill may move in the plane while it cuts
-constexpr double chord_of_cell = 1.0 / 2000;  // tolerance of chords that replace an arc, in cells: far below the error of a cell …
-constexpr double greatest_chord = 2e-4;       // … and at most this many mm: below the least increment of the controls
+constexpr double sideways = 0.01;             // greatest travel of a drill in the plane while it cuts, mm
+constexpr double chord_of_cell = 1.0 / 2000;  // tolerance of the chords of an arc, in cells: far below the error of a cell
+constexpr double greatest_chord = 2e-4;       // greatest tolerance of the chords, mm: below the least increment of controls
 
 constexpr double seconds_a_minute = 60;
 constexpr Vec3 upright{0, 0, 1};
 
 double chord_for(double cell) { return std::min(cell * chord_of_cell, greatest_chord); }
 
-/// Travel of the piece along the tool's axis. The next function returns the travel across it.
+/// Returns the travel of the piece along the tool's axis, mm. The next function returns the travel across that axis.
 double climb_of(const PathSegment& p) {
   const Vec3 way = p.to - p.from, k = p.from_direction;
   return way.x * k.x + way.y * k.y + way.z * k.z;
@@ -121,7 +121,7 @@ std::size_t Cutting::use_of(std::uint32_t tool) {
   return std::size_t(found - result_.tools.begin());
 }
 
-/// Returns nullopt if the tools file lacks the tool. A program that calls no tool uses the file's tool, if the file has only one.
+/// Returns the tool's index in the stock; nullopt if the tools file lacks the tool. A program without tool calls uses the file's only tool.
 std::optional<std::uint16_t> Cutting::shape_of_tool() {
   for (const auto& [number, shape] : shapes_)
     if (number == tool_) return shape;
@@ -131,7 +131,7 @@ std::optional<std::uint16_t> Cutting::shape_of_tool() {
   const ToolShape shape = shape_of(*geometry);
   const std::uint16_t number = stock_.add_tool(shape);
   each_other([&](Stock& other) { (void)other.add_tool(shape); });
-  if (shape.turns()) {  // the next index is the same tool while its insert is in a thread groove
+  if (shape.turns()) {  // the next index means the same tool while its insert is in a thread groove
     (void)stock_.add_tool(holder_of(shape));
     each_other([&](Stock& other) { (void)other.add_tool(holder_of(shape)); });
   }
@@ -143,8 +143,8 @@ std::optional<std::uint16_t> Cutting::shape_of_tool() {
 AlarmId Cutting::fault_of(const Motion& motion, const std::vector<PathSegment>& pieces, const ToolGeometry& tool) const {
   if (motion.kind == MotionKind::rapid || motion.kind == MotionKind::home) return AlarmId::rapid_in_stock;
   if (motion.kind == MotionKind::thread) return no_alarm;  // the control drives the spindle on a thread
-  if (motion.in_hole == HoleWork::taps && motion.detail && motion.detail->turn) return no_alarm;  // rigid tapping: likewise
-  if (tool.kind == ToolKind::turning) return (spinning_ & ~speedless_) == 0 ? AlarmId::spindle_stopped : no_alarm;  // of the part
+  if (motion.in_hole == HoleWork::taps && motion.detail && motion.detail->turn) return no_alarm;  // the control drives the spindle
+  if (tool.kind == ToolKind::turning) return (spinning_ & ~speedless_) == 0 ? AlarmId::spindle_stopped : no_alarm;  // the part must rotate
   if ((spindle_ != SpindleDir::cw && spindle_ != SpindleDir::ccw) || (speedless_ & 1U) != 0) return AlarmId::spindle_stopped;
   if (spindle_ == SpindleDir::ccw && motion.in_hole != HoleWork::taps) return AlarmId::spindle_wrong_way;
   double flat = 0, climb = 0;
@@ -194,7 +194,7 @@ Status Cutting::consume(const Step& step, const MachineTime& time) {
   if (motion == nullptr || pieces_.empty() || motion->kind == MotionKind::probe || time.begins >= job_.until) return {};
   if (motion->in_hole == HoleWork::clear_of_wall) return {};  // the single cutting edge of the boring bar points away from the wall
   shift_by_length();
-  if (!place_known(*motion) && !is_cutting(motion->kind)) {  // of the motion to the first known position, only the end is known
+  if (!place_known(*motion) && !is_cutting(motion->kind)) {  // only the end of a motion to the first known position is known
     if (unknown_now() != 0) return {};
     const PathSegment last = pieces_.back();
     pieces_.assign(1, {last.to, last.to, 0, 1, last.to_direction, last.to_direction});

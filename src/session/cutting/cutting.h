@@ -4,8 +4,8 @@
 //
 //   Step ─ ToolPath ─▶ straight pieces ─▶ Stock (in batches) ─▶ Touch ─▶ CutFinding
 //
-// The pieces are cut in batches, so a finding comes when its batch is complete. Until the work system of the blank is known, at the first
-// motion at feed, the pieces are kept. A sweep of the stock is the movement of a tool along one straight piece.
+// The pieces are cut in batches, so a finding is reported when its batch is complete. Until the work system of the blank is known, at the
+// first motion at feed, the pieces are kept. A sweep of the stock is the movement of a tool along one straight piece.
 
 #include <functional>
 #include <map>
@@ -49,8 +49,8 @@ struct CutJob {
   double seen_cell = 0;        // cell size, mm, of the coarser stock that can be displayed at any instant; 0: no such stock
   std::size_t past_bytes = 0;  // memory of the coarser stock for its past: Stock::keep_past()
   int threads = 1;
-  std::optional<std::uint16_t> system;  // the work system, see ToolPath
-  std::optional<Axes> apart;            // rapid rates of the axes, see ToolPath
+  std::optional<std::uint16_t> system;  // number of the work system for the path, see ToolPath
+  std::optional<Axes> apart;            // rapid rates, if each axis moves at its own rate, see ToolPath
   bool wants_coolant = false;           // warn of cutting without coolant
   std::vector<AlarmId> disabled;        // warnings that are not to be reported
   std::uint32_t tool = 0;               // number of the tool in the spindle at the start
@@ -69,7 +69,7 @@ class Cutting {
 
   /// Receives the findings, batch by batch, in the order of the program.
   std::function<void(const CutFinding&)> on_finding;
-  /// Receives what each block has removed at feed, in the order of the program; the call comes later by a batch and some blocks.
+  /// Receives what each block has removed at feed, in the order of the program; the function is called a batch and some blocks later.
   std::function<void(const BlockLoad&)> on_block;
 
   /// Processes a step. Returns the alarm tool_without_shape if the step cannot be cut.
@@ -82,7 +82,8 @@ class Cutting {
   CutResult result(double left, double error_bound) const;
   /// Returns the program line of a sweep of the stock, with Origin::file; line 0 if `sweep` is of_blank.
   SweepLines::Line line_of(std::int32_t sweep) const { return sweep < 0 ? SweepLines::Line() : lines_.of(std::size_t(sweep)); }
-  /// Removal rate of each sweep's block, mm³/s, by number of the sweep; 0: at rapid, or unknown. The last sweeps may be missing.
+  /// By number of the sweep: removal rate of the block to which the sweep belongs, mm³/s; 0: the sweep is a rapid, or its rate is unknown.
+  /// The last sweeps may be missing.
   const std::vector<float>& rates() const { return rate_of_sweep_; }
   const Stock& stock() const { return stock_; }
   /// The stock of the window, with the same numbers of sweeps; nullptr if there is no window.
@@ -110,7 +111,7 @@ class Cutting {
     double diameter = 0, teeth = 0;  // as in CutMotion
     Vec3 at;
     Vec2 radius;                              // turning tools: unit vector from the axis of rotation towards the tool; else 0
-    bool in_groove = false, threads = false;  // turning tools: the insert moves in a thread groove; the motion cuts the thread
+    bool in_groove = false, threads = false;  // turning tools: the insert moves in a thread groove; the motion itself cuts the thread
     double lead = 0;                          // thread lead, mm; 0: the program does not state it
   };
   struct Kept {
@@ -147,7 +148,7 @@ class Cutting {
   std::set<std::uint32_t> without_coolant_;                      // lines whose lack of coolant has been reported
   std::vector<std::pair<std::uint32_t, std::uint16_t>> shapes_;  // tool number → index from Stock::add_tool()
   AxisMask unknown_ = 0;                                         // axes of X, Y, Z along which the tool's position is unknown
-  AxisMask across_ = 0;                                          // the axes X and Y
+  AxisMask across_ = 0;                                          // mask of the axes X and Y
   std::uint32_t tool_;
   SpindleDir spindle_;
   std::uint32_t spinning_ = 0;  // bit mask of the rotating spindles; any of them may rotate the part

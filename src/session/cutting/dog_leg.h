@@ -13,7 +13,7 @@
 
 namespace kadr {
 
-/// The arrival time of each axis, as a part of the motion's time: 0 to 1; 0 for an axis that does not move.
+/// Stores the arrival time of each axis as a part of the motion's time, from 0 to 1. An axis that does not move has 0.
 class DogLeg {
  public:
   /// `rates`: rapid rates of the machine's axes, mm or degrees per unit of time (the same unit for all).
@@ -22,7 +22,7 @@ class DogLeg {
 
   /// The arrival times as parts of the motion, ascending; the last one is 1. Empty if no axis moves.
   const std::vector<double>& corners() const { return corners_; }
-  /// Share of its travel that an axis has completed when the part `part` of the motion's time is over: 0 to 1.
+  /// Returns the share of its travel, 0 to 1, that an axis has completed when the part `part` (0 to 1) of the motion's time is over.
   double gone(std::size_t axis, double part) const { return arrives_[axis] > part ? part / arrives_[axis] : 1; }
 
  private:

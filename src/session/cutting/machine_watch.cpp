@@ -12,11 +12,12 @@
 namespace kadr {
 namespace {
 
-constexpr double chord_of_axes = 0.002;         // mm, degrees: a fifth of the depth that counts as a collision
+// chord tolerance of the travel of the axes, mm or degrees: a fifth of the depth that counts as a collision
+constexpr double chord_of_axes = 0.002;
 constexpr std::size_t max_kept_steps = 10'000;  // number of steps kept before the work system of the blank is known
 constexpr double same_length = 1e-9;            // mm: lengths that differ less count as equal
 
-/// Returns the kinematics. If the machine's file has no [kinematics], X, Y and Z carry the tool, in this order.
+/// Returns the kinematics of the machine. If its file has no [kinematics], the axes X, Y and Z carry the tool, in this order.
 MachineTree tree_of(MachineProfile machine, const std::vector<std::string>& axes) {
   if (!machine.chains.given()) {
     machine.chains.tool = {"X", "Y", "Z"};
@@ -144,8 +145,8 @@ void MachineWatch::take_tool(const InForce& in_force, std::vector<std::string>& 
   notes.push_back(translated(texts::cutting::length_not_stated, in_force.tool));
 }
 
-/// Places blank and fixtures on the link that carries them. `reference`: mm from the gauge point down to the point with which the work
-/// zero was set.
+/// Places blank and fixtures on the link that carries them. `reference`: distance from the gauge point down to the point of the tool with
+/// which the work zero was set, mm.
 void MachineWatch::position_work(double reference) {
   if (!zero_) return;
   std::vector<LinkPose>& poses = poses_;

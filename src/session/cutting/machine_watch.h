@@ -47,7 +47,7 @@ class MachineWatch {
   const MovingBodies& bodies() const { return bodies_; }
 
  private:
-  /// What the control applied during a motion.
+  /// The tool and tool length that the control applied during a motion.
   struct InForce {
     std::uint32_t tool = 0;
     double length = 0;  // tool length that the control applies

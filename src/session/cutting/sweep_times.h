@@ -20,7 +20,7 @@ struct SweepProgress {
 
 class SweepTimes {
  public:
-  /// Assigns times to the sweeps before number `end` that have none: they fill the time from `begins` to `ends` (s since the start)
+  /// Assigns times to the sweeps before number `end` that have none: the sweeps fill the time from `begins` to `ends` (s since the start)
   /// evenly.
   ///   pre  `begins` is not before the end of the last sweep
   void fill(std::size_t end, double begins, double ends) {

@@ -20,9 +20,10 @@ bool cuts_outside(const ToolShape& tool, double x) {
   return beyond * x >= 0;
 }
 
-constexpr double same_place = 0.1;  // mm; distance of passes of the same thread if the thread lead is unknown
+constexpr double same_place = 0.1;  // greatest distance of passes of the same thread if the thread lead is unknown, mm
 
-/// True if the pass belongs to the thread. A pass that is fed in along the flank starts less than one lead away from the previous pass.
+/// True if the pass belongs to the thread. If the tool is fed in along the flank, a pass starts less than one thread lead away from the
+/// previous pass.
 bool goes_with(const ThreadCut& pass, const ThreadCut& thread) {
   const double apart = std::max(std::fabs(pass.from_z - thread.from_z), std::fabs(pass.to_z - thread.to_z));
   return pass.tool == thread.tool && pass.lead == thread.lead && pass.is_outer == thread.is_outer &&

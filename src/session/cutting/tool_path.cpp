@@ -11,12 +11,14 @@
 namespace kadr {
 namespace {
 
-constexpr int max_pieces = 4096;        // pieces per revolution: chords accurate to 0.1 µm on a radius of 100 m
+constexpr int max_pieces = 4096;        // greatest number of pieces per revolution: chords are accurate to 0.1 µm up to a radius of 340 mm
 constexpr double same_position = 1e-9;  // mm
-constexpr double reach = 100;          // mm; assumed distance of the far end of a tool from its tip, where an error of the direction counts
+// mm; assumed distance of the far end of a tool from its tip; an error of the direction is greatest there
+constexpr double reach = 100;
 constexpr double tilted_chord = 5e-4;  // mm; tolerance for a tilted tool, whose sweeps are accurate to 2.5 µm (docs/stock.md)
 constexpr double turn_of_chord = 5;    // the far end of the tool may deviate by this many times the tolerance of the tip
-constexpr double undivided = 45;       // degrees; a longer rotation is always divided, since it may end at the direction where it starts
+// degrees; a greater rotation is always divided, since its end direction may equal its start direction
+constexpr double undivided = 45;
 constexpr int max_depth = 16;
 
 bool has_rotary_axis(const MachineTree& tree) {
@@ -114,8 +116,8 @@ void ToolPath::divide(const Step& step, const PathSegment& p, int depth, std::ve
   divide(step, {middle.tip, p.to, part, p.ends, middle.direction, p.to_direction}, depth + 1, pieces);
 }
 
-/// Divides a rapid motion with independent axes into pieces from corner to corner. Returns false if rotary axes turn tool or part: that
-/// path is treated as a straight line.
+/// Divides a rapid motion with independent axes into pieces from corner to corner. Returns false if rotary axes turn tool or part: the path
+/// of such a motion is treated as a straight line.
 bool ToolPath::bent(const Step& step, std::vector<PathSegment>& pieces) const {
   const auto leg = DogLeg::of(step, apart_);
   if (!leg || turns(step)) return false;

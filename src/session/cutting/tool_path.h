@@ -44,7 +44,7 @@ class ToolPath {
   const std::optional<Vec3>& zero() const { return zero_; }
   /// Tool length along the tool's axis that the control applied on the last motion, mm.
   double length_in_force() const { return length_; }
-  /// The zero point that is in force now. Used if no work system was named.
+  /// The zero point that is in force now. It is used if no work system has been named.
   Vec3 present_origin() const { return work_origin_of(chain_, placement_); }
 
  private:

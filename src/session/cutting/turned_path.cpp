@@ -9,12 +9,12 @@ namespace kadr {
 namespace {
 
 constexpr double in_plane = 1e-6;  // mm; a path that leaves the plane by less counts as being in it
-constexpr int max_parts = 1000;    // parts into which a piece is divided that passes the axis at a distance
+constexpr int max_parts = 1000;    // greatest number of parts of a piece that passes the axis at a distance
 
 Vec2 flat(Vec3 v) { return {v.x, v.y}; }
 
-/// Returns the number of chords that approximate a path past the axis, whose radius over its length is a hyperbola: sagitta = length² /
-/// (8 · nearest radius).
+/// Returns the number of chords that approximate a straight path past the axis. The radius along such a path is a hyperbola; the sagitta of
+/// a chord is length² / (8 · nearest radius).
 int parts_of(Vec2 from, Vec2 to, double chord) {
   const Vec2 way = to - from;
   const double far = length(way), nearest = far > 0 ? std::fabs(cross(from, to)) / far : 0;

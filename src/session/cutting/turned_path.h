@@ -11,7 +11,7 @@
 
 namespace kadr {
 
-/// Returns the direction that is x in the half plane: X or Y, whichever goes farther from the axis on these pieces.
+/// Returns the direction that is x in the half plane: X or Y, in whichever these pieces go farther from the axis of rotation.
 Vec2 radius_axis(const std::vector<PathSegment>& pieces, Vec3 zero);
 
 /// Calls the visitor with one or more straight pieces in the half plane: x is the signed radius, y is 0.

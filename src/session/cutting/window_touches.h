@@ -10,8 +10,9 @@ namespace kadr {
 
 bool lies_within(const Box3& inner, const Box3& outer);
 
-/// Inside the window the window's contacts are used, outside it those of the whole. A contact that crosses a face of the window becomes
-/// one contact: with the box around both, and the volume of the whole. Rings around the axis are taken from the whole too.
+/// Inside the window the contacts of the window's stock are used, outside the window those of the whole blank. A contact that crosses a
+/// face of the window becomes one contact, with the box around both contacts and the volume found in the whole blank. Rings around the axis
+/// always come from the whole blank.
 ///   whole, fine  contacts of the same sweeps, sorted by sweep; at most one per sweep and tool part
 ///   returns      the merged contacts, sorted in the same way
 std::vector<Touch> finer_touches(const Box3& window, const std::vector<Touch>& whole, const std::vector<Touch>& fine);

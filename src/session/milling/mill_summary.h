@@ -19,7 +19,7 @@ struct MillLine {
 /// Returns the lines of the summary: area, milling scheme, path, wall, remaining stock, plunges, holes to be drilled, the program.
 std::vector<MillLine> mill_summary(const Milled& milled, Lang lang);
 
-/// Returns a warning of holes that must be drilled first, or the tool breaks; empty if none are needed. It is displayed even if no
+/// Returns a warning of holes that must be drilled first, or the tool breaks; empty if none are needed. The warning is displayed even if no
 /// summary is requested.
 std::string warning_of_holes(const Milled& milled, Lang lang);
 
