@@ -21,8 +21,7 @@ Status turn_spindle(Emitter& m, SpindleDir dir, Span where) {
   const auto others = is_for_others(m, dir, where);
   if (!others) return fail(others.error());
   if (*others) return {};
-  if (dir != SpindleDir::orient && m.modal.rpm_waiting >= 0)
-    m.modal.rpm = std::exchange(m.modal.rpm_waiting, -1);  // see Modal::rpm_waiting
+  if (dir != SpindleDir::orient && m.modal.rpm_waiting >= 0) m.modal.rpm = std::exchange(m.modal.rpm_waiting, -1);  // 2С42 6.4.3
   if (dir != SpindleDir::orient && m.modal.rpm == 0 && !m.has('S')) m.warn(warning(AlarmId::speed_missing, where));
   m.modal.spindle = dir;
   m.emit(Spindle{dir, m.modal.surface_speed ? m.surface_speed().rpm(m.position.work, m.modal.rpm) : m.modal.rpm});
