@@ -2,8 +2,7 @@
 // The rectangular pocket of G87, G79 (spec/correctors 3). A round is one closed path of the tool centre around the pocket; the rounds go
 // from the middle outwards, and are repeated at each depth (pass).
 //
-//   rapid to the clearance above the face ─▶ feed down by a pass ─▶ rounds, the last along the wall ─▶ back to the middle ─▶ the next pass
-//   …
+//   rapid to the clearance over the face ─▶ feed down by a pass ─▶ rounds, the last along the wall ─▶ back to the middle ─▶ the next pass …
 
 #include <array>
 #include <cstddef>
