@@ -34,7 +34,7 @@ using WrittenFiles = std::map<std::string, std::uint64_t>;
 
 class Interpreter;       // control/interpreter.h
 class LineMarks;         // control/state/line_marks.h
-class MachineInterface;  // control/dialect.h
+class MachineInterface;  // control/dialect/machine_interface.h
 class SharedMemory;      // control/shared_memory.h
 
 class Control {

@@ -1,4 +1,4 @@
-// O lines: labels and subprograms (spec/linuxcnc 6; interp_o_word.cc of the source). Loops and branches: loops.cpp.
+// O lines: labels and subprograms (spec/linuxcnc 6; interp_o_word.cc of the source). Loops and branches: o_line_loops.cpp.
 
 #include "control/linuxcnc/o_line_flow.h"
 

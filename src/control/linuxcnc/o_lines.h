@@ -1,6 +1,6 @@
 #pragma once
-// OLines executes one O line, a block of flow control (spec/linuxcnc 6; interp_o_word.cc of LinuxCNC's source). flow.cpp has the
-// subprograms, loops.cpp the loops and branches.
+// OLines executes one O line, a block of flow control (spec/linuxcnc 6; interp_o_word.cc of LinuxCNC's source). o_line_flow.cpp has the
+// subprograms, o_line_loops.cpp the loops and branches.
 
 #include <fmt/format.h>
 
