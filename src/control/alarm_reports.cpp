@@ -1,4 +1,4 @@
-// Reports for people: locations of alarms, the state at the end, faults of subprograms that were never called.
+// Reports for people: the locations of alarms, the state at the end of a run, and the faults of subprograms that were never called.
 
 #include <algorithm>
 #include <memory>
@@ -15,8 +15,8 @@ std::uint32_t characters(std::string_view text) {
       std::count_if(text.begin(), text.end(), [](char c) { return (static_cast<unsigned char>(c) & 0xC0) != 0x80; }));
 }
 
-/// Moves the location of an alarm to its own line where the block spans several lines: after a comment over several lines this is the
-/// last line (nct 14.3).
+/// Limits the report to the one line that contains the fault, if the text of the block spans several lines. A block that begins after a
+/// comment over several lines is an example: the fault is in the last of these lines (nct 14.3).
 void to_own_line(AlarmReport& r) {
   const std::string_view before = std::string_view(r.line_text).substr(0, r.alarm.where.begin);
   const std::size_t end = r.line_text.find('\n', r.alarm.where.begin);
@@ -35,8 +35,8 @@ void Interpreter::warn(const Alarm& alarm) {
   if (*on_warning) (*on_warning)(report_of(alarm, origin, block->text));
 }
 
-/// Replaces internal letters of addresses that have several characters by their names (`,C`, `XDE`). An argument that is copied from the
-/// program's text is left as written: `]` there is not `,A`.
+/// Replaces the internal one-letter codes of long addresses by the names of these addresses (`,C`, `XDE`). An argument that is copied from
+/// the program's text remains as written: a `]` in the text is not the internal code of `,A`.
 Alarm Interpreter::with_names(Alarm alarm) const {
   if (alarm.id == AlarmId::expression_syntax || alarm.id == AlarmId::unexpected_character) return alarm;
   for (std::size_t i = 0; i < alarm.arg_count; ++i) {
@@ -63,7 +63,7 @@ AlarmReport Interpreter::plain_report_of(const Alarm& alarm, const Origin& at, s
   AlarmReport r{def.grammar.names.empty() && !def.grammar.comma_words ? alarm : with_names(alarm), flow.file(), {}, at, {}, {}};
   decode_arguments(r.alarm);
   const bool in_body = flow.in_body() && !line_text.empty();
-  if (in_body) r.alarm.where = call_where;  // a cycle's body is in no file: the location of the call is reported
+  if (in_body) r.alarm.where = call_where;  // a cycle's body is in no file: the report has the location of the call
   r.line_text = in_body ? call_text : flow.shown(line_text, r.alarm.where);
   if (r.alarm.where.begin <= r.line_text.size() && r.line_text.find('\n') != std::string::npos) to_own_line(r);
   if (r.alarm.where.begin <= r.line_text.size())
@@ -120,7 +120,7 @@ void Interpreter::check_uncalled(const std::function<void(const AlarmReport&)>& 
   auto plan = std::make_unique<Plan>();
   flow.each_uncalled([&](Result<BlockReader::Got> got, const Block& read) {
     Status status = got ? Status() : Status(fail(got.error()));
-    Block& looked_at = const_cast<Block&>(read);  // expressions have no value here: blocks with a code by expression are not planned
+    Block& looked_at = const_cast<Block&>(read);  // no expression has a value here: a block with a computed code number is not planned
     bool known = true;
     for (std::uint32_t i = 0; i < looked_at.word_count; ++i)
       known = known &&
@@ -135,7 +135,7 @@ void Interpreter::check_uncalled(const std::function<void(const AlarmReport&)>& 
   });
 }
 
-/// Returns the code words in force, and F, S, T, D, H.
+/// Returns the codes in force, and the words F, S, T, D and H with their values.
 std::vector<std::string> Interpreter::codes_in_force(const Modal& of) const {
   std::vector<std::string> codes;
   for (std::size_t g = 1; g < def.groups.size(); ++g)
@@ -187,7 +187,7 @@ FinalState Interpreter::ending() {
 /// True for the letter of an axis that machines of this control may have.
 constexpr bool names_an_axis(char letter) { return (letter >= 'A' && letter <= 'C') || (letter >= 'U' && letter <= 'Z'); }
 
-/// Warns of words that no function of the block uses; the control itself reports nothing (spec/fanuc 1.2).
+/// Warns of words that no function of the block uses; the real control ignores such words without a report (spec/fanuc 1.2).
 void Interpreter::warn_passed_over(std::uint64_t letters_passed) {
   for (std::uint32_t i = 0; i < block->word_count; ++i)
     if (const Word& w = block->words[i]; w.address != 0 && (letters_passed & letter_bit(w.address)) != 0)
@@ -195,7 +195,7 @@ void Interpreter::warn_passed_over(std::uint64_t letters_passed) {
                                     : warning(AlarmId::word_passed_over, w.where, block->text_of(w.where)));
 }
 
-/// Reports what the block changed among the data that survive power-off.
+/// Reports the data that the block has changed and that survive power-off.
 void Interpreter::report_changes() {
   if (on_changes == nullptr || !*on_changes) return;
   const StateChanges changes = dialect->take_changes(*this);

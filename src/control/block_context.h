@@ -33,7 +33,7 @@ class BlockContext : public ControlState, public RunMemory {
 
   const Word* word(char letter) const { return block->find(letter); }
   bool has(char letter) const { return block->has(letter); }
-  /// Returns the value of a word, with the scale of its address applied; 0 if the block has no word with this letter.
+  /// Returns the value of a word, multiplied by the scale of its address; 0 if the block has no word with this letter.
   double value(char letter) const;
   /// Returns the value of a word as a length in mm.
   double length_value(char letter) const { return value(letter) * unit_scale(); }
@@ -44,7 +44,8 @@ class BlockContext : public ControlState, public RunMemory {
   Span where(char letter) const;
   /// Returns true if the block has a code of one of these functions.
   bool has_code(std::initializer_list<Function> functions) const;
-  /// Facts that all blocks of the same shape share; nullptr if the block is not a plain one, or if words were removed from it.
+  /// Returns the facts that all blocks of the same shape share; nullptr if the block is not a plain one, or if words were removed from the
+  /// block.
   ShapeFacts* shape() const { return block->altered ? nullptr : shape_; }
   /// Checks that every value is within the limits of its address.
   ///   alarms  value_out_of_range, word_not_integer
@@ -57,11 +58,12 @@ class BlockContext : public ControlState, public RunMemory {
 
   /// Computes the end point, in programmed coordinates, from the axis words. `named`: the axes that have a word.
   Status target(Axes& to, AxisMask& named) const;
-  /// Like target(), by the tables of the control's file alone; a dialect may read the words differently.
+  /// Computes the end point as target() does, but only by the tables of the control's file; a dialect may read the words differently.
   Status axis_words(Axes& to, AxisMask& named) const;
   /// Returns the end coordinate, in programmed coordinates, that one axis word means.
   double axis_target(const Word& w, std::size_t axis) const;
-  /// Checks a point that a transformation has computed. alarms position_out_of_range
+  /// Checks that a point which a transformation has computed, in work coordinates, is not beyond `farthest`.
+  ///   alarms  position_out_of_range
   Status within_reach(const Axes& work) const;
   double radius_in_force() const;
   /// Returns the row of the tool offset table whose length compensation is in force; 0 if none is.
@@ -71,27 +73,28 @@ class BlockContext : public ControlState, public RunMemory {
   double feed_limited(double feed) const;
   double feed_by_axes(const Motion& motion) const;
   bool axes_have_feeds() const;
-  /// The axis that the block's word `index`, an F, belongs to: the axis of the word before it, if another axis word follows. Otherwise
-  /// the F is for all axes without a feed of their own. Only where Behaviour::feed_of_axis is set (GOST 20999-83).
+  /// Returns the axis that the feed in the block's word number `index` belongs to. A word F between two axis words is the feed of the axis
+  /// before it; any other F is the feed of all axes that have no feed of their own, and the result is nullopt. Only where
+  /// Behaviour::feed_of_axis is set (GOST 20999-83).
   std::optional<std::size_t> axis_of_feed(std::uint32_t index) const;
-  /// Returns the part of the origin that is a shift of the work system: by G92 and by codes that act like G92.
+  /// Returns the part of the origin by which G92, and codes that act like G92, shift the work system.
   Axes shift_by_tables() const;
-  /// The speed of the main spindle as G96, G97 define it (nct 11.5); on controls
-  /// other than NCT the X coordinate is taken as a radius (spec/gost 4; INFERRED: X).
+  /// Returns the speed of the main spindle as G96 and G97 define it (nct 11.5). On controls other than the NCT the X coordinate counts as a
+  /// radius (spec/gost 4; INFERRED: X).
   SurfaceSpeed surface_speed() const;
   SurfaceSpeed speed_by_x() const;
   FrameChange frame_change() const;
 
-  /// The state before the block; valid only where it is kept for an alarm (keeps_state()).
+  /// Returns the state before the block; valid only if that state was saved so that an alarm can restore it (keeps_state()).
   const ControlState& state_before() const { return before_; }
   bool keeps_state() const { return state_kept_; }
   bool keeps_flow_place() const { return flow_before_.has_value(); }
-  /// Returns what a block with this plan may change, judged by the plan alone; a dialect may know more exactly.
+  /// Returns which state a block with this plan may change. The plan alone decides; a dialect may know more exactly.
   BlockChanges changes_of_block(const Plan& plan) const;
 
   // ---- course of the program
 
-  /// Files, open calls and limits of the run, read-only. Only the Interpreter changes the course of the program.
+  /// Returns the course of the program (files, open calls, limits of the run) for reading. Only the Interpreter changes it.
   const Flow& program() const { return flow; }
 
   // ---- tables that the words refer to
@@ -103,19 +106,19 @@ class BlockContext : public ControlState, public RunMemory {
   Tables tables;
   Variables variables;
   std::unique_ptr<Dialect> dialect = make_iso_dialect();  // never nullptr
-  MacroVariables* macro_variables = nullptr;              // variables of the dialect, if it has levels of local variables; else nullptr
+  MacroVariables* macro_variables = nullptr;              // the dialect's variables if they have levels of local variables; else nullptr
   std::vector<std::string> axis_names;
   std::size_t axis_count = 3;
-  bool has_fixtures = false;  // true: Modal::fixture has the number of the work system; false: Modal::work_zero has it
+  bool has_fixtures = false;  // true: Modal::fixture has the number of the work system; false: Modal::work_zero has this number
   bool probe_stated = false;  // the set-up defines what a probe touches
-  SetupFault start_fault;     // something that the set-up names and the control does not have; reported when the run starts
+  SetupFault start_fault;     // a thing that the set-up names but this control lacks; reported when the run starts
 
   // ---- the current block
 
   Block* block = nullptr;                  // the block being executed, never nullptr
-  bool block_axes_taken = false;           // a code of this block (G28, G92 …) uses its axis words: a motion code then only sets the mode
-  bool block_exact = false;                // G9 in this block
-  bool block_machine_coordinates = false;  // G53 with a motion (Mach3)
+  bool block_axes_taken = false;           // a code (G28, G92 …) uses the block's axis words: a motion code only sets the mode
+  bool block_exact = false;                // the block has G9
+  bool block_machine_coordinates = false;  // the block has G53 and a motion (Mach3)
   bool needs_probe = false;
   Span probe_where;
 
@@ -131,7 +134,7 @@ class BlockContext : public ControlState, public RunMemory {
   Flow flow;
   ControlState before_;
   bool state_kept_ = false;
-  std::optional<Flow::Place> flow_before_;  // position before the block, saved if more than one function of it jumps
+  std::optional<Flow::Place> flow_before_;  // position before the block; set if another function of the block follows a jump
   ShapeFacts* shape_ = nullptr;             // facts about the shape of the current block
 };
 

@@ -68,7 +68,7 @@ void Control::note_lines(LineMarks* marks, std::uint64_t most) {
 void Control::stand_at(const Axes& machine) { interpreter_->stand_at(machine); }
 bool Control::in_block() const { return interpreter_->in_block(); }
 void Control::enter(const std::string& line) {
-  interpreter_->block = &interpreter_->first_block;  // the block before may belong to an entered line that is destroyed now
+  interpreter_->block = &interpreter_->first_block;  // the previous block may belong to an older entered line, which is destroyed now
   interpreter_->flow.enter(line + "\n");
 }
 bool Control::in_entered() const { return interpreter_->flow.in_entered(); }
@@ -87,7 +87,7 @@ const AlarmReport& Control::report() const { return interpreter_->report; }
 AlarmReport Control::report_for(const Alarm& alarm, const Origin& origin) const {
   const Block& last = *interpreter_->block;
   if (origin.line == last.position.line && origin.file == interpreter_->flow.reader() && !interpreter_->flow.in_body()) {
-    Alarm placed = alarm;  // the alarm's location is in the block that is still the current one
+    Alarm placed = alarm;  // the alarm's block is still the current one: its text is known
     placed.where = last.where;
     AlarmReport report = interpreter_->report_of(placed, origin, last.text);
     if (interpreter_->watches_calls()) report.calls = calls_of(origin);
@@ -104,7 +104,7 @@ AlarmReport Control::report_for(const Alarm& alarm, const Origin& origin) const 
 }
 AlarmReport::Line Control::line_at(const Origin& origin) const {
   AlarmReport::Line line{origin.line, interpreter_->flow.file(), {}, {}};
-  constexpr std::uint16_t bodies = 1;  // number of the cycle bodies as a file: they are in no file
+  constexpr std::uint16_t bodies = 1;  // number that stands for the cycle bodies, which are in no file
   if (origin.file == bodies || origin.line == 0 || !interpreter_->flow.has_file(origin.file)) return line;
   line.file = file_name(origin.file);
   line.text = interpreter_->flow.file(origin.file).text_of(origin.line);

@@ -1,4 +1,4 @@
-// Default behaviour of all controls where a dialect overrides nothing: ISO 6983.
+// The default behaviour of a control, ISO 6983. It applies to each function that the dialect of the control does not override.
 
 #include "control/dialect.h"
 

@@ -1,8 +1,8 @@
 #pragma once
 // Dialect: the behaviour of a control that no row of its file can describe (`dialect = "…"` in controls/*.toml). Each channel has one
-// object; the interpreter calls it per block or per motion, never per word. The defaults are the behaviour of all controls, ISO 6983; a
-// control that its file describes completely has only these defaults (make_iso_dialect()). The functions are grouped in five interfaces, so
-// that code can depend on the one interface that it needs.
+// object; the interpreter calls it per block or per motion, never per word. The default of each function is the behaviour of all controls,
+// ISO 6983; a control that its file describes completely has only defaults (make_iso_dialect()). The functions are grouped in five
+// interfaces, so that code can depend on the one interface that it needs.
 
 #include <memory>
 
@@ -19,7 +19,7 @@ struct RunLimits;
 
 class Dialect : public ProgramDialect, public BlockDialect, public MotionDialect, public FrameDialect, public VariableDialect {};
 
-// Each function is defined in the folder of the dialect that it creates.
+// The folder of each dialect defines the function that creates the dialect.
 std::unique_ptr<Dialect> make_s2c42_dialect();
 std::unique_ptr<Dialect> make_correctors_dialect(const BlockContext& m, const Setup& setup);
 std::unique_ptr<Dialect> make_grbl_dialect(const Setup& setup);

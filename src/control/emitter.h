@@ -18,26 +18,25 @@ class Interpreter;
 
 /// A code or an address of the block, as it is passed to the C++ function that executes it.
 struct Call {
-  const CodeRow* row = nullptr;  // nullptr: an address that acts by itself
-  const Word* word = nullptr;    // nullptr: no word; the modal motion applies
+  const CodeRow* row = nullptr;  // row of the code in ControlDef; nullptr: an address that calls a function without a code
+  const Word* word = nullptr;    // nullptr: the block has no word for it; the motion code in force is executed
   Span where;
 };
 
-inline constexpr std::size_t batch_size = 64;  // actions emitted at a time
+inline constexpr std::size_t batch_size = 64;  // number of actions that run() emits at a time
 
-/// A canned cycle that continues after its block was executed, a few actions
-/// at a time, so that a cycle of any length runs in constant memory.
+/// A canned cycle that is executed in parts, a few actions at a time, so that a cycle of any length needs constant memory.
 class SteppedCycle {
  public:
   virtual ~SteppedCycle() = default;
-  /// Returns a copy that continues from the same point, in a control restored from a snapshot.
+  /// Returns a copy that continues at the same action, for a control that is restored from a snapshot.
   virtual std::unique_ptr<SteppedCycle> clone() const = 0;
-  /// Emits the next actions, at most a few. Returns false if the cycle is finished.
+  /// Emits the next few actions of the cycle. Returns false if the cycle is finished.
   virtual Result<bool> next(Emitter& m) = 0;
   /// Called when the cycle is finished; may make the program continue at another block.
   virtual Status lead_on(Interpreter& m) const;
-  /// True if the other functions of the block act before the cycle continues (drilling, nct 18.0); else the functions that follow the
-  /// motion wait until the cycle has ended.
+  /// Returns true if the other functions of the block are executed before the cycle continues (drilling, nct 18.0); else the functions that
+  /// follow the motion wait until the cycle has ended.
   virtual bool functions_first() const { return false; }
 };
 
@@ -72,8 +71,8 @@ class Emitter : public BlockContext {
   Status plain_arc(Turn turn, Span where);
   /// Sets the machine position after the axes have been moved by hand.
   void stand_at(const Axes& machine);
-  /// Sets the tool position on the named axes from `position.programmed`, if
-  /// work coordinates equal the programmed ones and the frame is not rotated.
+  /// Computes work and machine position on the named axes from `position.programmed`. Valid only if work coordinates equal the programmed
+  /// ones and the frame is not rotated.
   void set_plain_position(AxisMask named) {
     for (; named != 0; named &= named - 1) {
       const auto a = static_cast<std::size_t>(__builtin_ctz(named));
@@ -81,10 +80,10 @@ class Emitter : public BlockContext {
       position.machine[a] = position.work[a] + frames.origin[a] + frames.length[a];
     }
   }
-  /// Updates the position after a motion; the axes that are not named keep their coordinates.
+  /// Sets the position to the end of a motion; axes that are not named keep their coordinates.
   void move_to(const Axes& programmed, const Axes& work, AxisMask named);
   Motion& add_motion(MotionKind kind, AxisMask named);
-  /// Like add_motion(), with the modes as an argument; the motion ends at the position just computed.
+  /// Adds a motion as add_motion() does, but with the given modes. The motion ends at the position that was computed last.
   Motion& add_motion_as(const MotionModes& modes, AxisMask named);
   Status feed_known(Span where);
   /// Sets the motion's feed, unit and exact stop from the modal state.
@@ -96,28 +95,28 @@ class Emitter : public BlockContext {
   /// Recomputes the origin and the tool length from the tables and the modal state.
   void refresh_frames();
   void frames_by_tables();
-  /// Calls refresh_frames() and converts the tool's coordinates to the new frame (the machine does not move).
+  /// Recomputes the frames as refresh_frames() does, and converts the tool's coordinates to the new frame (the machine does not move).
   void change_frames();
   /// Applies the mirror switches of the panel that are in force in the selected plane (2С42 6.8).
   void apply_mirror();
 
   // ---- machine and operator
 
-  /// Passes a code that the control executes itself on to the machine's logic (nct 13.1).
-  ///   code  in tenths
+  /// Reports to the machine's logic a code that the control itself executes (nct 13.1).
+  ///   code  number of the code, in tenths
   void report_to_machine(std::int32_t code);
   Status emit_machine_function(const Call& call);
   /// Emits the (MSG, …) comments of the block as messages.
   void show_messages();
-  /// True while a canned cycle of the block is being executed.
+  /// Returns true while a canned cycle of the block is being executed.
   bool cycling() const { return canned_cycle_run.active() || ellipse_run.active() || running != nullptr; }
 
   ActionBatch* batch = nullptr;
   CannedCycleRun canned_cycle_run;
   EllipseRun ellipse_run;
-  std::unique_ptr<SteppedCycle> running;                         // a canned cycle of the dialect
-  bool each_block = false;                                       // run() returns the actions of each block separately
-  std::function<void(const Origin&, bool)>* on_block = nullptr;  // callback at the start and at the end of each block
+  std::unique_ptr<SteppedCycle> running;  // the canned cycle of the dialect that is being executed; nullptr if there is none
+  bool each_block = false;                // run() returns the actions of each block separately
+  std::function<void(const Origin&, bool)>* on_block = nullptr;  // called at the start and at the end of each block
 
  protected:
   using BlockContext::BlockContext;

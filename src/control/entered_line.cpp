@@ -1,10 +1,11 @@
-// Checks what a line entered by the operator (MDI) may not do. Used by control/interpreter; tested by tests/panel.py.
+// Finds what is not allowed in a line that the operator has entered (MDI). Used by control/interpreter; tested by tests/panel.py.
 
 #include "control/interpreter.h"
 
 namespace kadr {
 
-/// An entered line has no caller: a return in it must not close the calls that the program has open.
+/// Returns true if the block is a return of the entered line itself. Such a line has no caller: the return would close a call of the
+/// program.
 bool Interpreter::returns_from_entered() const {
   if (!flow.in_entered() || flow.depth() > flow.entered_depth()) return false;
   for (std::uint32_t i = 0; i < block->word_count; ++i) {

@@ -1,5 +1,5 @@
-// Lists the codes, offsets and modes in force, item by item: for a restart in mid-program, for panels, for the debugger. Tested by
-// tests/session/stepping_test.cpp.
+// Lists the codes, offsets and modes in force, one item each. A restart in mid-program, the panels and the debugger show the list. Tested
+// by tests/session/stepping_test.cpp.
 
 #include "action/in_force.h"
 

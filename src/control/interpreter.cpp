@@ -26,8 +26,8 @@ Interpreter::Interpreter(const ControlDef& control, std::unique_ptr<ControlDef> 
 
 namespace {
 
-/// Returns true if holds_before stops the run before the block that was read;
-/// the block is then unread. Else records its line, where lines are recorded.
+/// Returns true if holds_before() holds the run at the block just read, which is then read again later. Else records the line of the block
+/// in line_marks.
 bool is_held(Interpreter& m, const std::optional<Flow::Mark>& before) {
   const bool asks = before && m.holds_before != nullptr && *m.holds_before && !m.program().in_body();
   if (asks && (*m.holds_before)(m.origin)) {
@@ -47,15 +47,15 @@ Status SteppedCycle::lead_on(Interpreter&) const { return {}; }
 void Interpreter::begin_batch(ActionBatch& to) {
   to.clear();
   batch = &to;
-  motion_run_.end();  // between two calls of run() any mode or table may have been changed
+  motion_run_.end();  // between two calls of run() any mode or table may have changed
   if (!needs_frames) return;
   needs_frames = false;
   emit(frame_change());
   if (modal.surface_speed) emit(surface_speed());
 }
 
-/// Executes one pending step (of a canned cycle, or of the end of a watched
-/// block) before the next block is read. Returns false if nothing is pending.
+/// Executes a step that must precede the next block: of a canned cycle, or of the end of an observed block. Returns false if there is no
+/// such step.
 bool Interpreter::continues_last() {
   if (cycling()) {
     if (const Status status = next_of_cycle(); !status) fail_with(status.error());
@@ -70,7 +70,7 @@ bool Interpreter::continues_last() {
   return true;
 }
 
-/// Lets the dialect do one step of what it must finish. Returns true if the next block must still wait.
+/// Executes a step of the dialect's unfinished work. Returns true if the next block must still wait.
 bool Interpreter::waits_for_dialect() {
   if (!dialect->has_unfinished()) return false;
   const auto waits = dialect->finish(*this);
@@ -78,7 +78,7 @@ bool Interpreter::waits_for_dialect() {
   return !waits || *waits;
 }
 
-/// Handles the end of the file. `last`: the block before it, for reports. Returns nullopt if only a line entered by hand has ended.
+/// Handles the end of a file. `last`: the block before it, for reports. Returns nullopt if only an entered line (MDI) has ended.
 std::optional<Control::State> Interpreter::close_file(Block* last) {
   block = last;
   if (flow.depth() <= flow.entered_depth() && flow.leave_entered()) return std::nullopt;
@@ -90,7 +90,7 @@ std::optional<Control::State> Interpreter::close_file(Block* last) {
   return Control::State::ended;
 }
 
-/// Executes a block that was read, or reports its fault. Returns nullopt if the run continues with the next block.
+/// Executes the block that was read, or reports why it cannot be read. Returns nullopt if the run continues with the next block.
 std::optional<Control::State> Interpreter::take_read(const Result<BlockReader::Got>& got) {
   if (got && !reads_clock && !block->no_clock && !block->code.empty()) {
     if (dialect->reads_clock(*block)) {
@@ -103,7 +103,7 @@ std::optional<Control::State> Interpreter::take_read(const Result<BlockReader::G
   if (!got && block->marker == Marker::program_start) flow.set_started(true);  // the block is damaged, but it has the sign %
   if (!block->warnings.empty()) [[unlikely]] {
     for (const Alarm& w : block->warnings) warn(w);
-    block->warnings.clear();  // if the block is kept and executed again, its warnings are not reported again
+    block->warnings.clear();  // a block that is kept for a loop must not report its warnings again
   }
   if (got && block->skip != 0 && asks_to_skip()) return Control::State::running;
   if (!got && dialect->skips_unread() && block->skip != 0 && skip_switches[std::min<std::size_t>(block->skip, 9)]) return std::nullopt;
@@ -179,12 +179,12 @@ void Interpreter::take_block() {
   if (!is_stopped() && dialect->watches_blocks()) phase_ = RunPhase::end_of_block;  // M96 may just have switched the interrupt macro on
 }
 
-/// True if the machine's logic observes each block, or an interrupt macro may be called.
+/// Returns true if the machine's logic observes each block, or if an interrupt macro may be called.
 bool Interpreter::is_watched() const { return (on_block != nullptr && *on_block) || dialect->watches_blocks(); }
 
-/// Executes a block after what the machine's logic does before it. end_block() follows once the
-/// actions of the block have been passed on (nct 23.4). A block that an interrupt macro has delayed
-/// comes again and is then executed at once: INFERRED, so that a signal that stays on lets it pass.
+/// Executes a block that is observed: the machine's logic and an interrupt macro act before it. end_block() follows when the actions of the
+/// block have been passed on (nct 23.4). A block that an interrupt macro has delayed is read again, and is then executed without another
+/// interrupt. INFERRED: else a signal that stays on would hold the block permanently.
 void Interpreter::watch_block() {
   const bool skipped = is_skipped();
   in_interrupt = dialect->in_interrupt();
@@ -201,7 +201,7 @@ void Interpreter::watch_block() {
     return;
   }
   if (block->skip != 0 && !skipped) dialect->note_skip_mark(*this);
-  const std::uint8_t skip = skipped ? block->skip : std::exchange(block->skip, std::uint8_t{0});  // the skip switch was evaluated above
+  const std::uint8_t skip = skipped ? block->skip : std::exchange(block->skip, std::uint8_t{0});  // the skip switch was read above
   const Status status = instead ? execute_block() : Status(fail(instead.error()));
   if (!skipped) block->skip = skip;
   if (!status) fail_with(status.error());
@@ -209,7 +209,7 @@ void Interpreter::watch_block() {
   if (!is_stopped() && !skipped) phase_ = RunPhase::end_of_block;
 }
 
-/// Executes the end of a watched block: the interrupt macro, then the machine's logic.
+/// Executes what follows an observed block: the interrupt macro, then the machine's logic.
 void Interpreter::end_block() {
   phase_ = RunPhase::next_block;
   if (!in_interrupt) {
@@ -219,7 +219,7 @@ void Interpreter::end_block() {
   if (!is_stopped() && on_block != nullptr && *on_block) (*on_block)(origin, true);
 }
 
-/// Switches the power off and on (nct 23.5): the program is over.
+/// Switches the power off and on (nct 23.5): the program ends.
 void Interpreter::power_cycle() {
   if (!dialect->lose_power(*this)) return;
   stop_cycles();
@@ -229,14 +229,14 @@ void Interpreter::power_cycle() {
   flow.end();
 }
 
-/// Handles the end of the file: it also ends the program, unless a call or a repetition is open.
+/// Handles the end of the program's file, which also ends the program. Fails if a call or a repetition is open.
 Status Interpreter::end_of_file() {
-  origin.line = std::max<std::uint32_t>(origin.line, 1);  // in an empty file too
+  origin.line = std::max<std::uint32_t>(origin.line, 1);  // an empty file has no line: the report is about line 1
   const auto done = dialect->end_of_file(*this);
   if (!done) return fail(done.error());
   if (*done) return {};
   if (flow.depth() == 0) {
-    const bool cut_off = !flow.started() || (def.grammar.percent_ignored && lacks_closing_sign(flow.file(0)));  // the file has no block
+    const bool cut_off = !flow.started() || (def.grammar.percent_ignored && lacks_closing_sign(flow.file(0)));  // no block or closing %
     if (def.behaviour.end_required || cut_off) warn(warning(AlarmId::end_missing, {}));
     return {};
   }
@@ -297,7 +297,7 @@ Status Interpreter::execute_block() {
   return attempt();
 }
 
-/// Checks the ranges of N and O (nct 1.1); O names a program at the start of a file.
+/// Checks that N and O are in their ranges (nct 1.1). O is the program number at the start of a program.
 Status Interpreter::check_numbers() {
   const auto check = [&](char letter, std::uint32_t value, Span where) -> Status {
     const AddressRow& row = def.address(letter);
@@ -306,7 +306,7 @@ Status Interpreter::check_numbers() {
   };
   if (block->has_number) KADR_TRY(check('N', block->number, block->number_where));
   if (block->marker != Marker::label) return {};
-  if (block->label == 0 && def.address('O').least == 0) {  // spec/fanuc 1.1: a CAM system's usual number; the operator enters another
+  if (block->label == 0 && def.address('O').least == 0) {  // CAM systems write O0, which the operator replaces (spec/fanuc 1.1)
     warn(warning(AlarmId::program_number_zero, block->where));
     return {};
   }
@@ -323,7 +323,7 @@ Status Interpreter::attempt() {
   shape_ = shapes_.of(def, *block);
   dialect->begin_block(*this);
   if (sets_variables_only(*block)) return assign_alone();
-  if (!block->code.empty() && macro_variables == nullptr) keep_state();  // else an assignment is a block of its own (a statement)
+  if (!block->code.empty() && macro_variables == nullptr) keep_state();  // an assignment among words can change any state
   Status status = words();
   if (!status) undo_block(actions);
   return status;
@@ -349,8 +349,8 @@ Status Interpreter::words() {
   return dialect->after_block(*this);
 }
 
-/// Plans the block, or finds its plan: a plain block has the plan of its shape; a block that a loop executes again has that of its last
-/// pass, if nothing that it depends on has changed.
+/// Finds or makes the plan of the block. A plain block has the plan of its shape. A block that a loop executes again has the plan of its
+/// last pass, if nothing that the plan depends on has changed.
 Status Interpreter::plan() {
   const std::int16_t motion_row = dialect->motion_row(*this);
   if (ShapeFacts* const facts = shape(); facts != nullptr) [[likely]] {
@@ -381,9 +381,9 @@ BlockChanges BlockContext::changes_of_block(const Plan& plan) const {
   return modal.motion == MotionMode::cycle ? BlockChanges::cycle : BlockChanges::position;
 }
 
-/// Checks that shifts and factors have not moved the tool beyond what a number of the control can hold.
+/// Checks that shifts and factors have not moved the tool to a coordinate that the control cannot represent.
 Status Interpreter::check_place() const {
-  constexpr double most = 4 * farthest;  // origin, length and coordinate may each be large and cancel out
+  constexpr double most = 4 * farthest;  // origin, length and coordinate may each be large and cancel
   for (std::size_t a = 0; a < axis_count; ++a)
     for (const double v : {frames.origin[a], frames.length[a], position.programmed[a], position.work[a], position.machine[a]})
       if (!(std::fabs(v) <= most)) return fail(alarm(AlarmId::position_out_of_range, block->where, axis_names[a], v));

@@ -25,13 +25,13 @@ struct BlockMemory;  // control/snapshot_content.h
 
 class Interpreter final : public Emitter {
  public:
-  /// `own`: the control's definition adapted to this machine, or nullptr (then `control` is used unchanged).
+  /// `own`: the control's definition, adapted to this machine; nullptr if `control` is used unchanged.
   Interpreter(const ControlDef& control, std::unique_ptr<ControlDef> own, const Setup& setup, Program program, const RunLimits& limits,
               std::shared_ptr<Commons> commons);
   ~Interpreter();
 
   Control::State run(ActionBatch& batch);
-  /// Returns nullopt while the control waits for a probe. `cutting_seen_ms` is stored in the snapshot for Control.
+  /// Returns nullopt while the control waits for a probe. `cutting_seen_ms`: a value that Control needs after a restore; it is only stored.
   std::optional<Snapshot> snapshot(double cutting_seen_ms) const;
   Status restore(const Snapshot& from);
   void answer(const ProbeAnswer& answer);
@@ -41,12 +41,12 @@ class Interpreter final : public Emitter {
   bool is_stopped() const { return phase_ == RunPhase::stopped; }
   void check_uncalled(const std::function<void(const AlarmReport&)>& on_fault);
   FinalState ending();
-  /// Starts recording the state after each block, for state_of().
+  /// Starts recording the state after each block. state_of() returns the recorded states.
   void watch_states();
   std::optional<BlockState> state_of(const Origin& at) const;
   Alarm with_names(Alarm alarm) const;
   void decode_arguments(Alarm& alarm) const;
-  /// Like report_of(), without the control's own wording of the message.
+  /// Returns the report that report_of() returns, but without the control's own wording of the message.
   AlarmReport plain_report_of(const Alarm& alarm, const Origin& origin, std::string_view line_text) const;
   AlarmReport report_of(const Alarm& alarm, const Origin& origin, std::string_view line_text) const;
 
@@ -54,60 +54,60 @@ class Interpreter final : public Emitter {
 
   /// Evaluates the words written as expressions and checks the ranges of all words.
   Status evaluate_words();
-  /// True while a block is not finished: its canned cycle is being executed, or functions of the block wait for the end of the cycle.
+  /// Returns true while a block is not finished: its canned cycle is being executed, or functions of the block wait for the end of the
+  /// cycle.
   bool in_block() const { return cycling() || waiting_count_ != 0 || phase_ == RunPhase::end_of_block || phase_ == RunPhase::same_block; }
-  /// Open calls and repetitions, outermost first.
+  /// Returns the open calls and repetitions, outermost first.
   std::vector<AlarmReport::Call> calls() const;
-  /// Starts recording the chain of calls of each block, for calls_of().
+  /// Starts recording the chain of calls of each block. calls_of() returns the recorded chains.
   void watch_calls() { call_tree_ = std::make_unique<CallTree>(); }
   bool watches_calls() const { return call_tree_ != nullptr; }
   std::vector<AlarmReport::Call> calls_of(const Origin& at) const;
   BlockState state_now() const;
   std::vector<InForce> in_force();
-  /// Copies the data that the channels share from another channel.
+  /// Copies the data that the channels of a machine share from the interpreter of another channel.
   void take_common(const Interpreter& from);
 
   /// Executes codes that a canned cycle sets by itself, so that their modes come into force.
   void run_modes(std::initializer_list<Function> functions);
   void warn(const Alarm& alarm) override;
-  /// M99, M47 of a main program: starts another pass, from its first block or from `from`. If nothing in this pass could make the next
-  /// one different, or after RunLimits::restarts passes, the run ends with a note, which is not a fault
-  /// (control/functions/continuation.cpp).
+  /// M99, M47 of a main program: starts another pass, from its first block or from `from`. The run ends with a note, which is not a fault,
+  /// if all further passes would be like this one, or after RunLimits::restarts passes (control/functions/continuation.cpp).
   Status begin_again(Span where, Position from = {});
 
   /// Saves the state, so that an alarm later in the block can restore it.
   void keep_state();
-  /// Executes a block that is a statement (IF, GOTO, #1=…), when no interrupt macro and no machine logic observes blocks; stops with an
-  /// alarm if the block is faulty.
+  /// Executes a block that is a statement (IF, GOTO, #1=…), while neither an interrupt macro nor the machine's logic observes the blocks. A
+  /// faulty block stops the run with an alarm.
   void execute_statement();
-  /// Executes a block that only sets variables (sets_variables_only()). Returns false if the block is faulty; then no variable has
+  /// Executes again a block that only sets variables (sets_variables_only()). Returns false if the block is faulty; then no variable has
   /// changed.
   bool assign_again();
-  /// To be called after something other than the words of a block has changed what is in force.
+  /// To be called after anything but the words of a block has changed the modes or tables: ends the fast path.
   void modes_changed() { motion_run_.end(); }
-  /// Executes a block that is only a macro call or a return (word number `word` of the block), when no interrupt macro and no machine
-  /// logic observes blocks.
-  ///   returns  false if the block must be executed in the general way; nothing has changed
+  /// Executes a block that is only a macro call or a return, while neither an interrupt macro nor the machine's logic observes the blocks.
+  ///   word     index of the word that calls or returns
+  ///   returns  false if the block must be executed with a plan (execute_block()); nothing has changed
   bool execute_call(std::uint8_t word);
   /// Saves the position in the program, so that an alarm later in the block can restore it.
   void keep_flow_place() { flow_before_ = flow.place(); }
-  /// Drops the canned cycle or ellipse that is being executed.
+  /// Ends the canned cycle or ellipse that is being executed, without its remaining motions.
   void stop_cycles();
 
-  // ---- behaviour as the control's file alone defines it (a dialect may override it)
+  // ---- functions that a dialect may override; these only use the control's file
 
   /// Checks the ranges of the words and executes the assignments among them.
   Status take_words();
 
   // ---- data that the functions work on
 
-  using BlockContext::flow;  // position in the program, and the block where it continues
+  using BlockContext::flow;  // position in the program; a function may change it
 
   Block first_block;  // the current block before any block was read, or after a restore in the middle of a block
   std::function<void(const AlarmReport&)>* on_warning = nullptr;
   const std::function<bool(const Origin&)>* holds_before = nullptr;
   LineMarks* line_marks = nullptr;
-  std::uint64_t most_unseen = 0;  // with `line_marks`: run() returns after this number of blocks, so that the marks can be read
+  std::uint64_t most_unseen = 0;  // number of blocks after which run() returns while `line_marks` is set, so that the marks can be read
   std::function<void(const StateChanges&)>* on_changes = nullptr;
   const std::function<std::optional<Alarm>(ActionBatch&, const Axes&)>* find_corners = nullptr;
 
@@ -173,14 +173,14 @@ class Interpreter final : public Emitter {
   std::shared_ptr<const BlockMemory> block_memory() const;
   void continue_in_block(const BlockMemory& then);
 
-  /// Cancels what was to happen at the end of a watched block, because that end is not reached.
+  /// Cancels the actions at the end of an observed block (RunPhase::end_of_block), because that end is not reached.
   void close_block() {
     if (phase_ == RunPhase::end_of_block) phase_ = RunPhase::next_block;
   }
 
   RunPhase phase_ = RunPhase::next_block;
   Plan plan_;
-  /// Plans of blocks that loops execute again, found by the address of the block in memory.
+  /// The plan of a block that a loop executes again. It is found by the address of the block in memory.
   struct KeptPlan {
     const Block* block = nullptr;
     std::uint64_t letters = 0;
@@ -192,9 +192,9 @@ class Interpreter final : public Emitter {
   Plan* plan_now_ = &plan_;
   Shapes shapes_;
   MotionRun motion_run_;
-  std::array<std::uint8_t, limits::block_words> waiting_{};  // items of plan_ that stop or end the program after the canned cycle
+  std::array<std::uint8_t, limits::block_words> waiting_{};  // items of the plan that wait for the end of the canned cycle: stops and ends
   std::size_t waiting_count_ = 0;
-  mutable std::shared_ptr<const Tables> last_tables_;  // tables of the last snapshot; the next snapshot shares them if they are still equal
+  mutable std::shared_ptr<const Tables> last_tables_;  // tables of the last snapshot; the next snapshot shares them if they are equal
   mutable std::shared_ptr<const Variables::Values> last_variables_;
   std::unique_ptr<BlockStates> block_states_;  // nullptr: states are not recorded
   std::unique_ptr<CallTree> call_tree_;        // nullptr: calls are not recorded
@@ -204,7 +204,7 @@ class Interpreter final : public Emitter {
   std::vector<std::string> watch_;
 };
 
-/// Returns true if the block is only `#1=…` and sets no variable that modes or tables depend on.
+/// Returns true if the block has only assignments such as `#1=…`, and no mode or table depends on the variables that it sets.
 bool sets_variables_only(const Block& block);
 
 /// Returns the C++ function that executes the function named in a code row (control/functions/functions.cpp).

@@ -1,4 +1,4 @@
-// Sets up the state before the first block: the control's power-on codes, then the set-up file.
+// Sets up the state before the first block: first by the control's power-on codes, then by the set-up file.
 
 #include <algorithm>
 
@@ -18,8 +18,7 @@ Axes axes_of(const AxisValues& values, const std::vector<std::string>& names) {
   return axes;
 }
 
-/// Returns the row of a work offset in the table of work offsets or fixtures: 0 for "common", -1 if the name is not that of a work
-/// offset.
+/// Returns the row of the work offset `name` in the table of work offsets or fixtures: 0 for "common"; -1 if no work offset has this name.
 int zero_number(const std::vector<WorkSystem>& systems, const std::string& name) {
   if (name == "common") return 0;
   const auto found = std::find_if(systems.begin(), systems.end(), [&](const WorkSystem& system) { return system.name == name; });
@@ -28,8 +27,8 @@ int zero_number(const std::vector<WorkSystem>& systems, const std::string& name)
 
 }  // namespace
 
-/// Checks for things that the set-up names and this control does not have: axes, numbers beyond the control's tables. A set-up from a
-/// file was checked before, key by key (config/setup/setup_check); this function covers a set-up that a calling program has built.
+/// Checks that the control has all axes and table rows that the set-up names. A set-up from a file was checked key by key before
+/// (config/setup/setup_check); this function is for a set-up that a client of the library has built.
 void Interpreter::check_setup(const Setup& setup) {
   const auto note = [&](const std::string& key) {
     if (start_fault.empty()) start_fault = start_fault_of(key, texts::control_start::no_such_thing, key, def.id);
@@ -66,7 +65,7 @@ void Interpreter::check_setup(const Setup& setup) {
     if (!plain) break;
     if (zero_number(work_systems(def), name) < 0) note("work_offsets." + name);
     AxisValues of_axes = zero;
-    if (def.has_parameter_file()) of_axes.erase("G17");  // G17 here is the rotation R of G10 L2 (spec/linuxcnc 7.8)
+    if (def.has_parameter_file()) of_axes.erase("G17");  // the key G17 is the rotation R of G10 L2 (spec/linuxcnc 7.8)
     axes_known("work_offsets", of_axes);
   }
 }
@@ -114,7 +113,7 @@ void Interpreter::read_setup(const Setup& setup) {
   write(variables.first(VariableKind::home), tables.reference[1]);
   write(variables.first(VariableKind::home_second), tables.reference[2]);
   for (const auto& [name, value] : setup.variables) {
-    if (macro_variables != nullptr) break;  // Dialect::take_setup writes these variables
+    if (macro_variables != nullptr) break;  // Dialect::take_setup() sets these variables
     if (!value || name.size() < 2) continue;
     if (const int parameter = variables.parameter_named(name); parameter >= 0) variables.set_parameter(parameter, *value);
     else if (const double n = std::strtod(name.c_str() + 1, nullptr); n >= 1 && n <= variables.highest())
@@ -123,7 +122,7 @@ void Interpreter::read_setup(const Setup& setup) {
   for (const int s : setup.skip)
     if (s >= 0 && s < 10) skip_switches[static_cast<std::size_t>(s)] = true;
   skip_answers = setup.skip_answers;
-  if (!skip_answers.empty()) each_block = true;  // each answer must come before the next block is read
+  if (!skip_answers.empty()) each_block = true;  // the operator must answer before the next block is read
   optional_stop_on = setup.optional_stop;
   for (const std::string& axis : setup.mirror)
     if (const auto found = std::find(axis_names.begin(), axis_names.end(), axis); found != axis_names.end())
@@ -131,8 +130,8 @@ void Interpreter::read_setup(const Setup& setup) {
   watch_ = setup.watch;
 }
 
-/// Puts a modal code of the set-up in force although this version does not support
-/// it; blocks that cannot be executed with it raise an alarm (modes_served).
+/// Puts in force a modal code of the set-up that this version of Kadr does not support. Only a block that cannot be executed with this mode
+/// raises an alarm (modes_served).
 bool Interpreter::note_unsupported() {
   for (std::uint32_t i = 0; i < block->word_count; ++i) {
     const Word& w = block->words[i];
@@ -146,7 +145,7 @@ bool Interpreter::note_unsupported() {
   return false;
 }
 
-/// Executes the initial code of each group and the code words of the set-up like a block, without moving.
+/// Executes the power-on code of each group and the code words of the set-up as a block that moves nothing.
 void Interpreter::start_modal(const Setup& setup) {
   modal.diameter = def.diameter;
   for (std::size_t a = 0; a < axis_count && def.diameter_by_setup; ++a)
@@ -208,7 +207,7 @@ void Interpreter::start_modal(const Setup& setup) {
   batch = nullptr;
 }
 
-/// Returns true if the text is a code word of this control.
+/// Returns true if the control has a code with this name.
 bool Interpreter::starts(const std::string& text) const {
   if (text.size() < 2) return false;
   if (text[0] < 'A' || text[0] > 'Z') return false;

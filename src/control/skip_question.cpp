@@ -7,8 +7,8 @@
 
 namespace kadr {
 
-/// Asks the operator whether the switch may skip the block, if operators are asked; the answer is available when the block is read again
-/// (spec/gost 2). INFERRED: the question is the text of the block.
+/// Asks the operator whether the skip switch applies to the block, if the set-up has answers of an operator. The block is read again when
+/// the answer is known (spec/gost 2). INFERRED: the question is the text of the block.
 bool Interpreter::asks_to_skip() {
   if (skip_answers.empty() || skips_it || !is_skipped()) return false;
   skips_it = skip_answers[std::min(skips_asked++, skip_answers.size() - 1)];

@@ -8,7 +8,7 @@
 
 namespace kadr {
 
-/// The current block and what is unfinished in it: a canned cycle, and functions that wait for the end of the cycle.
+/// The current block and its unfinished parts: a canned cycle, and functions that wait for the end of the cycle.
 struct BlockMemory {
   Block block;
   std::string text;  // text of the block
@@ -19,7 +19,7 @@ struct BlockMemory {
   EllipseRun ellipse_run;
   std::shared_ptr<const SteppedCycle> running;
   RunPhase phase = RunPhase::next_block;
-  AlarmReport report;                                                   // the alarm, if the control has stopped
+  AlarmReport report;                                                   // the alarm that has stopped the control, if it is stopped
   bool exact = false, machine_coordinates = false, axes_taken = false;  // as block_exact … of BlockContext
 };
 
@@ -32,7 +32,7 @@ struct Snapshot::Content {
   std::shared_ptr<const DialectState> dialect;  // nullptr: the dialect remembers nothing
   std::shared_ptr<const BlockMemory> block;
   bool each_block = false;
-  double cutting_seen_ms = 0;  // time at feed that Control has seen, in ms
+  double cutting_seen_ms = 0;  // ms; time at feed, which Control has stored here
 };
 
 }  // namespace kadr

@@ -1,5 +1,5 @@
 #pragma once
-// Creates the faults of a set-up that appear only when a run starts.
+// Creates the faults of a set-up that are found only when a run starts.
 
 #include <string>
 #include <utility>

@@ -1,4 +1,5 @@
-// Returns the tables of a control as a set-up would give them: the inverse of read_setup in control/interpreter_start. Used by
+// Returns the tables of a control in the form of a set-up: the inverse of read_setup in control/interpreter_start. Used by
+// Control::tables_now; tested by tests/panel/panel_tables_test.cpp, tests/panel_tables.py.
 // Control::tables_now; tested by tests/panel/panel_tables_test.cpp, tests/panel_tables.py.
 
 #include "control/tables_now.h"
@@ -22,7 +23,7 @@ Axes stored_zero(const BlockContext& m, std::uint32_t row) {
 }
 
 void add_work_systems(const BlockContext& m, Setup& tables) {
-  std::set<std::uint32_t> named;  // names of work offsets already given to a row: G54 is also G59 P1
+  std::set<std::uint32_t> named;  // names of work offsets that are in the result already: G54 is also G59 P1
   for (const WorkSystem& system : work_systems(m.def)) {
     const bool is_stored = system.row > 0 && (!m.has_fixtures || system.row <= m.def.behaviour.fixtures);
     if (!system.works || !is_stored || !named.insert(system.row).second) continue;

@@ -8,7 +8,7 @@ namespace kadr {
 
 class Emitter;
 
-/// Returns the tables that a program can write (G10 and similar), in the form of a set-up: offsets and work offsets that are not 0; on
+/// Returns the tables that a program can write (G10 and similar), in the form of a set-up: the offsets and work offsets that are not 0; on
 /// a control with parameters also the parameters and the tool tables. Variables are not included.
 Setup tables_of(const Emitter& m);
 

@@ -1,4 +1,5 @@
-// Executes a planned block in the order of execution and undoes it if it fails: a faulty block has no effect.
+// Executes the functions of a planned block in their order. If one of them fails, the whole block is undone, so that a faulty block has no
+// effect.
 
 #include "control/functions/cutter_compensation.h"
 #include "control/interpreter.h"
@@ -8,10 +9,10 @@ namespace {
 
 bool is(const CodeRow* row, std::uint8_t fact) { return row != nullptr && traits_of(row->function).is(fact); }
 
-/// True if the code ends the program, a subprogram or a repetition.
+/// Returns true if the code ends the program, a subprogram or a repetition.
 bool ends(const CodeRow* row) { return is(row, function_fact::ends); }
 
-/// True if the code stops the program or ends something.
+/// Returns true if the code stops the run, or ends the program, a subprogram or a repetition.
 bool ends_or_stops(const CodeRow* row) { return is(row, function_fact::ends | function_fact::stops); }
 
 }  // namespace
@@ -67,7 +68,7 @@ Status Interpreter::execute(const PlanItem& item) {
   const Word* const w = item.word == no_word ? nullptr : &block->words[item.word];
   const Function function = row != nullptr ? row->function : def.address(item.address).function;
   dialect->before_function(*this, function);
-  const std::int32_t code = w != nullptr ? w->code : -1;  // read now: a jump may make another block the current one
+  const std::int32_t code = w != nullptr ? w->code : -1;  // the code is read before the call: a jump may make another block the current one
   if (row != nullptr && row->told) report_to_machine(code);
   KADR_TRY(handler_of(function)(*this, {row, w, w != nullptr ? w->where : block->where}));
   if (row != nullptr && row->modal && row->group != 0) modal.rows[row->group] = item.row;
@@ -81,7 +82,7 @@ bool Interpreter::execute_call(std::uint8_t word) {
   if (row.function == Function::return_program) {
     const CallFrame* const top = flow.innermost();
     const bool plain = top != nullptr && (top->kind == CallFrame::Kind::macro || top->kind == CallFrame::Kind::subprogram);
-    if (!plain || top->return_to >= 0) return false;  // the general way handles another pass of the main program, an interrupt, a jump
+    if (!plain || top->return_to >= 0) return false;  // execute() handles M99 of a main program or of an interrupt macro, and M99 P
   }
   journal.begin();
   const std::size_t actions = batch->size();
@@ -138,7 +139,8 @@ Status Interpreter::end_possible(const PlanItem& item, std::size_t depth) const 
   return in_repetition ? Status(fail(alarm(AlarmId::repeat_end_missing, at, double(around->caller.line)))) : Status();
 }
 
-/// `L03 M17`: the call comes first; the function that ends the calling block is stored and executed on return (2С42 6.3.4, 6.3.5).
+/// Stores a code that ends the calling block, such as M17 in `L03 M17`: the call comes first, and the code is executed on return (2С42
+/// 6.3.4, 6.3.5).
 void Interpreter::keep_for_return(const PlanItem& item) {
   for (std::int16_t& row : flow.frames().back().then)
     if (row < 0) {
@@ -147,8 +149,8 @@ void Interpreter::keep_for_return(const PlanItem& item) {
     }
 }
 
-/// Checks that no mode is in force that Kadr does not support. Measuring checks the modes itself (nct 21.1); any other motion fails in
-/// such a mode.
+/// Fails a motion while a mode is in force that Kadr does not support. A measuring motion passes: its own function checks the modes (nct
+/// 21.1).
 Status Interpreter::modes_served(const PlanItem& item) const {
   const CodeRow* const moves = row_of(item);
   if (moves != nullptr && (moves->function == Function::measure || moves->function == Function::measure_length)) return {};
@@ -160,7 +162,8 @@ Status Interpreter::modes_served(const PlanItem& item) const {
   return {};
 }
 
-/// Executes M0, M2 and similar codes in the block of a canned cycle: after the drilled holes (order of execution: motion, stop, flow).
+/// Executes the functions of the block that wait for the end of its canned cycle, such as M0 and M2: they follow the last drilled hole
+/// (order of execution: motion, stop, flow).
 Status Interpreter::after_cycle() {
   const std::size_t count = waiting_count_;
   waiting_count_ = 0;
@@ -175,7 +178,7 @@ void Interpreter::keep_state() {
   dialect->keep(*this);
 }
 
-/// Like keep_state(), for a block that has only motions and feeds, or only calls; saves less.
+/// Saves less than keep_state(): enough for a block that has only motions and feeds, or only calls.
 void Interpreter::keep_simple_state() { journal.keep<MotionModal>(modal); }
 
 /// Undoes a faulty block completely (docs/architecture.md, "An alarm undoes its block").
@@ -187,7 +190,7 @@ void Interpreter::undo_block(std::size_t actions) {
   if (flow_before_) flow.back_to(*flow_before_);
   if (state_kept_) static_cast<ControlState&>(*this) = before_;
   dialect->undo_block(*this);
-  journal.undo();  // after the copies above are restored: the journal has the oldest values
+  journal.undo();  // after the copies above have been restored: the journal has the older values
   if (state_kept_) {
     (void)variables.consume_frames_changed();
     variables.inch = modal.inch && !def.has_parameter_file();  // with a parameter file: in the machine's unit (spec/linuxcnc 1.1)

@@ -1,4 +1,4 @@
-// The fast path for plain motions one after another. Used by Interpreter::run().
+// The fast path for a sequence of plain motions. Used by Interpreter::run().
 
 #include "control/block/motion_run.h"
 
@@ -11,11 +11,11 @@
 namespace kadr {
 namespace {
 
-/// Returns true if the block's motion followed the modes alone: no G53, no G9, no code that uses the axis words itself.
+/// Returns true if only the words and the modes determined the block's motion: no G53, no G9, no code that uses the axis words itself.
 bool was_plain(const BlockContext& m) { return !m.block_machine_coordinates && !m.block_axes_taken && !m.block_exact; }
 
-/// Returns true if the words of a motion alone determine the motion: no compensation, transformation, polar or inch mode is active, and
-/// nothing observes the blocks.
+/// Returns true if the words of a motion alone determine the motion: neither cutter compensation nor a transformation, polar mode or inch
+/// mode is active, and neither an interrupt macro nor the machine's logic observes the blocks.
 bool only_words_count(const Emitter& m) {
   const Modal& modal = m.modal;
   const bool plain_modes = !modal.inch && !modal.polar && modal.surface == PathSurface::plane && modal.diameter == 0 &&
@@ -28,7 +28,8 @@ bool only_words_count(const Emitter& m) {
          m.dialect->lines_follow(m);
 }
 
-/// Returns true if the run remains valid after a call: no modal call becomes active again in the caller.
+/// Returns true if the run (see motion_run.h) remains valid after a subprogram call: no modal macro call comes into force again in the
+/// caller.
 bool stays_after_call(const BlockContext& m) { return !m.program().in_body() && !m.skipping_section && m.dialect->lines_follow(m); }
 
 constexpr MotionKind kind_made[] = {MotionKind::rapid, MotionKind::feed, MotionKind::arc_cw, MotionKind::arc_ccw};
@@ -65,12 +66,12 @@ bool only_calls(const BlockContext& m, const Block& block) {
   return calls && (takes_words || (block.letters & (m.letters.acting | m.letters.axes)) == 0);
 }
 
-/// Returns true for `O9010` alone, the label at the start of a subprogram.
+/// Returns true if the block is nothing but a label, such as `O9010` at the start of a subprogram.
 bool is_label(const Block& block) {
   return block.marker == Marker::label && block.word_count == 0 && block.assignments.empty() && block.comments.empty();
 }
 
-/// Returns the index of the word that calls a macro, or of a return that is the only word; no_word otherwise. Such a block either fails
+/// Returns the index of the word that calls a macro, or of a return that is the block's only word; else no_word. Such a block either fails
 /// before it has changed anything, or succeeds.
 std::uint8_t quick_call(const BlockContext& m, const Block& block) {
   std::uint8_t word = no_word;
@@ -85,13 +86,13 @@ std::uint8_t quick_call(const BlockContext& m, const Block& block) {
   return quick ? word : no_word;
 }
 
-/// Returns true if a loop executes the block again and the block has only words: no skip mark, comment or warning.
+/// Returns true if the block is kept in memory for a loop and has only words: no skip mark, comment or warning.
 bool is_read_again(const Block& block) {
   return block.kept && block.no_clock && block.skip == 0 && block.marker == Marker::none && block.comments.empty() &&
          block.warnings.empty();
 }
 
-/// Returns true if is_read_again() and some of the words are expressions.
+/// Returns true if is_read_again() and some words of the block are expressions.
 bool is_kept(const Block& block) { return block.evaluates && is_read_again(block) && !block.codes_vary && block.assignments.empty(); }
 
 AxisMask plane_of(const BlockContext& m) { return AxisMask{1} << m.modal.axes.first | AxisMask{1} << m.modal.axes.second; }
@@ -107,7 +108,7 @@ Motion& Emitter::add_motion_as(const MotionModes& modes, AxisMask named) {
 
 void MotionRun::note(const Emitter& m) {
   if (m.modal.radius_side != 0 || m.modal.contour != CompensationPhase::off)
-    return end();  // the cheapest test comes first; cutter compensation mostly stays on for many blocks
+    return end();  // this cheap test comes first: cutter compensation mostly stays on for many blocks
   const Block& block = *m.block;
   if (block.statement.kind != StatementKind::none) {
     if (!keeps_modes(block)) end();
@@ -148,7 +149,7 @@ void MotionRun::begin(const Emitter& m, const Form& form) {
 
 const MotionRun::Form& MotionRun::form_of(const BlockContext& m, const Block& block) {
   const bool shaped = static_cast<bool>(block.shape);
-  const std::uint64_t key = shaped ? block.shape.first : reinterpret_cast<std::uintptr_t>(&block) / alignof(Block);  // NOLINT: a place
+  const std::uint64_t key = shaped ? block.shape.first : reinterpret_cast<std::uintptr_t>(&block) / alignof(Block);  // NOLINT: a hash key
   Form& form = forms_[(key * 0x9E3779B97F4A7C15u) >> 60];
   static_assert(forms == 16);
   if (shaped ? form.shape == block.shape : form.kept == &block && form.letters == block.letters) [[likely]]
@@ -162,10 +163,10 @@ const MotionRun::Form& MotionRun::form_of(const BlockContext& m, const Block& bl
   return form;
 }
 
-/// Returns true if the block consists of axis words, each axis once, and at most one motion code, codes that change nothing, an arc
-/// centre and a feed.
+/// Describes the block in `form`. Returns true if the block has only: axis words, each axis once; at most one motion code; codes that have
+/// no effect while they are in force; the words of an arc centre; a feed.
 bool MotionRun::make(const BlockContext& m, const Block& block, Form& form) const {
-  constexpr double max_value = 1e9;  // as Interpreter::check_ranges
+  constexpr double max_value = 1e9;  // the limit of Interpreter::check_ranges
   for (std::uint32_t i = 0; i < block.word_count; ++i) {
     const Word& w = block.words[i];
     if (w.code >= 0) {
@@ -215,8 +216,8 @@ bool MotionRun::add_code(const BlockContext& m, const Word& word, Form& form) co
   return true;
 }
 
-/// Returns true if the codes that the block repeats are in force, the block number and the feed are within their limits, and the feed
-/// needs no warning.
+/// Returns true if the block changes no mode: all its other codes are in force already, its block number and its feed are within their
+/// limits, and its feed needs no warning.
 bool MotionRun::holds(const BlockContext& m, const Form& form) const {
   const Block& block = *m.block;
   for (std::size_t i = 0; i < form.codes; ++i)
@@ -228,7 +229,7 @@ bool MotionRun::holds(const BlockContext& m, const Form& form) const {
   return number_fits(block);
 }
 
-/// Finds the arc from its centre, by the same rules as the general way.
+/// Computes the arc from its centre, by the same rules as functions::arc_cw and functions::arc_ccw.
 bool MotionRun::find_arc(const BlockContext& m, const Form& form, Kind kind, const Axes& to, PlaneArc& arc) const {
   const PlaneAxes plane = m.modal.axes;
   const AxisMask normal = AxisMask{1} << plane.normal;
@@ -251,7 +252,7 @@ bool MotionRun::find_arc(const BlockContext& m, const Form& form, Kind kind, con
   return found.has_value();
 }
 
-/// Puts a new feed into force. The modes of each motion code with a feed are updated when they are next used.
+/// Puts a new feed into force. The feed in `modes_` of each motion code is updated when the code is used next.
 void MotionRun::take_feed(BlockContext& m, double feed) {
   if (m.modal.feed_known && feed == m.modal.feed) return;
   m.modal.feed = feed;
@@ -286,13 +287,13 @@ bool MotionRun::take(Interpreter& m) {
     return done;
   }
   if (!form.fits) return refused();
-  if (!block.shape && (!m.evaluate_words() || block.letters != form.letters)) return refused();  // the general way reports the error
+  if (!block.shape && (!m.evaluate_words() || block.letters != form.letters)) return refused();  // execute_block() reports the error
   if (form.feed.word != no_word || !block.shape) m.dialect->count_words(m);
   if ((form.named & rolling_) != 0 || !holds(m, form)) return refused();
   const std::int16_t row = form.row >= 0 ? form.row : m.modal.motion_row;
   std::size_t k = 0;
   while (k < kinds && !((known_ >> k & 1u) != 0 && rows_[k] == row)) ++k;
-  if (k == kinds) return on_ = false;  // the general way executes it and note() adds the motion code
+  if (k == kinds) return on_ = false;  // Interpreter::execute_block() executes it; note() then adds the motion code
   const auto kind = static_cast<Kind>(k);
   if (kind < arc_cw ? form.centered : !form.centered) return refused();
 

@@ -1,4 +1,4 @@
-// Turns the words of a block into rows of the control's table, in the order of execution. Used by the rest of control.
+// Makes the plan of a block: the rows of the control's table for its words, in the order of execution. Used by the rest of control.
 
 #include "control/block/plan.h"
 
@@ -91,7 +91,7 @@ class BlockPlanner {
     return {};
   }
 
-  /// Returns the code with the number that was computed from its expression: `G#1` as G77.3.
+  /// Returns the name of a code whose number was computed from an expression: `G77.3` for `G#1`.
   static std::string by_value(const Word& word) {
     std::string text = std::to_string(word.value);
     while (text.back() == '0') text.pop_back();
@@ -118,8 +118,8 @@ class BlockPlanner {
     return {};
   }
 
-  /// Fails if two codes use the axis words of the block. If a motion code is together with G28 or a similar code, the motion code only
-  /// sets the mode.
+  /// Records which code uses the axis words of the block; fails if a second code uses them. A motion code next to G28 or a similar code
+  /// does not use them: it only sets the mode.
   Status axes_taken(const CodeRow& row, const Word& word) {
     const bool is_mode = row.modal && (row.phase == Phase::motion || row.phase == Phase::positioning);
     if (is_mode) {
@@ -142,7 +142,7 @@ class BlockPlanner {
     add(row.phase, index, -1, word.address);
   }
 
-  /// Plans the modal motion code for a block that has only axis words.
+  /// Plans the motion code in force for a block that has axis words but no motion code.
   Status motion_in_force(std::int16_t motion_row) {
     std::uint64_t starts = letters_.axes | letters_.centers;
     if (def_.address('L').function == Function::corrector_word) starts |= letter_bit('L');
@@ -164,7 +164,7 @@ class BlockPlanner {
     const CodeRow& row = def_.codes[static_cast<std::size_t>(motion_row)];
     const bool by_level = def_.behaviour.shifts_by_q() && (block_.letters & letter_bit('R')) != 0;
     if (row.function == Function::drilling && (loose & letters_.axes) == 0 &&
-        !by_level) {  // nct 18: in a block without an axis word nothing is drilled and no word of the cycle is stored
+        !by_level) {  // nct 18: without an axis word the cycle neither drills nor stores a word
       plan_.taken |= row.takes;
       return {};
     }
@@ -174,7 +174,7 @@ class BlockPlanner {
     return {};
   }
 
-  /// Recognises blocks that change little and can be undone cheaply (Interpreter::keep_simple_state).
+  /// Recognises blocks that change so little that Interpreter::keep_simple_state can undo them.
   void note_kind() {
     plan_.moves_and_feeds = plan_.calls_only = true;
     for (std::uint32_t i = 0; i < plan_.count; ++i) {
@@ -186,12 +186,13 @@ class BlockPlanner {
     }
   }
 
-  /// nct 18.2: in a block without an axis word, Q, E, P, … do nothing while a canned cycle is in force.
+  /// Marks the words of the canned cycle in force (Q, E, P, …) as used in a block without an axis word, where they have no effect (nct
+  /// 18.2).
   void ignored_in_cycle(std::int16_t motion_row) {
     if (motion_row < 0 || motion_coded_ || axes_taker_ != nullptr) return;
     const CodeRow& row = def_.codes[static_cast<std::size_t>(motion_row)];
     if (row.function == Function::drilling) plan_.taken |= row.takes;
-    if (row.function == Function::turning_simple && (block_.letters & letters_.axes) == 0) plan_.taken |= row.takes;  // 19.B
+    if (row.function == Function::turning_simple && (block_.letters & letters_.axes) == 0) plan_.taken |= row.takes;  // nct 19.B
   }
 
   const Word* first_of(std::uint64_t letters) const {
@@ -206,7 +207,7 @@ class BlockPlanner {
       plan_.passed_over = loose;
     } else if (loose != 0) {
       const Word& word = *first_of(loose);
-      const bool no_axis = def_.address(word.address).function == Function::argument_only;  // nct 5.1: W if there is no axis Z
+      const bool no_axis = def_.address(word.address).function == Function::argument_only;  // nct 5.1: W on a machine without an axis Z
       return fail(alarm(no_axis ? AlarmId::illegal_address : AlarmId::word_unused, word.where, word.address));
     }
     const std::uint64_t own_words = own_block_ != nullptr ? letters_.codes | own_takes_ : 0;
@@ -239,11 +240,11 @@ class BlockPlanner {
   const Block& block_;
   Plan& plan_;
   std::uint64_t groups_seen_ = 0;
-  std::array<std::uint8_t, most_groups> first_of_group_{};  // index of the group's first item; valid only if groups_seen_ has the bit
+  std::array<std::uint8_t, most_groups> first_of_group_{};  // by group: index of its first item in the plan, if groups_seen_ has the bit
   std::uint32_t code_count_ = 0;
   bool motion_coded_ = false;
   bool calls_macro_ = false;
-  bool motion_is_cycle_ = false;  // nct: the motion code is a cycle, which would use words of the other code
+  bool motion_is_cycle_ = false;  // nct: the motion code is a canned cycle, which would use the words of the other code
   const Word* motion_word_ = nullptr;
   const Word* axes_taker_ = nullptr;
   Function axes_taker_function_ = Function::count;

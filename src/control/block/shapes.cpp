@@ -7,7 +7,7 @@ namespace kadr {
 ShapeFacts* Shapes::of(const ControlDef& def, const Block& block) {
   if (!block.shape) return nullptr;
   if (facts_.empty()) facts_.resize(most);
-  constexpr std::uint64_t golden_ratio = 0x9E3779B97F4A7C15;  // multiplying by it spreads the bits of the hash (Knuth 6.4)
+  constexpr std::uint64_t golden_ratio = 0x9E3779B97F4A7C15;  // a product with this number has well-distributed high bits (Knuth 6.4)
   constexpr unsigned shift = 64 - 6;
   static_assert(most == 1U << (64 - shift));
   ShapeFacts& facts = facts_[(block.shape.first ^ block.shape.second * 3) * golden_ratio >> shift];

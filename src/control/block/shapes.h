@@ -13,9 +13,9 @@ using FunctionSet = std::bitset<static_cast<std::size_t>(Function::count)>;
 
 struct ShapeFacts {
   BlockShape shape;
-  FunctionSet functions;     // functions of the shape's codes
-  bool words_right = false;  // nct: the words of the shape are allowed together, whatever their values
-  bool planned = false;      // `plan` is valid for this motion code
+  FunctionSet functions;     // functions of the codes in the shape
+  bool words_right = false;  // nct: these words may be in one block, whatever their values
+  bool planned = false;      // `plan` is valid for the motion code `motion_row`
   std::int16_t motion_row = -1;
   Plan plan;
 };

@@ -1,11 +1,12 @@
-// The characters and blocks that structure a file: '%', sections of subprograms, labels.
+// Executes the characters and blocks that structure a file: '%', sections of subprograms, labels.
 
 #include "control/functions/section_calls.h"
 #include "control/interpreter.h"
 
 namespace kadr {
 
-/// Returns the location of the letter of the block's label; the location of the whole block if the label is written with another letter.
+/// Returns the location of the letter of the block's label (O). If the program writes the label with another letter, returns the location
+/// of the whole block.
 Span Interpreter::label_span() const {
   const std::size_t from = block->has_number ? block->number_where.end : block->where.begin;
   const std::size_t at = block->text.find(def.grammar.label_address, from);
@@ -13,7 +14,7 @@ Span Interpreter::label_span() const {
   return {static_cast<std::uint32_t>(at), static_cast<std::uint32_t>(at + 1)};
 }
 
-/// Executes '%', the start of a section of subprograms, and labels: these show where a program starts.
+/// Executes a block that marks where programs and subprograms start: '%', the start of a section of subprograms, or a label.
 Status Interpreter::structure() {
   switch (block->marker) {
     case Marker::program_start:
@@ -25,7 +26,7 @@ Status Interpreter::structure() {
       }
       if (flow.started() && !skipping_section && flow.depth() == 0 && def.behaviour.ends_reading) {
         warn(warning(AlarmId::end_missing, block->where));
-        flow.end();  // the next program of the tape follows
+        flow.end();  // what follows is the next program of the tape
       }
       flow.set_started(true);
       skipping_section = false;
@@ -36,7 +37,7 @@ Status Interpreter::structure() {
       skipping_section = true;
       return {};
     case Marker::label:
-      if (def.behaviour.label_is_number && flow.blocks() != start_block + 1)  // spec/gost 1: `%`, then `O0001`
+      if (def.behaviour.label_is_number && flow.blocks() != start_block + 1)  // spec/gost 1: the program number must follow `%` directly
         return fail(alarm(AlarmId::program_number_place, label_span(), double(block->label)));
       if (def.grammar.programs_by_label) KADR_TRY(next_program());
       if (flow.ended()) return {};
@@ -46,7 +47,7 @@ Status Interpreter::structure() {
       return {};
     default: break;
   }
-  constexpr std::uint8_t digits_of_label = 5;  // 2С42 6.3.5: zeros are not dropped
+  constexpr std::uint8_t digits_of_label = 5;  // 2С42 6.3.5: N in a section of subprograms always has five digits
   if (skipping_section && block->has_number && block->number_digits != digits_of_label)
     return fail(alarm(AlarmId::too_few_digits, block->number_where, 'N', double(block->number_digits), double(digits_of_label)));
   if (skipping_section) note_section();
@@ -56,7 +57,8 @@ Status Interpreter::structure() {
   return fail(alarm(AlarmId::program_start_missing, {block->where.begin, block->where.begin + 1}));
 }
 
-/// Handles O… in a file that contains several programs: the program that is being executed ends at the next O… (spec/fanuc 1.1).
+/// Handles a label O… in a file that contains several programs: the label is the end of the program that is being executed (spec/fanuc
+/// 1.1).
 Status Interpreter::next_program() {
   const CallFrame* const top = flow.innermost();
   if (top == nullptr) {
@@ -70,8 +72,8 @@ Status Interpreter::next_program() {
   return own ? Status() : fail(alarm(AlarmId::subprogram_end_missing, block->where, double(top->name)));
 }
 
-/// Handles the first block of a subprogram in the program: a subprogram that has the number of a called canned cycle cannot be called
-/// (2С42 6.7.1).
+/// Warns at the first block of a subprogram whose number is also that of a canned cycle: a call of this number executes the cycle, so the
+/// subprogram cannot be called (2С42 6.7.1).
 void Interpreter::note_section() {
   constexpr std::uint32_t blocks_a_subprogram = 1000;  // N02001: subprogram 02, block 001 (2С42 6.3.5)
   const std::uint32_t number = block->number / blocks_a_subprogram;

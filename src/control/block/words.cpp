@@ -1,4 +1,4 @@
-// The words of the block being executed: computes their values and answers the functions' queries about them.
+// Handles the words of the block being executed: computes their values, and answers the queries of functions about them.
 
 #include <fmt/core.h>
 
@@ -43,7 +43,7 @@ Result<double> Emitter::value_of(std::string_view expression) {
   };
   cursor.skip_blanks();
   if (cursor.at == text.size()) return wrong(0);
-  for (int i = 0; i < variables.parameter_count(); ++i)  // R2, QN15: allowed alone, without brackets
+  for (int i = 0; i < variables.parameter_count(); ++i)  // a parameter name such as R2 or QN15 needs no brackets
     if (!brackets && !def.grammar.sums_without_brackets() && variables.name_of_parameter(i) == text) return variables.parameter(i, {});
   if (!brackets && !def.grammar.sums_without_brackets() && def.grammar.variables == 0) return wrong(0);
   const auto compiled = def.grammar.sums_without_brackets() ? compile_macro_value(cursor, def.grammar, looked_at, MacroValue::sum)
@@ -92,7 +92,8 @@ void BlockContext::note_addresses() {
   }
 }
 
-/// Computes all values first, then assigns: `#1=5 X#1` uses the old #1 (spec/mach3 1).
+/// Executes the assignments of the block. All values are computed before the first one is assigned: `#1=5 X#1` uses the old #1 (spec/mach3
+/// 1).
 Status Interpreter::assign() {
   assigned_.clear();
   for (const Assignment& a : block->assignments) {
@@ -112,7 +113,7 @@ Status Interpreter::assign() {
   return {};
 }
 
-/// Executes a block that only assigns variables. The journal records what it writes, and nothing else changes.
+/// Executes a block that only assigns variables. The journal records the old values; nothing else has to be restored after an alarm.
 Status Interpreter::assign_alone() {
   pass_varies = true;
   Status done = assign();

@@ -22,14 +22,14 @@ namespace {
 constexpr std::size_t corrected_axes = 3;  // X, Y, Z
 constexpr double max_rounds = 1e6;         // maximum number of rounds (closed paths) of a pocket; more is a mistake in K or I
 
-/// The axes and the corrector that an L word names.
+/// The result of reading an L word: the corrector that the word names, and the axes that the corrector shifts.
 struct Named {
   AxisMask axes = 0;
   std::size_t number = 0;
 };
 
-/// Reads an L word. `L2 15`: the first number is the sum of 1 for X, 2 for Y, 4 for Z, the second the corrector. `L17`: corrector 17 on
-/// the only axis that moves.
+/// Reads an L word, which has two forms. `L2 15` names axes and corrector: 2 is the sum of 1 for X, 2 for Y and 4 for Z; 15 is the
+/// corrector. `L17` names corrector 17, for the only axis that has a word in the block.
 Result<Named> read(const BlockContext& m, const Word& w) {
   Named named;
   const bool pair = !std::isnan(w.second);
@@ -48,7 +48,8 @@ Result<Named> read(const BlockContext& m, const Word& w) {
   return named;
 }
 
-/// Returns the tool radius, mm, which is the value of the corrector that T names (2: T0915, corrector 15 = radius); 0 if unknown.
+/// Returns the tool radius in mm; 0 if it is unknown. The radius is the value of the corrector that T names: in T0915 corrector 15
+/// (spec/correctors 2).
 double tool_radius(BlockContext& m) {
   const std::size_t number = m.modal.corrector;
   if (number == 0 || number >= m.tables.correctors.size()) return 0;
@@ -58,8 +59,9 @@ double tool_radius(BlockContext& m) {
   return radius;
 }
 
-/// Warns if a pocket starts above solid material. Of pockets with a common centre (3, figure b) one whose face is deeper starts on the
-/// floor of a larger one. Anywhere else, as far as the program shows, the rapid down to the clearance would enter the workpiece.
+/// Warns if the rapid motion down to the clearance of a pocket would enter the workpiece, as far as the program shows. This is so if the
+/// face of the pocket is below that of an earlier pocket, unless the pocket starts on the floor of a larger one, as in the manual's figure
+/// b (spec/correctors 3).
 void warn_above_solid(Emitter& m, Span where, const Axes& middle) {
   correctors::Correctors& own = correctors_of(m);
   constexpr std::size_t max_pockets = 1000;
@@ -127,7 +129,7 @@ Result<AxisMask> Correctors::add_to_motion(Emitter& m) {
     if (w.address != 'L') continue;
     const auto named = read(m, w);
     if (!named) return fail(named.error());
-    if (!is_set[named->number]) {  // the corrector was not set on the panel: the motion lacks this offset
+    if (!is_set[named->number]) {  // the panel has no value for the corrector: the motion lacks this offset
       is_set[named->number] = true;
       m.warn(warning(AlarmId::corrector_not_set, w.where, double(named->number)));
     }
@@ -140,12 +142,14 @@ Result<AxisMask> Correctors::add_to_motion(Emitter& m) {
       double& added = m.transform.added[a];
       moved |= 1u << a;
       if (m.has_code({Function::corrector_cancel})) {
-        // Subtracts the value that the corrector added last; if it never added one, its stored value (spec/correctors 1).
+        // Subtracts the value that this corrector added last to the axis. If it has added no value yet, its stored value is subtracted
+        // (spec/correctors 1).
         const double back = last != 0 ? last : stored;
         added = m.modal.absolute ? 0.0 : added - back;
         last = 0;
       } else {
-        // INFERRED: with G90 the corrector belongs to the coordinate (a second L does not add it again), with G91 to the motion.
+        // INFERRED: with G90 the corrector shifts the coordinate, so a second L does not add the value again; with G91 it lengthens each
+        // motion.
         added = m.modal.absolute ? counted : added + counted;
         last = counted;
       }

@@ -1,6 +1,6 @@
 #pragma once
-// The dialect of the generic Soviet ISO control: axis correctors, which are offsets added to the motion of an axis (spec/correctors 1),
-// and pockets (3).
+// The dialect of the generic Soviet ISO control: axis correctors, which are offsets added to the motion of an axis (spec/correctors 1), and
+// milling of pockets (spec/correctors 3).
 
 #include <vector>
 
@@ -8,11 +8,11 @@
 
 namespace kadr::correctors {
 
-/// Parameters of G87, stored for G79 (3).
+/// The words of G87, which stores a pocket for G79 (spec/correctors 3).
 struct PocketCycle {
   bool defined = false;
   double x = 0, y = 0, z = 0, clearance = 0, corner = 0, stepover = 0, direction = 0, pass = 0;
-  double feed = 0;  // 0: the feed in force
+  double feed = 0;  // mm/min; 0: the feed in force
 };
 
 /// A pocket that G79 has cut; programmed coordinates.
@@ -25,8 +25,8 @@ struct PocketCut {
 struct Memory {
   PocketCycle pocket;
   std::vector<PocketCut> pockets_cut;
-  std::vector<bool> is_set;     // by number: the set-up gives the corrector, or the warning that it does not was reported (1)
-  std::vector<double> applied;  // by corrector and axis: the offset that the corrector added last (1)
+  std::vector<bool> is_set;     // by corrector: the set-up gives its value, or the lack was reported (spec/correctors 1)
+  std::vector<double> applied;  // by corrector and axis: the value that the corrector added last, mm (spec/correctors 1)
 };
 
 class Correctors final : public Dialect, public Memory {
@@ -41,11 +41,11 @@ class Correctors final : public Dialect, public Memory {
   std::shared_ptr<const DialectState> snapshot() const override;
   Status restore(BlockContext& m, const DialectState& from) override;
 
-  /// Returns true if the block has an L.
+  /// Returns true if the block has a word L.
   bool adds_to_motion(const BlockContext& m) const override;
   bool lines_follow(const BlockContext&) const override { return true; }
-  /// Adds the block's correctors to its motion: sets Transform::added.
-  ///   returns  the axes that move besides the axes of the axis words
+  /// Adds the correctors of the block's L words to its motion: sets Transform::added.
+  ///   returns  the axes that the correctors shift
   ///   alarms   corrector_axis: `L17` without exactly one axis word, or an axis code above 7; corrector_unknown
   Result<AxisMask> add_to_motion(Emitter& m) override;
 

@@ -1,11 +1,12 @@
-// Permanent subprograms of the control with formal parameters (spec/correctors 3), called by a code with its own block format.
+// Permanent subprograms: subprograms that are built into the control and have formal parameters (spec/correctors 3). A code with its own
+// block format calls each of them.
 
 #include "control/functions/functions.h"
 
 namespace kadr {
 
-/// The words of the block set the formal parameters that the code's row in the control's file names; parameters without a word keep their
-/// value ("the actual path is set by them").
+/// Sets the formal parameters from the words of the block, as the code's row in the control's file assigns them, and calls the subprogram.
+/// A parameter without a word keeps its value ("the actual path is set by them").
 Status functions::permanent_subprogram(Interpreter& m, const Call& call) {
   const CycleRow& cycle = m.def.cycles[call.row->cycle - std::size_t{1}];
   m.call_where = call.where;

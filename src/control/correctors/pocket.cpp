@@ -13,7 +13,8 @@ namespace {
 
 constexpr AxisMask in_plane = 3u, along_tool = 4u;
 
-/// Returns how many steps of `size` cover `whole`; a remainder within rounding does not count.
+/// Returns how many steps of size `size` are needed to cover the length `whole`. A remainder below the numerical tolerance needs no further
+/// step.
 double steps(double whole, double size) { return std::ceil(whole / size - tol::whole_number); }
 
 }  // namespace
@@ -33,7 +34,7 @@ Result<PocketRounds> PocketRounds::of(const PocketCycle& pocket, double radius, 
 
 PocketRound PocketRounds::at(double index) const {
   if (index + 1 >= count_) return wall_;
-  const double inside = std::min(wall_.x, wall_.y) - (index + 1) * step_;  // distance from the last round, along the wall
+  const double inside = std::min(wall_.x, wall_.y) - (index + 1) * step_;  // distance from the last round, which is along the wall
   return {wall_.x - inside, wall_.y - inside, std::max(wall_.corner - inside, 0.0)};
 }
 
@@ -62,7 +63,8 @@ Status PocketRun::move(Emitter& m, MotionKind kind, Vec2 at, double z, AxisMask 
   return m.straight(kind, to, named);
 }
 
-/// Moves to above the middle of the pocket at the tool's present height, or at the clearance if the tool is lower; INFERRED.
+/// Moves to a point above the middle of the pocket, at the tool's present height, or at the clearance level if the tool is lower
+/// (INFERRED).
 Status PocketRun::approach(Emitter& m) const {
   const double z = std::max(m.position.programmed[2], clear());
   if (z > m.position.programmed[2]) {

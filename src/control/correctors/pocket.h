@@ -14,25 +14,24 @@
 
 namespace kadr::correctors {
 
-/// One round of the tool centre: half its lengths along X and Y, and its corner radius; mm.
+/// A round of the tool centre, in mm: half its length along X, half its length along Y, and its corner radius.
 struct PocketRound {
   double x = 0, y = 0, corner = 0;
 };
 
-/// A line of a round, or an arc around `center`; mm from the middle of the pocket.
+/// A piece of a round: a line to `to`, or an arc around `center`; mm from the middle of the pocket.
 struct PocketPiece {
   Vec2 to;
   Vec2 center;
   bool is_arc = false;
 };
 
-/// The rounds of one pass: parallel to the wall, `step` apart, from the middle outwards; the last round is the wall offset by the tool
-/// radius.
+/// The rounds of one pass, from the middle outwards. They are parallel to the wall and `step` apart. The last round is the wall, offset by
+/// the tool radius.
 class PocketRounds {
  public:
-  /// radius: tool radius, mm
-  ///   alarms  pocket_tool_large; pocket_corner: the pocket's corner radius is smaller than the tool radius, or larger than half the
-  ///           pocket
+  /// Computes the rounds of a pocket. `radius`: tool radius, mm.
+  ///   alarms  pocket_tool_large; pocket_corner: the pocket's corner radius is smaller than the tool radius, or larger than half the pocket
   ///   law     no point of the pocket is further than `radius` from a round or the middle
   static Result<PocketRounds> of(const PocketCycle& pocket, double radius, Span where);
 
@@ -45,14 +44,14 @@ class PocketRounds {
   double count_ = 0;
 };
 
-/// Divides a round into lines and arcs, from its point on the +X side, counter-clockwise for direction +1, clockwise for -1. Some of them
-/// may have length zero.
+/// Divides a round into lines and arcs. The round starts at its point on the +X side; `direction` is +1 for counter-clockwise, -1 for
+/// clockwise. Some of the pieces may have length zero.
 std::array<PocketPiece, 9> pieces_of(const PocketRound& round, double direction);
 
-/// Executes the canned cycle one round at a time: constant memory for any pocket.
+/// Executes G79 one round at a time, so that a pocket of any size needs constant memory.
 class PocketRun final : public SteppedCycleValue<PocketRun> {
  public:
-  /// middle: programmed coordinates; its Z is the face of the pocket
+  /// `middle`: middle of the pocket, programmed coordinates; its Z is the face of the pocket.
   PocketRun(const PocketCycle& pocket, const PocketRounds& rounds, const Axes& middle)
       : pocket_(pocket), rounds_(rounds), middle_(middle) {}
 

@@ -1,5 +1,5 @@
-// Executes drilling cycles by steps (CycleRow::steps), one drilled hole and one action at a time, so that a cycle of any length needs
-// constant memory. Used by control/interpreter.
+// Executes a drilling cycle whose steps the control's file lists (CycleRow::steps), one drilled hole and one action at a time, so that a
+// cycle of any length needs constant memory. Used by control/interpreter.
 
 #include "control/cycles/canned_cycle_run.h"
 
@@ -24,7 +24,8 @@ void CannedCycleRun::start(const BlockContext& m, const Job& job) {
            m.modal.contour == CompensationPhase::off && m.modal.feeds_of_axes == 0;
 }
 
-/// Each call executes a limited number of steps, even if they emit nothing, because Ctrl-C is checked between two calls.
+/// Executes a limited number of steps in each call, even if the steps emit nothing, because the interpreter polls for Ctrl-C between two
+/// calls.
 Status CannedCycleRun::next(Emitter& m) {
   for (std::size_t i = 0; i < batch_size && active(); ++i) {
     KADR_TRY(go_on(m));
@@ -52,7 +53,8 @@ Status CannedCycleRun::go_on(Emitter& m) {
   return step(m);
 }
 
-/// Moves up to R if the tool is below R (first drilled hole only), then over the hole, then down to R (spec/mach3 4, preliminary motion).
+/// Moves to the start of a drilled hole: up to R if the tool is below R (first drilled hole only), then over the hole, then down to R
+/// (spec/mach3 4, preliminary motion).
 Status CannedCycleRun::begin_hole(Emitter& m) {
   in_hole_ = true;
   step_ = 0;
@@ -98,7 +100,8 @@ Status CannedCycleRun::step(Emitter& m) {
   }
 }
 
-/// Drills one peck; then retracts to R and returns to just above the bottom (G83), or retracts a little (G73).
+/// Drills one peck. After it the drill retracts to R and returns to just above the bottom reached so far (`full`, G83), or retracts a
+/// little (G73).
 Status CannedCycleRun::peck(Emitter& m, bool full) {
   switch (part_) {
     case 0:
@@ -116,8 +119,8 @@ Status CannedCycleRun::peck(Emitter& m, bool full) {
   }
 }
 
-/// L83 of the 2С42 (table 9): peck i starts with a rapid to R2 + i·R3, drills the depth of one peck, waits 0.3 s, and returns at rapid to
-/// R2; the last peck stops at R1.
+/// Executes the pecks of L83 of the 2С42 (table 9). Peck i starts with a rapid motion to R2 + i·R3, drills the depth of one peck, waits 0.3
+/// s, and returns at rapid to R2. The last peck ends at R1.
 Status CannedCycleRun::passes(Emitter& m) {
   const double down = job_.bottom < job_.level ? -job_.peck : job_.peck;
   switch (part_) {
@@ -163,7 +166,7 @@ Status CannedCycleRun::plane_to(Emitter& m, double first, double second) {
   return emit_in_hole(*m.batch, work_, [&] { return m.straight(MotionKind::rapid, to, named); });
 }
 
-/// Moves to the programmed position like Emitter::straight(), without the checks that straight() makes.
+/// Emits a straight motion to the programmed position, as Emitter::straight() does, but without the checks of straight().
 Status CannedCycleRun::line(Emitter& m, MotionKind kind, AxisMask named) {
   m.set_plain_position(named);
   Motion& motion = m.add_motion(kind, named);

@@ -1,6 +1,6 @@
 #pragma once
-// CannedCycleRun: executes a drilling cycle that is given by steps (CycleRow::steps), one drilled hole and one action at a time, so that a
-// cycle of any length runs in constant memory. Levels are checked before the first motion; nothing fails after it.
+// CannedCycleRun: executes a drilling cycle whose steps the control's file lists (CycleRow::steps), one drilled hole and one action at a
+// time, so that a cycle of any length needs constant memory. All levels are checked before the first motion; no later motion can fail.
 
 #include <cstdint>
 
@@ -19,26 +19,27 @@ class CannedCycleRun {
   bool active() const { return cycle_ != nullptr; }
   void stop() { cycle_ = nullptr; }
   const CycleRow* cycle() const { return cycle_; }
-  /// Continues with the row `same`, which is the same row in the table of another control with the same definition.
+  /// Replaces the row of the cycle by `same`: the same row in the table of another control that has the same definition.
   void lead_to(const CycleRow* same) { cycle_ = job_.cycle = same; }
 
-  /// Levels and positions of one block. Axes are given by index: first and second axis of the plane, drilling axis.
+  /// The levels and positions of the drilled holes of one block. `first`, `second`, `drill`: indices of the two axes of the plane and of
+  /// the drilling axis.
   struct Job {
     const CycleRow* cycle = nullptr;
     std::size_t first = 0, second = 1, drill = 2;
-    double step_first = 0, step_second = 0;  // from one drilled hole to the next, mm
-    Axes hole{};                             // first drilled hole, programmed coordinates
+    double step_first = 0, step_second = 0;  // distances from one drilled hole to the next in the plane, mm
+    Axes hole{};                             // position of the first drilled hole, programmed coordinates
     std::uint32_t holes = 1;
-    double level = 0, bottom = 0, clear = 0;  // R, Z, and the level to which the tool retracts from each drilled hole
+    double level = 0, bottom = 0, clear = 0;  // coordinates of R, of the bottom (Z), and of the level to which the tool retracts, mm
     double peck = 0, dwell = 0;
-    double shift_first = 0, shift_second = 0, back_face = 0;  // G87
+    double shift_first = 0, shift_second = 0, back_face = 0;  // G87: shift in the plane, and level of the face cut from below; mm
     double return_level = 0;                                  // L83: level to which the tool retracts between pecks, at rapid
-    bool preliminary = true;                                  // rapid up to R before the first drilled hole if the tool is below it
-    bool pass_from_level = false;                             // L83: rapid to the level where a peck begins
+    bool preliminary = true;                                  // the tool first rises at rapid to R if it is below R
+    bool pass_from_level = false;                             // L83: a rapid motion leads to the level where each peck begins
   };
   void start(const BlockContext& m, const Job& job);
 
-  /// Emits the next actions, as many as fit into the batch; only a few if each block is passed on separately.
+  /// Emits the next actions: as many as fit into the batch, or only a few if run() returns the actions of each block separately.
   Status next(Emitter& m);
 
  private:
@@ -57,11 +58,11 @@ class CannedCycleRun {
   std::uint32_t hole_ = 0;
   std::size_t step_ = 0;
   std::uint32_t part_ = 0;  // number of the motion within a peck
-  double depth_ = 0;        // depth reached by pecks
+  double depth_ = 0;        // coordinate that the pecks have reached, mm
   bool in_hole_ = false;
   bool taps_ = false;
   HoleWork work_ = HoleWork::none;
-  bool plain_ = false;  // a motion along one axis changes nothing but the position
+  bool plain_ = false;  // no transformation is active: a motion along one axis changes only the position
 };
 
 }  // namespace kadr

@@ -1,4 +1,5 @@
-// G73, G81–G89: converts the words to levels and drilled holes, which are checked before anything moves (Mach3 10.7.22–10.7.24).
+// Converts the words of G73 and G81 to G89 to levels and positions of drilled holes, and checks them before the tool moves (Mach3
+// 10.7.22–10.7.24).
 
 #include <bit>
 #include <cmath>
@@ -14,7 +15,7 @@ constexpr double max_pecks = 1e6;
 struct CycleAxes {
   std::size_t first, second, drill;
 };
-/// Returns the plane axes and the drilling axis in Mach3: XY/Z, YZ/X, XZ/Y.
+/// Returns the two axes of the plane and the drilling axis; on Mach3 XY and Z, YZ and X, or XZ and Y.
 CycleAxes cycle_axes(Plane plane) {
   switch (plane) {
     case Plane::zx: return {0, 2, 1};
@@ -32,7 +33,7 @@ class Drilling {
     const auto row = static_cast<std::int16_t>(call_.row - m_.def.codes.data());
     m_.modal.motion = MotionMode::cycle;
     m_.modal.motion_row = row;
-    if (memory_.row != row) {  // only R remains valid after another cycle or motion (Mach3 10.7.24)
+    if (memory_.row != row) {  // another cycle or motion was between: only R remains valid (Mach3 10.7.24)
       CycleMemory kept;
       kept.level = memory_.level;
       kept.known = memory_.known & letter_bit('R');
@@ -72,8 +73,8 @@ class Drilling {
     return {};
   }
 
-  /// Updates the sticky words (words that stay valid while the same cycle follows); memory_.bottom (Z) is the word of the plane's
-  /// drilling axis.
+  /// Updates the sticky words, which remain valid while blocks of the same cycle follow. The word of the drilling axis, whatever its
+  /// letter, is stored as Z in memory_.bottom.
   Status resume_from() {
     const char drill = letter_of(axes_.drill);
     const auto take = [&](char letter, char kept, double& to, bool is_length) {
@@ -101,12 +102,12 @@ class Drilling {
     return {};
   }
 
-  /// Replaces words that this block and earlier blocks leave out, as the manual's example does (Mach3 10.7.6: G83 Z-0.6). INFERRED:
-  /// without R the cycle starts at the tool's position; without Q the drill goes down in one peck. Neither value is stored for the next
-  /// drilled hole.
+  /// Replaces words that neither this block nor an earlier block has, as the manual's example G83 Z-0.6 requires (Mach3 10.7.6). INFERRED:
+  /// without R the cycle starts at the tool's position; without Q the drill reaches the bottom in one peck. Neither value is stored for the
+  /// next drilled hole.
   void take_left_out() {
     taken_ = cycle_.left_out & cycle_.needs & ~memory_.known;
-    if ((cycle_.needs & ~memory_.known & letter_bit('Z')) != 0) return;  // resume_from() raises an alarm for the missing Z
+    if ((cycle_.needs & ~memory_.known & letter_bit('Z')) != 0) return;  // resume_from() reports the missing Z
     if ((taken_ & letter_bit('R')) != 0) {
       memory_.level = m_.modal.absolute ? m_.position.programmed[axes_.drill] : 0;
       warn_of('R', memory_.level);
@@ -120,7 +121,7 @@ class Drilling {
     m_.warn(warning(AlarmId::cycle_word_taken, call_.where, letter, call_.row->code, m_.modal.inch ? taken / mm_per_inch : taken));
   }
 
-  /// G90: R and Z are coordinates; G91: R counts from the tool's position, Z from R.
+  /// Computes the levels. In G90 R and Z are coordinates; in G91 R is the distance from the tool's position, and Z the distance from R.
   Status levels(CannedCycleRun::Job& job) const {
     const double here = m_.position.programmed[axes_.drill];
     job.level = m_.modal.absolute ? memory_.level : here + memory_.level;
@@ -139,7 +140,8 @@ class Drilling {
     return {};
   }
 
-  /// Checks each corner point of the path at a drilled hole, in work coordinates too, because nothing may fail after the first motion.
+  /// Checks each point that the tool reaches at a drilled hole, in programmed and work coordinates, because nothing may fail after the
+  /// first motion.
   Status within_reach(const CannedCycleRun::Job& job, Axes hole) const {
     for (const double level : {job.level, job.bottom, job.clear, job.back_face}) {
       hole[axes_.drill] = level;
@@ -181,7 +183,7 @@ class Drilling {
   const CycleRow& cycle_;
   CycleAxes axes_;
   CycleMemory& memory_;
-  std::uint64_t taken_ = 0;  // letters of words that were left out and have been replaced
+  std::uint64_t taken_ = 0;  // letters of the words that take_left_out() has replaced
 };
 
 }  // namespace

@@ -1,6 +1,6 @@
 #pragma once
-// EllipseRun: executes an arc under unequal scale factors, which is part of an ellipse (Mach3 10.7.15). It is emitted as short straight
-// motions, one at a time, so that it takes no memory. Nothing fails after its start.
+// EllipseRun: executes an arc under unequal scale factors, which is part of an ellipse (Mach3 10.7.15). The arc becomes short straight
+// motions, emitted one at a time, so that an arc of any length needs constant memory. No motion fails after the first one.
 
 #include <cstdint>
 
@@ -13,13 +13,13 @@ class Emitter;
 
 class EllipseRun {
  public:
-  /// The programmed arc, before scaling. Axes by index: first and second axis of the plane.
+  /// The programmed arc, before scaling. `first`, `second`: indices of the two axes of the plane.
   struct Job {
     std::size_t first = 0, second = 1;
     Vec2 center;                // programmed coordinates
     Axes from{}, to{};          // programmed coordinates; the axes outside the plane move linearly with the arc
-    double sweep_deg = 0;       // counter-clockwise positive
-    double greatest_scale = 1;  // the larger scale factor of the two axes
+    double sweep_deg = 0;       // swept angle, degrees; positive counter-clockwise
+    double greatest_scale = 1;  // the larger of the scale factors of the two axes
     std::uint32_t named = 0;
   };
 

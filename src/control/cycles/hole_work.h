@@ -1,5 +1,5 @@
 #pragma once
-// Marks the motions of a drilling cycle with their purpose besides the path: HoleWork of action/action.h.
+// Marks the motions of a drilling cycle with what they do to the drilled hole: HoleWork of action/action.h.
 
 #include <variant>
 
@@ -8,7 +8,7 @@
 
 namespace kadr {
 
-/// Calls `emit`, which adds to `batch`, and marks the added motions as those of a canned cycle.
+/// Calls `emit`, which adds motions to `batch`, and marks these motions as those of a canned cycle.
 template <class Emit>
 Status emit_of_cycle(ActionBatch& batch, Emit&& emit) {
   const std::size_t before = batch.size();
@@ -18,7 +18,7 @@ Status emit_of_cycle(ActionBatch& batch, Emit&& emit) {
   return {};
 }
 
-/// Like emit_of_cycle(), and also records the purpose of the motions.
+/// Calls emit_of_cycle(), and also marks the motions with `work`, their purpose in the drilled hole.
 template <class Emit>
 Status emit_in_hole(ActionBatch& batch, HoleWork work, Emit&& emit) {
   const std::size_t before = batch.size();

@@ -12,17 +12,18 @@ class FrameDialect {
  public:
   virtual ~FrameDialect() = default;
 
-  /// Recomputes origin, length and shifts from the tables and the modal state.
+  /// Recomputes origin, tool length and shifts from the tables and the modal state.
   virtual void refresh_frames(Emitter& m);
-  /// Returns the part of the current origin that is a shift of the work system (G52, G92), not a work offset of its table; mm.
+  /// Returns, in mm, the part of the current origin by which G52 and G92 shift the work system; the work offset of the table is not
+  /// included.
   virtual Axes shift_of_origin(const BlockContext& m) const;
-  /// True if the work offset may change during cutter compensation without an alarm.
+  /// Returns true if the work offset may change during cutter compensation; else such a change raises an alarm.
   virtual bool zero_may_move() const { return false; }
-  /// mm per unit of the lengths in the machine's own tables.
+  /// Returns the unit of the lengths in the machine's own tables, in mm.
   virtual double machine_unit() const { return 1; }
-  /// True if G20 and G21 may come during cutter compensation.
+  /// Returns true if G20 and G21 are allowed during cutter compensation.
   virtual bool units_may_change() const { return false; }
-  /// Converts positions for display: brings axes that roll over into one revolution.
+  /// Converts positions for display: the position of each axis that rolls over becomes one within a revolution.
   virtual void roll(const BlockContext& m, Axes& positions) const;
 };
 

@@ -1,5 +1,5 @@
 #pragma once
-// MachineInterface: the interface of a control that the machine, its logic and its operator use.
+// MachineInterface: the functions of a control that the machine, its logic and its operator call.
 
 #include <string>
 #include <vector>
@@ -14,15 +14,15 @@ class BlockContext;
 class Emitter;
 struct SearchRules;
 
-/// Input from the machine, its logic and its operator to a control that accepts such input, and the queries that they make. NCT 11.7,
-/// 11.8, 20.2, 23.1, 23.4.
+/// The input that a control accepts from the machine, its logic and its operator, and their queries. Only the dialects that model these
+/// have an object of this class. NCT 11.7, 11.8, 20.2, 23.1, 23.4.
 class MachineInterface {
  public:
   virtual ~MachineInterface() = default;
   virtual void set_signal(const std::string& name, double value) = 0;
   /// Sets the answer to the question of a message box (#3107).
   virtual void set_answer(double answer) = 0;
-  /// Makes spindle `slave` follow `master`. `master` 0 ends it; `slave` 0 means all spindles.
+  /// Makes spindle `slave` follow spindle `master`. If `master` is 0, `slave` stops following; if `slave` is 0, all spindles are meant.
   virtual void synchronise(int slave, int master) = 0;
   virtual void couple_axis(Emitter& m, const std::string& name, AxisLink link, bool on) = 0;
   // ---- axes coupled to axes of other channels: the functions of the same names in Control describe these
@@ -34,7 +34,9 @@ class MachineInterface {
   virtual bool is_parked(std::size_t axis) const = 0;
   virtual bool rolls_over(std::size_t axis) const = 0;
   virtual void convert_spindle(int number, bool to_axis) = 0;
-  /// now_ms: ms since the start of the run; cut_ms: ms at feed since the last call.
+  /// Sets the times for the clocks of the program.
+  ///   now_ms  ms since the start of the run
+  ///   cut_ms  ms of motions at feed since the last call
   virtual void set_time(double now_ms, double cut_ms) = 0;
   virtual RunState run_state(const Emitter& m) const = 0;
   virtual SearchRules search_rules() const = 0;

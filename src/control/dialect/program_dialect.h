@@ -22,7 +22,7 @@ class Emitter;
 class Interpreter;
 class Dialect;
 
-/// The data that a dialect remembers, as part of a snapshot.
+/// The part of a snapshot that belongs to a dialect: the data that the dialect remembers.
 struct DialectState {
   virtual ~DialectState() = default;
 };
@@ -36,48 +36,50 @@ class ProgramDialect {
   /// Restores the data from a snapshot of the same dialect, after the interpreter has been restored.
   ///   alarms  file_write: a file that the program was writing cannot be continued
   virtual Status restore(BlockContext& m, const DialectState& from);
-  /// The interface for the machine; nullptr if the control models no machine with logic, operator or parameters.
+  /// Returns the functions for the machine; nullptr if the control models no machine with logic, operator or parameters.
   virtual MachineInterface* machine_interface() { return nullptr; }
-  /// The files that the program has written: path, size in bytes.
+  /// Returns the files that the program has written: for each path, the size in bytes.
   virtual const WrittenFiles& files_written() const;
   /// Called at power-on. Returns true if the dialect has set the initial modes itself, in place of the power-on codes in the control's
   /// file.
   virtual bool start(Interpreter& m, const Setup& setup);
-  /// True if the modal codes of a set-up are executed one after another, each as a block, not all as one block.
+  /// Returns true if the modal codes of a set-up are executed one by one, each as its own block; else they form one block.
   virtual bool starts_code_by_code() const { return false; }
-  /// Reads the set-up, after its modal codes.
+  /// Called after the modal codes of the set-up have been executed: reads the rest of the set-up.
   virtual void take_setup(Emitter& m, const Setup& setup);
-  /// Returns the text of words to be executed after the power-on codes and before the words of the set-up.
+  /// Returns code words to be executed after the power-on codes and before the modal codes of the set-up.
   virtual std::string start_words() const { return {}; }
-  /// Called when the tool is at the start position of the set-up.
+  /// Called at the end of the start-up, when the tool is at the start position of the set-up.
   virtual void started(Emitter& m);
   /// Returns the limits of an axis from a file of the machine, in machine coordinates; ±1e300 if the file gives none. Limits of the
   /// set-up and of a machine description have priority.
   virtual std::pair<double, double> limits_by_file(std::size_t axis) const;
-  /// Called at M2, M30. Returns true if the dialect's action replaces the effect of the end codes in the control's file.
+  /// Called at M2, M30. Returns true if the dialect has ended the program itself, so that the end codes in the control's file are not
+  /// executed.
   virtual bool end_program(Interpreter& m);
-  /// Called when an alarm has stopped the run and everything that the block had changed is restored.
+  /// Called when an alarm has stopped the run and the state before the faulty block is restored.
   virtual void failed(Emitter&) {}
-  /// Called when the power goes off and on: discards what is lost without power. Returns false if the control does not model this.
+  /// Called when the power goes off and on: clears the data that need power. Returns false if the control does not model this.
   virtual bool lose_power(Interpreter& m);
-  /// Adds tables in the form of a set-up (control/tables_now). Returns false if the interpreter's own tables are to be used.
+  /// Adds the tables of the dialect to a set-up (control/tables_now). Returns false if the interpreter's own tables are to be added.
   virtual bool add_tables(const BlockContext&, Setup&) const { return false; }
-  /// Returns what the block changed among the data that survive power-off.
+  /// Returns the data that the block has changed and that survive power-off.
   virtual StateChanges take_changes(Interpreter& m);
-  /// Version of the data that the channels of a machine share besides the common variables (Commons); it rises with each change.
+  /// Returns the version of the data that the channels of a machine share, other than the common variables (Commons). The version rises
+  /// with each change.
   virtual std::uint64_t common_version() const { return 0; }
-  /// Copies the shared data from another channel, whose dialect is of the same type; between two blocks.
+  /// Copies the shared data from another channel, whose dialect is of the same type. Called only between two blocks.
   virtual void take_common(BlockContext&, const Dialect&) {}
-  /// Handles a line with nothing but `%` (Grammar::percent_encloses). Returns true if no other handling is needed.
+  /// Handles a line that consists of `%` (Grammar::percent_encloses). Returns true if the interpreter has nothing else to do for the line.
   virtual Result<bool> sign_of_file(Interpreter& m);
-  /// Handles the end of the program's file without a code that ends it. Returns true if no other handling is needed.
+  /// Handles the end of the program's file if no code has ended the program. Returns true if the interpreter has nothing else to do.
   virtual Result<bool> end_of_file(BlockContext& m);
   virtual void note_fault(Interpreter& m, bool may_have_steered);
-  /// Called when a main program starts again: discards what was recorded about its passes.
+  /// Called when the main program starts again: discards what was recorded about its last pass.
   virtual void begin_again() {}
-  /// Leaves the innermost call although its end is missing. Returns true if done.
+  /// Leaves the innermost call although the end of its subprogram is missing. Returns true if the dialect has done this.
   virtual bool leave_call(Interpreter& m);
-  /// Puts the control's own wording into a report where no row of [alarms] can give it.
+  /// Replaces the text of a report by the control's own text, where no row of [alarms] in the control's file can give it.
   virtual void reword(const BlockContext& m, AlarmReport& report) const;
 };
 

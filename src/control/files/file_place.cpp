@@ -1,4 +1,4 @@
-// The program memory on the disk: finds the location for a path and opens the file there. Used by file_writer.cpp; tested by
+// The program memory on the disk: finds the folder and file for a path, and opens the file. Used by file_writer.cpp; tested by
 // tests/control/macro_b/output_file_test.cpp.
 
 #include "control/files/file_place.h"
@@ -15,7 +15,8 @@
 namespace kadr::files {
 namespace {
 
-/// Returns the entry of a folder with this name: the exact one, else the first that differs only in letter case, else the name itself.
+/// Returns the name under which a folder has the file `name`: the same name; else the first name that differs only in letter case; else
+/// `name` itself.
 std::string entry_like(int folder, const std::string& name) {
   struct stat there {};
   if (::fstatat(folder, name.c_str(), &there, AT_SYMLINK_NOFOLLOW) == 0) return name;
@@ -38,7 +39,7 @@ There what_is(int folder, const std::string& name) {
   if (::fstatat(folder, name.c_str(), &there, AT_SYMLINK_NOFOLLOW) != 0) return errno == ENOENT ? There::nothing : There::other;
   if (S_ISLNK(there.st_mode)) return There::outside;
   if (!S_ISREG(there.st_mode)) return There::other;
-  return there.st_nlink > 1 ? There::outside : There::file;  // a second name of the same file may be in any folder
+  return there.st_nlink > 1 ? There::outside : There::file;  // the file has another name (hard link), which may be in any folder
 }
 
 }  // namespace
@@ -90,7 +91,7 @@ Result<int> open_regular(const Place& place, const FileMode& rule, std::string_v
   const auto bad = [&](AlarmId id) { return fail(alarm(id, {}, shown)); };
   constexpr int flags = O_WRONLY | O_NOFOLLOW | O_NONBLOCK | O_NOCTTY | O_CLOEXEC;
   const int makes = place.what == There::nothing ? O_CREAT | O_EXCL : 0;
-  constexpr mode_t rights = 0666;  // minus the umask
+  constexpr mode_t rights = 0666;  // the system subtracts the umask
   Descriptor opened(::openat(place.folder.number(), place.file.c_str(), flags | makes, rights));
   if (opened.number() < 0) return bad(errno == ELOOP ? AlarmId::file_outside : AlarmId::file_write);
   struct stat there {};

@@ -1,6 +1,6 @@
 #pragma once
-// Finds the location on the disk for a path of the program memory, for file_writer.h: folders are opened one by one, starting from the
-// descriptor of the root folder, and no link is followed.
+// Finds the folder and file for a path of the program memory, for file_writer.h. The folders are opened one by one, starting from the
+// descriptor of the root folder, and no symbolic link is followed.
 
 #include <unistd.h>
 
@@ -38,7 +38,7 @@ class Descriptor {
 
 enum class There : std::uint8_t { nothing, file, outside, other, no_folder };
 
-/// The end of a path: its folder, opened part by part, and what exists there.
+/// The result of looking up a path: the descriptor of its folder, and what the folder has under the name of the file.
 struct Place {
   Descriptor folder{-1};
   std::string file;
@@ -48,13 +48,14 @@ struct Place {
 
 Place look_up(const std::string& root, const std::string& path);
 
-/// How the file is opened.
+/// The rules for opening a file: whether it may be created, whether it may exist, and whether writing starts at its end.
 struct FileMode {
   bool creates, takes_existing, appends;
 };
-/// Opens the file of a place for writing. The opened file is checked again through its descriptor before anything in it changes.
+/// Opens the file of a place for writing. Before the contents change, the opened file is checked again through its descriptor.
+///   shown    name of the file in alarms
 ///   returns  the descriptor
-///   alarms   file_outside, file_write, file_already_open (`shown`)
+///   alarms   file_outside, file_write, file_already_open
 Result<int> open_regular(const Place& place, const FileMode& rule, std::string_view shown, const FileSet& untouched);
 
 std::string capitals(std::string_view text);

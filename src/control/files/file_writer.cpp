@@ -73,7 +73,7 @@ Status FileWriter::write(std::string_view bytes) {
       if (count < 0 && errno == EINTR) continue;
       if (count <= 0) {
         const bool block_undone = before >= 0 && ::ftruncate(file_, before) == 0 && ::lseek(file_, before, SEEK_SET) == before;
-        static_cast<void>(block_undone);  // if truncating the file back fails too, the alarm is the same
+        static_cast<void>(block_undone);  // the alarm is the same if the file cannot be truncated back
         return bad();
       }
       rest.remove_prefix(static_cast<std::size_t>(count));
@@ -105,7 +105,7 @@ Status FileWriter::resume_from(const Memory& memory) {
     const auto bad = [&] { return fail(alarm(AlarmId::file_write, {}, std::string_view(memory.path))); };
     const Place place = look_up(options_.root, memory.path);
     if (place.what != There::file) return bad();
-    abort();  // the file to open may be the one that is open
+    abort();  // closes the open file, which may be the file to be opened
     const Result<int> opened = open_regular(place, goes_on, memory.path, options_.untouched);
     KADR_TRY(opened);
     const auto size = static_cast<off_t>(memory.size);

@@ -1,11 +1,11 @@
 #pragma once
-// FileWriter: writes files of the program memory (nct 23.2.13; linuxcnc 2.4). The
-// control defines what a name means; this class handles a path from the root.
+// FileWriter: writes files of the program memory (nct 23.2.13; linuxcnc 2.4). Each control defines what a file name in a program means;
+// this class receives a path, relative to the root.
 //
-// The program memory is a folder, the root. Nothing outside it is ever written, whatever the program
-// requests: `..` cannot leave the root, and the folders are entered one by one from the root's own descriptor
-// (openat) without following any symbolic link below it. So there is no moment between a check and its use in
-// which a link could be inserted. Only regular files with one name are written: no links, devices, pipes.
+// The program memory is a folder, the root. Nothing outside the root is ever written, whatever the program requests: `..` cannot leave the
+// root. The folders are entered one by one, starting from the root's own descriptor (openat), and no symbolic link below the root is
+// followed. So there is no moment between a check and the use of its result in which a link could be inserted. Only regular files that have
+// one name are written, never links, devices or pipes.
 
 #include <cstdint>
 #include <map>
@@ -22,31 +22,31 @@ namespace kadr::files {
 
 enum class OutputWriting : std::uint8_t {
   files,
-  nothing,  // dry run: reports alarms as far as possible without writing; files it would have created count as existing
+  nothing,  // dry run: reports alarms as far as possible without writing; a file that it would have created counts as existing
 };
 
 struct OutputOptions {
-  std::string root = ".";                       // folder of the program memory; may itself be a symbolic link
+  std::string root = ".";                       // folder of the program memory; the folder itself may be a symbolic link
   std::uint64_t most = std::uint64_t{1} << 30;  // maximum number of bytes that one run may write to all files together
   OutputWriting writing = OutputWriting::files;
   FileSet untouched{};             // files of the run itself: its state, trace, set-up
   std::size_t max_files = 10'000;  // maximum number of files that one run may write
 };
 
-/// Returns true for a part of a path that every system accepts as a file name: not hidden, not a device, no blank or dot at its end.
+/// Returns true if every system accepts this part of a path as a file name: not hidden, not a device, no blank or dot at its end.
 bool is_good_part(std::string_view part);
 
 /// A request to open a file.
 struct Wanted {
-  std::string path;   // from the root, separated by `/`
+  std::string path;   // path from the root; its parts are separated by `/`
   std::string shown;  // name in alarms
   FileMode rule;
-  AlarmId exists, missing;  // alarms if the file exists, or is missing, although `rule` requires the opposite
+  AlarmId exists, missing;  // alarm if the file exists though `rule` forbids it; alarm if it is missing though `rule` requires it
   std::string running;      // path of the running program, which may not be written
 };
 
-/// Writes one file at a time. An alarm leaves the open file and the files
-/// on the disk unchanged, but a failing disk may leave a file emptied.
+/// Writes one file at a time. If an alarm is raised, the open file and the files on the disk are unchanged; only a failing disk may leave
+/// an emptied file.
 class FileWriter {
  public:
   explicit FileWriter(OutputOptions options) : options_(std::move(options)) {}
@@ -54,13 +54,15 @@ class FileWriter {
   FileWriter& operator=(const FileWriter&) = delete;
   ~FileWriter() { abort(); }
 
-  /// Opens a file; no other may be open. Alarms: file_outside, file_write, file_already_open, those of `wanted`.
+  /// Opens a file; no other file may be open.
+  ///   alarms  file_outside, file_write, file_already_open, those of `wanted`
   Status open(const Wanted& wanted);
-  /// Writes to the open file. When this returns, the system has the data (one write, no buffer here): if this program is killed, no
-  /// completed line is lost. A write that fails halfway is undone. Alarms: file_write (path), also beyond `most`.
+  /// Appends bytes to the open file. After this call the system has the data (one system call, no buffer here): no completed line is lost
+  /// if this program is killed. If the call fails halfway, its bytes are removed again.
+  ///   alarms  file_write (its argument is the path), also for more than `most` bytes
   Status write(std::string_view bytes);
   Status close();
-  /// Closes without an alarm; the file stays as it is.
+  /// Closes the file without an alarm; what was written remains.
   void abort();
 
   bool has_room(std::string_view bytes) const;
@@ -71,18 +73,18 @@ class FileWriter {
   /// The state in a snapshot.
   struct Memory {
     bool open = false;
-    std::string path;            // path of the open file, from the root
-    std::uint64_t size = 0;      // size of the open file
+    std::string path;            // path of the open file, relative to the root
+    std::uint64_t size = 0;      // size of the open file, bytes
     std::uint64_t written = 0;   // bytes written in the whole run
-    std::set<std::string> made;  // dry run: files that would exist
+    std::set<std::string> made;  // dry run: paths of the files that would exist
     std::map<std::string, std::uint64_t> files;
   };
   Memory memory() const;
-  /// Continues the file that was open at the snapshot, without what was printed to the file since. All other files stay as they are.
-  ///   alarms   file_write (path): the file is missing, is shorter than it was, or may not be written
+  /// Reopens the file that was open at the snapshot, and removes what was written to it since. All other files remain as they are.
+  ///   alarms   file_write (its argument is the path): the file is missing, is shorter than it was, or may not be written
   Status resume_from(const Memory& memory);
 
-  /// All files written in the run: path from the root, bytes.
+  /// Returns all files written in the run: for each path from the root, the number of bytes.
   const std::map<std::string, std::uint64_t>& files() const { return files_; }
   const std::string& root() const { return options_.root; }
   const std::string& path() const { return path_; }  // path of the open file, from the root
@@ -93,7 +95,7 @@ class FileWriter {
   int file_ = -1;  // descriptor; -1: no file open, or a dry run
   std::string path_;
   std::uint64_t written_ = 0;   // bytes written in the whole run
-  std::set<std::string> made_;  // dry run: files that would exist
+  std::set<std::string> made_;  // dry run: paths of the files that would exist
   std::map<std::string, std::uint64_t> files_;
 };
 

@@ -44,8 +44,9 @@ bool BlockNumbers::make(BlockReader& reader, StopToken stop) {
   return true;
 }
 
-/// Returns true if N of this row is a block number for a search that starts at `from`. A data line belongs to the last G10 before it; a
-/// search that starts after this G10 has not seen the G10, and reads N as a block number.
+/// Returns true if N in this row of the index is a block number for a search that starts at `from`. N of a data line is none if the search
+/// passes the G10 that the line belongs to. A search that starts after this G10 has not read the G10, and counts N of the data line as a
+/// block number.
 bool BlockNumbers::counts_from(const Row& row, std::uint64_t from) const {
   if ((row.place & 1u) == 0) return true;
   const auto behind = std::lower_bound(openings_.begin(), openings_.end(), row.place & ~std::uint64_t{1});

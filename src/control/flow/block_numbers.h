@@ -16,29 +16,30 @@ namespace kadr {
 class DataLines {
  public:
   enum class Step : std::uint8_t { none, begins, ends };
-  /// Returns whether data lines begin or end with this block.
+  /// Returns whether a range of data lines begins with this block, ends with it, or neither.
   static Step step_of(const Block& block);
 };
 
 class BlockNumbers {
  public:
-  /// maximum number of table rows of 16 bytes: 64 MB. In a file with more numbered blocks, searches read the file instead.
+  /// Greatest number of table rows: 64 MB at 16 bytes each. In a file with more numbered blocks, searches read the file instead.
   static constexpr std::size_t most = 4'000'000;
 
-  /// Reads the whole file.
-  ///   returns  false if there are too many numbers or `stop` was requested; then nothing is stored
+  /// Builds the table by reading the whole file.
+  ///   returns  false if there are too many numbers or `stop` was requested; then the table is empty
   bool make(BlockReader& reader, StopToken stop);
 
-  /// Returns the first block with number `number` from `from` to the end, then from the start of the file (nct 14.1, INFERRED order). A
-  /// search that starts among data lines has not seen the G10 before them: up to the next G10 it reads N as a block number.
+  /// Searches the block number `number` from `from` to the end of the file, then from its start, and returns the first block found (nct
+  /// 14.1, INFERRED order). A search that starts among data lines has not read the G10 before them: it counts their N as block numbers up
+  /// to the next G10.
   std::optional<Position> find(std::uint32_t number, Position from) const;
 
   std::size_t size() const { return rows_.size(); }
 
  private:
   struct Row {
-    std::uint64_t place = 0;   // byte offset of the block, 48 bits; number of blocks before it in its line, 15 bits; 1 bit: a data line
-    std::uint32_t number = 0;  // N
+    std::uint64_t place = 0;   // 48 bits: byte offset of the block; 15 bits: number of earlier blocks in its line; 1 bit: it is a data line
+    std::uint32_t number = 0;  // the number after N
     std::uint32_t line = 0;
   };
   static_assert(sizeof(Row) == 16);
@@ -46,7 +47,7 @@ class BlockNumbers {
   bool counts_from(const Row& row, std::uint64_t from) const;
 
   std::vector<Row> rows_;                // sorted by number, then by position
-  std::vector<std::uint64_t> openings_;  // positions of G10 L52, L75 to L77, in the order of the file
+  std::vector<std::uint64_t> openings_;  // positions of the blocks with G10 L52 or L75 to L77, in the order of the file
 };
 
 }  // namespace kadr

@@ -14,18 +14,18 @@ namespace kadr {
 
 class CallTree {
  public:
-  static constexpr std::size_t most = 65535;  // chains of calls; blocks reached through further chains have number 0
+  static constexpr std::size_t most = 65535;  // greatest number of chains; blocks reached through a further chain get the number 0
 
-  /// Returns the number of the chain of the open calls.
+  /// Returns the number of the chain that the open calls form.
   ///   returns  0 if no call is open
   std::uint16_t way_of(const ControlDef& def, const std::vector<CallFrame>& open);
 
-  /// One call of a chain, and the file that contains the call.
+  /// One call of a chain, with the file that contains the calling block.
   struct Call {
     AlarmReport::Call call;
     std::uint16_t file = 0;  // number of the file, as in Origin::file
   };
-  /// Returns the calls of a chain, outermost first.
+  /// Returns the calls of the chain with this number, outermost first.
   std::vector<Call> calls(std::uint16_t way) const;
 
  private:
@@ -33,12 +33,14 @@ class CallTree {
     std::uint16_t outer = 0;  // number of the caller's chain
     Call call;
   };
-  /// Number of the caller's chain; line and file of the call; what is called: kind, name, file.
+  /// What identifies a chain: the number of the caller's chain; the line and the file of the call; the kind, the name and the file of what
+  /// is called.
   using Key = std::tuple<std::uint16_t, std::uint32_t, std::uint16_t, std::uint8_t, std::uint32_t, std::uint16_t>;
 
-  std::vector<Way> ways_;  // [0] has the number 1
+  std::vector<Way> ways_;  // element [0] is the chain with the number 1
   std::map<Key, std::uint16_t> known_;
-  // The chain of the previous query. The block that made the call identifies it.
+  // The result of the last way_of(), which is returned again while the innermost call is the same; the block with the call identifies the
+  // call.
   std::size_t last_depth_ = 0;
   std::uint32_t last_block_ = 0;
   Key last_key_;

@@ -16,25 +16,25 @@
 
 namespace kadr {
 
-/// A block stored as it was read, so that a loop compiles it only once.
+/// A block that is kept in memory as it was read, so that it is compiled only once if a loop executes it again.
 struct KeptBlock {
   Block block;
   std::string text;
   Position next;
   KeptBlock* following = nullptr;  // the kept block at `next`
-  KeptBlock* jumped = nullptr;     // the kept block that the last jump from here went to
-  std::uint64_t jumped_to = 0;     // key (key_of) of the block `jumped`
+  KeptBlock* jumped = nullptr;     // the kept block to which the last jump from this block went
+  std::uint64_t jumped_to = 0;     // key_of() of the position of `jumped`
 };
 
-/// DO … END of a file, paired by their order in the text.
+/// A loop DO … END of a file. DO and END are paired by their order in the text.
 struct Loop {
-  Position begin;   // the block with DO
-  Position body;    // first block after DO
-  Position end;     // the block with END
-  Position behind;  // first block after END
+  Position begin;   // position of the block with DO
+  Position body;    // position of the first block after DO
+  Position end;     // position of the block with END
+  Position behind;  // position of the first block after END
   AlarmId fault = no_alarm;
-  std::uint8_t number = 0;  // 0: a WHILE without DO
-  bool damaged = false;     // the DO or END block cannot be read; END then has no effect
+  std::uint8_t number = 0;  // m of DOm; 0: a WHILE without DO
+  bool damaged = false;     // the block with DO or END cannot be read; then END has no effect
 };
 
 class ProgramFile {
@@ -42,8 +42,7 @@ class ProgramFile {
   ProgramFile(std::string path, std::shared_ptr<ByteSource> source, const Grammar& grammar, std::optional<Encoding> encoding,
               StopToken stop = {});
 
-  /// Reads the next block; `block` points to it until the next call. If blocks are kept in memory, it may be a block that was read
-  /// before.
+  /// Reads the next block, to which `block` points until the next call. The block may be one that was read earlier and is kept in memory.
   Result<BlockReader::Got> next(Block*& block);
   void seek(Position position) {
     elsewhere_ = position;
@@ -54,7 +53,8 @@ class ProgramFile {
   void note_warned(const Block& block) {
     if (block.kept) memory_.told.insert(place_of(block.position));
   }
-  /// State of reading that the run has left in the file; with the position in the program this is all that the run needs to continue.
+  /// What the run has changed in the file object. Together with the position in the program, the run needs nothing else of the file to
+  /// continue.
   struct Memory {
     BlockReader::Memory reader;
     bool keeps = false;
@@ -69,24 +69,26 @@ class ProgramFile {
     memory_ = memory;
     reader_.resume_from(memory.reader);
   }
-  /// From now on keeps in memory the blocks that are read, because they will be read again.
+  /// Starts keeping in memory the blocks that are read, because they will be read again.
   void keep_blocks() { memory_.keeps = true; }
 
-  /// Returns the first block with number `number` from `from` to the end, then from the start of the file (nct 14.1, INFERRED order).
-  /// The first few thousand blocks are searched by reading on; after that an index of all numbers of the file is built.
+  /// Searches the block number `number` from `from` to the end of the file, then from its start, and returns the first block found (nct
+  /// 14.1, INFERRED order). The first few thousand blocks are searched by reading them; then an index of all block numbers of the file is
+  /// built.
   std::optional<Position> find_number(std::uint32_t number, Position from);
   /// Returns the positions where a program O… with this number starts in the file (Grammar::programs_by_label).
   std::vector<Position> programs_numbered(std::uint32_t number);
-  /// Returns the first block that contains more than a comment or the sign %.
+  /// Returns the position of the first block that contains more than a comment or the sign %.
   Position first_block();
-  /// The loop whose DO (loop_from) or END (loop_to) is at `position`; nullptr if there is none.
+  /// Return the loop whose DO (loop_from) or END (loop_to) is at `position`; nullptr if there is none.
   const Loop* loop_from(Position position);
   const Loop* loop_to(Position position);
 
-  /// Returns the given lines as UTF-8 by number, without lines that do not exist. Reads through the file once.
+  /// Returns those of the given lines that exist, as UTF-8 by line number. Reads through the file once.
   std::map<std::uint32_t, std::string> texts_of(const std::set<std::uint32_t>& lines) const;
 
-  /// Returns one line as UTF-8; empty if it does not exist. The first call reads through the file, later calls read a few lines.
+  /// Returns a line as UTF-8; an empty text if the line does not exist. The first call reads through the file; later calls read a few
+  /// lines.
   std::string text_of(std::uint32_t line) const;
 
   const std::string& path() const { return path_; }
@@ -99,9 +101,9 @@ class ProgramFile {
  private:
   static constexpr std::size_t max_kept = 4096;
   static constexpr std::size_t max_loops = 100'000;
-  static constexpr std::size_t max_searched = 4096;  // blocks; in a short file, or if the target is near, no index is needed
+  static constexpr std::size_t max_searched = 4096;  // blocks; a short file, or a near target, needs no index
   BlockReader& scanner();
-  /// The range from the start of a program to the start of the next.
+  /// The range of a file from the start of a program to the start of the next program.
   struct Extent {
     Position begin, end;
   };
@@ -120,14 +122,14 @@ class ProgramFile {
   std::shared_ptr<ByteSource> source_;
   const Grammar& grammar_;
   BlockReader reader_;
-  std::unique_ptr<BlockReader> scanner_;  // reads other parts of the file, so that the current block keeps its text
+  std::unique_ptr<BlockReader> scanner_;  // a second reader of the file: the current block keeps its text
   Block in_hand_;
-  Position elsewhere_;                                                   // where the next block begins …
-  bool moved_ = false;                                                   // … if not at the reader's position
-  Memory memory_;                                                        // without the state of the reader
+  Position elsewhere_;                                                   // position of the next block if `moved_`
+  bool moved_ = false;                                                   // the next block is at `elsewhere_`, not at the reader's position
+  Memory memory_;                                                        // Memory::reader is unused: reader_ has its own state
   KeptBlock* last_ = nullptr;                                            // the kept block that was returned last
-  std::unordered_map<std::uint64_t, std::unique_ptr<KeptBlock>> kept_;   // by key
-  std::map<std::pair<std::uint64_t, std::uint32_t>, Position> numbers_;  // {key of the search's first block; number} → block found
+  std::unordered_map<std::uint64_t, std::unique_ptr<KeptBlock>> kept_;   // by key_of() of the block's position
+  std::map<std::pair<std::uint64_t, std::uint32_t>, Position> numbers_;  // found: {key of the search's first block; number} → block
   std::vector<Loop> loops_;
   std::unordered_map<std::uint64_t, std::size_t> loops_by_begin_, loops_by_end_;
   bool loops_found_ = false;
@@ -142,7 +144,7 @@ class ProgramFile {
   std::optional<std::vector<NumberedProgram>> programs_;  // starts of the programs in the file (Grammar::programs_by_label)
   bool index_possible_ = true;
   StopToken stop_;
-  static constexpr std::uint32_t marked_line = 256;  // a mark is stored for every 256th line
+  static constexpr std::uint32_t marked_line = 256;  // the offset of every 256th line is stored
   mutable std::vector<std::uint64_t> line_marks_;    // offsets of lines 1, 257, …
 };
 

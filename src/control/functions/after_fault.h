@@ -1,5 +1,5 @@
 #pragma once
-// Shortens repetitions after a fault, so that a check does not wait for them.
+// Shortens repetitions after a fault, so that `kadr check` does not execute all of them.
 
 #include <algorithm>
 
@@ -7,9 +7,9 @@
 
 namespace kadr {
 
-/// Called at the end of a call or repetition with very many passes, after a fault that `kadr check` has reported. One pass shows the
-/// faults of the body; the other passes would take minutes and end with a false endless_program. INFERRED: up to 1000 passes are still
-/// executed, so that increments add up.
+/// Called at the end of each pass of a call or repetition. After a fault that `kadr check` has reported, a repetition with more than 1000
+/// remaining passes ends: one pass shows the faults of the body, and the other passes would take minutes and end with a false alarm
+/// endless_program. INFERRED: up to 1000 remaining passes are executed, so that increments add up.
 inline void shorten_after_fault(const AlarmReport& last, Flow& flow) {
   constexpr std::uint32_t max_passes = 1000;
   if (last.alarm.id == no_alarm || flow.depth() == 0) return;

@@ -1,4 +1,4 @@
-// Turns a computed arc into a motion. Used by control/linuxcnc, control/grbl.
+// Emits the motion of an arc that has been computed. Used by control/linuxcnc, control/grbl.
 
 #include "control/functions/arc_motion.h"
 

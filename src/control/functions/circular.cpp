@@ -1,5 +1,5 @@
-// G2, G3: converts words to an arc, and the arc to a Motion. 2С42 6.6.4 and 6.6.6; Mach3: RS274/NGC; other controls as [behaviour] of
-// their file defines.
+// G2, G3: converts the words to an arc, and the arc to a Motion. Rules: 2С42 6.6.4 and 6.6.6; Mach3: RS274/NGC; other controls as
+// [behaviour] of their file defines.
 
 #include <algorithm>
 #include <cmath>
@@ -15,13 +15,13 @@ namespace {
 
 Vec2 in_plane(const Axes& point, PlaneAxes p) { return {point[p.first], point[p.second]}; }
 
-/// Checks that the rotation keeps the circle in its plane: G68 rotates in XY, and tilts circles that are in other planes.
+/// Checks that the rotation in force moves the circle only within its plane: a rotation in XY (G68) would tilt a circle in another plane.
 Status turned_in_plane(const BlockContext& m, PlaneAxes axes, Span where, std::string_view code) {
   if (m.transform.leaves(axes)) return fail(alarm(AlarmId::plane_wrong, where, code));
   return {};
 }
 
-/// Sets the location of a geometry alarm to that of the block, without trailing blanks.
+/// Sets the location of an alarm about an arc's geometry to the whole block.
 tl::unexpected<Alarm> placed(const BlockContext& m, Alarm alarm) {
   alarm.where = m.block->where;
   while (alarm.where.end > alarm.where.begin && static_cast<unsigned char>(m.block->text[alarm.where.end - 1]) <= ' ') --alarm.where.end;
@@ -56,7 +56,8 @@ class Circular {
   }
 
  private:
-  /// L moves the end point by a corrector (offset; spec/correctors 1); INFERRED: I, J, K give the centre from the tool's actual position.
+  /// Shifts the end point of the arc by the corrector (offset) that L names (spec/correctors 1). INFERRED: I, J, K give the centre from the
+  /// tool's actual position.
   Status correct(AxisMask& named) {
     const auto added = m_.dialect->add_to_motion(m_);
     if (!added) return fail(added.error());
@@ -88,14 +89,15 @@ class Circular {
 
   bool has_center(std::size_t axis) const { return m_.letters.center_letter[axis] != 0 && m_.has(m_.letters.center_letter[axis]); }
 
-  /// Returns a coordinate of the centre; if it has no word, the coordinate of the start point. INFERRED for absolute centres.
+  /// Returns a coordinate of the centre. If the coordinate has no word, it is that of the start point (INFERRED for absolute centres).
   double center(std::size_t axis, double start) const {
     if (!has_center(axis)) return start;
     const double v = m_.length_value(m_.letters.center_letter[axis]);
     return rule_.absolute ? v : start + v;
   }
 
-  /// 2С42 6.6.6: with a motion along the normal axis K is the lead of the helix; Z/K is a whole number, the number of revolutions.
+  /// Reads the helix of the 2С42 (6.6.6): if the arc also moves along the normal axis, K is the lead, and Z/K must be a whole number of
+  /// revolutions.
   Status helix(const Axes& start, const Axes& end, PlaneArc& arc) {
     if (!rule_.lead_on_normal) return {};
     const double rise = std::fabs(end[axes_.normal] - start[axes_.normal]);
@@ -110,7 +112,7 @@ class Circular {
     const double whole = std::round(turns);
     if (!(lead > 0) || whole < 1 || std::fabs(turns - whole) > tol::whole_turns)
       return fail(alarm(AlarmId::turns_not_whole, m_.where(letter), rise, lead));
-    arc.turns += whole - 1;  // INFERRED: the arc itself comes first, then the whole revolutions
+    arc.turns += whole - 1;  // INFERRED: the revolutions are the arc and whole circles after it
     return {};
   }
 
@@ -183,7 +185,8 @@ Status Emitter::plain_arc(Turn turn, Span where) { return Circular(*this, turn).
 Status functions::arc_cw(Emitter& m, const Call& call) { return circular(m, call, Turn::cw, MotionMode::arc_cw); }
 Status functions::arc_ccw(Emitter& m, const Call& call) { return circular(m, call, Turn::ccw, MotionMode::arc_ccw); }
 
-/// G12, G13 (Mach3): from the centre out along +X by I, the full circle, and back to the centre; arg: 2 clockwise, 3 counter-clockwise.
+/// G12, G13 (Mach3): moves from the centre along +X by I, along the full circle, and back to the centre. arg: 2 clockwise, 3
+/// counter-clockwise.
 Status functions::circular_pocket(Emitter& m, const Call& call) {
   if (m.modal.radius_side != 0) return fail(alarm(AlarmId::compensation_active, call.where, call.row->code));
   KADR_TRY(m.feed_known(call.where));

@@ -1,4 +1,4 @@
-// How a run continues: with another pass of a main program, and, in a check, after a faulty block.
+// How a run continues: at the end of a main program with its next pass, and, in `kadr check`, after a faulty block.
 
 #include <algorithm>
 #include <span>
@@ -29,8 +29,8 @@ Status Interpreter::begin_again(Span where, Position from) {
   return {};
 }
 
-/// Returns true if the faulty block could have written a variable, called a subprogram or jumped. If the block could not be read, its
-/// text is searched for this.
+/// Returns true if the faulty block could have written a variable, called a subprogram or jumped. If the block could not be read, this is
+/// judged by words in its text.
 bool Interpreter::may_have_steered() const {
   if (block->statement.kind != StatementKind::none) return true;
   if (!damaged) return has_code({Function::macro_call, Function::macro_modal, Function::call_program});
@@ -38,8 +38,8 @@ bool Interpreter::may_have_steered() const {
   return (holds("#") && holds("=")) || holds("IF") || holds("GOTO") || holds("WHILE") || holds("G65") || holds("M98");
 }
 
-/// Continues after an alarm. After an end of a subprogram or repetition that came too early, the open call or repetition is closed, so
-/// that the same fault is not reported again and again.
+/// Continues after an alarm. If the alarm was that the end of a subprogram or repetition is missing, the open call or repetition is closed,
+/// so that the same fault is not reported again and again.
 void Interpreter::go_on() {
   phase_ = RunPhase::next_block;
   motion_run_.end();
@@ -52,7 +52,8 @@ void Interpreter::go_on() {
   flow.abandon(at_end_of_file ? std::optional<Position>() : block->position);
 }
 
-/// Returns true for an alarm that only shows that the tool is not where it would be if an earlier motion had not been refused.
+/// Returns true if the alarm probably follows from an earlier fault: a motion was refused, so that the tool is not where the block expects
+/// it.
 bool Interpreter::follows_refused_motion(AlarmId id) const {
   if (unknown_position == 0) return false;
   switch (id) {
@@ -69,7 +70,8 @@ bool Interpreter::follows_refused_motion(AlarmId id) const {
   }
 }
 
-/// Sets the modes of a faulty block's codes: the modes that define the meaning of coordinates, and the motion code.
+/// Puts in force those codes of a faulty block on which the meaning of the next blocks depends: plane, unit, G90 or G91, and the motion
+/// code.
 void Interpreter::keep_modes_of_faulty_block() {
   if (damaged || block->statement.kind != StatementKind::none) return;
   for (std::uint32_t i = 0; i < block->word_count; ++i) {
@@ -92,9 +94,9 @@ void Interpreter::keep_modes_of_faulty_block() {
   }
 }
 
-/// Moves to the end point of a refused motion, because the following blocks were written for this point. If the end point is unknown (the
-/// block could not be read, or its words belong to another code), the axes that it names are unknown_position (without a known position)
-/// until a block gives them a coordinate.
+/// Moves the position to the end point of a refused motion, because the following blocks were written for this point. The end point is
+/// unknown if the block could not be read, or if its axis words belong to another code. Then the axes that the block names are added to
+/// unknown_position, until a block gives them a coordinate.
 void Interpreter::assume_meant_position() {
   if (block->statement.kind != StatementKind::none || flow.in_body()) return;
   const bool unread = damaged || block->broken;
@@ -123,7 +125,7 @@ void Interpreter::assume_meant_position() {
   if (modal.absolute) unknown_position &= ~by_words;
 }
 
-/// Called after an executed block: the positions of the axes to which the block gives a coordinate are known again.
+/// Called after an executed block: the axes to which the block gives an absolute coordinate are removed from unknown_position.
 void Interpreter::note_placed() {
   if (is_stopped() || !modal.absolute || block->statement.kind != StatementKind::none) return;
   for (std::size_t a = 0; a < axis_count; ++a) {
@@ -132,8 +134,8 @@ void Interpreter::note_placed() {
   }
 }
 
-/// Keeps from a faulty block what the following blocks rely on, so that one fault gives one alarm: a feed, its modes, the end point of
-/// its motion, the end of a subprogram or repetition.
+/// Keeps those effects of a faulty block that the following blocks rely on, so that one fault gives one alarm: a feed, the modes, the end
+/// point of the motion, the end of a subprogram or repetition.
 void Interpreter::keep_from_faulty_block() {
   if (block->position.line != report.origin.line) return;
   const AlarmId id = report.alarm.id;

@@ -1,5 +1,5 @@
-// Cutter radius compensation on the control's side, for the controls other than NCT: the order of the blocks around G41, G42, G40, and
-// what each motion passes to `path`. 2С42 6.4.7, 6.6.7, 6.8. Used by the rest of control.
+// Cutter compensation in the interpreter, for the controls other than NCT: the order of the blocks around G41, G42, G40, and the data that
+// each motion passes to the room path. 2С42 6.4.7, 6.6.7, 6.8. Used by the rest of control.
 
 #include "control/functions/cutter_compensation.h"
 
@@ -23,8 +23,8 @@ bool is_contour(MotionKind kind) { return kind == MotionKind::rapid || kind == M
 
 double beside(const Modal& modal) { return modal.compensation_side == 0 ? 0 : length(modal.compensation_vector); }
 
-/// Warns, once per contour, if the tool moves along another axis while it is still offset from the contour: a drilled hole or a step
-/// there is rarely intended. On the 2С42 no warning is given for Z in the block with G40, where Z is a word of G40 (6.4.7).
+/// Warns, once per contour, of a motion along another axis after G40, while the tool is still offset from the contour: a drilled hole or a
+/// step at this position is rarely intended. In the block with G40 of the 2С42 Z gives no warning, because it is a word of G40 (6.4.7).
 void warn_off_contour(Emitter& m, const Motion& motion, const Axes& from) {
   if (m.modal.off_contour_reported || beside(m.modal) <= tol::same_point || !is_contour(motion.kind)) return;
   if (m.has_code({Function::compensation_off})) return;
@@ -35,8 +35,8 @@ void warn_off_contour(Emitter& m, const Motion& motion, const Axes& from) {
   m.warn(warning(AlarmId::beside_contour, m.block->where, beside(m.modal)));
 }
 
-/// Handles the motion that leaves the contour after G40, or a motion that does not move the tool in the plane. The plane is the plane of
-/// the contour, whatever plane was selected after G40.
+/// Handles the first motion after G40. If it moves in the plane of the contour, the tool leaves the contour; else the tool stays offset
+/// from the contour. A plane that is selected after G40 has no influence.
 void lead_off(Emitter& m, Motion& motion, const Axes& from) {
   Modal& modal = m.modal;
   motion.side = modal.compensation_side;
@@ -51,8 +51,8 @@ void lead_off(Emitter& m, Motion& motion, const Axes& from) {
   modal.compensation_side = 0;
 }
 
-/// Returns the offset vector at the end of a straight motion: normal to the motion, or (first move in RS274/NGC) normal to the path that
-/// is tangent to the tool's circle.
+/// Returns the vector from the end of a straight motion to the tool. It is normal to the motion; at the first motion in RS274/NGC it is
+/// normal to the path of the tool centre, which is tangent to the circle of the tool radius around the end.
 Vec2 vector_at_end(const Motion& motion, Vec2 way) {
   const double distance = length(way), radius = motion.tool_radius;
   const Vec2 ahead = 1 / distance * way, left{-ahead.y, ahead.x};
@@ -62,8 +62,8 @@ Vec2 vector_at_end(const Motion& motion, Vec2 way) {
   return motion.side * radius * (along * left - motion.side * across * ahead);
 }
 
-/// Every motion of a queued contour starts or continues the contour, whatever axes it moves; after G40 every motion leads to its own end
-/// point (spec/linuxcnc 7.5).
+/// Handles a motion on a control that queues compensated motions (LinuxCNC). A motion along any axis starts or continues the contour, and a
+/// motion after G40 moves straight to its programmed end point (spec/linuxcnc 7.5).
 void note_queued(BlockContext& m, Motion& motion, const Axes& from) {
   Modal& modal = m.modal;
   if (modal.contour == CompensationPhase::leaving) return void(modal.contour = CompensationPhase::off);
@@ -77,7 +77,7 @@ void note_queued(BlockContext& m, Motion& motion, const Axes& from) {
   modal.contour = CompensationPhase::following;
   modal.compensation_axes = modal.axes;
   const Vec2 way = in_plane(m, motion.to) - in_plane(m, from);
-  if (!is_arc(motion.kind) && !(way == Vec2{})) modal.compensation_vector = vector_at_end(motion, way);  // arcs: see note_arc_end()
+  if (!is_arc(motion.kind) && !(way == Vec2{})) modal.compensation_vector = vector_at_end(motion, way);  // for arcs see note_arc_end()
 }
 
 }  // namespace
@@ -88,7 +88,7 @@ Status begin_compensation(BlockContext& m, const Call& call, std::int8_t side) {
   Modal& modal = m.modal;
   const bool queued = m.def.behaviour.queues_compensation();
   if (modal.contour == CompensationPhase::leaving && !queued &&
-      mask_of(modal.compensation_axes) != plane_mask(m))  // the tool is offset from a contour in another plane
+      mask_of(modal.compensation_axes) != plane_mask(m))  // the tool is still offset from a contour in another plane
     return fail(alarm(AlarmId::compensation_active, call.where, call.row->code));
   modal.radius_side = side;
   modal.off_contour_reported = false;
@@ -115,7 +115,7 @@ void restart_contour_at_tool(Emitter& m) {
 void note_arc_end(BlockContext& m, const Motion& arc) {
   if (m.modal.contour != CompensationPhase::following || arc.side == 0) return;
   const Vec2 arm = in_plane(m, arc.to) - arc.center;
-  const double toward = (arc.kind == MotionKind::arc_ccw ? -1 : 1) * arc.side;  // the centre of a counter-clockwise arc is on its left
+  const double toward = (arc.kind == MotionKind::arc_ccw ? -1 : 1) * arc.side;  // a counter-clockwise arc has its centre on the left
   if (length(arm) > 0) m.modal.compensation_vector = toward * arc.tool_radius / length(arm) * arm;
 }
 
@@ -181,7 +181,7 @@ void note_compensation(Emitter& m, Motion& motion, const Axes& from) {
   if (modal.contour == CompensationPhase::on && !moves) return;
   const double radius = m.radius_in_force();
   if (modal.radius_by_word < 0 && modal.offset_number != 0) m.use.note(UseKind::radius, modal.offset_number, m.origin, radius == 0);
-  if (radius != 0 || modal.compensation_side != 0) {  // with radius 0 the path equals the contour and nothing is held back
+  if (radius != 0 || modal.compensation_side != 0) {  // with radius 0 the tool follows the contour itself
     const double side = -modal.radius_side * (radius < 0 ? -1 : 1) * (m.transform.reverses(modal.axes) ? -1 : 1);
     motion.side = modal.compensation_side = static_cast<std::int8_t>(side);
     motion.tool_radius = std::fabs(radius);
@@ -197,7 +197,7 @@ void note_compensation(Emitter& m, Motion& motion, const Axes& from) {
     modal.contour = CompensationPhase::following;
   }
   const Vec2 way = in_plane(m, motion.to) - in_plane(m, from);
-  if (!is_arc(motion.kind)) modal.compensation_vector = vector_at_end(motion, way);  // arcs: see note_arc_end()
+  if (!is_arc(motion.kind)) modal.compensation_vector = vector_at_end(motion, way);  // for arcs see note_arc_end()
 }
 
 }  // namespace kadr

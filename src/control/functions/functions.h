@@ -1,6 +1,6 @@
 #pragma once
-// The functions of the interpreter, one for each row of config/control/function.h that has an effect. A row of a control's file calls a
-// function by its name.
+// The functions of the interpreter: one for each row of config/control/function.h that has an effect. A row of a control's file names the
+// function that it calls.
 
 #include <type_traits>
 
@@ -8,7 +8,8 @@
 
 namespace kadr::functions {
 
-/// Returns true for functions that call, return, jump or end, or execute other codes: they receive the Interpreter, all others an Emitter.
+/// Returns true for a function that may change the course of the program (calls, returns, jumps, ends), or that executes other codes. Such
+/// a function receives the Interpreter; all others receive an Emitter.
 constexpr bool steers(Function function) {
   switch (function) {
     case Function::repeat_word:

@@ -13,7 +13,7 @@ namespace {
 constexpr std::uint64_t x_bit = letter_bit('X');
 constexpr std::uint64_t y_bit = letter_bit('Y');
 
-/// Mach3 10.7.6: X is the radius and Y the angle from the pole; the radius or angle without a word keeps its last value.
+/// Reads polar words: X is the radius and Y the angle from the pole (Mach3 10.7.6). A radius or angle without a word keeps its last value.
 void polar_target(BlockContext& m, Axes& to, AxisMask& named) {
   if ((m.block->letters & (x_bit | y_bit)) == 0) return;
   Modal& modal = m.modal;
@@ -25,7 +25,7 @@ void polar_target(BlockContext& m, Axes& to, AxisMask& named) {
   named |= 3u;
 }
 
-/// G53 together with G0 or G1: the words are machine coordinates (Mach3 10.7.17).
+/// G53 with G0 or G1: the axis words are machine coordinates (Mach3 10.7.17).
 Status machine_motion(Emitter& m, MotionKind kind) {
   Axes to = m.position.machine;
   AxisMask named = 0;
@@ -77,14 +77,14 @@ bool axes_taken_by_code(const BlockContext& m) {
   return false;
 }
 
-/// Checks that cutter compensation is off: machine points, reference points and probes are not allowed during it (Mach3 10.7.12; 2С42
-/// INFERRED).
+/// Checks that cutter compensation is off, for motions to machine points or reference points and for probe motions (Mach3 10.7.12; INFERRED
+/// for the 2С42).
 Status no_compensation(const BlockContext& m, const Call& call) {
   if (m.modal.radius_side == 0) return {};
   return fail(alarm(AlarmId::compensation_active, call.where, call.row->code));
 }
 
-/// Returns the axes that have a word, whatever its value; all axes if there is none.
+/// Returns the axes that have a word, whatever its value; all axes if no axis has a word.
 AxisMask named_axes(const BlockContext& m) {
   AxisMask named = 0;
   for (std::size_t a = 0; a < m.axis_count; ++a)
@@ -99,7 +99,7 @@ namespace functions {
 Status rapid(Emitter& m, const Call& call) { return straight(m, call, MotionKind::rapid, MotionMode::rapid); }
 Status linear(Emitter& m, const Call& call) { return straight(m, call, MotionKind::feed, MotionMode::linear); }
 
-/// G80 (Mach3 10.7.23): axis words in its block need another code that uses them.
+/// G80 (Mach3 10.7.23): fails if the block has axis words and no code that uses them.
 Status no_motion(Emitter& m, const Call& call) {
   if (m.def.behaviour.reads_arc_radius() && m.has_axis_words() && !axes_taken_by_code(m)) {
     const Word* first = nullptr;
@@ -124,8 +124,8 @@ Status machine_coordinates(Emitter& m, const Call& call) {
   return {};
 }
 
-/// G28, G30 (Mach3 10.7.10): through the programmed point to the home position, at rapid. arg: 1 home, 2 second home. INFERRED: only the
-/// named axes go home; without axis words all axes go home at once.
+/// G28, G30 (Mach3 10.7.10): moves at rapid through the programmed point to the home position. arg: 1 home, 2 second home. INFERRED: only
+/// the axes that have a word go home; without axis words all axes go home, in one motion.
 Status home_through(Emitter& m, const Call& call) {
   KADR_TRY(no_compensation(m, call));
   const std::uint32_t first = m.variables.first(call.row->arg == 2 ? VariableKind::home_second : VariableKind::home);
@@ -140,26 +140,26 @@ Status home_through(Emitter& m, const Call& call) {
   return m.to_machine(MotionKind::home, home, named_axes(m), 0, call.row->arg == 2 ? EndReference::reference_2 : EndReference::reference_1);
 }
 
-/// G28.1 (Mach3 10.7.11): the axes move to their switches at feed; the end point of the Motion is the reference point.
+/// G28.1 (Mach3 10.7.11): the axes move at feed to their switches. The end point of the emitted Motion is the reference point.
 Status home_axes(Emitter& m, const Call& call) {
   KADR_TRY(no_compensation(m, call));
   KADR_TRY(m.feed_known(call.where));
   return m.to_machine(MotionKind::home, m.tables.reference[1], named_axes(m), m.modal.feed, EndReference::reference_1);
 }
 
-/// G25 (2С42): to the machine's reference point at 2000 mm/min.
+/// G25 (2С42): moves to the machine's reference point at 2000 mm/min.
 Status approach_reference(Emitter& m, const Call& call) {
   KADR_TRY(no_compensation(m, call));
   return m.to_machine(MotionKind::home, m.tables.reference[1], named_axes(m), m.def.behaviour.reference_feed, EndReference::reference_1);
 }
 
-/// G26 (2С42): to an absolute point of the machine; INFERRED: at rapid.
+/// G26 (2С42): moves to a point in machine coordinates; INFERRED: at rapid.
 Status machine_point(Emitter& m, const Call& call) {
   KADR_TRY(no_compensation(m, call));
   return machine_motion(m, MotionKind::rapid);
 }
 
-/// G31 (Mach3 10.7.12).
+/// G31 (Mach3 10.7.12): a probe motion.
 Status probe(Emitter& m, const Call& call) {
   const std::uint64_t linear = letter_bit('X') | letter_bit('Y') | letter_bit('Z');
   if ((m.block->letters & linear) == 0) return fail(alarm(AlarmId::no_axis_word, call.where, call.row->code));
@@ -179,7 +179,7 @@ Status probe(Emitter& m, const Call& call) {
   }
   if (std::sqrt(distance) < m.def.behaviour.probe_least_distance)
     return fail(alarm(AlarmId::probe_too_close, call.where, std::sqrt(distance), m.def.behaviour.probe_least_distance));
-  if (call.row->modal) {  // G38.2 leaves no motion code in force: axis words alone would move at rapid into the part
+  if (call.row->modal) {  // G38.2 leaves no motion code in force: G0 could hit the part
     m.modal.motion = MotionMode::none;
     m.modal.motion_row = -1;
   }

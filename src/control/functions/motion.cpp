@@ -1,4 +1,4 @@
-// Straight motions and frames: converts a programmed point to work and machine coordinates and creates the Motion to it.
+// Straight motions and frames: converts a programmed point to work and machine coordinates, and emits the Motion to it.
 
 #include <algorithm>
 #include <cmath>
@@ -35,14 +35,15 @@ Status BlockContext::axis_words(Axes& to, AxisMask& named) const {
   return {};
 }
 
-/// Returns the next action of the batch as a motion to the computed position. Its modes are still those of an earlier action.
+/// Returns the next action of the batch as a motion to the computed position. The caller must set its modes, which are still those of an
+/// earlier action.
 Motion& Emitter::next_motion() {
   Action& action = batch->add();
   action.origin = origin;
   Motion* const reused = motion_of(action);
   Motion& motion = reused != nullptr ? *reused : action.what.emplace<Motion>();
   motion.detail.reset();
-  for (std::size_t a = 0; a < axis_count; ++a) {  // the coordinates of the other axes stay 0
+  for (std::size_t a = 0; a < axis_count; ++a) {  // the coordinates of axes that the control lacks stay 0
     motion.to[a] = position.work[a];
     motion.machine[a] = position.machine[a];
   }
@@ -50,7 +51,7 @@ Motion& Emitter::next_motion() {
 }
 
 std::uint16_t BlockContext::length_row() const {
-  const bool ends_with_its_number = def.grammar.o_words;  // LinuxCNC: G49 clears the number of the length offset, and there is no sign
+  const bool ends_with_its_number = def.grammar.o_words;  // LinuxCNC: G49 clears length_number, and length_sign is not used
   if (modal.length_sign == 0 && !ends_with_its_number) return 0;
   return static_cast<std::uint16_t>(modal.length_number != 0 ? modal.length_number : modal.offset_number);
 }
@@ -84,7 +85,7 @@ void Emitter::move_to(const Axes& programmed, const Axes& work, AxisMask named) 
     const AxisMask moved = frames.moved_with(named);
     for (std::size_t a = 0; a < axis_count; ++a)
       if ((moved >> a & 1u) != 0) position.machine[a] = machine[a];
-    if (frames.space && frames.space->changes_work(named)) {  // nct N3212 FOS: the axes do not move, their coordinates change
+    if (frames.space && frames.space->changes_work(named)) {  // nct N3212 FOS: the axes keep their positions, the work coordinates change
       position.work = frames.work_of(position.machine);
       position.programmed = transform.to_programmed(position.work);
       return;
@@ -117,8 +118,8 @@ Status Emitter::straight(MotionKind kind, const Axes& programmed, AxisMask named
   return {};
 }
 
-/// Computes the feed along a straight motion on which an axis has its own feed (GOST 20999-83). INFERRED: the path remains straight; the
-/// axis that needs the longest time, or the group of the other axes if it needs longer, determines the feed.
+/// Returns the feed along a straight motion on which at least one axis has its own feed (GOST 20999-83). INFERRED: the path remains
+/// straight, and the slowest motion decides: that of an axis with its own feed, or the common motion of all other axes.
 double BlockContext::feed_by_axes(const Motion& motion) const {
   double time = 0, rest = 0, all = 0;
   for (std::size_t a = 0; a < axis_count; ++a) {
@@ -152,7 +153,7 @@ Status Emitter::to_machine(MotionKind kind, const Axes& machine, AxisMask named,
   motion.end_reference = end;
   if (feed > 0) motion.feed = feed;
   else if (kind == MotionKind::feed) set_feed(motion);
-  if (frames.space && frames.space->controls_tip()) {  // the axes move evenly: a machine position needs no control of the tool tip
+  if (frames.space && frames.space->controls_tip()) {  // the axes move linearly: the end is not a point of the tool tip
     auto detail = motion.detail ? std::make_shared<MotionDetail>(*motion.detail) : std::make_shared<MotionDetail>();
     detail->evenly = true;
     motion.detail = std::move(detail);
@@ -181,7 +182,7 @@ std::optional<std::size_t> BlockContext::axis_of_feed(std::uint32_t index) const
   return std::nullopt;
 }
 
-/// Returns true if each axis that the block names has its own feed.
+/// Returns true if each axis that has a word in the block has its own feed.
 bool BlockContext::axes_have_feeds() const {
   const bool arc = modal.motion == MotionMode::arc_cw || modal.motion == MotionMode::arc_ccw;
   AxisMask named = 0;
@@ -282,7 +283,8 @@ void Emitter::change_frames() {
     return;
   }
   for (std::size_t a = 0; a < axis_count; ++a) {
-    // With `next_motion` a new length takes effect in the next motion of its axis: the tool's coordinate remains as programmed.
+    // With LengthOffset::next_motion a new length takes effect in the next motion of its axis: until then the tool's coordinate remains as
+    // programmed.
     const double length = def.behaviour.length_offset == LengthOffset::at_once ? frames.length[a] - before.length[a] : 0.0;
     const double shift = frames.origin[a] - before.origin[a] + length;
     if (shift != 0) position.work[a] -= shift;
@@ -295,8 +297,8 @@ void Emitter::change_frames() {
 void Emitter::apply_mirror() {
   for (std::size_t a = 0; a < axis_count; ++a) {
     bool on = mirror_switches[a];
-    if (a == 1 && modal.plane == Plane::zx) on = false;  // 2С42 6.8: with G18 Y is not mirrored
-    if (a == 0 && modal.plane == Plane::yz) on = false;  // with G19 X is not mirrored
+    if (a == 1 && modal.plane == Plane::zx) on = false;  // 2С42 6.8: Y is not mirrored in G18
+    if (a == 0 && modal.plane == Plane::yz) on = false;  // X is not mirrored in G19
     transform.mirror[a] = on ? std::int8_t{-1} : std::int8_t{1};
   }
   transform.refresh();

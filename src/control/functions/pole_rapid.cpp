@@ -1,5 +1,5 @@
-// G10 of GOST: rapid to a polar point (spec/gost 6). The pole, its plane, the radius B and the angle A stay in force, so that a block
-// may contain B or A alone (N11, N12 of the turning example).
+// G10 of GOST: rapid motion to a point in polar coordinates (spec/gost 6). The pole, its plane, the radius B and the angle A stay in force,
+// so that a block may contain only B or only A (N11, N12 of the turning example in GOST 20999-83).
 
 #include "control/functions/functions.h"
 
@@ -10,7 +10,7 @@ constexpr std::size_t linear_axes = 3;  // X Y Z
 
 bool has_axis(Plane plane, std::size_t axis) { return axes_of(plane).normal != axis; }
 
-/// Returns the axes whose words in the block give the pole, one bit per axis.
+/// Returns the axes whose words in the block are coordinates of the pole, one bit per axis.
 AxisMask pole_words(const BlockContext& m) {
   AxisMask words = 0;
   for (std::size_t a = 0; a < linear_axes; ++a)
@@ -18,9 +18,9 @@ AxisMask pole_words(const BlockContext& m) {
   return words;
 }
 
-/// Determines the plane of the pole. Two words define the plane: Z84 X0 is a turning plane, in G17 too. One word keeps the plane that
-/// contains its axis; Z alone in G17 means a turned workpiece (INFERRED). Without words the plane is that of the pole in force, or that
-/// of a G17, G18, G19 programmed since (INFERRED).
+/// Determines the plane of the pole from the axes that give its coordinates. Two axes define the plane: Z84 X0 is a turning plane, also in
+/// G17. One axis keeps the plane in force if that plane contains the axis; Z alone in G17 means a turned workpiece (INFERRED). Without axis
+/// words the plane is that of the pole in force, or that of a G17, G18 or G19 programmed after the pole (INFERRED).
 Plane plane_of_pole(const Modal& modal, AxisMask words) {
   constexpr AxisMask x = 1, y = 2, z = 4;
   if (words == (x | y | z)) return modal.plane;
@@ -38,7 +38,7 @@ Plane plane_of_pole(const Modal& modal, AxisMask words) {
 
 }  // namespace
 
-/// G10 of GOST. INFERRED: in G91 each word is an increment on the value in force, like an axis word.
+/// Executes G10 of GOST. INFERRED: in G91 each word is added to the value in force, like an axis word.
 Status functions::pole_rapid(Emitter& m, const Call& call) {
   Modal& modal = m.modal;
   modal.motion = MotionMode::rapid;
@@ -47,7 +47,7 @@ Status functions::pole_rapid(Emitter& m, const Call& call) {
   const AxisMask words = pole_words(m);
   const Plane plane = plane_of_pole(modal, words);
   const PlaneAxes axes = axes_of(plane);
-  if (const char third = m.letters.axis_letter[axes.normal]; (words >> axes.normal & 1u) != 0)  // the pole has two coordinates
+  if (const char third = m.letters.axis_letter[axes.normal]; (words >> axes.normal & 1u) != 0)  // a third coordinate is an alarm
     return fail(alarm(AlarmId::word_unused, m.where(third), third));
   if (!m.has('B') && !m.has('A')) return fail(alarm(AlarmId::word_missing, call.where, 'B', call.row->code));
   if (!m.has('B') && !modal.polar_radius_given) return fail(alarm(AlarmId::word_missing, call.where, 'B', call.row->code));
@@ -55,7 +55,7 @@ Status functions::pole_rapid(Emitter& m, const Call& call) {
   const auto base = [&](double old) { return modal.absolute ? 0.0 : old; };
   for (std::size_t a = 0; a < linear_axes; ++a)
     if ((words >> a & 1u) != 0) {
-      const double half = (modal.diameter >> a & 1u) != 0 ? 0.5 : 1;  // words of a diameter axis are diameters
+      const double half = (modal.diameter >> a & 1u) != 0 ? 0.5 : 1;  // the word of a diameter axis is a diameter
       modal.pole_of[a] = base(modal.pole_of[a]) + half * m.length_value(m.letters.axis_letter[a]);
     }
   if (m.has('B')) modal.polar_radius = base(modal.polar_radius) + m.length_value('B');
@@ -68,7 +68,7 @@ Status functions::pole_rapid(Emitter& m, const Call& call) {
   to[axes.first] = modal.pole_of[axes.first] + modal.polar_radius * turn.cos;
   to[axes.second] = modal.pole_of[axes.second] + modal.polar_radius * turn.sin;
   Status moved = m.straight(MotionKind::rapid, to, AxisMask{1} << axes.first | AxisMask{1} << axes.second);
-  if (!moved) modal = before;  // a block with axis words only has not saved any other state
+  if (!moved) modal = before;  // an alarm in such a block restores only the position
   return moved;
 }
 

@@ -1,12 +1,12 @@
 #pragma once
-// Handles a probe motion if the set-up does not define probes.
+// Decides whether a probe motion has made contact if the set-up does not define what a probe touches.
 
 #include "control/emitter.h"
 
 namespace kadr {
 
 /// Returns true if the probe motion ended in contact. If the set-up does not define what a probe touches, this is unknown: a note is
-/// given, and the program continues as if the probe had touched at the end of the motion, as someone reading the program at a desk would
+/// reported, and the program continues as if the probe had touched at the end of the motion, as a person who reads the program would
 /// assume.
 inline bool made_contact(Emitter& m, const ProbeAnswer& answer) {
   if (answer.touched || m.probe_stated) return answer.touched;

@@ -11,12 +11,13 @@
 namespace kadr {
 namespace {
 
-constexpr double mm_per_increment = 0.001;  // 6.5.1
-constexpr double pass_dwell = 0.3;          // s: `G4 E3` of L83's body, table 9
+constexpr double mm_per_increment = 0.001;  // 2С42 6.5.1
+constexpr double pass_dwell = 0.3;          // s: `G4 E3` in the body of L83 (2С42 table 9)
 constexpr double max_passes = 100'000;
 
-/// L83: R1 depth, R2 retract, R3 depth of one peck, R0 feed. With G91 R1 and R2 are increments (6.7.2); INFERRED: R1 counts from the
-/// tool's position, R2 from the bottom. R1 gives the direction; the sign of R3 is ignored.
+/// Starts L83 of the 2С42, deep drilling. Its parameters: R1 depth, R2 retract level, R3 depth of one peck, R0 feed. In G91 R1 and R2 are
+/// increments (6.7.2); INFERRED: R1 counts from the tool's position, R2 from the bottom. R1 gives the direction of drilling; the sign of R3
+/// is ignored.
 Status start_deep_drilling(Emitter& m, const CycleRow& cycle, Span where) {
   double r[4];
   for (const int i : {0, 1, 2, 3}) {
@@ -73,7 +74,7 @@ Status call_section(Interpreter& m, const Call& call) {
     KADR_TRY(contour_allows_infeed(m, w.where));
     if (m.modal.contour != CompensationPhase::off && m.modal.plane != Plane::xy)
       return fail(alarm(AlarmId::compensation_active, w.where, "G17"));
-    // The body of the cycle begins with G1 G9 G17 G43 and ends with G0 (table 9).
+    // The body of L83 begins with G1 G9 G17 G43 and ends with G0 (2С42 table 9).
     m.run_modes({Function::plane_xy, Function::length_plus});
     KADR_TRY(start_deep_drilling(m, *cycle, w.where));
     m.run_modes({Function::rapid});

@@ -5,14 +5,14 @@
 
 namespace kadr {
 
-/// Calls subprogram or cycle nn, mm times; once if L has only two digits (6.3.3).
+/// Executes a word Lnnmm: calls subprogram or cycle nn, mm times; once if L has only two digits (2С42 6.3.3).
 ///   alarms  too_few_digits, subprogram_missing, cycle_override, cycle_peck, variable_not_set
 Status call_section(Interpreter& m, const Call& call);
 
-/// Returns the canned cycle that `L` with this number calls, or nullptr if it calls none.
+/// Returns the canned cycle that a word L with this number calls; nullptr if it calls no canned cycle.
 const CycleRow* called_cycle(const ControlDef& def, std::uint32_t number);
 
-/// Restores, on return, the work offset of the caller if the subprogram has changed it (last section).
+/// Restores, on return, the caller's work offset if the subprogram has changed the work offset (2С42, last section).
 void restore_work_offset(Emitter& m, const CallFrame& left);
 
 }  // namespace kadr

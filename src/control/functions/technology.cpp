@@ -1,4 +1,4 @@
-// Feed, spindle, tools, coolant, dwell, stops, messages to the machine.
+// Functions for feed, spindle, tools, coolant, dwell, stops, and codes that go to the machine.
 
 #include <cmath>
 #include <optional>
@@ -14,7 +14,7 @@ bool turns_spindle(const BlockContext& m) {
   return m.has_code({Function::spindle_cw, Function::spindle_ccw, Function::spindle_cw_coolant, Function::spindle_ccw_coolant});
 }
 
-/// Returns true if the spindle code is for spindles other than the first one; the dialect has then commanded them.
+/// Returns true if the spindle code is for spindles other than the first one; then the dialect has executed it.
 Result<bool> is_for_others(Emitter& m, SpindleDir dir, Span where) { return m.dialect->turns_spindle(m, dir, where); }
 
 Status turn_spindle(Emitter& m, SpindleDir dir, Span where) {
@@ -34,8 +34,8 @@ Status flood(Emitter& m) {
   return {};
 }
 
-/// Returns the feed or speed that a code stands for (spec/gost 3: `F28` names a row of the machine's table), or the number itself if there
-/// is no table; -1 if the table lacks the code.
+/// Returns the feed or speed that F or S means. If the set-up has a table of codes, the number is a code in it (spec/gost 3: `F28`), and
+/// the result is -1 if the table lacks the code. Without a table the number itself is returned.
 double coded(const std::map<std::int32_t, double>& table, double value) {
   if (table.empty()) return value;
   const auto found = table.find(static_cast<std::int32_t>(value));
@@ -49,20 +49,19 @@ Status dwell_for(Emitter& m, char letter) {
   return {};
 }
 
-/// Sets the feed of one axis: F is written between the axis words.
+/// Sets the feed of the axis whose word is before F.
 Status feed_of_axis(BlockContext& m, const Call& call, std::size_t axis, double feed) {
   const bool arc =
       m.has_code({Function::arc_cw, Function::arc_ccw}) ||
       (!m.has_code({Function::rapid, Function::linear}) && (m.modal.motion == MotionMode::arc_cw || m.modal.motion == MotionMode::arc_ccw));
-  if (arc)
-    return fail(alarm(AlarmId::not_together, call.where, m.block->text_of(call.where), "G2, G3"));  // INFERRED: an axis has no feed there
+  if (arc) return fail(alarm(AlarmId::not_together, call.where, m.block->text_of(call.where), "G2, G3"));  // INFERRED: not on an arc
   if (!(feed > 0)) return fail(alarm(AlarmId::value_out_of_range, call.where, 'F', feed));
   m.modal.axis_feed[axis] = feed;
   m.modal.feeds_of_axes |= 1u << axis;
   return {};
 }
 
-/// Checks that the block has no other F that is for all axes.
+/// Checks that the block has no earlier F that is for all axes.
 Status only_common_feed(const BlockContext& m, const Word& f) {
   for (std::uint32_t i = 0; &m.block->words[i] != &f; ++i)
     if (m.block->words[i].address == 'F' && !m.axis_of_feed(i)) return fail(alarm(AlarmId::address_twice, f.where, 'F'));
@@ -75,7 +74,7 @@ bool has_feed_of_axis(const BlockContext& m) {
   return false;
 }
 
-/// Sets the feed along the path.
+/// Sets the feed of the motion along its path.
 Status common_feed(Emitter& m, Span where, double value) {
   const bool is_length = m.modal.feed_mode != FeedMode::inverse_time;
   double feed = coded(m.def.feed_codes, value);
@@ -89,8 +88,8 @@ Status common_feed(Emitter& m, Span where, double value) {
   return {};
 }
 
-/// Executes F on a control where F may belong to one axis. The feed of an axis stays in force until that axis gets another feed, or until
-/// a block has a single F for all axes.
+/// Executes F on a control where F may be the feed of one axis. The feed of an axis stays in force until the axis gets another feed, or
+/// until a block has a single F for all axes.
 Status gost_feed(Emitter& m, const Call& call) {
   const double value = call.word->value * m.def.address('F').scale;
   const auto index = static_cast<std::uint32_t>(call.word - m.block->words.data());
@@ -112,7 +111,7 @@ Status feed_word(Emitter& m, const Call& call) {
 Status speed_word(Emitter& m, const Call& call) {
   const double rpm = coded(m.def.speed_codes, m.value('S'));
   if (!(rpm >= 0)) return fail(alarm(AlarmId::value_out_of_range, call.where, 'S', m.value('S')));
-  if (m.def.behaviour.speed_needs_direction && !turns_spindle(m)) {  // 2С42 6.4.3
+  if (m.def.behaviour.speed_needs_direction && !turns_spindle(m)) {  // S waits for M3, M4 (2С42 6.4.3)
     m.warn(warning(AlarmId::speed_without_direction, call.where));
     m.modal.rpm_waiting = rpm;
     return {};
@@ -125,7 +124,8 @@ Status speed_word(Emitter& m, const Call& call) {
   return {};
 }
 
-/// T selects a pocket of the magazine. If offset numbers belong to tools, T0404 is tool 04 with offset 04 (spec/gost 4).
+/// T: selects a tool, which is a pocket of the magazine. On a control where T also has the offset number, T0404 is tool 04 with offset 04
+/// (spec/gost 4).
 Status tool_word(Emitter& m, const Call& call) {
   const auto number = m.whole('T', 0, 99'999'999);
   if (!number) return fail(number.error());
@@ -196,7 +196,7 @@ Status dwell(Emitter& m, const Call& call) {
   return fail(alarm(AlarmId::word_missing, call.where, 'P', call.row->code));
 }
 
-/// Executes a dwell time in a block with a motion: the dwell follows the motion (2С42 6.4.5).
+/// Executes a dwell word in a block with a motion; the dwell follows the motion (2С42 6.4.5).
 Status dwell_word(Emitter& m, const Call& call) { return dwell_for(m, call.word->address); }
 
 Status machine_function(Interpreter& m, const Call& call) { return m.dialect->machine_code(m, call); }
@@ -207,11 +207,11 @@ Status program_stop(Emitter& m, const Call&) {
   return {};
 }
 
-/// M01 stops only while the operator's switch is on.
+/// M01: stops only while the operator's switch for the optional stop is on.
 Status optional_stop(Emitter& m, const Call& call) {
   stop_off_contour(m);
   m.use.note(UseKind::optional_stop, 1, m.origin);
-  const bool always_reported = call.row->arg == 1;  // the machine's logic reads the switch, not the interpreter
+  const bool always_reported = call.row->arg == 1;  // arg 1: the stop is always emitted, the machine's logic reads the switch
   if (m.optional_stop_on || always_reported) m.emit(Stop{true});
   return {};
 }

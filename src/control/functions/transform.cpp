@@ -1,4 +1,4 @@
-// Transform: scale, mirror, rotation; programmed coordinates to work coordinates and back (Mach3 10.7, NCT 16).
+// Transform: scale, mirror image and rotation; converts programmed coordinates to work coordinates and back (Mach3 10.7, NCT 16).
 
 #include <algorithm>
 #include <cmath>

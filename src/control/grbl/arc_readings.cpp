@@ -1,4 +1,5 @@
-// Compares the exact arc with the arc that Grbl computes in 32 bits. Used by control/grbl/block_check; tested by tests/grbl_arcs.py.
+// Compares an exactly computed arc with the arc that Grbl computes in 32 bits. Used by control/grbl/block_check; tested by
+// tests/grbl_arcs.py.
 
 #include "control/grbl/arc_readings.h"
 
@@ -11,11 +12,11 @@
 namespace kadr::grbl {
 namespace {
 
-constexpr double parts_at = 0.01;  // mm: a warning is given if the two arcs are further apart
+constexpr double parts_at = 0.01;  // mm: distance of the two arcs above which a warning is reported
 constexpr double arc_error = 0.005, arc_error_most = 0.5, arc_error_of_radius = 0.001;  // mm, mm, fraction of the radius (5.2)
-constexpr double any_difference = 1e7;  // mm: no tolerance, as the radii have been checked already
+constexpr double any_difference = 1e7;  // mm: no limit, because the radii have been checked already
 
-/// The result of computing an arc from its words: an alarm, an arc, or a straight line (neither is set).
+/// The result of computing an arc from its words: an alarm, or an arc. If neither is set, Grbl moves on a straight line.
 struct Reading {
   std::optional<Alarm> refused;
   std::optional<PlaneArc> arc;
@@ -30,7 +31,7 @@ Reading exact_reading(const ArcWords& w) {
   if (w.by_radius) {
     const double half = length(w.to - w.from) / 2;
     if (w.same_point) return {alarm(AlarmId::full_circle_by_radius, w.where), {}};
-    if (w.from == w.to) return {};  // only the third axis moves: Grbl divides by 0 and moves straight
+    if (w.from == w.to) return {};  // the circle has no plane chord: Grbl divides by 0 and moves straight
     if (std::fabs(w.radius) < half) return {alarm(AlarmId::radius_too_small, w.radius_where, std::fabs(w.radius), half), {}};
     return of_arc(arc_by_radius(w.from, w.to, w.radius, w.turn, any_difference));
   }
@@ -46,8 +47,8 @@ Float32Arc single_arc(const ArcWords& w) {
                      : float32_arc_by_center(w.single_from, w.single_to, w.single_offset, w.turn, w.tolerance);
 }
 
-/// Changes Grbl's arc so that it ends at the programmed end point, where Grbl's last segment ends anyway. The number of whole revolutions
-/// does not change.
+/// Changes Grbl's arc so that it ends at the programmed end point, where the last segment of Grbl ends in any case. The number of whole
+/// revolutions does not change.
 PlaneArc closed(const ArcWords& w, const PlaneArc& single) {
   const auto around = arc_around(w.from, w.to, single.center, w.turn, any_difference);
   if (!around) return single;
@@ -73,7 +74,7 @@ Vec2 point(const ArcWords& w, const Reading& reading, double part) {
   return reading.arc->center + rotated(w.from - reading.arc->center, whole * reading.arc->turns * part);
 }
 
-/// Returns the exact arc as Grbl would execute it: a straight line if the arc is too short to be divided into segments.
+/// Returns the exact arc in the form in which Grbl would execute it: a straight line if the arc is too short to be divided into segments.
 Reading in_segments(const ArcWords& w, Reading exact) {
   if (!exact.arc) return exact;
   const double tolerance = double{w.tolerance}, radius = length(w.from - exact.arc->center), turn = 2 * std::numbers::pi;
@@ -86,7 +87,7 @@ double turned(const Reading& reading) { return reading.arc ? reading.arc->turns 
 
 double rounded(double value) { return std::round(value * 1000) / 1000; }
 
-/// Returns a warning that says how the exact arc and Grbl's arc differ; nullopt if they agree.
+/// Returns a warning that describes how the exact arc and Grbl's arc differ; nullopt if they agree.
 std::optional<Alarm> parting(const ArcWords& w, const Reading& exact, const Reading& single) {
   if (single.refused && exact.refused) return std::nullopt;
   if (single.refused) return warning(AlarmId::single_arc_refused, w.where);

@@ -1,4 +1,4 @@
-// Reads and checks the words of a block: steps 2 and 3 of gc_execute_line in gcode.c of Grbl 1.1.
+// Reads and checks the words of a block, as steps 2 and 3 of gc_execute_line in gcode.c of Grbl 1.1 do.
 
 #include "control/grbl/block_check.h"
 
@@ -26,10 +26,11 @@ constexpr std::uint64_t bits(std::string_view letters) {
   return all;
 }
 
-/// A code number as int_value and mantissa of gcode.c. The whole part is one byte; what exceeds it is in the fraction (G257: error:23).
+/// A code number in the form in which gcode.c stores it: int_value and mantissa. The whole part has one byte; what exceeds it counts as a
+/// fraction, so that G257 gives error:23.
 struct CodeNumber {
   std::int32_t whole = 0;
-  std::int32_t hundredths = 0;  // 0 to 65535
+  std::int32_t hundredths = 0;  // the fraction in hundredths, 0 to 65535
 };
 CodeNumber code_number(double value) {
   const double near = std::clamp(value, -1e6, 1e6);
@@ -89,7 +90,8 @@ class BlockCheck {
     return fail(alarm(AlarmId::not_together, w.where, axis_code_, block_.text_of(w.where)));
   }
 
-  /// Records that a code uses the axis words: G10, G28 … and motion codes conflict, as both need axis words. G28.1 needs none.
+  /// Records that a code uses the axis words. G10, G28 and similar codes conflict with motion codes, because both need axis words; G28.1
+  /// needs none.
   Status takes_axes(const Word& w, AxisCommand command) {
     if (all_.axis_command != AxisCommand::none) return two_commands(w);
     all_.axis_command = command;
@@ -162,7 +164,7 @@ class BlockCheck {
     return one_of_group(w);
   }
 
-  /// M7 needs a special build of Grbl, M6 does not exist (3).
+  /// Checks an M code. M7 is an alarm, because it needs a special build of Grbl; M6 is one, because Grbl has no M6 (3).
   Status m_code(const Word& w) {
     if (code_number(w.value).hundredths != 0) return fail(alarm(AlarmId::word_not_integer, w.where, 'M', w.value));
     return one_of_group(w);
@@ -184,7 +186,7 @@ class BlockCheck {
     return {};
   }
 
-  /// Returns the code of the same modal group that comes before the word in the block.
+  /// Returns the code that is earlier in the block than the word and belongs to the same modal group.
   std::string code_of_group(const Word& w) const {
     const auto group = [&](const Word& of) {
       const std::int32_t row = of.code < 0 ? -1 : m_.def.row_of(of.address, of.code);
@@ -212,7 +214,7 @@ class BlockCheck {
   bool is_probe() const { return all_.motion > 38_g && all_.motion < 39_g; }
   tl::unexpected<Alarm> no_feed() const { return fail(alarm(AlarmId::feed_missing, block_.where)); }
 
-  /// Determines the feed. In G93 each motion block needs an F word, and so does the first block after the return to G94 (4.2).
+  /// Determines the feed. In G93 each block with a motion needs an F word, and so does the first such block after the return to G94 (4.2).
   Status feed() {
     if (is_jog_) {
       if (!has("F")) return no_feed();
@@ -226,7 +228,7 @@ class BlockCheck {
     return {};
   }
 
-  /// Sets the start position, in coordinates of the work system that the block selects.
+  /// Sets the start position of the motion, in coordinates of the work system that the block selects.
   void take_start() {
     all_.start = m_.position.programmed;
     const std::size_t system = work_system();
@@ -353,7 +355,7 @@ class BlockCheck {
 
   // ---- the end of the check
 
-  /// Refuses words that no code of the block uses (4.10). Any axis command uses the axis words.
+  /// Refuses words that no code of the block uses (4.10). A code that uses axis words uses all of them.
   Status words_used() {
     use(is_jog_ ? "FN" : "FNST");
     if (all_.axis_command != AxisCommand::none) use("XYZ");
@@ -377,7 +379,7 @@ class BlockCheck {
   CheckedBlock all_;
   std::string axis_code_;  // the code that uses the axis words
   std::uint64_t groups_ = 0;
-  std::uint64_t values_ = 0;  // bits of the letters whose words no code has used yet
+  std::uint64_t values_ = 0;  // letters of the words that no code has used yet, one bit per letter
   double feed_ = 0;
   bool leaves_inverse_ = false, length_by_word_ = false;
   const Word* jog_fault_ = nullptr;

@@ -1,5 +1,5 @@
-// Computes Grbl's arcs in 32-bit arithmetic. Used by control/grbl/arc_readings; tested by tests/grbl_arcs.py, which does the same in
-// Python, and against Grbl's own source by dev/grbl_oracle.
+// Computes Grbl's arcs in 32-bit arithmetic. Used by control/grbl/arc_readings; tested by tests/grbl_arcs.py, which makes the same
+// computation in Python, and by dev/grbl_oracle, which compares with Grbl's own source.
 
 #include "control/grbl/float32_arc.h"
 
@@ -9,17 +9,18 @@
 namespace kadr::grbl {
 namespace {
 
-constexpr float travel_epsilon = 5e-7F;  // rad, ARC_ANGULAR_TRAVEL_EPSILON
+constexpr float travel_epsilon = 5e-7F;  // rad; ARC_ANGULAR_TRAVEL_EPSILON of Grbl's source
 constexpr float whole_turn = 2 * std::numbers::pi_v<float>;
 constexpr float error_least = 0.005F, error_most = 0.5F, error_of_radius = 0.001F;  // mm, mm, fraction of the radius (5.2)
 
 float length_of(float x, float y) { return std::sqrt(x * x + y * y); }
 
-/// Returns the angle of a vector. The arc tangent is computed as a double and rounded to a float, so that it is the same with every
+/// Returns the angle of a vector. The arc tangent is computed as a double and then converted to a float, so that it is the same with every
 /// library.
 float angle_of(float y, float x) { return static_cast<float>(std::atan2(double{y}, double{x})); }
 
-/// Returns the number of lines into which Grbl divides the arc. Grbl counts in 16 bits: the number wraps around to 0 above 65535.
+/// Returns the number of straight segments into which Grbl divides the arc. Grbl counts them in 16 bits: after 65535 the count continues at
+/// 0.
 int segments_of(float angle, float radius, float tolerance) {
   constexpr float counts = 65536;
   const float chord = std::sqrt(tolerance * (2 * radius - tolerance));

@@ -1,6 +1,6 @@
 #pragma once
-// Computes an arc as Grbl does: the result of each operation is rounded to 32 bits, as by the C compiler of the AVR processor, where a
-// double is a float (spec/grbl 5.2 to 5.4; gcode.c, mc_arc). The rounding has visible effects in three cases:
+// Computes an arc as Grbl does. The result of each operation is rounded to 32 bits, because a double is a float for the C compiler of the
+// AVR processor (spec/grbl 5.2 to 5.4; gcode.c, mc_arc). The numerical rounding has visible effects in three cases:
 //
 //   an arc with R far from machine zero: with the chord (x, y), the centre depends on the square root of 4R² − x² − y², which is a
 //     difference of rounded squares
@@ -21,17 +21,18 @@ using Float32Pair = std::array<float, 2>;
 struct Float32Arc {
   enum class Answer : std::uint8_t { moves, radius_small, radius_wrong };  // radius_small is Grbl's error:34, radius_wrong its error:33
   Answer answer = Answer::moves;
-  Vec2 offset;       // from the start to the rounded centre, mm
+  Vec2 offset;       // mm; from the start to the centre, as a 32-bit value
   double turns = 0;  // swept angle / 360, positive
-  int segments = 0;  // number of segments; 0: a straight line to the end point
-  float radius = 0;  // mm, the radius from which the number of segments is computed
-  float other = 0;   // for the alarm, mm: radius at the end point (radius_wrong), or half the chord (radius_small)
+  int segments = 0;  // number of straight segments; 0: one straight line to the end point
+  float radius = 0;  // mm; the radius that determines the number of segments
+  float other = 0;   // mm, for the alarm: radius at the end (radius_wrong), or half the chord (radius_small)
 };
 
-/// Computes the arc given by I, J, K. `tolerance`: setting $12, mm.
+/// Computes the arc whose centre I, J, K give. `tolerance`: setting $12, mm.
 Float32Arc float32_arc_by_center(Float32Pair from, Float32Pair to, Float32Pair offset, Turn turn, float tolerance);
 
-/// Computes the arc given by R. If R is negative, the result is the longer of the two possible arcs.
+/// Computes the arc whose radius R gives. If R is negative, the result is the longer of the two possible arcs. `tolerance`: setting $12,
+/// mm.
 Float32Arc float32_arc_by_radius(Float32Pair from, Float32Pair to, float radius, Turn turn, float tolerance);
 
 }  // namespace kadr::grbl

@@ -1,5 +1,5 @@
-// Updates Grbl's 32-bit values from block to block, adding numbers in the order in which Grbl adds them (gcode.c, steps 19 and 20). Used by
-// control/grbl/dialect.
+// Updates Grbl's 32-bit values after each block. The numbers are added in the order in which Grbl adds them (gcode.c, steps 19 and 20).
+// Used by control/grbl/dialect.
 
 #include "control/grbl/float32_state.h"
 
@@ -30,7 +30,8 @@ void Float32Point::take(std::size_t axis, double now, float by_words) {
   single[axis] = by_words;
 }
 
-/// Converts the text of a word, which nearly always is the letter and a number; blanks and comments inside the word are filtered out.
+/// Converts the text of a word, which usually is a letter and a number, to a 32-bit value. Blanks and comments inside the word are removed
+/// first.
 float single_of(const Block& block, const Word& word) {
   const std::string_view text = block.text_of(word.where).substr(1);
   if (size_of_number(text) == text.size()) return float32_of_digits(text);

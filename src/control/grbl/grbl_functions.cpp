@@ -8,7 +8,7 @@
 namespace kadr {
 namespace {
 
-/// Returns a table row for writing; an alarm restores its old values.
+/// Returns `row` for writing, after its old values have been recorded for an alarm to restore.
 Axes& to_write(BlockContext& m, Axes& row) {
   m.journal.on_undo([&row, before = row] { row = before; });
   return row;
@@ -29,13 +29,13 @@ void take_length(Emitter& m, double length) {
 
 namespace functions {
 
-/// G53: the words of G0, G1 are machine coordinates; without words it does nothing.
+/// G53: the axis words of the block's G0 or G1 are machine coordinates. Without axis words G53 has no effect.
 Status machine_block(Emitter& m, const Call&) {
   m.block_machine_coordinates = true;
   return {};
 }
 
-/// G10 L2, L20: sets a work offset directly in machine coordinates (L2), or so that the present position has the given coordinates (L20).
+/// G10 L2, L20: sets a work offset. L2 gives it in machine coordinates; L20 sets it so that the present position has the given coordinates.
 Status stored_offsets(Emitter& m, const Call&) {
   const auto number = static_cast<std::size_t>(grbl::byte_of(m.value('P')));
   Axes& zero = to_write(m, m.tables.zeros[number == 0 ? m.modal.work_zero : number]);
@@ -46,8 +46,8 @@ Status stored_offsets(Emitter& m, const Call&) {
   return {};
 }
 
-/// G28, G30 (arg 1, 2): moves the axes that have words through the point of these words to the stored position; without axis words all axes
-/// move straight to the stored position.
+/// G28, G30 (arg 1, 2): moves the axes that have a word first to the point of the words, then to the stored position. Without axis words
+/// all axes move straight to the stored position.
 Status stored_move(Emitter& m, const Call& call) {
   const Axes stored = m.tables.reference[static_cast<std::size_t>(call.row->arg)];
   AxisMask named = 0;
@@ -64,7 +64,7 @@ Status stored_position(Emitter& m, const Call& call) {
   return {};
 }
 
-/// G43.1 Z.
+/// G43.1: Z is the tool length.
 Status length_by_word(Emitter& m, const Call&) {
   take_length(m, m.length_value('Z'));
   return {};

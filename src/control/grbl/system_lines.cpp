@@ -15,7 +15,7 @@ tl::unexpected<Alarm> not_understood(Span where, const std::string& line) {
   return fail(alarm(AlarmId::system_line, where, line.substr(0, 30)));
 }
 
-/// A setting such as `$130=200`.
+/// A line that changes a setting, such as `$130=200`.
 struct Assigned {
   int number = 0;
   double value = 0;
@@ -35,7 +35,7 @@ Result<Assigned> assigned(const std::string& line, Span where) {
   return Assigned{byte_of(number), value_of_digits(value.substr(0, value_size))};
 }
 
-/// True for a `$` line to which Grbl answers `ok`, but which does not affect the program: it only shows, stores or restores settings.
+/// Returns true for a `$` line that does not affect the program: Grbl answers `ok`, and only shows, stores or restores settings.
 bool is_form_of_line(const std::string& line) {
   if (line.size() == 1) return true;
   const bool alone = line.size() == 2;
@@ -61,7 +61,7 @@ bool is_command(const std::string& line) {
 
 Result<bool> set(Settings& settings, int number, double value, Span where) {
   constexpr int first_travel = 130;
-  constexpr std::int32_t least_pulse = 3;  // µs
+  constexpr std::int32_t least_pulse = 3;  // µs; least length of a step pulse
   if (value < 0) return fail(alarm(AlarmId::value_below_zero, where, '$' + std::to_string(number) + '=', value));
   switch (number) {
     case 0:
@@ -85,7 +85,7 @@ Result<bool> set(Settings& settings, int number, double value, Span where) {
   }
 }
 
-/// Executes a `$` line with a jog, homing, or a setting that Kadr uses; skips other `$` lines and reports a note.
+/// Executes a `$` line that jogs, homes, or changes a setting that Kadr uses. Any other `$` line is skipped with a note.
 Result<bool> Grbl::statement(Interpreter& m) {
   std::vector<std::uint32_t> place;
   const std::string line = filtered(m.block->text_of(m.block->statement.text), place);

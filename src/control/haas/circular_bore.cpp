@@ -1,4 +1,5 @@
-// Circular pockets G12, G13 (spec/haas 7.1). INFERRED: the tool enters and leaves a circle on a half circle, as in the manual's drawing.
+// Circular pockets G12, G13 (spec/haas 7.1). INFERRED: the tool approaches and leaves each circle on a half circle, as in the manual's
+// drawing.
 
 #include "base/code_literals.h"
 #include "control/fanuc/fanuc.h"
@@ -8,7 +9,7 @@
 namespace kadr::functions {
 namespace {
 
-/// Cuts the circles of a pocket at one depth, about the tool's position.
+/// Cuts the circles of a circular pocket at the present depth; the tool is at the centre of the pocket.
 class CircularBore {
  public:
   CircularBore(Emitter& m, const Call& call) : m_(m), call_(call), turn_(call.row->tenth == 12_g ? Turn::cw : Turn::ccw) {}
@@ -33,7 +34,8 @@ class CircularBore {
   }
 
  private:
-  /// Reads I, K, Q and D and computes the radii of the tool's path, mm. alarms word_missing, pocket_words_wrong, value_out_of_range
+  /// Reads I, K, Q and D, and computes the radii of the tool's path in mm.
+  ///   alarms  word_missing, pocket_words_wrong, value_out_of_range
   Status sizes() {
     if (!m_.has('I')) return fail(alarm(AlarmId::word_missing, call_.where, 'I', call_.row->code));
     const double given = m_.has('D') ? m_.value('D') : macro_b_of(m_).state.words.d;
@@ -75,8 +77,8 @@ class CircularBore {
     return arc(radius / 2, 0, 0.5);
   }
 
-  /// Adds an arc. Its centre is at the coordinate `around` on the plane's first axis, its end at `to` on that axis; both are relative to
-  /// the pocket's centre.
+  /// Adds an arc. The points are given by their coordinates on the plane's first axis, relative to the pocket's centre: `around` is the
+  /// arc's centre, `to` its end.
   Status arc(double around, double to, double turns) {
     Axes end = m_.position.programmed;
     end[plane_.first] = center_.x + to;
@@ -105,7 +107,7 @@ class CircularBore {
 
 }  // namespace
 
-/// G12: clockwise; G13: counter-clockwise.
+/// G12 (clockwise) and G13 (counter-clockwise): cuts a circular pocket.
 Status circular_bore(Emitter& m, const Call& call) { return CircularBore(m, call).run(); }
 
 }  // namespace kadr::functions

@@ -1,6 +1,6 @@
 // Engraves text with G47 (spec/haas 7.2): P0 engraves the text of the comment, P1 the serial number in #599, P32 to P126 a single
-// character. INFERRED: the shape of the letters, and the motions between them: at rapid at the R level; the tool plunges at the start of
-// each stroke. Tested by tests/cases/haas/cycles.cases.
+// character. INFERRED: the shape of the letters, and the motions between strokes: the tool moves at rapid at the R level, and plunges at
+// the start of each stroke. Tested by tests/cases/haas/cycles.cases.
 
 #include <fmt/format.h>
 
@@ -15,10 +15,10 @@
 namespace kadr::functions {
 namespace {
 
-constexpr double usual_height = mm_per_inch;                                                      // text height if J is missing
-constexpr double text_itself = 0, serial_number = 1, first_character = 32, last_character = 126;  // values and range of P
+constexpr double usual_height = mm_per_inch;                                                      // mm; height of the text if J is missing
+constexpr double text_itself = 0, serial_number = 1, first_character = 32, last_character = 126;  // values of P
 constexpr int serial_variable = 599;
-constexpr std::size_t max_digits = 15;  // a variable stores 15 digits exactly
+constexpr std::size_t max_digits = 15;  // a double stores whole numbers of 15 digits exactly
 
 /// Engraves one line of text.
 class EngravedText {
@@ -41,7 +41,7 @@ class EngravedText {
   }
 
  private:
-  /// Selects the text to engrave by P.
+  /// Determines the text to engrave from P.
   ///     alarms  value_out_of_range; word_missing: there is no comment
   Status choose_text() {
     p_ = m_.has('P') ? m_.value('P') : text_itself;
@@ -55,9 +55,10 @@ class EngravedText {
     return p_ == serial_number ? choose_serial() : Status();
   }
 
-  /// Computes the serial number to engrave. The comment `(####)` engraves as many digits of #599 as it has # characters: the last digits
-  /// if the number is longer, leading zeros if it is shorter; then #599 is increased by 1. `(1234)` sets #599 and engraves nothing.
-  ///     alarms  not_available: the comment has any other characters
+  /// Determines the serial number to engrave. With the comment `(####)` as many digits of #599 are engraved as the comment has characters
+  /// #: the last digits of a longer number, or leading zeros and a shorter number. Then #599 is increased by 1. The comment `(1234)` sets
+  /// #599 and engraves nothing.
+  ///     alarms  not_available: the comment has other characters
   Status choose_serial() {
     const auto consists_of = [&](std::string_view signs) {
       return !text_.empty() && text_.size() <= max_digits && text_.find_first_not_of(signs) == std::string::npos;
@@ -80,7 +81,8 @@ class EngravedText {
     macro_b_of(m_).variables.set_common(serial_variable, number);
   }
 
-  /// Reads the words of G47. alarms  not_available (the font lacks a letter), word_missing, value_out_of_range
+  /// Reads the words of G47.
+  ///   alarms  not_available (the font lacks a letter), word_missing, value_out_of_range
   Status words() {
     for (const char letter : {'R', 'Z'})
       if (!m_.has(letter)) return fail(alarm(AlarmId::word_missing, call_.where, letter, call_.row->code));
@@ -113,7 +115,7 @@ class EngravedText {
 
   Status over(Vec2 point) { return to_point(point, MotionKind::rapid); }
 
-  /// Moves to a point of the text; its coordinates are in units of the font.
+  /// Moves to a point of the text, which is given in units of the font.
   Status to_point(Vec2 point, MotionKind kind) {
     Axes to = m_.position.programmed;
     to[plane_.first] = start_.x + unit_ * (point.x * along_.cos - point.y * along_.sin);

@@ -7,7 +7,7 @@
 namespace kadr::haas {
 namespace {
 
-/// The strokes of one letter, as points on a grid of 5 by 7: two digits per point, x and y. A space ends a stroke.
+/// The strokes of a letter, as points on a grid of 5 by 7. Two digits give the x and y of a point; a space ends a stroke.
 struct LetterRow {
   char letter;
   std::string_view strokes;

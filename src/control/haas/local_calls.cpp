@@ -1,5 +1,5 @@
-// M97 and M96 of the Haas: subprogram calls to a block of the same program, jumps by an input (spec/haas 3.1, 3.4). Used by
-// control/functions; tested by tests/cases/haas.
+// M97 and M96 of the Haas: subprogram calls to a block of the same program, and jumps that depend on an input signal (spec/haas 3.1, 3.4).
+// Used by control/functions; tested by tests/cases/haas.
 
 #include <cmath>
 
@@ -12,7 +12,8 @@ namespace kadr::functions {
 
 using macro_b::CallRequest;
 
-/// M97 P L (spec/haas 3.1): calls block P of the same program, up to M99. The called blocks use the caller's local variables.
+/// M97 P L (spec/haas 3.1): calls the blocks of the same program from block P up to M99, L times. These blocks use the caller's local
+/// variables.
 Status call_local(Interpreter& m, const Call& call) {
   const Word* const p = m.word('P');
   if (p == nullptr) return fail(alarm(AlarmId::call_without_program, call.where, call.row->code));
@@ -27,12 +28,12 @@ Status call_local(Interpreter& m, const Call& call) {
   return macro_b::call(m, request, {}, call.where);
 }
 
-/// M96 P Q (spec/haas 3.4): jumps to block P while input Q is 0. INFERRED: an input that the set-up does not state is 0.
+/// M96 P Q (spec/haas 3.4): jumps to block P if the input signal with number Q is 0. INFERRED: a signal that the set-up does not list is 0.
 Status jump_by_input(Interpreter& m, const Call& call) {
   for (const char letter : {'P', 'Q'})
     if (!m.has(letter)) return fail(alarm(AlarmId::word_missing, call.where, letter, call.row->code));
   constexpr double max_inputs = 63;
-  const double input = std::round(m.value('Q') * std::pow(10.0, m.word('Q')->counted));  // Q5 is not a length: undo its scaling
+  const double input = std::round(m.value('Q') * std::pow(10.0, m.word('Q')->counted));  // Q is no length: its scale is undone
   if (!(input >= 0 && input <= max_inputs)) return fail(alarm(AlarmId::value_out_of_range, m.where('Q'), 'Q', input));
   const auto& inputs = macro_b_of(m).plc_in;
   const auto number = static_cast<std::size_t>(input);

@@ -17,12 +17,12 @@ namespace kadr::linuxcnc {
 
 class LinuxCnc;
 
-/// The codes of a block in tenths: G0 is 0, G38.2 is 382; -1 means none.
+/// The codes of a block, in tenths: G38.2 is 382; -1: the block has no such code.
 struct BlockCodes {
-  std::array<std::int32_t, g_groups> g{};  // the block's G code of each modal group
+  std::array<std::int32_t, g_groups> g{};  // by modal group: the block's G code
   std::array<std::int32_t, m_groups> m{};
-  std::int32_t motion = -1;  // the motion code of the block, else the one in force; -1: the block does not move
-  bool has_axis = false;     // the block has an axis word, X … W
+  std::int32_t motion = -1;  // motion code of the block, else the one in force; -1: nothing moves
+  bool has_axis = false;     // the block has an axis word: X Y Z A B C U V W
   bool has_polar = false;    // the block has a polar word, @ or ^
   bool axes_for_group0 = false;
 

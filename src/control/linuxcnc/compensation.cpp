@@ -1,4 +1,4 @@
-// G41, G42, G41.1, G42.1 (spec/linuxcnc 7.5; convert_cutter_compensation_on of the source). The corners are computed in path.
+// G41, G42, G41.1, G42.1 (spec/linuxcnc 7.5; convert_cutter_compensation_on of the source). The room path computes the corners.
 
 #include <fmt/format.h>
 
@@ -13,11 +13,12 @@ namespace kadr::functions {
 namespace {
 
 constexpr std::uint8_t unknown_nose =
-    10;  // a tool orientation in no table: the nose centre follows the path, with its own approach before an arc
+    10;  // an orientation outside the table: the path is that of the nose centre, and its entry before an arc is different
 
 }  // namespace
 
-/// Starts cutter compensation. arg: 41, 42 (G41, G42) use the tool table; 411, 421 (G41.1, G42.1) use the word D as a diameter.
+/// Starts cutter compensation. arg 41, 42 (G41, G42): the radius is in the tool table. arg 411, 421 (G41.1, G42.1): the word D is the
+/// tool's diameter.
 Status tool_side(Emitter& m, const Call& call) {
   const linuxcnc::LinuxCnc& control = linuxcnc::linuxcnc_of(m);
   const int code = call.row->arg;

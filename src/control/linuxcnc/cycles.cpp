@@ -22,7 +22,7 @@ constexpr double same_level = 1e-9;
 constexpr double max_pecks = 1e6;
 constexpr double max_repeats = 1e8;
 
-/// Computes the levels of a canned cycle from its words, with the checks in the order of LinuxCNC's source.
+/// Computes the levels of a canned cycle from its words. The checks are in the order of LinuxCNC's source.
 class Reader {
  public:
   Reader(Emitter& m, const kadr::Call& call) : m_(m), call_(call), control_(linuxcnc_of(m)) {}
@@ -60,7 +60,7 @@ class Reader {
  private:
   tl::unexpected<Alarm> wrong(std::string text) const { return control_.fault(AlarmId::rs274_cycle, call_.where, std::move(text)); }
 
-  /// Returns the letter of the drilling axis as LinuxCNC's fault texts have it: `z` in plane `xy`, but `W` in plane `UV`.
+  /// Returns the letter of the drilling axis in the case that LinuxCNC's alarm texts have: `z` in plane `xy`, but `W` in plane `UV`.
   char drill_letter() const {
     const char letter = m_.letters.axis_letter[hole_.drill];
     return of_uvw_ ? letter : static_cast<char>(letter | 0x20);
@@ -73,7 +73,7 @@ class Reader {
     }
   }
 
-  /// Refuses axes of the other kind of plane (XYZ or UVW), and drilling along an axis that the machine lacks.
+  /// Refuses words of U, V, W in a plane of X, Y, Z and vice versa, and drilling along an axis that the machine lacks.
   Status axes_of_plane(bool same) const {
     constexpr std::string_view xyz = "XYZ", uvw = "UVW", planes_of_xyz[] = {"XY", "XZ", "YZ"};
     for (const char letter : of_uvw_ ? xyz : uvw)
@@ -104,7 +104,7 @@ class Reader {
     return axes_of_plane(same);
   }
 
-  /// Records a fault that the cycle reports only after the tool has moved to the drilling position.
+  /// Stores a fault that the cycle reports only after the tool has moved to the drilling position.
   void at_hole(AlarmId id, std::string text) {
     if (hole_.fault != no_alarm) return;
     hole_.fault = id;
@@ -112,7 +112,8 @@ class Reader {
     hole_.where = call_.where;
   }
 
-  /// Reads the spindle number `$` at the point where LinuxCNC's source reads it; the fault text is LinuxCNC's, mistakes included.
+  /// Reads the spindle number `$`, at the point of the cycle where LinuxCNC's source reads it. The alarm text, with its mistakes, is
+  /// LinuxCNC's.
   void choose_spindle() {
     const bool taps = hole_.code == 84_g || hole_.code == 74_g;
     const bool in_uw = of_uvw_ && hole_.plane == Plane::zx;
@@ -146,7 +147,7 @@ class Reader {
   void resume_from() {
     CycleMemory& memory = m_.cycle_memory;
     if (const char drill = m_.letters.axis_letter[hole_.drill]; m_.has(drill)) {
-      const bool is_diameter = (m_.modal.diameter >> hole_.drill & 1u) != 0;  // G7 in G19; R stays a radius (2.9, #2948)
+      const bool is_diameter = (m_.modal.diameter >> hole_.drill & 1u) != 0;  // G7 in the plane of G19; R stays a radius (2.9, #2948)
       memory.bottom = m_.length_value(drill) / (is_diameter ? 2 : 1);
     }
     if (m_.has('R')) memory.level = m_.length_value('R');
@@ -169,15 +170,15 @@ class Reader {
     hole_.clear = m_.modal.retract_initial ? old_z : hole_.level;
     hole_.peck = memory.peck;
     hole_.dwell = memory.dwell;
-    const double of_xyz[] = {memory.i, memory.j, memory.k};  // I, J, K: increments along X, Y, Z or U, V, W
+    const double of_xyz[] = {memory.i, memory.j, memory.k};  // I, J, K are increments along X, Y, Z, or along U, V, W
     const auto along = [&](std::size_t axis) { return of_xyz[axis % 3]; };
     hole_.i = along(hole_.first);
     hole_.j = along(hole_.second);
     hole_.back = along(hole_.drill) + (m_.modal.absolute ? 0 : hole_.bottom);
   }
 
-  /// Checks the words that a cycle needs, in the block or kept from an earlier block. A fault is reported when the tool has risen to R. P
-  /// and Q of -1 count as missing (2.2).
+  /// Checks that each word which the cycle needs is in the block or kept from an earlier block. A fault is reported after the tool has
+  /// risen to R. P and Q with the value -1 count as missing (2.2).
   Status of_code(bool same) {
     const auto wants = [&](char letter, const char* text) {
       const bool there = m_.has(letter) && !((letter == 'P' || letter == 'Q') && m_.value(letter) == -1);
@@ -207,7 +208,7 @@ class Reader {
     KADR_TRY(m_.target(to, named));
     hole_.at_first = to[hole_.first];
     hole_.at_second = to[hole_.second];
-    if (!m_.modal.absolute) {  // each repetition advances by the words, the first repetition too
+    if (!m_.modal.absolute) {  // in G91 each repetition, the first one too, advances by the axis words
       hole_.step_first = to[hole_.first] - m_.position.programmed[hole_.first];
       hole_.step_second = to[hole_.second] - m_.position.programmed[hole_.second];
       hole_.at_first = m_.position.programmed[hole_.first];
@@ -237,7 +238,7 @@ class Reader {
   const kadr::Call& call_;
   LinuxCnc& control_;
   Hole hole_;
-  bool of_uvw_ = false;  // G17.1, G18.1, G19.1
+  bool of_uvw_ = false;  // the plane is that of G17.1, G18.1 or G19.1
 };
 
 }  // namespace

@@ -51,7 +51,7 @@ struct LinuxCnc::Remembered : DialectState {
   ProgramFiles::Memory outputs;
 };
 
-/// Reads the tools from tool.tbl in the program memory; if that file is missing, from the set-up (1.1).
+/// Reads the tools from tool.tbl in the program memory, or from the set-up if this file is missing (1.1).
 LinuxCnc::LinuxCnc(BlockContext& m, const Setup& setup, const RunLimits& limits)
     : groups(m.def),
       outputs({.root = limits.files,
@@ -74,8 +74,8 @@ LinuxCnc::LinuxCnc(BlockContext& m, const Setup& setup, const RunLimits& limits)
   read_tool_file(limits);
 }
 
-/// Sets the axes of the machine (1.1), which the set-up or its ini file names. INFERRED: with U, V or W the control has all nine axes, so
-/// that parameter numbers stay valid; words of an axis that is not named are still refused.
+/// Sets which axes the machine has (1.1): the set-up or its ini file names them. INFERRED: if U, V or W is among them the control has all
+/// nine axes, so that parameter numbers stay valid; a word of an axis that is not named is still an alarm.
 bool LinuxCnc::start(Interpreter& m, const Setup& setup) {
   std::string named;
   for (const std::string& axis : setup.axes) named += axis;
@@ -92,10 +92,10 @@ std::pair<double, double> LinuxCnc::limits_by_file(std::size_t axis) const {
   return machine.known && axis < machine.limits.size() ? machine.limits[axis] : Dialect::limits_by_file(axis);
 }
 
-/// Sets the axes to which the feed applies: X Y Z if they move, else U V W, else A B C (7.2).
+/// Sets in a motion the axes to which the feed applies: X Y Z if they move, else U V W, else A B C (7.2).
 void LinuxCnc::note_motion(Emitter& m, Motion& motion) {
   motion.along = FeedAlong::xyz;
-  if (m.modal.axes.first >= axis_u) {  // a plane of U, V, W has no arcs and no compensation
+  if (m.modal.axes.first >= axis_u) {  // in a plane of U, V, W there are no arcs and no compensation
     const PlaneAxes of_xyz = axes_of(m.modal.plane);
     motion.first = static_cast<std::uint8_t>(of_xyz.first);
     motion.second = static_cast<std::uint8_t>(of_xyz.second);
@@ -126,7 +126,7 @@ void LinuxCnc::started(Emitter&) {
   before_ = state;
 }
 
-/// Switches the shift of G92 off and clears the parameters of the shift (DISABLE_G92_PERSISTENCE).
+/// Cancels the shift of G92 and sets its parameters to 0 (DISABLE_G92_PERSISTENCE).
 void LinuxCnc::forget_shift(Emitter& m) {
   for (std::uint32_t n = shift_on_number; n < first_shift + axes_of_tables; ++n) m.variables.set_raw(n, 0);
   (void)m.variables.consume_frames_changed();
@@ -135,7 +135,7 @@ void LinuxCnc::forget_shift(Emitter& m) {
   m.change_frames();
 }
 
-/// Ends the program at M2, M30 (7.9). The modes that M2, M30 reset are listed in the control file.
+/// Ends the program at M2, M30 (7.9). The control's file lists the modes that M2 and M30 reset.
 bool LinuxCnc::end_program(Interpreter& m) {
   m.modal.feed = 0;
   m.modal.feed_known = false;
@@ -152,7 +152,7 @@ bool LinuxCnc::end_program(Interpreter& m) {
   return false;
 }
 
-/// Saves the parameter file and the tool table after an alarm, as LinuxCNC does (Interp::synch). An alarm leaves parameters unchanged.
+/// Saves the parameter file and the tool table after an alarm, as LinuxCNC does (Interp::synch). The parameters keep their values.
 void LinuxCnc::failed(Emitter& m) {
   save_parameters(m, false);
   save_tools(m);
@@ -194,7 +194,8 @@ Status LinuxCnc::restore(BlockContext&, const DialectState& from) {
 
 namespace {
 
-/// Refuses a byte order mark. LinuxCNC sees it as three characters and reports the first; Kadr's line reader has already skipped the mark.
+/// Refuses a file with a byte order mark. LinuxCNC reads the mark as three characters and reports the first; Kadr's line reader has skipped
+/// the mark.
 Status no_byte_order_mark(const BlockContext& m) {
   constexpr std::uint64_t size_of_mark = 3;
   if (m.block->position.line != 1 || m.block->position.offset != size_of_mark) return {};
@@ -210,7 +211,8 @@ Result<bool> LinuxCnc::statement(Interpreter& m) {
   return true;
 }
 
-/// Handles a line with only `%`: as the first line that is not blank it starts the program, the next `%` line ends the program (2.1).
+/// Handles a line with only `%` (2.1). If it is the first line that is not blank, it starts the program; the next such line ends the
+/// program.
 Result<bool> LinuxCnc::sign_of_file(Interpreter& m) {
   KADR_TRY(no_byte_order_mark(m));
   if (!state.began && !state.percent) {
@@ -233,7 +235,7 @@ Result<bool> LinuxCnc::end_of_file(BlockContext& m) {
                state.percent ? "File ended with no percent sign" : "File ended with no percent sign or program end");
 }
 
-/// Ends the run after a fault at the end of the file, so that it is reported once.
+/// Ends the run after a fault at the end of the file, so that the fault is reported once.
 void LinuxCnc::note_fault(Interpreter& m, bool) {
   const Alarm& fault = m.report.alarm;
   const bool of_the_end = fault.id == AlarmId::rs274_flow || fault.id == AlarmId::rs274_program;
@@ -247,7 +249,7 @@ void LinuxCnc::begin_block(Emitter&) {
 
 namespace {
 
-/// Checks that the feed is not 0, when the block is executed, after its F and its feed mode have been set, as LinuxCNC does (7.2).
+/// Checks that the feed is not 0. As in LinuxCNC, the check follows the block's F and feed mode (7.2).
 Status feed_known(const BlockContext& m, const LinuxCnc& control) {
   const std::int32_t motion = control.codes.motion;
   if (motion != 1_g) return {};
@@ -322,12 +324,12 @@ BlockChanges LinuxCnc::changes_of(const BlockContext&, const Plan&) const { retu
 void LinuxCnc::after_code(Interpreter& m, const CodeRow& row, std::int32_t) {
   if (row.letter != 'G' || row.group == 0) return;
   const auto is_of = [&](std::size_t group) { return row.group == groups.index_of_g(group); };
-  if (is_of(5)) {  // G93, G94, G95 set F to 0, even if in force already (7.2)
+  if (is_of(5)) {  // G93, G94, G95 set F to 0, also if they are in force already (7.2)
     m.modal.feed = 0;
     m.modal.feed_known = false;
     return;
   }
-  if (is_of(2) && row.tenth % 10 == 1 && m.axis_count > axis_u)  // G17.1, G18.1, G19.1: as G17, G18, G19, with U, V, W
+  if (is_of(2) && row.tenth % 10 == 1 && m.axis_count > axis_u)  // G17.1, G18.1, G19.1: G17, G18, G19 with U, V, W
     m.modal.axes = {m.modal.axes.first + axis_u, m.modal.axes.second + axis_u, m.modal.axes.normal + axis_u};
   if (is_of(7) && m.modal.contour == CompensationPhase::leaving) state.arc_not_allowed = true;
   if (is_of(6)) m.variables.inch = false;  // tables and parameters are in the machine's unit (1.1)
@@ -357,7 +359,7 @@ void LinuxCnc::note_line(BlockContext& m) {
   state.cycle_began = state.arc_not_allowed = false;
 }
 
-/// Returns a rule that checks each arc on its own, as LinuxCNC does.
+/// Returns the arc rule of the control's file, changed so that each arc is checked on its own, as LinuxCNC does.
 ArcRule LinuxCnc::arc_rule(const BlockContext& m) const {
   ArcRule rule = m.plain_arc_rule();
   rule.by_words = false;

@@ -22,7 +22,7 @@ constexpr std::uint32_t first_home = 5161, first_second_home = 5181;
 
 std::uint32_t system_at(std::uint32_t number) { return first_system + (number - 1) * numbers_of_system; }
 
-/// Calls `use` for each axis word, with its value in mm or degrees; X as a radius.
+/// Calls `use` for each axis word, with the axis and the word's value in mm or degrees; a diameter X as a radius.
 template <class Use>
 void each_word(const BlockContext& m, Use use) {
   for (std::size_t a = 0; a < m.axis_count; ++a) {
@@ -36,7 +36,7 @@ void each_word(const BlockContext& m, Use use) {
 
 void set(BlockContext& m, std::uint32_t number, double value) { m.variables.set_raw(number, value); }
 
-/// Returns the position `at` rotated by `degrees` about Z.
+/// Returns the position `at`, rotated by `degrees` about Z.
 Axes turned_by(const Axes& at, double degrees) {
   if (degrees == 0) return at;
   const SinCos by = sincos_deg(degrees);
@@ -52,13 +52,13 @@ Axes sum(const Axes& a, const Axes& b, double sign = 1) {
   return c;
 }
 
-/// Refuses a code that is not allowed under cutter compensation (7.5).
+/// Refuses a code that is not allowed under cutter compensation (7.5). `text`: text of the alarm.
 Status not_compensating(const BlockContext& m, Span where, const char* text) {
   if (m.modal.radius_side == 0) return {};
   return linuxcnc_of(m).fault(AlarmId::rs274_compensation, where, text);
 }
 
-/// G10 L2, L20: writes the offsets of a work system.
+/// G10 L2, L20: writes the offset of a work system. `by_position`: L20, so that the present position has the given coordinates.
 Status write_system(Emitter& m, const kadr::Call& call, bool by_position) {
   LinuxCnc& control = linuxcnc_of(m);
   const double p = m.has('P') ? std::round(m.value('P')) : 0;
@@ -68,7 +68,7 @@ Status write_system(Emitter& m, const kadr::Call& call, bool by_position) {
   const std::uint32_t first = system_at(number);
   if (m.has('R')) set(m, first + place_of_rotation, m.value('R'));
   const double rotation = m.variables.raw(first + place_of_rotation);
-  if (by_position) {  // machine = R·(value + shift) + offset + length
+  if (by_position) {  // machine position = R·(value + shift) + offset + length
     Axes reads = turned_by(sum(m.position.machine, sum(control.system_offset(m, number), control.state.length), -1), -rotation);
     reads = sum(reads, control.state.shift, -1);
     each_word(m, [&](std::size_t a, double v) { reads[a] = v; });
@@ -85,7 +85,7 @@ Status write_system(Emitter& m, const kadr::Call& call, bool by_position) {
   return {};
 }
 
-/// G10 L1, L10, L11: writes a tool of the table.
+/// G10 L1, L10, L11 (`kind`): writes a tool of the tool table.
 Status write_tool(BlockContext& m, int kind) {
   LinuxCnc& control = linuxcnc_of(m);
   const int number = static_cast<int>(std::round(m.value('P')));
@@ -100,7 +100,7 @@ Status write_tool(BlockContext& m, int kind) {
     each_word(m, [&](std::size_t a, double v) { tool.offset[a] = v; });
     return {};
   }
-  constexpr std::uint32_t fixture = 9;  // G59.3 (L11)
+  constexpr std::uint32_t fixture = 9;  // L11: the position is that in G59.3
   const Axes origin = kind == 10 ? control.state.system : control.system_offset(m, fixture);
   const double rotation = kind == 10 ? control.state.rotation : m.variables.raw(system_at(fixture) + place_of_rotation);
   const Axes shift = kind == 10 ? control.state.shift : Axes{};
@@ -116,7 +116,7 @@ void take_length(Emitter& m, const Axes& length) {
   m.change_frames();
 }
 
-/// Returns the length offsets for G43 or G43.2: those of tool H or, without H, those of the tool in the spindle.
+/// Returns the tool lengths for G43 or G43.2: those of tool H; without H, those of the tool in the spindle.
 Result<Axes> length_of_tool(BlockContext& m, Span where) {
   LinuxCnc& control = linuxcnc_of(m);
   const double number = m.has('H') && std::round(m.value('H')) != 0 ? std::round(m.value('H')) : m.modal.tool;
@@ -132,7 +132,7 @@ constexpr const char* no_length_change = "Cannot change tool offset with cutter 
 
 }  // namespace
 
-/// RETAIN_G43: while G43 is in force, a tool change applies the new tool's length; an empty spindle removes it.
+/// Applies the new tool's length after a tool change, while G43 is in force (RETAIN_G43). With an empty spindle the length is 0.
 void LinuxCnc::retain_length(Emitter& m) {
   const bool by_table = std::any_of(m.modal.rows.begin(), m.modal.rows.end(), [&](std::int16_t row) {
     return row >= 0 && m.def.codes[static_cast<std::size_t>(row)].letter == 'G' && m.def.codes[static_cast<std::size_t>(row)].tenth == 43_g;
@@ -169,7 +169,7 @@ void LinuxCnc::store_axis(BlockContext& m, std::uint32_t first, std::size_t axis
   m.variables.set_raw(first + static_cast<std::uint32_t>(axis), value / table_unit(axis));
 }
 
-/// Copies work offsets with their rotations, and reference points, from the set-up (mm, degrees) to the parameters (machine's unit).
+/// Copies work offsets with their rotations, and reference points, from the set-up (mm, degrees) to parameters (in the machine's unit).
 void LinuxCnc::take_tables(BlockContext& m, const Setup& setup) {
   const auto store = [&](std::uint32_t first, const AxisValues& values) {
     for (std::size_t a = 0; a < m.axis_count; ++a)
@@ -186,7 +186,7 @@ void LinuxCnc::take_tables(BlockContext& m, const Setup& setup) {
     if (number == 1 || number == 2) store(number == 1 ? first_home : first_second_home, point);
 }
 
-/// Adds tools and work offsets to a set-up: the reverse of take_tables(). Lengths include wear here.
+/// Adds the tools and the work offsets to a set-up, as take_tables() would read them. Tool lengths include wear here.
 bool LinuxCnc::add_tables(const BlockContext& m, Setup& tables) const {
   for (const auto& [number, tool] : tools) {
     ToolOffset& offset = tables.offsets[number];
@@ -219,8 +219,8 @@ void LinuxCnc::store_shift(BlockContext& m) {
   (void)m.variables.consume_frames_changed();
 }
 
-/// Computes the frames: machine position = R·(work position + shift of G92) + work offset + tool length, where R is the rotation about Z
-/// (7.8).
+/// Computes the frames: machine position = R·(work position + shift of G92) + work offset + tool length. R is the rotation of the work
+/// system about Z (7.8).
 void LinuxCnc::refresh_frames(Emitter& m) {
   m.frames.length = state.length;
   if (state.rotation == 0) {
@@ -243,15 +243,15 @@ namespace kadr::functions {
 
 using linuxcnc::linuxcnc_of;
 
-/// G10 (7.8).
+/// G10: writes a table (7.8).
 Status table_data(Emitter& m, const Call& call) {
   const int kind = static_cast<int>(std::round(m.value('L')));
   if (kind == 2 || kind == 20) return linuxcnc::write_system(m, call, kind == 20);
-  if (kind == 0) return {};  // G10 L0 has nothing to do: the tool table is already that of the set-up
+  if (kind == 0) return {};  // G10 L0 reads the tool table again, which is still that of the set-up
   return linuxcnc::write_tool(m, kind);
 }
 
-/// G92 (arg 0), G52 (arg 1).
+/// G92 (arg 0), G52 (arg 1): shift the work system.
 Status coordinate_shift(Emitter& m, const Call& call) {
   linuxcnc::LinuxCnc& control = linuxcnc_of(m);
   KADR_TRY(linuxcnc::not_compensating(m, call.where, "Cannot change axis offsets with cutter radius comp"));
@@ -264,7 +264,7 @@ Status coordinate_shift(Emitter& m, const Call& call) {
   return {};
 }
 
-/// G92.1 to G92.3; arg: the digit after the point.
+/// G92.1 to G92.3: cancel the shift of G92 or restore it. arg: the digit after the point.
 Status coordinate_shift_off(Emitter& m, const Call& call) {
   linuxcnc::LinuxCnc& control = linuxcnc_of(m);
   KADR_TRY(linuxcnc::not_compensating(m, call.where, "Cannot change axis offsets with cutter radius comp"));
@@ -283,7 +283,7 @@ Status coordinate_shift_off(Emitter& m, const Call& call) {
   return {};
 }
 
-/// G54 to G59.3; arg: 1 to 9.
+/// G54 to G59.3: select a work system. arg: its number, 1 to 9.
 Status table_system(Emitter& m, const Call& call) {
   KADR_TRY(linuxcnc::not_compensating(m, call.where, "Cannot change coordinate systems with cutter radius compensation on"));
   const auto number = static_cast<std::uint32_t>(call.row->arg);
@@ -295,7 +295,7 @@ Status table_system(Emitter& m, const Call& call) {
   return {};
 }
 
-/// G28, G30 (arg 1, 2): moves through the point of the words to the stored position.
+/// G28, G30 (arg 1, 2): moves first to the point of the axis words, then to the stored position.
 Status reference_move(Emitter& m, const Call& call) {
   KADR_TRY(linuxcnc::not_compensating(m, call.where, "Cannot use g28 or g30 with cutter radius comp"));
   const std::uint32_t first = call.row->arg == 1 ? linuxcnc::first_home : linuxcnc::first_second_home;
@@ -305,7 +305,7 @@ Status reference_move(Emitter& m, const Call& call) {
     KADR_TRY(m.target(through, named));
     KADR_TRY(m.straight(MotionKind::rapid, through, named));
   }
-  if (named == 0) {  // LinuxCNC makes a motion of zero length first
+  if (named == 0) {  // LinuxCNC makes a motion of length zero first
     named = (AxisMask{1} << m.axis_count) - 1;
     KADR_TRY(m.straight(MotionKind::rapid, m.position.programmed, named));
   }
@@ -318,7 +318,7 @@ Status reference_move(Emitter& m, const Call& call) {
   return {};
 }
 
-/// G28.1, G30.1 (arg 1, 2).
+/// G28.1, G30.1 (arg 1, 2): store the present position.
 Status reference_store(Emitter& m, const Call& call) {
   KADR_TRY(linuxcnc::not_compensating(m, call.where, "Cannot set reference point with cutter compensation in effect"));
   const std::uint32_t first = call.row->arg == 1 ? linuxcnc::first_home : linuxcnc::first_second_home;
@@ -327,7 +327,7 @@ Status reference_store(Emitter& m, const Call& call) {
   return {};
 }
 
-/// G43 (arg 0), G43.2 (arg 1): lengths from the table.
+/// G43 (arg 0), G43.2 (arg 1): apply the lengths of a tool in the table. G43.2 adds them to the lengths in force.
 Status tool_length(Emitter& m, const Call& call) {
   linuxcnc::LinuxCnc& control = linuxcnc_of(m);
   KADR_TRY(linuxcnc::not_compensating(m, call.where, linuxcnc::no_length_change));
@@ -336,7 +336,7 @@ Status tool_length(Emitter& m, const Call& call) {
     if (m.has('H') && m.has_axis_words())
       return control.fault(AlarmId::rs274_tool, call.where, "G43.2: Can not have both H and axis words");
     if (!m.has('H') && !words) return control.fault(AlarmId::rs274_tool, call.where, "G43.2: No axes specified and H word missing");
-    if (words) {  // 2.9.3: added to the lengths in force
+    if (words) {  // axis words are added to the lengths in force (2.9.3)
       Axes more{};
       linuxcnc::each_word(m, [&](std::size_t a, double v) { more[a] = v; });
       linuxcnc::take_length(m, linuxcnc::sum(control.state.length, more));
@@ -349,7 +349,7 @@ Status tool_length(Emitter& m, const Call& call) {
   return {};
 }
 
-/// G43.1: the words are the lengths, absolute.
+/// G43.1: the axis words are the tool lengths.
 Status tool_length_by_words(Emitter& m, const Call& call) {
   KADR_TRY(linuxcnc::not_compensating(m, call.where, linuxcnc::no_length_change));
   Axes length = linuxcnc_of(m).state.length;
@@ -358,7 +358,7 @@ Status tool_length_by_words(Emitter& m, const Call& call) {
   return {};
 }
 
-/// G49.
+/// G49: the tool lengths are 0.
 Status tool_length_off(Emitter& m, const Call& call) {
   KADR_TRY(linuxcnc::not_compensating(m, call.where, linuxcnc::no_length_change));
   m.modal.length_number = 0;

@@ -12,10 +12,10 @@
 namespace kadr::linuxcnc {
 namespace {
 
-constexpr double above_bottom = 0.254;  // mm; G83, G73
+constexpr double above_bottom = 0.254;  // mm; distance from the last depth at which the rapid down ends (G83), or of the retract (G73)
 constexpr double same_height = 1e-9;
 
-/// Runs a canned cycle, a few actions at a time.
+/// Executes a canned cycle, a few actions at a time.
 class Drilling final : public SteppedCycleValue<Drilling> {
  public:
   explicit Drilling(const Hole& hole) : h_(hole), depth_(hole.level) {}
@@ -24,7 +24,7 @@ class Drilling final : public SteppedCycleValue<Drilling> {
     for (std::size_t i = 0; i < batch_size / 8; ++i) {
       if (done_ == h_.repeats) return false;
       KADR_TRY(emit_of_cycle(*m.batch, [&] { return go_on(m); }));
-      if (m.each_block) break;  // the caller of the interpreter needs the state after each drilled hole
+      if (m.each_block) break;  // the caller of run() needs the state after each drilled hole
     }
     return done_ < h_.repeats;
   }
@@ -94,7 +94,7 @@ class Drilling final : public SteppedCycleValue<Drilling> {
         turn_spindle(m, SpindleDir::stop);
         m.emit(Stop{false});
         turn_spindle(m, h_.spindle);
-        m.position.programmed[h_.drill] = h_.clear;  // LinuxCNC assumes that the operator has withdrawn the tool
+        m.position.programmed[h_.drill] = h_.clear;  // in LinuxCNC the operator has withdrawn the tool at this point
         m.set_plain_position(AxisMask{1} << h_.drill);
         return {};
       case 89_g:
@@ -108,8 +108,8 @@ class Drilling final : public SteppedCycleValue<Drilling> {
     }
   }
 
-  /// Executes the strokes of a tapping cycle. In G18, G19 LinuxCNC moves the wrong axes, which is a fault of LinuxCNC; Kadr does the same,
-  /// after a warning.
+  /// Taps: in, reversal of the spindle, out. In G18 and G19 LinuxCNC moves the wrong axes, which is a fault of LinuxCNC; Kadr moves the
+  /// same axes, after a warning.
   Status tap(Emitter& m) {
     const SpindleDir in = h_.code == 84_g ? SpindleDir::cw : SpindleDir::ccw;
     KADR_TRY(emit_in_hole(*m.batch, HoleWork::taps, [&] { return stroke(m, h_.bottom); }));
@@ -123,7 +123,7 @@ class Drilling final : public SteppedCycleValue<Drilling> {
     return {};
   }
 
-  /// Sets the position after strokes along the wrong axes: LinuxCNC assumes that the tool is where the cycle should have ended.
+  /// Sets the position after tapping along the wrong axes: LinuxCNC assumes that the tool is where the cycle should have ended.
   void stand(Emitter& m) const {
     Axes to = m.position.programmed;
     to[h_.first] = h_.at_first;
@@ -156,7 +156,7 @@ class Drilling final : public SteppedCycleValue<Drilling> {
     return {};
   }
 
-  /// Moves the oriented tool down next to the hole's centre, then to the centre.
+  /// Back boring (G87): moves the oriented tool down next to the hole's centre line, then to the centre line.
   Status enter(Emitter& m) {
     KADR_TRY(drill(m, MotionKind::rapid, h_.bottom));
     return place(m, h_.at_first, h_.at_second, h_.bottom);
@@ -186,7 +186,7 @@ class Drilling final : public SteppedCycleValue<Drilling> {
   AxisMask axes() const { return AxisMask{1} << h_.first | AxisMask{1} << h_.second | AxisMask{1} << h_.drill; }
 
   void dwell(Emitter& m) const {
-    m.emit(Dwell{h_.dwell});  // also if the time is 0, as LinuxCNC does
+    m.emit(Dwell{h_.dwell});  // a dwell of 0 is emitted too, as in LinuxCNC
   }
   void turn_spindle(Emitter& m, SpindleDir dir) const {
     const bool turns = dir == SpindleDir::cw || dir == SpindleDir::ccw;

@@ -1,5 +1,5 @@
 #pragma once
-// The data of a canned cycle at one position, or at several positions with L (spec/linuxcnc 7.6): cycles.cpp reads the data from the words,
+// The data of a canned cycle at one position, or with L at several positions (spec/linuxcnc 7.6). cycles.cpp reads the data from the words;
 // hole.cpp executes the motions.
 
 #include <cstddef>
@@ -17,15 +17,15 @@ struct Hole {
   std::int32_t code = 81_g;
   std::size_t first = 0, second = 1, drill = 2;  // indices of the two axes of the plane, and of the drilling axis
   double at_first = 0, at_second = 0;
-  double step_first = 0, step_second = 0;  // in G91: distance between repetitions along the axes of the plane
+  double step_first = 0, step_second = 0;  // G91: increments from one repetition to the next in the plane
   double level = 0, bottom = 0, clear = 0, present = 0;
   double peck = 0, dwell = 0, i = 0, j = 0, back = 0;
   std::uint32_t repeats = 1;
-  bool up_first = false;  // the cycle starts below the R level and rises to it first
-  bool polar = false;     // polar words @ ^ in G91: each repetition adds polar_radius and polar_angle
+  bool up_first = false;  // the tool is below the R level: the cycle first rises to R
+  bool polar = false;     // G91 with polar words @ ^: each repetition adds polar_radius and polar_angle
   double polar_radius = 0, polar_angle = 0;
-  AlarmId fault = no_alarm;  // fault that the control finds only after the tool has moved to the drilling position
-  bool fault_above = false;  // the control finds the fault already at the R level, after rising to it if necessary
+  AlarmId fault = no_alarm;  // fault that LinuxCNC finds only when the tool is at the drilling position
+  bool fault_above = false;  // the fault is found at the R level, to which the tool may have to rise first
   std::string fault_text;
   Span where;
   SpindleDir spindle = SpindleDir::stop;

@@ -31,16 +31,16 @@ struct Call;
 
 namespace kadr::linuxcnc {
 
-/// Numbers of parameters (spec/linuxcnc 4.1): whether the shift of G92 is in force, the shift (from 5211 on, one per axis), and the number
-/// of the work coordinate system.
+/// Numbers of parameters (spec/linuxcnc 4.1). shift_on_number: whether the shift of G92 is in force; first_shift: the shift, in a parameter
+/// per axis from 5211 on; system_number: the number of the work system.
 inline constexpr std::uint32_t shift_on_number = 5210, first_shift = 5211, system_number = 5220;
 
 inline constexpr std::size_t max_arguments = 30;  // arguments of a call: #1 … #30
 inline constexpr std::size_t max_spindles = 8;
-inline constexpr double whole_within = 1e-4;                   // tolerance of a value that must be an integer (2.3)
-inline constexpr std::string_view axis_letters = "XYZABCUVW";  // in the order of the axes in tables and in the control
+inline constexpr double whole_within = 1e-4;                   // tolerance of a value that must be a whole number (2.3)
+inline constexpr std::string_view axis_letters = "XYZABCUVW";  // axis letters, in the order of tables and of the control's axes
 inline constexpr std::size_t axes_of_tables = axis_letters.size(), usual_axes = 6, axis_u = 6;
-inline bool is_rotary_place(std::size_t axis) { return axis >= 3 && axis < axis_u; }  // A B C
+inline bool is_rotary_place(std::size_t axis) { return axis >= 3 && axis < axis_u; }  // A, B or C
 
 /// A tool of the tool table (9); mm and degrees.
 struct Tool {
@@ -49,49 +49,49 @@ struct Tool {
   double front = 0, back = 0;  // front and back angle of a lathe tool, words I and J of the table
   double orientation = 0;      // orientation of a lathe tool, word Q of the table
   int pocket = 0;
-  std::string remark;  // text after `;` in the file
+  std::string remark;  // text after `;` in the tool table file
 };
 
-/// Parameters of one call: #1 … #30, and named ones.
+/// The parameters of one call: #1 … #30, and the named ones.
 struct Level {
   std::array<double, max_arguments + 1> arguments{};
   std::map<double, double> named;
 };
 
-/// Modes saved by M70 or M73 (8).
+/// Modes that M70 or M73 has saved (8).
 struct KeptModes {
   Modal modal;
-  bool restore_at_end = false;  // saved by M73: restored when the subprogram ends
+  bool restore_at_end = false;  // M73 saved the modes: they are restored when the subprogram ends
 };
 
 /// A spindle other than the first one.
 struct OtherSpindle {
   SpindleDir dir = SpindleDir::stop;
   double rpm = 0;
-  bool surface = false;  // constant surface speed, G96
+  bool surface = false;  // constant surface speed (G96) is on
 };
 
-/// The state that a block changes and an alarm in the block restores.
+/// The state that a block changes, and that an alarm in the block restores.
 struct State {
   Axes system{};          // offset of the work system in force, machine coordinates
   double rotation = 0;    // rotation of the work system about Z, degrees
   Axes shift{};           // shift by G92 or G52, in coordinates that rotate with the work system
-  bool shift_on = false;  // the shift of G92 is in force, #5210
+  bool shift_on = false;  // #5210: the shift of G92 is in force
   Axes length{};          // tool length offsets of G43
   std::uint32_t system_number = 1;
   int active_spindle = 0;                           // number of the spindle with which G33, G76 synchronise
-  std::array<OtherSpindle, max_spindles> others{};  // by spindle number; entry 0 is unused, the modal state has the first spindle
-  double max_css_speed = 0;                         // greatest speed under G96, word D, rev/min; 0: no limit
-  bool cycle_began = false;                         // a canned cycle has run, and another one may continue it
-  double old_z = 0;                                 // initial level of canned cycles (7.6)
+  std::array<OtherSpindle, max_spindles> others{};  // by spindle number; entry 0 is unused: Modal has the first spindle
+  double max_css_speed = 0;                         // rev/min; word D of G96: greatest speed; 0: no limit
+  bool cycle_began = false;                         // a canned cycle was executed, and the next block may continue it
+  double old_z = 0;                                 // initial level of a canned cycle (7.6)
   std::int32_t motion = 80_g;                       // motion code in force, in tenths; -1: none, after G5.3
-  bool polar_step = false;                          // the block has @ ^ in G91: each repetition of a canned cycle adds them
+  bool polar_step = false;                          // the block has @ or ^ in G91: each repetition of a canned cycle adds the polar words
   double polar_radius = 0, polar_angle = 0;
   bool arc_not_allowed = false;  // cutter compensation has ended: the next motion must be straight (7.3)
   std::array<bool, 2> spindle_known{};
   std::vector<ControlPoint> nurbs;  // control points of G5.2, until G5.3
-  std::size_t nurbs_order = 3;      // order of the spline of G5.2: its degree + 1
-  double value = 0;                 // value that the last O return or endsub returned (6.3)
+  std::size_t nurbs_order = 3;      // order of the spline of G5.2, its degree + 1
+  double value = 0;                 // value that the last `O… return` or `endsub` has returned (6.3)
   bool value_returned = false;
   bool percent = false;  // the file starts with a % line
   bool began = false;    // a line that is not blank has been read
@@ -126,7 +126,7 @@ class LinuxCnc final : public Dialect {
   Status after_block(Interpreter& m) override;
   void undo_block(BlockContext& m) override;
   bool lines_follow(const BlockContext& m) const override;
-  AxisMask rolling_axes(const BlockContext&) const override { return ~axes; }  // words of axes the machine lacks give an alarm
+  AxisMask rolling_axes(const BlockContext&) const override { return ~axes; }  // a word of an axis that the machine lacks is an alarm
   void note_line(BlockContext& m) override;
   ArcRule arc_rule(const BlockContext& m) const override;
   Status arc(Emitter& m, const Call& call, Turn turn) override;
@@ -150,24 +150,24 @@ class LinuxCnc final : public Dialect {
   Result<double> number_of_element(const BlockContext& m, double symbol, double index, Span where) const override;
 
   // ---- faults
-  /// Creates an alarm in the control's own wording, and stores the text for the report.
+  /// Returns an alarm with the control's own text, and stores the text for the report.
   tl::unexpected<Alarm> fault(AlarmId id, Span where, std::string text) const;
 
   // ---- tables
   const Tool* tool(double number) const;
-  /// Returns a tool whose table row the caller may change; an alarm restores the old values.
+  /// Returns the table row of a tool for writing, after its old values have been recorded for an alarm to restore.
   Tool& tool_to_write(BlockContext& m, int number);
   void retain_length(Emitter& m);
   Axes system_offset(const BlockContext& m, std::uint32_t number) const;
-  /// Reads a position from the parameters that start at number `first`, one per axis. The parameters are in the machine's unit (1.1); the
-  /// result is in mm and degrees.
+  /// Returns a position in mm and degrees that parameters store: the one with number `first` and those after it, one per axis. The
+  /// parameters are in the machine's unit (1.1).
   Axes stored_axes(const BlockContext& m, std::uint32_t first) const;
   void store_axis(BlockContext& m, std::uint32_t first, std::size_t axis, double value) const;
   double table_unit(std::size_t axis) const { return is_rotary_place(axis) ? 1 : machine.unit; }
   void take_system(Emitter& m, std::uint32_t number);
   void store_shift(BlockContext& m);
 
-  /// Returns the G code in force, in tenths, of the modal group with number `group`; -1 if no code of the group is in force.
+  /// Returns the G code in force of the modal group `group`, in tenths; -1 if no code of this group is in force.
   std::int32_t code_in_force(const BlockContext& m, std::size_t group) const;
 
   // ---- parameters
@@ -180,16 +180,16 @@ class LinuxCnc final : public Dialect {
   BlockCodes codes;  // codes of the block being executed
   FlowTable flow;
   MachineFile machine;                  // contents of the ini file
-  std::optional<TurningCycle> turning;  // the cycle G70 to G72 whose profile is being read
+  std::optional<TurningCycle> turning;  // the cycle G70 to G72 whose profile is being read; nullopt: none
   ProgramFiles outputs;
-  char spindle_address = 0;  // address of `$` in the reader
-  AxisMask axes = 0;         // axes that the machine has (1.1); a word of any other axis is an alarm
+  char spindle_address = 0;  // one-letter code of `$` in the block reader
+  AxisMask axes = 0;         // axes that the machine has (1.1)
   std::map<int, Tool> tools;
-  std::vector<Word> written_words;                    // the block's words as written, while X and Y replace the polar words @ and ^
-  bool tools_changed = false;                         // G10 has changed the tool table: its file must be written
-  bool table_is_known = false;                        // a tool table is given; false: every tool number is valid, but has no data
+  std::vector<Word> written_words;                    // words of the block as written, if X and Y replace the polar words @ and ^ now
+  bool tools_changed = false;                         // G10 has changed the tool table, whose file must then be written
+  bool table_is_known = false;                        // a tool table is given; false: every tool number is valid, without data
   std::vector<std::vector<KeptModes>> kept_modes{1};  // modes saved by M70 and M73, by call depth
-  Axes probed{};                                      // #5061 …, mm
+  Axes probed{};                                      // mm; the probed position, #5061 …
   bool probe_tripped = false;
   int probe_kind = 2;  // n of the last G38.n
 
@@ -206,16 +206,16 @@ class LinuxCnc final : public Dialect {
   void read_tool_file(const RunLimits& limits);
   void read_machine_file(BlockContext& m, const Setup& setup, const RunLimits& limits);
   struct Remembered;
-  /// Kinds of named parameters. own: predefined by the control (4.3); common: #<_name>; local: #<name>, which belongs to one call.
+  /// Kinds of named parameters. own: predefined by LinuxCNC (4.3); common: #<_name>, for all calls; local: #<name>, for one call.
   enum class NameKind : std::uint8_t { unknown, own, common, local };
   NameKind kind_of(const BlockContext& m, double number) const;
-  std::string parameters_before_, tools_before_;  // contents of the files as they were read
+  std::string parameters_before_, tools_before_;  // contents of the two files when they were read
   StoredParameters stored_;
   bool writes_parameters_ = false, writes_tools_ = false;
   std::vector<Level> levels_{1};
-  std::map<double, double> globals_;  // values of the common parameters #<_name>, by the number of the name
+  std::map<double, double> globals_;  // {number of the name; value} of the common parameters #<_name>
   State before_;
-  mutable std::vector<NameKind> name_kinds_;  // kinds of named parameters, by the number of the name
+  mutable std::vector<NameKind> name_kinds_;  // by number of the name: kind of the named parameter
   mutable std::string fault_text_;
   friend class Parameters;
 
@@ -226,7 +226,7 @@ class LinuxCnc final : public Dialect {
 
 LinuxCnc& linuxcnc_of(const BlockContext& m);
 
-/// True if the plane in force is one of the axes U, V, W: G17.1, G18.1, G19.1.
+/// Returns true if the plane in force is one of U, V, W (G17.1, G18.1, G19.1).
 bool is_plane_of_uvw(const BlockContext& m);
 
 }  // namespace kadr::linuxcnc

@@ -29,8 +29,8 @@ tl::unexpected<Alarm> wrong_word(const BlockContext& m, Span where, std::string 
 
 namespace {
 
-/// Restores coolant by M7, M8 or M9 only where mist or flood differs (write_m_codes, gen_m_codes). If both are on, one of them alone cannot
-/// be switched off. `mist`, `flood`: the present state.
+/// Restores the coolant by M7, M8 or M9, but only if mist or flood changes (write_m_codes, gen_m_codes). Mist or flood alone cannot be
+/// switched off while both are on. `mist`, `flood`: the present state.
 void restore_coolant(Emitter& m, bool mist, bool flood) {
   Modal& modal = m.modal;
   if (!modal.mist && !modal.flood) {
@@ -43,8 +43,8 @@ void restore_coolant(Emitter& m, bool mist, bool flood) {
   modal.flood = modal.flood || flood;
 }
 
-/// Restores saved modes: sets the codes of the modal groups, and emits actions for the changes (8). LinuxCNC executes a block of codes
-/// instead, in which F has one decimal and S none.
+/// Restores saved modes (8): puts the codes of the modal groups in force, and emits an action for each change. LinuxCNC executes a block of
+/// codes instead, in which F has one decimal and S none.
 Status restore_modes(Interpreter& m, const Modal& to) {
   Modal& modal = m.modal;
   const Modal before = modal;
@@ -58,7 +58,7 @@ Status restore_modes(Interpreter& m, const Modal& to) {
   for (std::size_t g = 1; g < m.def.groups.size(); ++g)
     if (g != linuxcnc_of(m).groups.index_of_g(1)) next.rows[g] = to.rows[g];
   next.feed_known = to.feed_known;
-  next.feed = std::round(to.feed * 10) / 10;  // LinuxCNC writes F with one decimal
+  next.feed = std::round(to.feed * 10) / 10;  // in LinuxCNC's block of codes F has one decimal
   if (to.inch) next.feed = std::round(to.feed / mm_per_inch * 10) / 10 * mm_per_inch;
   next.tool = before.tool;
   next.tool_selected = before.tool_selected;
@@ -92,7 +92,7 @@ Status restore_at_end(Interpreter& m) {
 
 namespace kadr::linuxcnc {
 
-/// M100 to M199 run a program of the machine; Kadr starts none.
+/// Refuses M100 to M199, which run programs of the machine's computer; Kadr starts no programs.
 Status LinuxCnc::machine_code(Interpreter&, const Call& call) {
   return fault(AlarmId::rs274_codes, call.where, fmt::format("Unknown m code used: M{}", call.word->code / 10));
 }
@@ -114,7 +114,7 @@ void emit_output(Emitter& m, int code, double number, std::optional<double> valu
 
 }  // namespace
 
-/// T: the tool must be in the table; it is the next one to be loaded.
+/// T: selects the next tool to be loaded, which must be in the tool table.
 Status tool_of_table(Emitter& m, const Call& call) {
   const double number = std::round(m.value('T'));
   if ((number != 0 || linuxcnc_of(m).machine.random_changer) && linuxcnc_of(m).tool(number) == nullptr)
@@ -125,7 +125,7 @@ Status tool_of_table(Emitter& m, const Call& call) {
   return {};
 }
 
-/// M6: stops the spindle and loads the last T; without a T the spindle is emptied.
+/// M6: stops the spindle and loads the tool of the last T; without a T before it, M6 empties the spindle.
 Status load_tool(Emitter& m, const Call& call) {
   KADR_TRY(linuxcnc::compensation_forbids(m, call.where, "Cannot change tools with cutter radius compensation on"));
   const bool turns = m.modal.spindle == SpindleDir::cw || m.modal.spindle == SpindleDir::ccw;
@@ -140,7 +140,7 @@ Status load_tool(Emitter& m, const Call& call) {
   return {};
 }
 
-/// M61 Q: declares which tool is in the spindle.
+/// M61 Q: sets the number of the tool that is in the spindle.
 Status tool_in_spindle(Emitter& m, const Call& call) {
   const double number = m.has('Q') ? std::round(m.value('Q')) : -1;
   if (number < 0) return linuxcnc_of(m).fault(AlarmId::rs274_tool, call.where, "Need non-negative Q-word to specify tool number with M61");
@@ -152,7 +152,7 @@ Status tool_in_spindle(Emitter& m, const Call& call) {
   return {};
 }
 
-/// M62 to M65 P (arg: the number of the code).
+/// M62 to M65 P: switch a digital output on or off. arg: the number of the code.
 Status digital_output(Emitter& m, const Call& call) {
   const int code = call.row->arg;
   const char* const forbidden = code == 62   ? "Cannot set motion output with cutter radius compensation on"
@@ -164,7 +164,7 @@ Status digital_output(Emitter& m, const Call& call) {
   return {};
 }
 
-/// M67, M68 E Q.
+/// M67, M68 E Q: set an analog output. arg: the number of the code.
 Status analog_output(Emitter& m, const Call& call) {
   const int code = call.row->arg;
   KADR_TRY(linuxcnc::compensation_forbids(m, call.where,
@@ -176,7 +176,7 @@ Status analog_output(Emitter& m, const Call& call) {
   return {};
 }
 
-/// M66: waits for an input. Inputs are unknown here: #5399 is 0, or -1 for a wait that times out (INFERRED).
+/// M66: waits for an input. Kadr does not know the input, so #5399 becomes 0, or -1 for a wait that may time out (INFERRED).
 Status wait_for_input(Emitter& m, const Call& call) {
   const double kind = m.has('L') ? std::round(m.value('L')) : 0;
   const bool digital = m.has('P'), analog = m.has('E');
@@ -193,7 +193,7 @@ Status wait_for_input(Emitter& m, const Call& call) {
   return {};
 }
 
-/// M19 R P Q.
+/// M19 R P Q: orients the spindle.
 Status orient_to(Emitter& m, const Call& call) {
   linuxcnc::LinuxCnc& control = linuxcnc_of(m);
   const int before = control.state.active_spindle;
@@ -212,8 +212,8 @@ Status orient_to(Emitter& m, const Call& call) {
   return {};
 }
 
-/// M50 to M53 P: override switches. In M51 `$` can only select a spindle other than the first: LinuxCNC refuses the number of the first
-/// spindle by mistake.
+/// M50 to M53 P: switch the overrides on or off. In M51 the word `$` can only select a spindle other than the first one: by mistake
+/// LinuxCNC refuses the number of the first spindle.
 Status override_switch(Emitter& m, const Call& call) {
   const bool on = !m.has('P') || m.value('P') != 0;
   KADR_TRY(linuxcnc::compensation_forbids(
@@ -231,7 +231,7 @@ Status override_switch(Emitter& m, const Call& call) {
   return {};
 }
 
-/// M70 to M73 (arg: the number of the code).
+/// M70 to M73: save and restore modes. arg: the number of the code.
 Status modes_kept(Interpreter& m, const Call& call) {
   linuxcnc::LinuxCnc& control = linuxcnc_of(m);
   auto& kept = control.kept_modes.back();
@@ -252,7 +252,7 @@ Status modes_kept(Interpreter& m, const Call& call) {
   }
 }
 
-/// G7 (arg 1), G8 (0).
+/// G7 (arg 1), G8 (arg 0): X is a diameter, or a radius.
 Status diameter_mode(Emitter& m, const Call& call) {
   m.modal.diameter = call.row->arg == 1 ? AxisMask{1} : AxisMask{0};
   return {};

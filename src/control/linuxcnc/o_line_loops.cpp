@@ -1,4 +1,4 @@
-// Loops and branches of O lines (spec/linuxcnc 6.4). Used by control/linuxcnc/o_line_flow.
+// Loops and branches among the O lines (spec/linuxcnc 6.4). Used by control/linuxcnc/o_line_flow.
 
 #include <fmt/format.h>
 
@@ -46,7 +46,7 @@ Status OLines::repeat() {
   return {};
 }
 
-/// Jumps to the line after the one that ends the loop or branch.
+/// Jumps to the line after the end of the loop or branch. `ends`: the O words that may end it.
 Status OLines::behind_end(std::initializer_list<OWord> ends) {
   const std::int32_t end = next_of(ends);
   if (end < 0) return end_of_file_seeking();

@@ -1,6 +1,6 @@
 #pragma once
-// OLines executes one O line, a block of flow control (spec/linuxcnc 6; interp_o_word.cc of LinuxCNC's source). flow.cpp has the
-// subprograms, loops.cpp the loops and branches.
+// OLines executes one O line, a block of flow control (spec/linuxcnc 6; interp_o_word.cc of LinuxCNC's source). o_line_flow.cpp has the
+// subprograms, o_line_loops.cpp the loops and branches.
 
 #include <fmt/format.h>
 
@@ -31,7 +31,7 @@ class OLines {
   /// Returns the label of the subprogram being executed; no_label in the main program.
   Label where() const { return flow_.calls.empty() ? no_label : flow_.calls.back(); }
   const std::string& text() const { return flow_.text_of(label_); }
-  /// Returns the name under which LinuxCNC's source stores a label of a subprogram: "subprogram#label".
+  /// Returns the full name of the label, "subprogram#label", under which LinuxCNC's source stores a label of a subprogram.
   std::string local_name() const { return (where() == no_label ? std::string() : flow_.text_of(where())) + "#" + text(); }
   std::string_view line_text() const;
 
@@ -47,12 +47,13 @@ class OLines {
 
   Label label_of(const OLine& row) const;
 
-  /// Returns the index of the next O line after this one that has the same label, is in the same subprogram, and has one of `words`; -1 if
+  /// Returns the index of the next O line that has the same label, is in the same subprogram, and has one of the O words `words`; -1 if
   /// there is no such line.
   std::int32_t next_of(std::initializer_list<OWord> words);
 
-  /// Returns the fault that the file ends before the line that is searched (2.1; read_text and read of the source). `sought`: a call
-  /// searches a subprogram; else lines are skipped up to an O line. `of_all`: the text has the label without the name of its subprogram.
+  /// Returns the fault that the file ends before a searched line (2.1; read_text and read of the source).
+  ///   sought  true: a call searches its subprogram; false: lines are skipped up to an O line
+  ///   of_all  the text names the label without its subprogram
   tl::unexpected<Alarm> end_of_file_seeking(bool sought = false, bool of_all = false) const;
 
   Status jump_to(const Position& at);
@@ -64,7 +65,8 @@ class OLines {
   Mark* mark() { return place().used ? &place() : nullptr; }
   void forget_mark() { place() = {}; }
 
-  /// Marks the label as starting a loop or branch at this line. The label may start it again at this line, but at no other line.
+  /// Marks the label as the start of a loop or branch at this line. While the mark exists, the label may start no loop or branch at another
+  /// line.
   Result<Mark*> take_mark(OWord word, bool of_branch = false);
 
   tl::unexpected<Alarm> undefined() const { return wrong(fmt::format("{}: undefined O-word label: '{}'", line(), line_text())); }
@@ -72,11 +74,11 @@ class OLines {
 
   // ---- subprograms
 
-  /// Handles an O line while the definition of a subprogram is skipped: only the end of the definition has an effect, and no other
-  /// definition may start.
+  /// Handles an O line while the definition of a subprogram is skipped. Only the end of the definition has an effect; a definition within a
+  /// definition is a fault.
   Status define();
 
-  /// Starts to skip the definition of a subprogram, and records the subprogram's label.
+  /// Starts skipping the definition of a subprogram, and records where the subprogram is defined.
   Status begin_sub();
 
   Status end_sub();
@@ -87,8 +89,8 @@ class OLines {
     bool fanuc = false;
   };
 
-  /// Finds the subprogram of a call (6.2): a definition that the run has passed, then a file with the name of the label, then a definition
-  /// further on in this file.
+  /// Finds the subprogram of a call (6.2). The order of the search: a definition that the run has passed, a file with the name of the
+  /// label, a later definition in this file.
   Result<Place> find_sub();
 
   /// Records the definition of a subprogram, and returns the location of its first block.
@@ -103,7 +105,7 @@ class OLines {
   Status begin_do();
   Status while_loop();
   Status repeat();
-  /// Jumps to the line after the end of the loop or branch.
+  /// Jumps to the line after the end of the loop or branch. `ends`: the O words that may end it.
   Status behind_end(std::initializer_list<OWord> ends);
   Position behind(const Mark& of);
   Status end_loop(OWord of);
@@ -121,7 +123,7 @@ class OLines {
   FlowTable& flow_;
   const Statement& s_;
   OFile* file_ = nullptr;   // O lines of the file being read
-  std::int32_t here_ = -1;  // index of the line being executed among the O lines of the file
+  std::int32_t here_ = -1;  // index of the current line among the O lines of the file
   Label label_ = no_label;
 };
 

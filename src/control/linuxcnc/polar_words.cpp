@@ -10,7 +10,7 @@
 
 namespace kadr::linuxcnc {
 
-/// Replaces @r ^t by X and Y (7.1) in the block itself, so that every motion function reads them.
+/// Replaces the polar words @ and ^ of the block by words X and Y (7.1), so that each motion function can read them.
 Status LinuxCnc::take_polar_words(BlockContext& m) {
   char radius_sign = 0, angle_sign = 0;
   for (const AddressName& name : m.def.grammar.names) {
@@ -44,8 +44,8 @@ Status LinuxCnc::take_polar_words(BlockContext& m) {
   state.polar_step = !absolute;
   state.polar_radius = radius == nullptr ? 0 : radius->value * unit;
   state.polar_angle = angle == nullptr ? 0 : angle->value;
-  // The words as written are saved, as a loop may execute the block again (forget_polar_words()). If only one of @ and ^ is given, a word
-  // is added for the other.
+  // The words as written are saved for forget_polar_words(), because a loop may execute the block again. If only one of @ and ^ is given, a
+  // word is added, so that X and Y both have one.
   written_words.assign(m.block->words.begin(), m.block->words.begin() + m.block->word_count);
   Word* const first = radius != nullptr ? radius : angle;
   first->address = first->written = 'X';
@@ -64,7 +64,7 @@ Status LinuxCnc::take_polar_words(BlockContext& m) {
   return {};
 }
 
-/// Restores the block's words as written.
+/// Restores the words of the block as they were before take_polar_words().
 void LinuxCnc::forget_polar_words(BlockContext& m) {
   if (written_words.empty()) return;
   std::copy(written_words.begin(), written_words.end(), m.block->words.begin());

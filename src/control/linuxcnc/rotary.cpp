@@ -1,4 +1,4 @@
-// Wrapped rotary axes (one revolution) and indexers (spec/linuxcnc 10.2; unwrap_rotary, convert_motion of the source).
+// Rotary axes that are wrapped (count one revolution), and indexers (spec/linuxcnc 10.2; unwrap_rotary, convert_motion of the source).
 
 #include "control/linuxcnc/rotary.h"
 
@@ -17,8 +17,8 @@ namespace {
 constexpr char rotary_letters[] = {'A', 'B', 'C'};
 constexpr double one_turn = 360;
 
-/// Returns the angle |value| as a position that a wrapped axis reaches from `here` in the direction of the sign of `value`; -0 is
-/// backwards.
+/// Returns the position to which a wrapped axis moves from the position `here`. |value| is the angle; the sign of `value` is the direction,
+/// in which -0 is negative.
 double unwrapped(double value, double here) {
   double to = std::fabs(value) + std::floor(here / one_turn) * one_turn;
   const bool backwards = std::signbit(value);
@@ -27,8 +27,8 @@ double unwrapped(double value, double here) {
   return to;
 }
 
-/// True if G53 does not cancel the tool offset of a rotary axis, which is so unless the axis is wrapped (find_ends, up to 2.9.10: a fault
-/// of LinuxCNC).
+/// Returns true if G53 does not cancel the tool offset of a rotary axis. This is so for every axis that is not wrapped, by a fault of
+/// LinuxCNC up to 2.9.10 (find_ends).
 bool keeps_offset(const BlockContext& m, std::size_t axis) {
   const LinuxCnc& control = linuxcnc_of(m);
   for (std::size_t i = 0; i < control.machine.wrapped.size(); ++i)
@@ -46,7 +46,7 @@ bool LinuxCnc::shapes_lines(const BlockContext& m) const {
   return false;
 }
 
-/// Moves straight in a block with G53 that names a rotary axis whose tool offset G53 does not cancel: adds that offset and warns.
+/// Executes a straight motion with G53 to which an uncancelled tool offset of a rotary axis is added (see keeps_offset()), and warns.
 Status LinuxCnc::straight(Emitter& m, const kadr::Call& call, MotionKind kind) {
   if (kind == MotionKind::feed) KADR_TRY(m.feed_known(call.where));
   Axes to = m.position.machine;

@@ -9,7 +9,7 @@ class BlockContext;
 
 namespace kadr::linuxcnc {
 
-/// Checks that an indexer moves only by G0, and with no other axis.
+/// Checks that each indexer that the block moves is moved by G0, and that no other axis moves with it.
 Status indexers_allow(const BlockContext& m);
 
 }  // namespace kadr::linuxcnc

@@ -17,7 +17,7 @@ namespace {
 
 constexpr int all_spindles = -1;
 
-/// Returns the spindle number in the word `$`, without decimals; nullopt if the block has no `$`.
+/// Returns the value of the word `$`, a spindle number, without decimals; nullopt if the block has no `$`.
 std::optional<int> spindle_word(const BlockContext& m) {
   const char address = linuxcnc_of(m).spindle_address;
   if (address == 0 || !m.has(address)) return std::nullopt;
@@ -27,7 +27,7 @@ std::optional<int> spindle_word(const BlockContext& m) {
 
 bool is_spindle(const LinuxCnc& control, int number) { return number >= 0 && number < control.machine.spindles; }
 
-/// Calls `use` for each spindle that the number selects: one spindle, or all.
+/// Calls `use` for each spindle that the number of a word `$` selects: one spindle, or all of them.
 template <class Use>
 void each_spindle(const LinuxCnc& control, int number, Use use) {
   for (int i = 0; i < control.machine.spindles; ++i)
@@ -91,10 +91,10 @@ void stop_other_spindles(Emitter& m) {
   m.modal.main_spindle = machine_number(0);
 }
 
-/// M3, M4, M5 with `$`.
+/// Executes M3, M4, M5 for the spindles that `$` selects.
 Result<bool> LinuxCnc::turns_spindle(Emitter& m, SpindleDir dir, Span where) {
   auto chosen = spindle_word(m);
-  if (!chosen && dir == SpindleDir::stop && machine.spindles > 1) chosen = all_spindles;  // 2.9.3: M5 alone is M5 $-1
+  if (!chosen && dir == SpindleDir::stop && machine.spindles > 1) chosen = all_spindles;  // M5 without `$` stops all spindles (2.9.3)
   if (!chosen) return false;
   if (*chosen != all_spindles && !is_spindle(*this, *chosen))
     return fault(AlarmId::rs274_spindle, where,
@@ -121,7 +121,7 @@ namespace kadr::functions {
 
 using linuxcnc::linuxcnc_of;
 
-/// S for the spindle that `$` chooses.
+/// S: the speed of the spindle that `$` selects.
 Status speed_of_spindle(Emitter& m, const Call& call) {
   linuxcnc::LinuxCnc& control = linuxcnc_of(m);
   const auto chosen = linuxcnc::spindle_word(m);
@@ -129,7 +129,7 @@ Status speed_of_spindle(Emitter& m, const Call& call) {
   if (*chosen != linuxcnc::all_spindles && !linuxcnc::is_spindle(control, *chosen))
     return control.fault(AlarmId::rs274_spindle, call.where, "Invalid spindle ($) number in Spindle speed command");
   const double rpm = m.value('S');
-  const bool starts = control.codes.m[7] == 3 || control.codes.m[7] == 4;  // M3, M4 emit the speed themselves
+  const bool starts = control.codes.m[7] == 3 || control.codes.m[7] == 4;  // M3 and M4 emit the speed themselves
   linuxcnc::each_spindle(control, *chosen, [&](int i) {
     if (i == 0) m.modal.rpm = rpm;
     else control.state.others[static_cast<std::size_t>(i)].rpm = rpm;
@@ -139,7 +139,7 @@ Status speed_of_spindle(Emitter& m, const Call& call) {
   return {};
 }
 
-/// G96 D S; G97 (arg 1).
+/// G96 D S: constant surface speed. G97 (arg 1): constant spindle speed.
 Status surface_speed_limited(Emitter& m, const Call& call) {
   linuxcnc::LinuxCnc& control = linuxcnc_of(m);
   const bool on = call.row->arg == 0;

@@ -11,22 +11,22 @@ class Emitter;
 
 namespace kadr::linuxcnc {
 
-/// Converts a number of the word `$`, which counts spindles from 0, to the machine's number, which counts from 1.
+/// Returns the machine's number of a spindle, which counts from 1, for a number of the word `$`, which counts from 0.
 std::uint8_t machine_number(int number);
-/// Return the commanded direction and speed of a spindle.
+/// Return the direction and the speed that are commanded for a spindle.
 SpindleDir direction_of(const BlockContext& m, int number);
 double rpm_of(const BlockContext& m, int number);
 
-/// Selects by the word `$` the spindle with which G33, G33.1, G76 or a canned cycle synchronises. `text`: text of the alarm if the machine
-/// has no spindle of that number.
+/// Selects the spindle with which G33, G33.1, G76 or a canned cycle synchronises: that of the word `$`. `text`: text of the alarm if the
+/// machine has no such spindle.
 Status take_spindle(BlockContext& m, const char* text, Span where);
-/// True if the spindle that take_spindle() selected last is turning.
+/// Returns true if the spindle that take_spindle() has selected is turning.
 bool active_spindle_turns(const BlockContext& m);
-/// Returns the speed of a spindle: S of this block if it applies to the spindle, else the speed from an earlier block.
+/// Returns the speed of a spindle: the block's S if it is for this spindle, else the speed of an earlier block.
 double speed_of_block(const BlockContext& m, int number);
-/// Selects the spindle in a block with G94 to G97: the spindle of the word `$`, or the first spindle if there is no `$`.
+/// Selects the spindle to which G94 to G97 of the block apply: that of the word `$`, or the first one.
 Status spindle_of_modes(BlockContext& m);
-/// Stops all spindles except the first (M2, M30).
+/// Stops all spindles except the first one (M2, M30).
 void stop_other_spindles(Emitter& m);
 
 }  // namespace kadr::linuxcnc

@@ -48,7 +48,7 @@ Status spline_feed(const BlockContext& m, Span where) {
   return {};
 }
 
-/// The end point of the curve of G5 and G5.1.
+/// Returns the end point of the curve of G5 and G5.1.
 Result<Vec2> end_in_xy(BlockContext& m, Span where) {
   KADR_TRY(spline_feed(m, where));
   if (m.modal.plane != Plane::xy || is_plane_of_uvw(m)) return spline_fault(m, where, "Splines must be in the XY plane");
@@ -62,8 +62,8 @@ Result<Vec2> end_in_xy(BlockContext& m, Span where) {
 
 Vec2 words_of(const BlockContext& m, char x, char y) { return {m.length_value(x), m.length_value(y)}; }
 
-/// Returns the weight P of a control point. If P is missing or not above 0 in the first block with X and Y, LinuxCNC uses that value (-1 if
-/// missing), and the curve runs to infinity; Kadr warns and uses 1.
+/// Returns the weight of a control point, the word P. In the first block with X and Y, LinuxCNC uses -1 for a missing P, and also uses a P
+/// of 0 or less, so that the curve runs to infinity; Kadr warns and uses 1.
 double weight_of(Emitter& m, Span where) {
   const double weight = m.has('P') ? m.value('P') : -1;
   if (weight > 0) return weight;
@@ -71,7 +71,7 @@ double weight_of(Emitter& m, Span where) {
   return 1;
 }
 
-/// Checks a block of G5.2 as LinuxCNC does.
+/// Checks the words of a block with G5.2, as LinuxCNC does.
 Status control_point_words(const BlockContext& m, const std::vector<ControlPoint>& points, Span where) {
   const bool x = m.has('X'), y = m.has('Y');
   const double weight = m.has('P') ? m.value('P') : -1;
@@ -83,7 +83,7 @@ Status control_point_words(const BlockContext& m, const std::vector<ControlPoint
   return {};
 }
 
-/// Warns of words that LinuxCNC reads but ignores.
+/// Warns of words that LinuxCNC accepts without using them.
 void warn_ignored_words(Emitter& m) {
   for (const char letter : {'Z', 'A', 'B', 'C', 'U', 'V', 'W'})
     if (m.has(letter)) m.warn(warning(AlarmId::spline_word_ignored, m.where(letter), letter));
@@ -96,15 +96,15 @@ namespace kadr::functions {
 
 using linuxcnc::linuxcnc_of;
 
-/// G5: a curve of third degree. I J give its tangent at the start, without I J it continues the curve before; P Q give the tangent at the
-/// end.
+/// G5: moves along a curve of third degree. I and J give its tangent at the start; without I and J the curve continues the direction of the
+/// curve before it. P and Q give its tangent at the end.
 Status cubic_spline(Emitter& m, const Call& call) {
   auto end = linuxcnc::end_in_xy(m, call.where);
   if (!end) return fail(end.error());
   if (m.has('I') != m.has('J')) return linuxcnc::spline_fault(m, call.where, "Must specify both I and J, or neither");
   if (!m.has('P') || !m.has('Q')) return linuxcnc::spline_fault(m, call.where, "Must specify both P and Q with G5");
   const Vec2 start = linuxcnc::in_plane_xy(m.position.programmed);
-  CycleMemory& memory = m.cycle_memory;  // shared with I J of G87, as in LinuxCNC
+  CycleMemory& memory = m.cycle_memory;  // as in LinuxCNC, G87 uses the same stored I and J
   const Vec2 out = m.has('I') ? linuxcnc::words_of(m, 'I', 'J') : Vec2{memory.i, memory.j};
   const Vec2 in = linuxcnc::words_of(m, 'P', 'Q');
   linuxcnc::match_paths(m, {{start}, {start + out}, {*end + in}, {*end}}, 4);
@@ -113,7 +113,7 @@ Status cubic_spline(Emitter& m, const Call& call) {
   return {};
 }
 
-/// G5.1: a parabola.
+/// G5.1: moves along a parabola.
 Status quadratic_spline(Emitter& m, const Call& call) {
   auto end = linuxcnc::end_in_xy(m, call.where);
   if (!end) return fail(end.error());

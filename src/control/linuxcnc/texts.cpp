@@ -1,5 +1,5 @@
-// LinuxCNC's own texts for faults that the reader and shared functions find (spec/linuxcnc 2 to 5, 11). In LinuxCNC an alarm has no number:
-// its English text identifies it.
+// LinuxCNC's own texts for faults that the block reader and functions of several controls find (spec/linuxcnc 2 to 5, 11). In LinuxCNC an
+// alarm has no number; its English text identifies it.
 
 #include <fmt/format.h>
 
@@ -28,7 +28,7 @@ bool begins(std::string_view text, std::string_view word) {
 
 char small(char c) { return is_capital(c) ? static_cast<char>(c | 0x20) : c; }
 
-/// Returns the text of the line from the alarm's location to the end.
+/// Returns the part of the line from the alarm's location on.
 std::string_view there(const AlarmReport& report) {
   const Span at = report.alarm.where;
   const std::string_view line = report.line_text;
@@ -60,7 +60,7 @@ Words no_value(const AlarmReport& report) {
   return {AlarmId::rs274_form, fmt::format("bad number format (conversion failed) parsing '{}'", at.substr(behind))};
 }
 
-/// Returns the number as written (digits, decimal points, signs) that starts or ends at the alarm's location.
+/// Returns the number at the alarm's location as written (digits, decimal points, signs). The number may start or end there.
 std::string_view number_there(const AlarmReport& report) {
   constexpr std::string_view of_numbers = "0123456789.+-";
   const std::string_view line = report.line_text;
@@ -83,7 +83,7 @@ Words number_wrong(const AlarmReport& report) {
           fmt::format("bad number format ({}) parsing '{}'", digits ? "trailing characters" : "conversion failed", number)};
 }
 
-/// True if the line ends where a value is expected.
+/// Returns true if the line ends where a value must follow.
 bool lacks_value(std::string_view line) {
   if (const std::size_t semicolon = line.find(';'); semicolon != std::string_view::npos) line = line.substr(0, semicolon);
   const std::size_t last = line.find_last_not_of(" \t\r");

@@ -13,7 +13,7 @@ namespace kadr::linuxcnc {
 std::map<int, Tool> read_tools(std::string_view text, double unit);
 
 /// Returns the text of the tool table file in LinuxCNC's format. `unit`: unit of the lengths in the file, in mm.
-///   law  read_tools() of the result returns the same tools, to six decimals of the unit
+///   law  read_tools() of this text returns the same tools, to six decimals of the unit
 std::string tools_text(const std::map<int, Tool>& tools, double unit);
 
 }  // namespace kadr::linuxcnc

@@ -1,5 +1,5 @@
-// Behaviour of Mach3 that no row of its file can express: the probe moves back from the point of contact, and M40 opens the file of
-// probed points (10.7.12.1). Tested by tests/cases/mach3/probe.cases.
+// The behaviour of Mach3 that no row of its file can describe: after a probe motion the probe returns from the point of contact, and M40
+// opens the file of probed points (10.7.12.1). Tested by tests/cases/mach3/probe.cases.
 
 #include "control/dialect.h"
 
@@ -17,8 +17,8 @@
 namespace kadr::mach3 {
 namespace {
 
-/// Name of the file for probed points. INFERRED: Mach3 asks the operator for the name (OpenDigFile). Kadr uses this name, in the program
-/// memory, and empties the file first.
+/// Name of the file of probed points in the program memory. INFERRED: Mach3 asks the operator for a name (OpenDigFile); Kadr always uses
+/// this one, and empties the file first.
 constexpr std::string_view points_file = "points.txt";
 constexpr files::FileMode emptied{.creates = true, .takes_existing = true, .appends = false};
 
@@ -55,8 +55,8 @@ class Mach3 final : public Dialect {
     return {};
   }
 
-  /// Emits the retract of the probe: "The probe is drawn straight back from the point at the end of the command." INFERRED: at rapid. It
-  /// is emitted at the first block that does more than assign variables.
+  /// Emits the return of the probe: "The probe is drawn straight back from the point at the end of the command." INFERRED: at rapid. The
+  /// motion is emitted before the first block that does more than assign variables.
   void begin_block(Emitter& m) override {
     if (!back_ || sets_variables_only(*m.block)) return;
     const Back back = *std::exchange(back_, std::nullopt);
@@ -65,7 +65,7 @@ class Mach3 final : public Dialect {
     m.origin = now;
   }
 
-  /// Executes M codes; M40 opens the file. INFERRED: M40 has no effect if the file is already open.
+  /// Executes M40, which opens the file of probed points, and other M codes. INFERRED: a second M40 has no effect while the file is open.
   Status machine_code(Interpreter& m, const Call& call) override {
     constexpr std::int32_t opens = 400;  // M40, in tenths
     if (call.word->code == opens && !points_.is_open()) {
@@ -94,7 +94,7 @@ class Mach3 final : public Dialect {
   }
 
  private:
-  /// The retract of the probe that has not been emitted yet.
+  /// The return of the probe to the start of its motion, until it is emitted.
   struct Back {
     Origin origin;
     AxisMask named = 0;
@@ -114,8 +114,7 @@ class Mach3 final : public Dialect {
     return fail(alarm);
   }
 
-  /// Writes a probed point to the file: X, Y, Z, the values of #2000 to #2002. INFERRED: one line per point, separated by commas, four
-  /// decimals.
+  /// Writes a probed point to the file: X, Y, Z, which are #2000 to #2002. INFERRED: a line per point, with commas and four decimals.
   Status write_point(const BlockContext& m) {
     if (!points_.is_open()) return {};
     std::string line;
@@ -134,7 +133,7 @@ class Mach3 final : public Dialect {
 
   files::FileWriter points_;
   WrittenFiles written_;
-  Axes begin_{};  // start point of the probe motion, work coordinates
+  Axes begin_{};  // start of the probe motion, work coordinates
   std::optional<Back> back_;
 };
 

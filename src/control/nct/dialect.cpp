@@ -1,5 +1,4 @@
-// Functions that the interpreter asks of a dialect (control/dialect.h) and that only the NCT implements in its own way: coupled
-// axes, tools, waiting codes.
+// Those functions of control/dialect.h that the NCT implements in its own way: coupled axes, tools, waiting codes.
 
 #include <utility>
 
@@ -21,12 +20,12 @@ namespace nct {
 
 void Nct::started(Emitter& m) {
   couple_gantries(m);
-  for (const auto& [name, value] : signals)  // axis signals of the machine's logic that are on from the start (20.2 to 20.4)
+  for (const auto& [name, value] : signals)  // signals of axes that are on from the start (20.2 to 20.4)
     if (const AxisSignal asked = axis_signal(name); value != 0 && !asked.axis.empty())
       couple_axis(m, std::string(asked.axis), asked.link, true);
 }
 
-/// Copies the tables of tools, pockets and forms (12.3), which all channels share, from another channel.
+/// Copies from another channel the tables that all channels share: tools, pockets and forms (12.3).
 void Nct::take_common(BlockContext& m, const Dialect& from) {
   tools.take_tables(static_cast<const Nct&>(from).tools);
   Fanuc::take_common(m, from);
@@ -39,7 +38,7 @@ Result<bool> Nct::finish(Interpreter& m) {
 
 Status Nct::may_move(const BlockContext& m, AxisMask named) const { return not_following(m, named); }
 
-/// Completes a motion: axes that follow a master move with it; parked axes do not move.
+/// Completes a motion: followers move with their masters, and parked axes keep their positions.
 void Nct::note_motion(Emitter& m, Motion& motion) {
   fanuc::note_motion(m, motion);
   if (following != 0) follow(m, motion);
@@ -53,14 +52,14 @@ Status Nct::accept_answer(Emitter& m, const ProbeAnswer& at) {
   return taken;
 }
 
-/// Executes an M code. Waiting codes are executed by the control and not passed to the machine (14.5).
+/// Executes an M code. The control itself executes a waiting code, which is not passed to the machine (14.5).
 Status Nct::machine_code(Interpreter& m, const Call& call) {
   const auto waits = waiting_code(m, call);
   if (!waits) return fail(waits.error());
   return *waits ? Status() : Fanuc::machine_code(m, call);
 }
 
-// ---- the tool tables: as system variables report them (12.5.3), and their state after a run
+// ---- the tool tables: what system variables return (12.5.3), and the contents after a run
 
 bool Nct::consume_touched_tables() {
   bool touched = Fanuc::consume_touched_tables();

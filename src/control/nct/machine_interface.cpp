@@ -1,4 +1,4 @@
-// Reports of the machine's logic and of the operator that only the NCT handles (spec/nct 12.3, 20.2).
+// Input from the machine's logic and the operator that only the NCT accepts (spec/nct 12.3, 20.2).
 
 #include <utility>
 

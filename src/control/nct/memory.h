@@ -1,5 +1,5 @@
 #pragma once
-// What only the NCT remembers (spec/nct): tools, the electronic gearbox, coupled axes. Plain values.
+// The data that only the NCT remembers (spec/nct): tools, the electronic gearbox, coupled axes. All of them are plain values.
 
 #include "control/nct/axes/coupling.h"
 #include "control/nct/axes/drives.h"
@@ -15,12 +15,12 @@ struct Gear {
   double teeth = 0;
 };
 
-/// The state of the NCT that a run changes. An alarm restores it as one value.
+/// The state of the NCT that a block may change. An alarm restores it as a whole.
 struct UndoableState {
   Gear gear;
 };
 
-/// All memory that is a plain value: a snapshot copies it.
+/// All data of the NCT that a snapshot copies as plain values.
 struct Memory {
   Settings settings;
   UndoableState state;
@@ -29,9 +29,9 @@ struct Memory {
   Couplings couplings;        // axes that follow a master axis
   Drives drives;              // exchanged, reversed, parked axes
   int axes_in_all = 0;        // number of axes in all channels
-  bool counts_time = false;   // the life of a tool was counted in time at the last set_time()
+  bool counts_time = false;   // the life of some tool was counted in time at the last set_time()
   bool turned = false;        // the main spindle was turning at the last set_time()
-  double tool_magazine = 10;  // #8400: the spindle or stand-by magazine whose tool #8401 … report
+  double tool_magazine = 10;  // #8400: number of the spindle or stand-by magazine whose tool #8401 … describe
 };
 
 }  // namespace kadr::nct

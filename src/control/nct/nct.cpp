@@ -1,5 +1,5 @@
-// The NCT control at power-on, when a set-up is read, and at the end of a program (spec/nct/12, 20); saving and restoring its state for
-// alarms and snapshots. Used by the rest of control.
+// The NCT control at power-on, when it reads a set-up, and at the end of a program (spec/nct/12, 20). It also saves and restores its state
+// for alarms and snapshots. Used by the rest of control.
 
 #include "control/nct/nct.h"
 
@@ -11,7 +11,7 @@
 namespace kadr::nct {
 namespace {
 
-/// Reads the limits of the tool tables from N1400, N2902, N2903.
+/// Returns the sizes of the tool tables, which are in N1400, N2902, N2903.
 ToolLimits tool_limits(const ParameterStore& p) {
   const ToolLimits usual;
   const auto whole = [&](const char* name, int otherwise) {
@@ -54,7 +54,7 @@ void Nct::take_setup(Emitter& m, const Setup& setup) {
   watch_tool_time(m);
 }
 
-/// Executes power off and on (23.5): the gearbox is off, and every axis drives its own machine axis again.
+/// Switches the power off and on (23.5): the gearbox ends, and each axis drives its own machine axis again.
 bool Nct::lose_power(Interpreter& m) {
   ActionBatch unseen;
   ActionBatch* const kept = std::exchange(m.batch, &unseen);
@@ -69,13 +69,14 @@ bool Nct::lose_power(Interpreter& m) {
   return true;
 }
 
-/// Makes the run report the machine's time after each block if the life of any tool is counted in time.
+/// Makes run() return the actions of each block separately if the life of a tool is counted in time, so that the time of each block is
+/// known.
 void watch_tool_time(Emitter& m) {
   if (!nct_of(m).tools.counts_time()) return;
   m.reads_clock = m.each_block = nct_of(m).counts_time = true;
 }
 
-/// Ends the gearbox at a reset if N1800 #0 RCE is set (20.1.4).
+/// Ends the coupling of the gearbox at a reset, if N1800 #0 RCE is set (20.1.4).
 void Nct::end_gear(Emitter& m) {
   if (!parameters.bit(parameters.named("1800"), 0)) return;
   (void)withdraw(m);
@@ -84,7 +85,7 @@ void Nct::end_gear(Emitter& m) {
 
 bool Nct::keeps_group(int group) const {
   constexpr int gear_group = 34;
-  return group == gear_group && state.gear.on;  // 20.1.4: with RCE=0 a reset leaves the gearbox on
+  return group == gear_group && state.gear.on;  // 20.1.4: with RCE=0 a reset keeps the gearbox in force
 }
 
 // ---- undoing a faulty block

@@ -1,7 +1,7 @@
 #pragma once
-// The dialect class of the NCT control (spec/nct): behaviour that the control's file cannot express and that no other control has. There
-// is one object per channel; its memory is a plain value (memory.h). `settings` and `state` belong to this class; the Fanuc family has
-// its own, fanuc_of(m).settings and fanuc_of(m).state.
+// The dialect class of the NCT control (spec/nct): the behaviour that the control's file cannot describe and that no other control has.
+// Each channel has one object, whose memory is a plain value (memory.h). `settings` and `state` here are those of the NCT alone; what the
+// Fanuc family shares is in fanuc_of(m).settings and fanuc_of(m).state.
 
 #include <memory>
 #include <string>
@@ -12,7 +12,7 @@
 
 namespace kadr::nct {
 
-using namespace fanuc;  // the class Nct is derived from Fanuc: its code uses the names of fanuc unqualified
+using namespace fanuc;  // Nct is derived from Fanuc: its code uses the names of fanuc
 
 class Nct : public Fanuc, public nct::Memory {
  public:
@@ -41,7 +41,7 @@ class Nct : public Fanuc, public nct::Memory {
   Result<std::uint32_t> offset_meant(char letter, std::uint32_t number) const override;
   Status open_tool_data(BlockContext& m, std::uint32_t l, double p, Span where) override;
   Status tool_line(Emitter& m) override;
-  /// Returns the magazine number of the channel's default spindle (N0604; 12.3.2): 10, 20, …
+  /// Returns the number of the magazine that is the channel's default spindle (N0604; 12.3.2): 10, 20, …
   int spindle_magazine() const { return ToolManagement::main_spindle * std::max(Fanuc::settings.default_spindle, 1); }
   std::uint64_t common_version() const override { return tools.tables_version() + Fanuc::common_version(); }
   void take_common(BlockContext& m, const Dialect& from) override;
@@ -49,7 +49,7 @@ class Nct : public Fanuc, public nct::Memory {
   std::optional<double> table_value(Emitter& m, const FoundVariable& variable) const override;
   Result<bool> write_table(Emitter& m, const FoundVariable& variable, double value, Span where) override;
 
-  // ---- what the machine reports (machine_interface.cpp)
+  // ---- input and queries of the machine (machine_interface.cpp)
   void couple_axis(Emitter& m, const std::string& name, AxisLink link, bool on) override;
   const std::vector<CrossChannelAxis>& cross_channel_axes() const override { return couplings.far; }
   void drop_cross_channel(Emitter& m, const CrossChannelAxis& axis) override;
@@ -60,7 +60,7 @@ class Nct : public Fanuc, public nct::Memory {
   void set_time(double at_ms, double cut_ms) override;
   bool waiting_suspended() const override;
 
-  // ---- what the interpreter asks (dialect.cpp)
+  // ---- functions that the interpreter calls (dialect.cpp)
   bool has_unfinished() const override { return Fanuc::has_unfinished() || !drives.asked.empty(); }
   Result<bool> finish(Interpreter& m) override;
   bool lines_follow(const BlockContext& m) const override { return drives.parked == 0 && Fanuc::lines_follow(m); }
@@ -85,18 +85,18 @@ struct NctState : FanucState {
   nct::Memory own;
 };
 
-/// Stops the electronic gearbox if it is on (20.1).
+/// Ends the coupling of the electronic gearbox, if it is in force (20.1).
 void disengage(Emitter& m);
-/// If the gearbox is on, retracts the tool from the teeth of the workpiece (20.1.4).
+/// Retracts the tool from the teeth of the workpiece, if the electronic gearbox is in force (20.1.4).
 Status withdraw(Emitter& m);
-/// If the life of any tool is counted in time, makes the run report the machine's time after each block (12.3.1).
+/// Makes run() return the actions of each block separately if the life of a tool is counted in time (12.3.1).
 void watch_tool_time(Emitter& m);
 
 }  // namespace kadr::nct
 
 namespace kadr {
 
-/// Returns the dialect object of an interpreter whose control is an NCT.
+/// Returns the dialect object of a control that is an NCT.
 nct::Nct& nct_of(const BlockContext& m);
 
 }  // namespace kadr

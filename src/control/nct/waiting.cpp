@@ -17,7 +17,7 @@ bool is_waiting_code(const Settings& s, int code) {
   return s.waiting_high > 0 && code >= s.waiting_low && code <= s.waiting_high && code < s.waiting_low + max_waiting_codes;
 }
 
-/// True if the block has only a block number, P and the waiting code.
+/// Returns true if the block has only a block number, P and the waiting code.
 bool has_nothing_else(const BlockContext& m) {
   std::size_t others = 0;
   for (std::uint32_t i = 0; i < m.block->word_count; ++i)
@@ -25,7 +25,7 @@ bool has_nothing_else(const BlockContext& m) {
   return others == 1;
 }
 
-/// Converts the digits of P to bits of channels: "12" gives bits 1 and 2. INFERRED: a repeated digit counts once.
+/// Returns the channels that the digits of P name, as bits: "12" gives bits 1 and 2. INFERRED: a repeated digit counts once.
 Result<std::uint32_t> channels_in(const BlockContext& m, std::uint32_t digits) {
   const std::string text = std::to_string(digits);
   std::uint32_t channels = 0;
@@ -62,7 +62,7 @@ Result<bool> waiting_code(BlockContext& m, const Call& call) {
   if (!digits) return fail(digits.error());
   const auto channels = channels_in(m, *digits);
   if (!channels) return fail(channels.error());
-  m.pass_varies = m.pass_varies || m.waiting.known != 0;  // the other channels may act differently in the next pass
+  m.pass_varies = m.pass_varies || m.waiting.known != 0;  // in the next pass the other channels may act differently
   const bool alone = *channels == 1u << m.def.channel;
   if (m.waiting.mode == Control::Waiting::pass || waiting_suspended(nct_of(m))) return true;
   if (m.waiting.mode == Control::Waiting::alarm && !alone)

@@ -14,16 +14,16 @@ namespace kadr::nct {
 
 class Nct;
 
-inline constexpr int max_channels = 8;  // most channels of a machine (NCT 1.2)
+inline constexpr int max_channels = 8;  // greatest number of channels of a machine (NCT 1.2)
 
-/// Returns the channels that the set-up lists, as bits; 0 if there is no other channel.
+/// Returns the channels that the set-up lists, as bits: bit n is channel n; 0 if this is the only channel.
 std::uint32_t channels_of(const Setup& setup);
 
-/// True if the signal CP_NOWT is on: waiting codes then have no effect.
+/// Returns true if the signal CP_NOWT is on: then waiting codes have no effect.
 bool waiting_suspended(const Nct& nct);
 
-/// Executes `Mm P…` with m from N2201 to N2202 (at most 100 codes): the channel waits for the channels whose digits follow P, in any
-/// order.
+/// Executes `Mm P…`, where m is from N2201 to N2202 (at most 100 codes). The channel waits for the channels whose numbers are the digits of
+/// P, in any order.
 ///   returns  true if the code was a waiting code
 ///   alarms   own_block; word_missing: no P; channel_list: 0, 9, a channel that the machine lacks; channels_wait: this run has no other
 ///            channels (Control::Waiting::alarm)

@@ -24,9 +24,9 @@ const Word* code_of(const BlockContext& m, std::initializer_list<Function> funct
   return nullptr;
 }
 
-/// What the program has contained up to the present block.
+/// The facts about the program up to the current block.
 struct Seen {
-  bool reference = false;  // a G25 has occurred
+  bool reference = false;  // the program has had a G25
   bool moved = false;
   bool at_rest = true;        // the last motion stopped at its end
   std::uint64_t shadows = 0;  // one bit per canned cycle whose hidden subprogram has been reported
@@ -40,15 +40,15 @@ void check_reference(Emitter& m, Seen& seen) {
   seen.reference = true;
 }
 
-/// Warns if the plane changes without a stop. INFERRED: G9 is in the block with the new plane, as in table 9, or in the last block before
-/// it that moves.
+/// Warns if the plane changes without a stop. INFERRED: the stop is G9 in the block with the new plane, as in table 9, or in the last block
+/// before it that moves.
 void check_plane(Emitter& m, const Seen& seen, Plane before) {
   const Word* const plane = code_of(m, {Function::plane_xy, Function::plane_zx, Function::plane_yz});
   if (plane == nullptr || m.modal.plane == before || seen.at_rest || m.block_exact) return;
   m.warn(warning(AlarmId::plane_without_stop, plane->where, m.block->text_of(plane->where)));
 }
 
-/// Warns if M17 is not alone in its block. M2 in the same block is allowed: it ends the section (6.3.5).
+/// Warns if M17 is not the only word of its block. M2 may be in the same block, as it ends the section (6.3.5).
 void check_return(Emitter& m) {
   const Word* const end = code_of(m, {Function::subprogram_end});
   if (end == nullptr) return;
@@ -67,7 +67,7 @@ void check_length(Emitter& m) {
 }
 
 void note_moved(const BlockContext& m, Seen& seen) {
-  const bool calls = m.has('L');  // a canned cycle ends with a stop (table 9)
+  const bool calls = m.has('L');  // L calls a canned cycle, which ends with a stop (table 9)
   const bool stands = code_of(m, {Function::dwell, Function::program_stop, Function::optional_stop, Function::change_tool}) != nullptr;
   const bool machine = code_of(m, {Function::approach_reference, Function::machine_point}) != nullptr;
   const bool takes_axes = code_of(m, {Function::zero_shift}) != nullptr;
@@ -123,8 +123,8 @@ class S2c42 final : public Dialect {
     Seen seen;
   };
   Seen seen_;
-  // of the present block, noted before the block is executed
-  bool in_body_ = false;  // the block is in the body of a canned cycle
+  // State at the start of the current block:
+  bool in_body_ = false;  // the current block is in the body of a canned cycle
   Plane plane_ = Plane::xy;
 };
 

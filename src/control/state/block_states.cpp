@@ -7,12 +7,13 @@
 namespace kadr {
 namespace {
 
-/// Block numbers wrap around after 2^32 (four thousand million) blocks, so the sign of their difference gives their order.
+/// Returns true if block number `a` is after `b`. Block numbers wrap around after 2^32 blocks, so the sign of their difference gives their
+/// order.
 bool is_after(std::uint32_t a, std::uint32_t b) { return static_cast<std::int32_t>(a - b) > 0; }
 
-constexpr std::uint32_t renewed = 1u << 30;  // a state valid for more blocks than this is stored again, so that differences stay small
+constexpr std::uint32_t renewed = 1u << 30;  // blocks; a state that is valid for longer is stored again, so that is_after() stays correct
 
-/// Compares everything but the tool position, which the motions themselves contain.
+/// Returns true if the states are equal apart from the tool position, which is in the motions themselves.
 bool same_modes(const ControlState& a, const ControlState& b) {
   return a.modal == b.modal && a.transform == b.transform && a.frames == b.frames && a.set_position == b.set_position &&
          a.set_position_by_g52 == b.set_position_by_g52 && a.zero_shift == b.zero_shift;

@@ -1,6 +1,6 @@
 #pragma once
-// BlockStates: what was in force after each of the last blocks. The control reads ahead of the machine, and the display of a motion needs
-// the modes of the block that the motion comes from, not the modes of the block being read.
+// BlockStates: the states after each of the last blocks. The control reads ahead of the machine: the display of a motion needs the modes of
+// the block that the motion comes from, not the modes of the block being read.
 //
 // An action's Origin holds the number of its block in the run. A state is
 // stored only for a block whose state differs from that of the block before.
@@ -16,11 +16,11 @@ namespace kadr {
 
 class BlockStates {
  public:
-  static constexpr std::size_t most = 4096;  // stored changes of state; they span more motions than all later rooms buffer
+  static constexpr std::size_t most = 4096;  // greatest number of stored states; all later rooms together buffer fewer motions
 
-  /// Records the state after a block was executed.
+  /// Records the state after an executed block.
   void note(std::uint32_t block, const ControlState& now);
-  /// Returns the state after the block; nullptr if the block is too long ago.
+  /// Returns the state after the block with this number; nullptr if that state is no longer stored.
   std::shared_ptr<const ControlState> of(std::uint32_t block) const;
 
  private:

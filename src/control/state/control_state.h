@@ -15,7 +15,7 @@ namespace kadr {
 
 enum class Plane : std::uint8_t { xy, zx, yz };  // G17, G18, G19
 
-/// Axes of the selected plane, by index; a counter-clockwise rotation turns the first towards the second.
+/// The axes of a plane, by index. A counter-clockwise rotation turns the first axis towards the second; the third is normal to the plane.
 struct PlaneAxes {
   std::size_t first = 0, second = 1, normal = 2;
   friend bool operator==(const PlaneAxes&, const PlaneAxes&) = default;
@@ -28,64 +28,64 @@ inline PlaneAxes axes_of(Plane plane) {
   }
 }
 
-/// Progress of cutter compensation, from G41, G42 to the motion that leaves the contour (2С42 6.4.7, Mach3 10.7.13).
+/// The progress of cutter compensation, from G41, G42 to the motion that leaves the contour (2С42 6.4.7, Mach3 10.7.13).
 enum class CompensationPhase : std::uint8_t {
   off,
-  on,          // no motion in the plane yet
-  approached,  // after the first motion
-  following,   // after further motions
+  on,          // after G41, G42: no motion in the plane has followed
+  approached,  // after the first motion in the plane
+  following,   // after further motions in the plane
   leaving,     // after G40: the tool is still offset from the contour, until the next motion in the plane
 };
 
 enum class MotionMode : std::uint8_t { none, rapid, linear, arc_cw, arc_ccw, cycle };
 enum class FeedMode : std::uint8_t { per_minute, per_revolution, inverse_time };
 
-inline constexpr std::uint8_t feed_permission = 1;  // bit of Modal::override_permission
+inline constexpr std::uint8_t feed_permission = 1;  // bit of Modal::override_permission: the operator may change the feed
 
-/// The modes that a block of only motions and feeds may change.
+/// The modes that a block may change if it has only motions and feeds.
 struct MotionModal {
-  std::array<std::int16_t, most_groups> rows;  // per modal group: row in ControlDef::codes of the code in force; -1: none
+  std::array<std::int16_t, most_groups> rows;  // by modal group: row in ControlDef::codes of the code in force; -1: none
   std::int16_t motion_row = -1;
   MotionMode motion = MotionMode::none;
   bool feed_known = false;
-  double feed = 0;  // mm/min, mm/rev or 1/min by Modal::feed_mode
+  double feed = 0;  // mm/min, mm/rev or 1/min: see Modal::feed_mode
   friend bool operator==(const MotionModal&, const MotionModal&) = default;
 };
 
-/// What stays in force from block to block. `rows` has the code of each group; the fields hold its meaning.
+/// The modes that stay in force from block to block. `rows` has the code of each group; the members here have its meaning.
 struct Modal : MotionModal {
   Plane plane = Plane::xy;
   PlaneAxes axes;  // axes of the selected plane
   FeedMode feed_mode = FeedMode::per_minute;
   SpindleDir spindle = SpindleDir::stop;
-  std::int8_t radius_side = 0;     // -1 left (G41), +1 right (G42)
-  std::int8_t length_sign = 0;     // +1 G43, -1 G44
-  std::int8_t corrector_sign = 0;  // +1 or -1: sign forced on the absolute value of an axis corrector (offset); 0: its own sign
+  std::int8_t radius_side = 0;     // side of the tool: -1 left (G41), +1 right (G42), 0 no compensation
+  std::int8_t length_sign = 0;     // +1 G43, -1 G44, 0 no length compensation
+  std::int8_t corrector_sign = 0;  // +1 or -1: an axis corrector counts as its absolute value with this sign; 0: with its own sign
   bool absolute = true;
   bool centers_absolute = false;
   bool inch = false;
   bool exact = false;           // exact stop mode
-  bool retract_initial = true;  // G98
+  bool retract_initial = true;  // G98: canned cycles return to the initial level
   bool polar = false;
-  bool surface_speed = false;  // G96: `rpm` is m/min
+  bool surface_speed = false;  // G96: the unit of `rpm` is m/min
   bool mist = false;
   bool flood = false;
   bool override_enabled = true;
-  std::uint8_t override_permission = 3;  // bits: feed_permission, 2 for the spindle
+  std::uint8_t override_permission = 3;  // what the operator may change; bits: feed_permission, 2 for the spindle
   std::uint16_t work_zero = 0;           // number of the work offset; 0: none
   std::uint32_t fixture = 1;
-  std::uint32_t offset_number = 0;  // D
-  std::uint32_t length_number = 0;  // H, if it is a separate word
+  std::uint32_t offset_number = 0;  // D: number of the offset in force
+  std::uint32_t length_number = 0;  // H: number of the length offset, if it has its own word
   std::uint32_t tool_selected = 0;
-  std::uint32_t corrector = 0;  // corrector number of T0404
+  std::uint32_t corrector = 0;  // number of the corrector in force, from T0404
   std::uint32_t tool = 0;       // number of the tool in the spindle
-  double radius_by_word = -1;   // radius of G41 P…; -1: from the table
-  std::uint8_t nose = 0;        // with radius_by_word: orientation of a turning tool (spec/linuxcnc 9)
-  double blend_tolerance = 0;   // G64 P…, mm
+  double radius_by_word = -1;   // mm; radius by P of G41, G42; -1: the radius is in the table
+  std::uint8_t nose = 0;        // if radius_by_word is set: orientation of a turning tool (spec/linuxcnc 9)
+  double blend_tolerance = 0;   // mm; path tolerance, P of G64
   double rpm = 0;
-  double rpm_waiting = -1;     // S without M3, M4: applies from the next M3 or M4 (2С42 6.4.3); -1: none
-  Axes axis_feed{};            // F of a single axis (GOST 20999-83) …
-  AxisMask feeds_of_axes = 0;  // … and the axes that have one
+  double rpm_waiting = -1;     // S that applies from the next M3 or M4 on (2С42 6.4.3); -1: none
+  Axes axis_feed{};            // by axis: its own feed (GOST 20999-83), if it has one
+  AxisMask feeds_of_axes = 0;  // axes that have their own feed
   Vec2 pole;                   // pole of polar coordinates, programmed coordinates
   double polar_radius = 0;
   double polar_angle = 0;
@@ -93,70 +93,70 @@ struct Modal : MotionModal {
   Plane pole_plane = Plane::xy;     // plane of the pole and of its angle
   Plane pole_under = Plane::xy;     // plane in force when the pole was given
   CompensationPhase contour = CompensationPhase::off;
-  std::int8_t compensation_side = 0;         // side of the last compensated motion, as in Motion::side; 0 if there was none
-  CornerJoin corner_join = CornerJoin::arc;  // G36, G37
+  std::int8_t compensation_side = 0;         // Motion::side of the last compensated motion; 0 if there was none
+  CornerJoin corner_join = CornerJoin::arc;  // type of corner of a compensated contour: G36, G37
   Vec2 compensation_start;                   // end of the first motion of the compensated contour, programmed coordinates
   PlaneAxes compensation_axes;               // plane of the contour
   Vec2 compensation_vector;                  // from the contour's last point to the tool, as if the contour ended there; work coordinates
-  bool off_contour_reported = false;         // the warning beside_contour was given since G40
+  bool off_contour_reported = false;         // the warning beside_contour was reported for this contour
   // nct
-  std::uint8_t main_spindle = 1;  // the spindle that feeds per revolution and threads refer to (11.4)
-  bool turning_lengths = false;   // G43.7
-  double other_feed = 0;          // feed of G94 while G95 is in force, and vice versa
+  std::uint8_t main_spindle = 1;  // nct 11.4: the spindle for feed per revolution and for threads
+  bool turning_lengths = false;   // G43.7: length offsets of turning tools are in force
+  double other_feed = 0;          // the feed of the other unit: of G94 while G95 is in force, and vice versa
   bool other_feed_known = false;
-  bool polar_data = false;            // G16
-  bool polar_radius_given = false;    // since G16; in GOST since the first G10
+  bool polar_data = false;            // G16: polar coordinates are on
+  bool polar_radius_given = false;    // a radius was given since G16; on GOST, since the first G10
   bool polar_radius_absolute = true;  // the polar radius was given as an absolute value
   bool polar_angle_given = false;
-  std::uint8_t smoothing = 0;                // Q of G5.1: 2, 3
+  std::uint8_t smoothing = 0;                // Q of G5.1: 2 or 3
   PathSurface surface = PathSurface::plane;  // G12.1, G7.1
   double surface_radius = 0;                 // radius of the cylinder for PathSurface, mm
-  double surface_side = 1;                   // sign of the linear axis when G12.1 was given
-  AxisMask diameter = 0;                     // axes in diameter programming
+  double surface_side = 1;                   // G12.1: sign of the linear axis at its start
+  AxisMask diameter = 0;                     // axes whose words are diameters
   Axes new_system{};                         // shift of G92
   Axes local{};                              // shift of G52
   Axes lengths{};                            // length offsets by G43, G44 on each axis, with their sign
   friend bool operator==(const Modal&, const Modal&) = default;
 };
 
-/// Conversion from programmed to work coordinates. A point is scaled, then rotated (or rotated, then scaled), mirrored, and shifted by
-/// the values of axis correctors. Each axis is converted independently, except the two axes that a rotation mixes (nct 16.0: the
-/// transformation switched on first is the outermost).
-///   law  to_programmed(to_work(p)) == p up to rounding
+/// Conversion from programmed to work coordinates. A point is scaled, then rotated (or rotated, then scaled), then mirrored, and then
+/// shifted by the values of axis correctors. Each axis is converted by itself, except the two axes of a rotation. The transformation that
+/// was switched on first is the outermost (nct 16.0).
+///   law  to_programmed(to_work(p)) == p, within the numerical tolerance
 struct Transform {
   bool identity = true;
   Axes scale;                                // negative where mirrored
   Axes scale_shift;                          // mm: scaling centre · (1 - scale)
-  Axes added;                                // mm, shift by axis correctors, or twice the coordinate of a mirror line (nct 16.3)
-  double rotation = 0;                       // degrees; positive turns the first axis towards the second
+  Axes added;                                // mm; shift by axis correctors, or twice the coordinate of a mirror line (nct 16.3)
+  double rotation = 0;                       // degrees; positive from the first axis towards the second
   Vec2 rotation_center;                      // mm
-  std::uint8_t first = 0, second = 1;        // axes that the rotation mixes
+  std::uint8_t first = 0, second = 1;        // indices of the axes of the rotation
   bool turned_last = true;                   // true: scaled, then rotated; false: rotated, then scaled
-  bool scaling = false, turning = false;     // nct: G51, G68 are on, even if they have no effect
+  bool scaling = false, turning = false;     // nct: G51, G68 are in force, even if they change no coordinate
   std::array<std::int8_t, max_axes> mirror;  // by axis: +1, or -1 if mirrored
 
   Transform();
   void refresh();  // sets `identity` and the rotation's sine and cosine
   Axes to_work(const Axes& programmed) const;
   Axes to_programmed(const Axes& work) const;
-  /// Adds to `named` the partner axis of each axis that a rotation mixes: both move together.
+  /// Returns the axes that move with the named ones: of the two axes of a rotation, both move if one is named.
   AxisMask moved_with(AxisMask named) const;
 
   // ---- effect in a plane
-  /// True if a rotation in another plane moves points of this plane out of this plane.
+  /// Returns true if a rotation in another plane moves points of this plane out of it.
   bool leaves(PlaneAxes plane) const;
-  /// True if a contour is traversed in the opposite sense: the determinant of the transformation in the plane is negative.
+  /// Returns true if the transformation mirrors the plane, so that a contour is traversed in the opposite sense (negative determinant).
   bool reverses(PlaneAxes plane) const { return sign(plane.first) * sign(plane.second) < 0; }
-  /// True if the two axes of the plane have different scale factors, so that a circle becomes an ellipse.
+  /// Returns true if the two axes of the plane have different scale factors: a circle then becomes an ellipse.
   bool distorts(PlaneAxes plane) const;
-  /// Converts a point of the plane; mm. The other coordinates are not needed, as long as the transformation does not leave the plane.
+  /// Converts a point of the plane, in mm. The third coordinate is not needed if the transformation does not leave the plane.
   Vec2 to_work(Vec2 programmed, PlaneAxes plane) const;
-  /// Converts a direction: it is mirrored and rotated; scaling has no influence on it (nct 15.5.6).
+  /// Converts a direction in the plane: mirrors and rotates it, without scaling (nct 15.5.6).
   Vec2 direction(Vec2 way, PlaneAxes plane) const;
-  /// Returns the factor for the size of a rounding or chamfer at a corner: the mean of the plane's two scale factors, without sign (nct
+  /// Returns the factor for the size of a rounding or chamfer at a corner: the mean of the absolute scale factors of the two axes (nct
   /// 16.2).
   double corner_scale(PlaneAxes plane) const;
-  /// Returns the factor for an arc's radius: the scale factor of the first axis of the plane, without sign (nct 16.2).
+  /// Returns the factor for the radius of an arc: the absolute scale factor of the first axis of the plane (nct 16.2).
   double radius_scale(PlaneAxes plane) const;
   friend bool operator==(const Transform&, const Transform&) = default;
 
@@ -167,12 +167,12 @@ struct Transform {
 };
 
 struct ProgramPosition {
-  Axes programmed{};  // position in the coordinates of the program's words
-  Axes work{};        // tool point in the active work system
+  Axes programmed{};  // the position in programmed coordinates
+  Axes work{};        // the position in coordinates of the work system in force
   Axes machine{};
 };
 
-/// Tables of the control that a program reads and, with G10, writes.
+/// The tables that a program reads and, by G10, writes.
 struct Tables {
   std::vector<ToolOffset> offsets;                  // tool offsets by number; [0] is unused
   std::vector<Axes> zeros = std::vector<Axes>(10);  // work offsets 1…; [0] is unused
@@ -183,26 +183,26 @@ struct Tables {
   friend bool operator==(const Tables&, const Tables&) = default;
 };
 
-/// Words of a drilling cycle that remain valid while blocks of the same cycle follow (spec/mach3 4: "sticky").
+/// The words of a drilling cycle that remain valid while blocks of the same cycle follow ("sticky", spec/mach3 4).
 struct CycleMemory {
-  std::int16_t row = -1;         // code row of the cycle, -1: none
-  std::uint64_t known = 0;       // bits of the cycle letters that have a value
+  std::int16_t row = -1;         // row of the cycle in ControlDef::codes; -1: none
+  std::uint64_t known = 0;       // letters of the words that have a value, one bit per letter
   double bottom = 0, level = 0;  // Z and R as programmed, mm
   double peck = 0, dwell = 0;
   double i = 0, j = 0, k = 0;
 };
 
-/// The state that a block changes and that an alarm in the block restores, as one value; a base class of Interpreter. Other data that a
-/// block writes is recorded in its Journal.
+/// The state that a block changes and that an alarm in the block restores, as one value. It is a base class of Interpreter. Other data that
+/// a block writes are recorded in its Journal.
 struct ControlState {
   Modal modal;
   Transform transform;
   ProgramPosition position;
   Placement frames;
   CycleMemory cycle_memory;
-  Axes set_position{};               // shift by G92 or G52 (Mach3), mm
+  Axes set_position{};               // mm; shift of the work system by G92 or G52 (Mach3)
   bool set_position_by_g52 = false;  // set_position was set by G52
-  Axes zero_shift{};                 // additional temporary shift (G92 of the 2С42 and GOST)
+  Axes zero_shift{};                 // additional temporary shift of the work system (G92 of the 2С42 and GOST)
 };
 
 }  // namespace kadr

@@ -9,10 +9,10 @@
 namespace kadr {
 
 struct CrossChannelAxis {
-  std::size_t axis = 0;               // index in this channel
+  std::size_t axis = 0;               // index of the axis in this channel
   int other = 0;                      // number of the other axis; the numbers are unique across the channels
   AxisLink link = AxisLink::follows;  // follows the other axis, or is exchanged with it
-  double sign = 1;                    // +1 or -1: direction in which the axis follows the other axis
+  double sign = 1;                    // +1, or -1 if the axis follows in the opposite direction
   friend bool operator==(const CrossChannelAxis&, const CrossChannelAxis&) = default;
 };
 

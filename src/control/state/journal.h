@@ -1,7 +1,7 @@
 #pragma once
-// Journal: old values of the table cells and variables that a block has written, so that an
-// alarm in the same block can restore them. The state itself (ControlState) is
-// a value and is restored by copying; code that writes anything else records it here first.
+// Journal: old values of the table cells and variables that a block has written, so that an alarm in the same block can restore them. The
+// state itself (ControlState) is a value, which is restored by copying. Code that writes other data records their old values in the journal
+// first.
 
 #include <cstddef>
 #include <cstdint>
@@ -15,7 +15,7 @@ namespace kadr {
 
 class Journal {
  public:
-  /// Starts a block: discards what was recorded before.
+  /// Starts a block: the old values recorded before are discarded.
   void begin() {
     ++block_;
     used_ = 0;
@@ -42,10 +42,10 @@ class Journal {
   std::uint64_t block() const { return block_; }
 
  private:
-  /// The header of a change; it comes after the bytes of the old value, so that the last change is found first.
+  /// What is recorded after the bytes of an old value. It follows these bytes, so that the last change is found first.
   struct Change {
-    void* cell;        // nullptr: the change is undone by the function undos_[size]
-    std::size_t size;  // bytes
+    void* cell;        // address of the changed cell; nullptr: undos_[size] undoes the change
+    std::size_t size;  // size of the cell in bytes
   };
   static constexpr std::size_t step = alignof(Change);
   static constexpr std::size_t rounded(std::size_t size) { return (size + step - 1) / step * step; }
@@ -83,9 +83,9 @@ class JournalLink {
   void on_undo(Undo&& undo) const {
     if (journal_ != nullptr) journal_->on_undo(std::forward<Undo>(undo));
   }
-  /// Returns true at its first call in this block; false without a journal, where nothing is ever undone.
+  /// Returns true at the first call in this block. Without a journal the result is false, because nothing is restored.
   bool is_first() { return journal_ != nullptr && std::exchange(seen_, journal_->block()) != journal_->block(); }
-  /// Makes is_first() return true again, as if nothing had been recorded in this block.
+  /// Makes is_first() return true at its next call, as if nothing had been recorded in this block.
   void start_anew() { seen_ = 0; }
   explicit operator bool() const { return journal_ != nullptr; }
 

@@ -1,5 +1,6 @@
 #pragma once
-// LineMarks: roughly, which lines a run has reached; 32 lines share a mark. A search for a line can skip a run without a mark for it.
+// LineMarks: a rough record of the lines that a run has reached; 32 lines share a mark. A search for a line need not repeat a run that has
+// no mark for the line.
 
 #include <array>
 #include <cstdint>
@@ -8,7 +9,7 @@ namespace kadr {
 
 class LineMarks {
  public:
-  static constexpr std::uint32_t lines_a_mark = 32, marks = 1U << 15;  // a million lines have their own marks; later lines share them
+  static constexpr std::uint32_t lines_a_mark = 32, marks = 1U << 15;  // enough for a million lines; further lines share these marks
 
   void note(std::uint16_t file, std::uint32_t line) {
     const std::uint32_t mark = mark_of(file, line);

@@ -1,5 +1,5 @@
 #pragma once
-// The input of a run besides control and set-up: its program, and the limits that it may not exceed.
+// The input of a run other than control and set-up: the program, and the limits that the run may not exceed.
 
 #include <cstdint>
 #include <memory>
@@ -13,13 +13,13 @@
 
 namespace kadr {
 
-/// Limits that stop a runaway program.
+/// The limits that stop a program which never ends, and what a program may do with files.
 struct RunLimits {
-  std::uint64_t repeated_blocks = 20'000'000;  // blocks executed again after a jump back
-  std::uint32_t restarts = 1000;               // passes of an endless main program (M99, M47)
-  bool writes_files = false;                   // FOPEN, POPEN; false: the program is followed as far as possible without writing
+  std::uint64_t repeated_blocks = 20'000'000;  // greatest number of blocks that are executed again after jumps back
+  std::uint32_t restarts = 1000;               // greatest number of passes of a main program that starts again (M99, M47)
+  bool writes_files = false;                   // a program may write files (FOPEN, POPEN); false: it runs as far as possible without
   std::string files = ".";                     // folder of the program memory, outside of which nothing is written
-  FileSet untouched{};                         // files of the run itself, which no program may write
+  FileSet untouched{};                         // files that the run itself uses, and that no program may write
   StopToken stop{};                            // checked at least once per block
   const FileAccess* door = nullptr;            // opens the files that the program calls and the set-up names; must outlive the run
 };

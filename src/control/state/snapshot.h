@@ -9,7 +9,7 @@ namespace kadr {
 /// Copies share their content; tables that did not change between two snapshots of one control are shared by both.
 class Snapshot {
  public:
-  struct Content;  // control/snapshot.cpp
+  struct Content;  // control/snapshot_content.h
   explicit Snapshot(std::shared_ptr<const Content> content) : content_(std::move(content)) {}
   const Content& content() const { return *content_; }
 

@@ -11,14 +11,14 @@
 namespace kadr {
 
 void ProgramUse::note(UseKind kind, std::uint32_t number, const Origin& origin, bool zero) {
-  constexpr std::uint32_t most = 100'000'000;  // greater numbers are not recorded: T has eight digits
+  constexpr std::uint32_t most = 100'000'000;  // greater numbers are not recorded: T has at most eight digits
   if (origin.line == 0 || number > most) return;
   if (kind == UseKind::tool) called_ = number;
   const std::uint32_t tool = in_spindle_ != 0 ? in_spindle_ : called_;
-  const bool of_tool = kind == UseKind::length || kind == UseKind::radius;  // several tools may share an offset: the first use by each
+  const bool of_tool = kind == UseKind::length || kind == UseKind::radius;  // tools may share an offset: first use by each tool
   const auto is_kept = [&](const Use& use) { return use.kind == kind && use.number == number && (!of_tool || use.tool == tool); };
   std::vector<bool>& seen = seen_[static_cast<std::size_t>(kind)];
-  constexpr std::size_t tabled = 65'536;  // numbers up to here have a table of bits; higher ones are rare and are searched in the list
+  constexpr std::size_t tabled = 65'536;  // smaller numbers have bits in seen_; greater ones are rare and are searched in the list
   if (number < tabled) {
     if (number < seen.size() && seen[number] && (!of_tool || std::any_of(all_.begin(), all_.end(), is_kept))) return;
     if (number >= seen.size()) seen.resize(number + 1);
@@ -37,7 +37,7 @@ void ProgramUse::pass(const Origin& origin) {
 
 void note_work_offset(BlockContext& m, std::uint32_t row) {
   if (row == 0) return;  // no work offset
-  // The reset that the control itself does at the end of the program also activates a work system; this is not a use.
+  // At the end of the program the control itself resets the work system; this is not a use by the program.
   if (!m.has_code({Function::work_zero, Function::fixture, Function::work_system, Function::work_system_extended, Function::table_system,
                    Function::zero_shift}))
     return;

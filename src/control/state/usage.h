@@ -13,15 +13,15 @@ namespace kadr {
 class BlockContext;
 
 enum class UseKind : std::uint8_t {
-  length,         // an offset's length comes into force: by H, or by D of the 2С42
-  radius,         // an offset's radius comes into force
-  work_zero,      // a work offset, by the row of its table; work_systems() of config/setup/setup_names gives the names
+  length,         // the length of an offset comes into force: by H, or by D of the 2С42
+  radius,         // the radius of an offset comes into force
+  work_zero,      // a work offset, by its row in the table; work_systems() of config/setup/setup_names returns the names
   corrector,      // corrector (offset value) of an axis, or of a tool's radius
-  tool,           // T
-  variable,       // #n is read before anything was written to it; on a control without vacant variables only after watch()
-  parameter,      // R0 … R9 is read before it was written; on a control without vacant variables only after watch()
-  skip_switch,    // switch of /, /n
-  optional_stop,  // M1
+  tool,           // a tool, by T
+  variable,       // #n is read before it was written; without vacant variables (on some controls) only after watch()
+  parameter,      // R0 … R9 is read before it was written; without vacant variables only after watch()
+  skip_switch,    // the switch of a skip mark /, /n
+  optional_stop,  // the switch of M1
   count
 };
 
@@ -35,13 +35,13 @@ struct Use {
 
 class ProgramUse {
  public:
-  /// Records the first use of each number. Words of the set-up itself (without a line) are not recorded.
+  /// Records the first use of each number. A use by words of the set-up, which have no line, is not recorded.
   void note(UseKind kind, std::uint32_t number, const Origin& origin, bool zero = false);
   const std::vector<Use>& all() const { return all_; }
-  /// Records that a tool has come into the spindle. If this is never called, the last T counts.
+  /// Records that a tool is in the spindle. If this function is never called, the tool of the last T counts.
   void change_to(std::uint32_t tool) { in_spindle_ = tool; }
 
-  /// Also records variables and lines, which takes time.
+  /// Starts recording variables and lines too, which takes time.
   void watch() { watches_ = true; }
   bool watches() const { return watches_; }
   /// Records that a line of the program itself has been executed.

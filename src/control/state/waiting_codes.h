@@ -1,5 +1,5 @@
 #pragma once
-// Data of a channel that waits for other channels: `M501 P12`. The dialect executes the codes themselves (NCT 14.5).
+// Data of a channel that waits for other channels, at a block such as `M501 P12`. The dialect executes the waiting codes (NCT 14.5).
 
 #include <cstdint>
 #include <optional>
@@ -8,13 +8,13 @@
 
 namespace kadr {
 
-/// What a waiting code does.
+/// The effect of a waiting code.
 enum class WaitingMode : std::uint8_t {
   alarm,  // raises the alarm channels_wait, because no other channel can arrive
   meet,   // run() returns Control::State::waiting until release() is called
   pass,   // the waiting code has no effect
 };
-/// A channel at a waiting code.
+/// A waiting code at which a channel waits.
 struct ChannelMeeting {
   std::uint32_t code = 0;      // number of the waiting code: M…
   std::uint32_t channels = 0;  // channels that must arrive at this code; bit n: channel n
@@ -23,8 +23,8 @@ struct ChannelMeeting {
 
 struct WaitingCodes {
   WaitingMode mode = WaitingMode::alarm;
-  std::uint32_t known = 0;                // channels of the machine, bit n: channel n; 0 if the set-up does not list them
-  std::optional<ChannelMeeting> meeting;  // where this channel waits
+  std::uint32_t known = 0;                // channels of the machine, bit n: channel n; 0 if the set-up lists no channels
+  std::optional<ChannelMeeting> meeting;  // the code at which this channel waits; nullopt: it does not wait
 };
 
 }  // namespace kadr

@@ -1,4 +1,4 @@
-// The variables #1 … #33 per level, and #100 … #999 (spec/nct/23 23.1.3, 23.1.4). Used by the rest of control.
+// The variables #1 … #33 of each call level, and #100 … #999 (spec/nct/23 23.1.3, 23.1.4). Used by the rest of control.
 
 #include "control/variables/macro_variables.h"
 

@@ -1,5 +1,5 @@
 #pragma once
-// MacroVariables: #1 … #33 per level, and #100 … #999 (spec/nct/23 23.1.3, 23.1.4). A variable is vacant until it is written.
+// MacroVariables: #1 … #33 of each call level, and #100 … #999 (spec/nct/23 23.1.3, 23.1.4). A variable is vacant until it is written.
 
 #include <array>
 #include <cmath>
@@ -17,10 +17,10 @@ namespace kadr {
 inline constexpr std::size_t max_locals = 33;
 inline constexpr int first_common = 100, last_common = 999, first_kept = 500;
 
-using Locals = std::array<double, max_locals + 1>;  // by number; [0] unused
+using Locals = std::array<double, max_locals + 1>;  // #1 … #33, by number; [0] is unused
 Locals no_locals();
 
-/// #100 … #999, by number.
+/// The common variables #100 … #999, by number.
 struct Commons {
   std::array<double, last_common + 1> values;
   Commons() { values.fill(vacant); }
@@ -28,10 +28,11 @@ struct Commons {
 
 class MacroVariables {
  public:
-  /// `shared`: the common variables of all channels: the first `shared_100` from #100 on, and the first `shared_500` from #500 on.
+  /// `shared`: the common variables of the machine. Its channels share the first `shared_100` variables from #100 on and the first
+  /// `shared_500` from #500 on.
   MacroVariables(std::shared_ptr<Commons> shared, int shared_100, int shared_500);
 
-  /// Reads #0, local and common variables; returns false for every other variable number.
+  /// Reads #0, a local or a common variable into `value`. Returns false for any other variable number.
   bool known(double number, double& value) const {
     if (!(number >= 0 && number <= last_common)) return false;
     const int n = static_cast<int>(number);
@@ -51,7 +52,7 @@ class MacroVariables {
       changed_.push_back(static_cast<std::uint16_t>(n));
     }
   }
-  /// Common variables above #999, by number (spec/fanuc 5.1: #900000; spec/haas 2.4: #10000).
+  /// Returns the value of a common variable above #999 (spec/fanuc 5.1: from #900000; spec/haas 2.4: from #10000).
   double further(std::uint32_t n) const {
     const auto found = further_.find(n);
     return found == further_.end() ? vacant : found->second;
@@ -60,11 +61,11 @@ class MacroVariables {
     further_[n] = value;
     further_changed_.insert(n);
   }
-  /// Returns the numbers written since the last call.
+  /// Returns the numbers of the common variables above #999 that were written since the last call.
   std::set<std::uint32_t> take_changed_further() { return std::exchange(further_changed_, {}); }
   const std::map<std::uint32_t, double>& all_further() const { return further_; }
 
-  /// Saves #n before a block writes it, so that an alarm can restore it.
+  /// Records the value of #n before a block writes the variable, so that an alarm can restore the value.
   void keep_common(Journal& journal, int n) { journal.keep(*commons_[static_cast<std::size_t>(n - first_common)]); }
   Locals& locals() { return levels_.back(); }
   const Locals& locals() const { return levels_.back(); }
@@ -73,7 +74,7 @@ class MacroVariables {
   void close_level() {
     if (levels_.size() > 1) levels_.pop_back();
   }
-  /// Called at the end of the program: only the main program's level of local variables remains, empty (23.1.3).
+  /// Called at the end of the program: closes all levels of local variables but that of the main program, which becomes vacant (23.1.3).
   void close_levels() { levels_.assign(1, no_locals()); }
   std::size_t depth() const { return levels_.size(); }
   const std::vector<Locals>& levels() const { return levels_; }
@@ -89,7 +90,7 @@ class MacroVariables {
 
   /// Returns the numbers of common variables that survive power-off and were written since the last call.
   std::vector<std::uint16_t> take_changed();
-  /// Clears what power-off loses: #100 … #499 and the local variables.
+  /// Clears the variables that need power: #100 … #499 and the local variables.
   void power_off();
 
  private:

@@ -1,4 +1,4 @@
-// The variables #1 … #n of Mach3, including system variables, and R0 … R9 of the 2С42. Used by control/interpreter,
+// The variables #1 … #n of Mach3, with its system variables, and the parameters R0 … R9 of the 2С42. Used by control/interpreter,
 // control/snapshot_content.
 
 #include "control/variables/variables.h"
@@ -14,13 +14,13 @@ namespace {
 
 constexpr std::uint32_t first_system_variable = 1000;  // lower numbers are free for the program
 
-/// Returns the number of parameters: R0 to R9, or a thousand per letter.
+/// Returns how many parameters the control has: R0 to R9, or a thousand for each parameter letter.
 std::size_t parameters_of(const Grammar& grammar) {
   constexpr std::size_t of_one_digit = 10;
   return std::max(of_one_digit, grammar.long_parameters.size() * parameters_a_letter);
 }
 
-/// Returns the number of a variable; 0 if there is no variable with this number.
+/// Returns `number` as a variable number; 0 if no variable has this number.
 std::uint32_t number_of(double number, std::uint32_t highest) {
   const double nearest = std::round(number);
   if (!(nearest >= 1) || nearest > highest || std::fabs(number - nearest) > tol::whole_number) return 0;

@@ -1,5 +1,6 @@
 #pragma once
-// Variables: #1 … #n of Mach3, including system variables, and R0 … R9 of the 2С42. What a block writes can be undone.
+// Variables: #1 … #n of Mach3, with its system variables, and the parameters R0 … R9 of the 2С42. An alarm restores what the block has
+// written.
 
 #include <cstdint>
 #include <string>
@@ -13,7 +14,7 @@ namespace kadr {
 
 class Variables {
  public:
-  /// `journal`: stores old values before a block overwrites them.
+  /// `journal`: records the old values that a block overwrites.
   Variables(const ControlDef& def, Journal& journal);
 
   /// Returns the value of #number; 0 if it was never set (Mach3).
@@ -25,37 +26,37 @@ class Variables {
 
   Status set(double number, double value, Span where);
   void set_parameter(int index, double value);
-  /// Name of a parameter: R5; with several letters R05, P123 (spec/correctors 3).
+  /// Returns the name of a parameter: R5; on a control with several parameter letters R05, P123 (spec/correctors 3).
   std::string name_of_parameter(int index) const;
-  /// Returns the index of a parameter, or -1 if there is none with this name.
+  /// Returns the index of the parameter with this name; -1 if there is no such parameter.
   int parameter_named(const std::string& name) const;
   int parameter_count() const { return static_cast<int>(all_.parameters.size()); }
 
   double raw(std::uint32_t number) const { return number < all_.values.size() ? all_.values[number] : 0; }
   void set_raw(std::uint32_t number, double value);
-  /// Returns true if the number has a meaning to the control.
+  /// Returns true if the number is that of a system variable, which has a meaning for the control.
   bool is_system(std::uint32_t number) const { return kind_of(number) != VariableKind::free; }
   bool is_set(std::uint32_t number) const { return number < all_.set.size() && all_.set[number]; }
   std::uint32_t highest() const { return static_cast<std::uint32_t>(all_.values.size()) - 1; }
   bool parameter_set(int index) const { return all_.parameters_set[static_cast<std::size_t>(index)]; }
   double raw_parameter(int index) const { return all_.parameters[static_cast<std::size_t>(index)]; }
 
-  /// Returns the first number of the rows of this kind in their `nth` repetition; 0 if the control has no such rows.
+  /// Returns the number of the first variable of this kind, in the `nth` repetition of the rows; 0 if the control has no such rows.
   std::uint32_t first(VariableKind kind, std::uint32_t nth = 0) const;
 
-  /// Returns true if a system variable was written since the last call; the frames must then be recomputed.
+  /// Returns true if a system variable that changes the frames was written since the last call; the caller then recomputes the frames.
   bool consume_frames_changed();
 
-  /// Values of variables by number, and of parameters by index.
+  /// The values of variables, by number, and of parameters, by index.
   struct Values {
     std::vector<double> values, parameters;
-    std::vector<std::uint8_t> set, parameters_set;  // written by the program or by the set-up
+    std::vector<std::uint8_t> set, parameters_set;  // 1 if the program or the set-up has written the value
     friend bool operator==(const Values&, const Values&) = default;
   };
   const Values& all() const { return all_; }
   void put(const Values& all) { all_ = all; }
 
-  bool inch = false;  // length variables are read and written in the program's unit
+  bool inch = false;  // variables that are lengths are read and written in inches
 
  private:
   VariableKind kind_of(std::uint32_t number) const;

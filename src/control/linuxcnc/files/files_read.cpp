@@ -1,4 +1,4 @@
-// Reads the files of a machine at power-on, and writes some of them at the end: ini file, parameter file, tool table
+// Reads the files of a machine at power-on: ini file, parameter file, tool table. Writes the last two at the end of the program
 // (spec/linuxcnc 1.1, 4.4, 9, 10.1).
 
 #include "config/read_file.h"
@@ -9,9 +9,9 @@
 namespace kadr::linuxcnc {
 namespace {
 
-constexpr std::size_t max_bytes = 1'000'000;  // of one file
+constexpr std::size_t max_bytes = 1'000'000;  // greatest size of a file
 
-/// The path of a file that the ini file or the set-up names, relative to the program memory.
+/// Returns the path of a file that the ini file or the set-up names; a relative path starts in `folder` of the program memory.
 std::string path_in(const std::string& folder, const std::string& name) { return name.starts_with('/') ? name : folder + "/" + name; }
 
 }  // namespace
@@ -39,7 +39,7 @@ void LinuxCnc::read_parameter_file(BlockContext& m, const RunLimits& limits) {
   parameters_before_ = *text;
 }
 
-/// Sets the parameters to the values of the parameter file. Values of the set-up have precedence.
+/// Sets the parameters to the values in the parameter file. Values in the set-up have priority.
 void LinuxCnc::take_parameters(BlockContext& m) {
   for (const auto& [n, value] : stored_) {
     if (n <= max_arguments) levels_.front().arguments[n] = value;

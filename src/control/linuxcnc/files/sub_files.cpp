@@ -14,7 +14,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// True if the path, with links followed, is in the folder or below it.
+/// Returns true if the path, with symbolic links followed, is in the folder or in a folder below it.
 bool lies_in(const fs::path& path, const fs::path& folder) {
   std::error_code error, other;
   const fs::path real = fs::canonical(path, error);

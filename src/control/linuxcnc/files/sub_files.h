@@ -13,9 +13,9 @@ namespace kadr::linuxcnc {
 
 class LinuxCnc;
 
-/// Searches the folder of the program, then the program memory, then those folders named by the ini file that are inside the program
-/// memory; no others.
-///   returns  number of the opened file in `flow`; nullopt if no file is found
+/// Searches the folder of the program, then the program memory, then the folders that the ini file names, as far as they are inside the
+/// program memory.
+///   returns  number of the file in `flow`, which is then open; nullopt if no file is found
 std::optional<std::uint16_t> file_of_label(Flow& flow, const LinuxCnc& control, const std::string& label);
 
 }  // namespace kadr::linuxcnc

@@ -18,15 +18,16 @@ class ProgramFiles {
 
   explicit ProgramFiles(const files::OutputOptions& options) : log_(options), probe_(options), parameters_(options), tools_(options) {}
 
-  /// Opens a file. An existing file is emptied, or appended to if `appends` is set. An open file of the same kind is closed first.
+  /// Opens a file. An open file of the same kind is closed first.
   ///   name     path from the folder of the program memory, separated by `/`
+  ///   appends  true: an existing file is continued; false: it is emptied
   ///   running  path of the running program
   ///   alarms   file_name, file_outside, file_write, file_already_open
   Status open(Which which, std::string_view name, bool appends, const std::string& running);
   Status close(Which which);
-  /// Replaces the contents of a file by `text`, and saves its former contents `before` as `name.bak`.
+  /// Replaces the contents of a file by `text`. Its former contents `before` are saved as `name.bak`.
   Status replace(Which which, const std::string& name, const std::string& before, const std::string& text);
-  /// Writes a line to the file of that kind, if it is open.
+  /// Writes a line to the open file of this kind; without an open file nothing is written.
   Status write(Which which, std::string_view line);
 
   const WrittenFiles& written() const { return written_; }

@@ -11,9 +11,9 @@ namespace kadr::linuxcnc {
 namespace {
 
 constexpr Point quarter{0, 1};
-constexpr double corner_within = 1e-2;  // greatest overlap of the offset pieces at a corner
+constexpr double corner_within = 1e-2;  // greatest overlap of two offset pieces at a corner, in the unit of the program
 
-/// True if a point of the circle is within the arc: after its start and before its end.
+/// Returns true if a point of the arc's circle is on the arc: after its start and before its end.
 bool is_on(const Piece& arc, Point p) {
   const double side = arc.ccw ? 1 : -1;
   const double from_start = std::imag(std::conj(arc.start - arc.center) * (p - arc.center)) * side;
@@ -30,8 +30,8 @@ Turned two_lines(Piece& before, Piece& after) {
   return {};
 }
 
-/// Intersects a line and a circle, and returns the point nearer to `near`. `origin` is a point of the line; `turn` rotates it onto the
-/// real axis.
+/// Returns the intersection of a line and a circle that is nearer to `near`. The line contains the point `origin`; `turn` rotates the line
+/// onto the real axis. `of_circle`: a point of the circle.
 Point on_circle(Point origin, Point turn, Point center, Point of_circle, Point near) {
   const Point c = (center - origin) * turn, p = (of_circle - origin) * turn;
   const double half = std::sqrt(std::max(0.0, std::norm(c - p) - std::imag(c) * std::imag(c)));
@@ -128,7 +128,8 @@ Turned join(Piece& before, Piece& after) {
   return {};
 }
 
-/// Shifts both pieces sideways by the corner's size, trims them at their intersection, and shifts them back.
+/// Places a fillet or chamfer: shifts the two pieces sideways by the size of the corner, trims them at their intersection, and shifts them
+/// back.
 Turned place_corner(Piece& before, Piece& corner, Piece& after) {
   if (corner.kind != Piece::Kind::fillet && corner.kind != Piece::Kind::chamfer) return {};
   double size = corner.corner;

@@ -11,20 +11,20 @@ namespace kadr::linuxcnc {
 
 struct Profile {
   std::list<Piece> pieces;
-  unsigned turned = 0;  // bits of the transformation: 1 Z mirrored, 2 X mirrored, 4 rotated by 90° before mirroring
+  unsigned turned = 0;  // bits: 1 Z was mirrored, 2 X was mirrored, 4 rotated by 90° before that
 
   void quarter_turn();
-  /// Mirrors the profile so that, at the end of the last piece, Z is not above and X not below their values at the end of the first piece.
+  /// Mirrors the profile so that Z at its end is at most, and X at its end at least, the value at the end of the approach.
   void face_down();
-  /// Checks that Z decreases along the whole profile; else the error is "Not monotonic".
+  /// Checks that Z decreases along the whole profile. The error is LinuxCNC's text "Not monotonic".
   Turned check_falls();
   /// Inserts the fillets and chamfers between the pieces that they connect.
   Turned place_corners();
-  /// Offsets all pieces except the approach outwards by `distance`.
+  /// Offsets all pieces except the approach by `distance`, away from the part.
   Turned offset(double distance);
 
-  /// Converts a point of the transformed profile back to machine coordinates. keeps_turn(): true if an arc keeps its direction of rotation
-  /// in the conversion.
+  /// Converts a point of the rotated and mirrored profile back to machine coordinates. keeps_turn(): true if this conversion keeps the
+  /// direction of rotation of an arc.
   Point on_machine(Point p) const;
   bool keeps_turn() const { return ((turned & 1U) != 0) == ((turned & 2U) != 0); }
 

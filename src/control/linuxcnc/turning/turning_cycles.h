@@ -15,21 +15,21 @@ class Emitter;
 
 namespace kadr::linuxcnc {
 
-/// A turning cycle whose profile is being read.
+/// The turning cycle whose profile is being read from its subprogram.
 struct TurningCycle {
   std::int32_t code = 0;  // G code in tenths: 711 is G71.1
   std::size_t depth = 0;  // number of open calls at the block with the cycle
   bool absolute = true, centers_absolute = false;
   TurningWords words;
   Profile profile;
-  Point at;  // end point of the profile read so far
+  Point at;  // end point of the part of the profile that was read
   std::int32_t motion = 0;
   Span where;
 };
 
-/// Adds the present block of the subprogram to the profile.
+/// Adds the current block of the subprogram to the profile.
 Status take_profile_block(BlockContext& m);
-/// Computes the motions after the profile is complete, and starts them.
+/// Computes the motions of the cycle when the profile is complete, and starts their execution.
 Status run_turning(Emitter& m);
 
 }  // namespace kadr::linuxcnc

@@ -13,10 +13,10 @@ struct TurningMove {
   Kind kind = Kind::rapid;
   Point to;
   Point center{};
-  bool to_start = false;  // the move is the rapid to the start of a pass of G70
+  bool to_start = false;  // the move is a rapid to the start of a pass of G70
 };
 
-/// The words of the cycle, in the unit of the program; X as a radius.
+/// The words of the cycle, in the unit of the program; X is a radius.
 struct TurningWords {
   Point start;           // start point of the cycle
   double distance = 0;   // D: distance of the cuts from the profile; in G70 the distance of the first pass
@@ -26,12 +26,12 @@ struct TurningWords {
   double retract = 0.5;  // R: distance of the retract after a cut
 };
 
-/// Which pockets (hollows of the profile) are cut: the digit after the decimal point of the G code.
+/// Which pockets (hollows of the profile) are cut. The digit after the decimal point of the G code selects this.
 enum class Pockets : std::uint8_t { all, none, only };
 
-/// Computes the motions of G70, which follows the profile in passes, each closer to the profile.
+/// Computes the motions of G70: passes along the profile, each closer to the profile than the one before.
 Turned finish_profile(const Profile& profile, const TurningWords& words, std::vector<TurningMove>& moves);
-/// Computes the motions of G71, which cuts along Z down to the profile; if `across`, those of G72, which cuts along X.
+/// Computes the motions of G71, whose cuts are parallel to Z; if `across` is set, those of G72, whose cuts are parallel to X.
 Turned rough_profile(Profile profile, const TurningWords& words, Pockets pockets, bool across, std::vector<TurningMove>& moves);
 
 }  // namespace kadr::linuxcnc

@@ -1,4 +1,4 @@
-// Axes that follow a master axis: synchronous axes, gantry axes (spec/nct/20 20.2, 20.6). Used by the rest of control; tested by
+// Axes that follow a master axis: synchronous axes and gantry axes (spec/nct/20 20.2, 20.6). Used by the rest of control; tested by
 // tests/control/nct/coupling_test.cpp.
 
 #include "control/nct/axes/coupling.h"
@@ -25,10 +25,10 @@ double master_number(const BlockContext& m, std::size_t axis) {
   return store.value(store.named("2101"), m.def.axis_numbers[axis]);
 }
 
-/// Returns the master of the axis: the axis that N2101 names, if it is another axis of the channel.
+/// Returns the master of an axis: the axis whose number is in parameter N2101, if it is another axis of this channel.
 std::optional<std::size_t> master_of(const BlockContext& m, std::size_t axis) { return axis_numbered(m, master_number(m, axis), axis); }
 
-/// True if the axis has a master in this channel or in another channel.
+/// Returns true if the axis has a master, in this channel or in another one.
 bool has_master(const BlockContext& m, std::size_t axis) { return master_of(m, axis) || is_cross_channel_axis(m, master_number(m, axis)); }
 
 bool bit_of(const BlockContext& m, std::size_t axis, int bit) {
@@ -36,14 +36,14 @@ bool bit_of(const BlockContext& m, std::size_t axis, int bit) {
   return store.bit(store.named("2102"), bit, m.def.axis_numbers[axis]);
 }
 
-/// True if `axis` follows `master`, directly or through other followers; `master` must then not follow `axis`.
+/// Returns true if `axis` follows `master`, directly or through other axes. In this case `master` must not follow `axis`.
 bool follows(const Couplings& couplings, std::size_t axis, std::size_t master) {
   for (auto follower = couplings.followers.rbegin(); follower != couplings.followers.rend(); ++follower)
     if (follower->axis == axis) axis = follower->master;
   return axis == master;
 }
 
-/// Sorts the followers so that each one comes after its master.
+/// Sorts the followers so that each one is after its own master.
 void sort(std::vector<Follower>& followers) {
   std::vector<Follower> sorted;
   AxisMask waiting = 0;
@@ -65,7 +65,7 @@ void add(BlockContext& m, std::size_t axis, std::size_t master, double sign) {
   follow_from_here(m);
 }
 
-/// Computes the signed travel of a follower whose master rolls over, and the new position of the follower.
+/// Computes the new position of a follower whose master rolls over, and its signed travel.
 void roll(BlockContext& m, const Follower& follower, MotionDetail& detail) {
   const AxisSettings& settings = fanuc_of(m).settings.axes[follower.axis];
   const double way = follower.sign * detail.travel[follower.master];
@@ -95,7 +95,7 @@ bool is_cross_channel_axis(const BlockContext& m, double number) {
 }
 
 SetupFault coupling_fault(const BlockContext& m, const std::vector<SetupEvent>& events) {
-  const bool names_masters = macro_b_of(m).parameters.named("2101") != ParameterId::none;  // only the NCT has this parameter
+  const bool names_masters = macro_b_of(m).parameters.named("2101") != ParameterId::none;  // only the NCT has the parameter N2101
   for (const SetupEvent& event : events)
     for (const std::string& name : event.what == SetupEvent::Do::synchronise ? event.axes : std::vector<std::string>()) {
       const int axis = axis_named(m, name);
@@ -163,7 +163,7 @@ void Nct::drop_cross_channel(Emitter& m, const CrossChannelAxis& axis) {
                  : warning(AlarmId::axis_not_changed, {}, std::string_view(m.axis_names[axis.axis])));
 }
 
-/// Sets the position of an axis whose master is in another channel; the axes of this channel that follow it move too.
+/// Sets the position of an axis whose master is in another channel. Axes of this channel that follow this axis move too.
 void Nct::lead_axis(Emitter& m, std::size_t axis, double machine) {
   Axes& now = m.position.machine;
   now[axis] = machine;

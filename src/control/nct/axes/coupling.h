@@ -1,5 +1,5 @@
 #pragma once
-// Axes that follow a master axis: synchronous axes, gantry axes (spec/nct/20 20.2, 20.6).
+// Axes that follow a master axis: synchronous axes and gantry axes (spec/nct/20 20.2, 20.6).
 
 #include <optional>
 #include <string>
@@ -17,41 +17,43 @@ class Emitter;
 
 namespace kadr::nct {
 
-/// The axes that follow a master now (fanuc::Memory::following has their mask, including those whose master is in another channel). The
-/// machine position of a follower is lead + sign · machine position of its master.
+/// The axes that follow a master at present. (fanuc::Memory::following has the mask of all followers, also of those whose master is in
+/// another channel.) The machine position of a follower is lead + sign · machine position of its master.
 struct Couplings {
-  std::vector<Follower> followers;    // each follower comes after its master
-  std::vector<CrossChannelAxis> far;  // axes that follow axes of other channels, or are exchanged with them
-  Axes lead{};                        // the constant `lead` of each follower, by axis, mm or degrees
+  std::vector<Follower> followers;    // sorted: each follower is after its own master
+  std::vector<CrossChannelAxis> far;  // axes that follow, or are exchanged with, axes of other channels
+  Axes lead{};                        // mm or degrees; by follower: the constant in the equation above
 };
 
-/// Returns the index of the channel's axis with this control-wide number; nullopt if there is none or it is `axis` itself.
+/// Returns the index of the axis of this channel that has the control-wide number `number`; nullopt if there is no such axis or it is
+/// `axis`.
 std::optional<std::size_t> axis_numbered(const BlockContext& m, double number, std::size_t axis);
 
-/// True if an axis of another channel has this number.
+/// Returns true if an axis of another channel has this control-wide number.
 bool is_cross_channel_axis(const BlockContext& m, double number);
 
-/// Returns a sentence about the first coupling that the set-up's events request but that is impossible; empty if all are possible.
+/// Returns the fault of the first coupling that events of the set-up request and that is impossible; empty if all are possible.
 SetupFault coupling_fault(const BlockContext& m, const std::vector<SetupEvent>& events);
 
-/// Moves gantry axes (N2102 #4 PSN=1) to the positions of their masters, which they follow from then on.
+/// Moves the gantry axes (N2102 #4 PSN=1) to the positions of their masters. From then on they follow their masters.
 void couple_gantries(BlockContext& m);
 
-/// Executes a request of the machine's logic: an axis starts or stops following the master that N2101 names. A request for an axis of
-/// another channel is ignored, but such an axis may be the master.
+/// Executes a request of the machine's logic that an axis starts or stops following the master which N2101 names. A request for an axis of
+/// another channel is ignored, but the master may be in another channel.
 void couple_axis(Emitter& m, const std::string& name, bool on);
 
-/// Starts or ends a link between an axis and an axis of another channel.
+/// Starts or ends the coupling of an axis with an axis of another channel.
 void link_cross_channel(BlockContext& m, const CrossChannelAxis& axis, bool on);
 
-/// Checks that no named axis follows a master. alarms  axis_follows
+/// Checks that none of the named axes follows a master.
+///   alarms  axis_follows
 Status not_following(const BlockContext& m, AxisMask named);
 
-/// Moves the followers along with a motion: the positions of their masters are already those at its end.
+/// Adds the followers to a motion. `motion` has the positions of their masters at its end already.
 void follow(BlockContext& m, Motion& motion);
 
-/// Recomputes `lead` of the followers after the tool's position has changed (a probe has touched, a block was undone, an axis has rolled
-/// over).
+/// Recomputes `lead` of all followers after a position has changed without a motion: a probe has made contact, a block was undone, an axis
+/// has rolled over.
 void follow_from_here(BlockContext& m);
 
 }  // namespace kadr::nct

@@ -16,10 +16,10 @@ namespace {
 
 constexpr AxisMask bit(std::size_t axis) { return AxisMask{1} << axis; }
 
-bool is_main(int role) { return role >= 1 && role <= 3; }  // roles X, Y, Z
+bool is_main(int role) { return role >= 1 && role <= 3; }  // roles 1, 2, 3: X, Y, Z
 
-/// True if the axis may be exchanged or reversed. Not possible: a rotary axis that rolls over, since its position cannot be converted
-/// back; axes of five-axis functions, followers and masters, since other code depends on them.
+/// Returns true if the axis may be exchanged or reversed. A rotary axis that rolls over may not, because its position cannot be converted
+/// back. Axes of five-axis functions, followers and masters may not, because other code depends on them.
 bool is_free_axis(const BlockContext& m, std::size_t axis) {
   const Nct& nct = nct_of(m);
   const int number = static_cast<int>(axis);
@@ -33,20 +33,20 @@ bool is_free_axis(const BlockContext& m, std::size_t axis) {
          !(turns_tool && (five.first.axis == number || five.second.axis == number || is_main(fanuc_of(m).settings.axes[axis].role)));
 }
 
-/// Returns the partner in an exchange: the axis that N2104 of this axis names.
+/// Returns the axis with which this axis is exchanged: parameter N2104 names it.
 std::optional<std::size_t> other_of(const BlockContext& m, std::size_t axis) {
   const ParameterStore& store = macro_b_of(m).parameters;
   return axis_numbered(m, store.value(store.named("2104"), m.def.axis_numbers[axis]), axis);
 }
 
-/// True if N2105 #0 MMI is set: after the exchange the axis moves in the reversed direction.
+/// Returns true if the axis moves in the reversed direction after the exchange (N2105 #0 MMI).
 bool goes_other_way(const BlockContext& m, std::size_t axis) {
   const ParameterStore& store = macro_b_of(m).parameters;
   constexpr int mmi = 0;
   return store.bit(store.named("2105"), mmi, m.def.axis_numbers[axis]);
 }
 
-/// Returns the machine axis that each programmed axis drives. The reversal is applied after the exchange (INFERRED).
+/// Returns the machine axis that each programmed axis drives. A reversal applies after the exchange (INFERRED).
 AxisDrives drives_of(const BlockContext& m, const Drives& d) {
   AxisDrives all;
   all.reversed = d.mirrored ^ d.far_reversed;
@@ -62,13 +62,14 @@ AxisDrives drives_of(const BlockContext& m, const Drives& d) {
   return all;
 }
 
-/// True if the axis and its partner may both be exchanged, and neither is in another exchange.
+/// Returns true if the axis and the axis that N2104 names may be exchanged, and neither is in another exchange.
 bool may_exchange(const BlockContext& m, std::size_t axis) {
   const auto other = other_of(m, axis);
   return other && may_be_exchanged(m, axis) && may_be_exchanged(m, *other);
 }
 
-/// Exchanges the axis with an axis of another channel, whose position is `machine`. Nothing moves; the programmed coordinates change.
+/// Starts or ends the exchange of an axis with an axis of another channel, whose machine coordinate is `machine`. Nothing moves; the
+/// programmed coordinates change.
 void exchange_cross_channel(BlockContext& m, std::size_t axis, double machine, bool on) {
   Drives& d = nct_of(m).drives;
   d.far = on ? d.far | bit(axis) : d.far & ~bit(axis);
@@ -83,7 +84,7 @@ void unpark(BlockContext& m, std::size_t axis) {
   follow_from_here(m);
 }
 
-/// Executes one request of the machine's logic. Returns false if it is impossible.
+/// Executes a request of the machine's logic. Returns false if it is impossible.
 bool execute(BlockContext& m, const AxisRequest& asked) {
   Drives& d = nct_of(m).drives;
   if (asked.machine) {

@@ -16,39 +16,39 @@ class Emitter;
 
 namespace kadr::nct {
 
-/// A request of the machine's logic to exchange, reverse or park an axis, received since the last block.
+/// A request of the machine's logic, since the last block, to exchange, reverse or park an axis.
 struct AxisRequest {
   std::size_t axis;
   AxisLink link;
   bool on;
-  std::optional<double> machine{};  // set for an exchange with an axis of another channel: that axis's machine position
+  std::optional<double> machine{};  // machine coordinate of the other axis, if that is in another channel
 };
 
-/// The state that, together with N2104 and N2105, determines fanuc::Memory::driven.
+/// The axes that are exchanged, reversed or parked. With N2104 and N2105 this determines fanuc::Memory::driven.
 struct Drives {
-  AxisMask exchanged = 0;  // axes that have initiated an exchange
+  AxisMask exchanged = 0;  // axes for which the machine's logic has requested an exchange
   AxisMask mirrored = 0;
   AxisMask parked = 0;
   AxisMask far = 0;           // axes that drive an axis of another channel
   AxisMask far_reversed = 0;  // axes that drive an axis of another channel in the reversed direction
-  Axes standing{};            // machine positions of the parked axes
+  Axes standing{};            // machine coordinates of the parked axes
   std::vector<AxisRequest> asked;
 };
 
-/// True if the axis is linear, is neither coupled nor exchanged, and is not an axis of five-axis functions.
+/// Returns true if the axis is linear, is neither coupled nor exchanged, and belongs to no five-axis function.
 bool may_be_exchanged(const BlockContext& m, std::size_t axis);
 
 /// Stores a request of the machine's logic until the next block begins.
 void request_axis(BlockContext& m, const std::string& name, AxisLink link, bool on);
 
-/// Executes the stored requests. Nothing moves; the work coordinates become those of the machine axes that are driven now.
+/// Executes the stored requests. Nothing moves; the work coordinates become those of the machine axes that the programmed axes drive now.
 ///   warns  axis_not_changed
 void execute_requests(Emitter& m);
 
-/// Called after power-off: every axis drives its own machine axis again.
+/// Called after power-off: each axis drives its own machine axis again.
 void end_drives(Emitter& m);
 
-/// Keeps parked axes at their positions during a motion.
+/// Sets the parked axes in a motion to the positions at which they are parked.
 void keep_parked(BlockContext& m, Motion& motion);
 
 }  // namespace kadr::nct

@@ -1,4 +1,4 @@
-// G81.8, G80.8: the electronic gearbox between a spindle and a table (spec/nct/20 20.1).
+// G81.8, G80.8: the electronic gearbox, by which a table with the workpiece follows a spindle (spec/nct/20 20.1).
 
 #include <algorithm>
 #include <cmath>
@@ -18,7 +18,7 @@ tl::unexpected<Alarm> wrong_parameter(const Call& call, double number) {
   return fail(alarm(AlarmId::coupling_parameter, call.where, number));
 }
 
-/// Returns the index in the channel of the axis that this parameter names.
+/// Returns the index of the axis of this channel that the parameter names.
 Result<std::size_t> axis_of(const BlockContext& m, const Call& call, const char* parameter) {
   const auto& store = macro_b_of(m).parameters;
   const std::string name = store.text(store.named(parameter));
@@ -27,7 +27,7 @@ Result<std::size_t> axis_of(const BlockContext& m, const Call& call, const char*
   return wrong_parameter(call, std::strtod(parameter, nullptr));
 }
 
-/// Returns the number of the spindle that N1801 names: by its name in the set-up; else "S2" is spindle 2 and "S" the main spindle
+/// Returns the number of the spindle that N1801 names. The name is one of the set-up; else "S2" is spindle 2, and "S" the main spindle
 /// (INFERRED).
 Result<int> master_of(const BlockContext& m, const Call& call, const std::string& name) {
   for (const auto& [number, named] : fanuc_of(m).spindle_names)
@@ -39,7 +39,7 @@ Result<int> master_of(const BlockContext& m, const Call& call, const std::string
   return wrong_parameter(call, parameter);
 }
 
-/// Reads T (teeth) and L (starts) and returns the ratio L / T. L0 is illegal (INFERRED).
+/// Returns the ratio L / T of the gearbox: T is the number of teeth, L the number of starts. L0 is an alarm (INFERRED).
 Result<double> ratio(const BlockContext& m, const Call& call) {
   if (!m.has('T')) return fail(alarm(AlarmId::word_missing, call.where, 'T', call.row->code));
   const auto teeth = m.whole('T', 1, max_teeth);
@@ -56,8 +56,8 @@ Status within(const BlockContext& m, char letter, double least, double most) {
   return fail(alarm(AlarmId::value_out_of_range, m.where(letter), letter, value));
 }
 
-/// Returns the rotation of the table in degrees per mm of travel along the gear's axis (20.1.3). INFERRED: the value follows from the
-/// geometry of the gear; its sign is the sign of P.
+/// Returns the additional rotation of the table in degrees per mm of travel along the gear's axis (20.1.3). INFERRED: its size follows from
+/// the geometry of the gear, its sign is that of P.
 Result<double> helix(const BlockContext& m, const Call& call, double teeth) {
   for (const char letter : {'Q', 'P'})
     if (!m.has(letter)) return fail(alarm(AlarmId::word_missing, call.where, letter, call.row->code));
@@ -72,8 +72,8 @@ Result<double> helix(const BlockContext& m, const Call& call, double teeth) {
 
 namespace functions {
 
-/// G81.8 T L R Q P: couples table and spindle, or replaces their coupling. G81.8 Q P, while they are coupled: changes the helix
-/// compensation only.
+/// G81.8 T L R Q P: couples the table to the spindle, or replaces the coupling. G81.8 Q P, while they are coupled: changes only the helix
+/// compensation.
 Status gear_on(Emitter& m, const Call& call) {
   nct::Nct& nct = nct_of(m);
   const auto& store = nct.parameters;
@@ -108,14 +108,14 @@ Status gear_on(Emitter& m, const Call& call) {
   couple.ratio = gear.ratio;
   couple.master_number = *master;
   couple.rpm = turns ? spindle.rpm * gear.ratio : 0;
-  couple.feeds_by_slave = store.bit(store.named("1800"), 1);  // FRS; INFERRED: 1: feed counts workpiece revolutions
+  couple.feeds_by_slave = store.bit(store.named("1800"), 1);  // N1800 #1 FRS; INFERRED: 1 means feed per workpiece revolution
   nct.state.gear = gear;
   nct.stops_reading = true;
   m.emit(couple);
   return {};
 }
 
-/// G80.8: the table stops; the spindle continues to turn.
+/// G80.8: ends the coupling: the table stops, the spindle continues to turn.
 Status gear_off(Emitter& m, const Call&) {
   nct::disengage(m);
   return {};
@@ -125,8 +125,8 @@ Status gear_off(Emitter& m, const Call&) {
 
 namespace nct {
 
-/// Retracts the axes by the distances in N1804 on a straight line, with the feeds in N1805 (0: at rapid). INFERRED: if feeds differ, the
-/// motion keeps every axis within its own feed; it is a rapid motion if no axis has a feed.
+/// Retracts the axes on a straight line by the distances in N1804, with the feeds in N1805 (0: at rapid). INFERRED: if the feeds differ, no
+/// axis exceeds its own feed; if no axis has a feed, the motion is at rapid.
 Status withdraw(Emitter& m) {
   const auto& store = macro_b_of(m).parameters;
   if (!nct_of(m).state.gear.on) return {};

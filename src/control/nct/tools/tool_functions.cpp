@@ -10,10 +10,10 @@ ToolPlace place_of(const nct::ToolCall& call) {
   return {static_cast<std::uint32_t>(call.data), static_cast<std::uint32_t>(call.magazine), static_cast<std::uint32_t>(call.pocket)};
 }
 
-/// Moves the prepared tool into the spindle.
+/// Changes the tool: the prepared tool goes into the spindle.
 void change(Emitter& m, nct::CountUse count) {
   macro_b_of(m).endless.note_change();
-  m.pass_varies = m.pass_varies || nct_of(m).tools.enabled();  // the next pass of the program may differ: a tool's life may end
+  m.pass_varies = m.pass_varies || nct_of(m).tools.enabled();  // the next pass of the program may differ, as the life of a tool may end
   const nct::ToolCall now = nct_of(m).tools.change(nct_of(m).spindle_magazine(), count);
   m.modal.tool = now.tool;
   m.use.change_to(now.tool);
@@ -24,7 +24,7 @@ void change(Emitter& m, nct::CountUse count) {
 
 namespace functions {
 
-/// Executes T: finds the tool and prepares it; if the machine changes tools on T, the tool is changed too (12.1, 12.2).
+/// T: finds the tool and prepares it. On a machine that changes tools on T, the tool is changed too (12.1, 12.2).
 Status tool_call(Emitter& m, const Call& call) {
   nct::Nct& nct = nct_of(m);
   const auto number = m.whole('T', 0, 99'999'999);
@@ -47,7 +47,7 @@ Status tool_call(Emitter& m, const Call& call) {
   return {};
 }
 
-/// M6: moves the prepared tool into the spindle (12.2).
+/// M6: changes the tool: the prepared tool goes into the spindle (12.2).
 Status exchange_tool(Emitter& m, const Call&) {
   change(m, nct_of(m).settings.life_counts_on_t ? nct::CountUse::no : nct::CountUse::yes);
   return {};
@@ -57,7 +57,8 @@ Status exchange_tool(Emitter& m, const Call&) {
 
 namespace nct {
 
-/// Returns the offset number that H or D refers to: the number in N2923 means the offset of the tool in the spindle (12.5.1).
+/// Returns the offset number that a word H or D means. If its value is that in N2923, this is the number of the tool in the spindle
+/// (12.5.1).
 Result<std::uint32_t> Nct::offset_meant(char letter, std::uint32_t number) const {
   const int by_tool = settings.offset_by_tool;
   if (by_tool == 0 || number != static_cast<std::uint32_t>(by_tool)) return number;
@@ -74,7 +75,7 @@ Status Nct::open_tool_data(BlockContext& m, std::uint32_t l, double p, Span wher
   return {};
 }
 
-/// Reads a data line of tools, in which N is a data word.
+/// Reads a data line of G10 L75 to L77, in which N is data, not a block number.
 Status Nct::tool_line(Emitter& m) {
   std::vector<DataWord> words;
   if (m.block->has_number) words.push_back({'N', double(m.block->number), {}, m.block->number_where});

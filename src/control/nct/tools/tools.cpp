@@ -11,8 +11,8 @@
 namespace kadr::nct {
 namespace {
 
-// Bits of the tool info in the manual's order (12.3.1). The manual's letters are I C N E U for bits that are 0, V T L D S for bits that
-// are 1.
+// Bits of the column "tool info" in the manual's order (12.3.1). For a bit that is 0 the manual writes I, C, N, E, U; for a bit that is 1,
+// V, T, L, D, S.
 constexpr std::uint32_t valid = 1, by_time = 2, large = 4, searchable = 16;
 constexpr int info_digits = 5, user_digits = 8;
 
@@ -27,7 +27,7 @@ bool has_one_pocket(int magazine) { return magazine >= 10 && magazine % 10 <= 1;
 bool is_spindle(int magazine) { return magazine >= 10 && magazine % 10 == 0; }
 bool is_multi(int magazine) { return magazine >= 1 && magazine <= 4; }
 
-/// Converts a number of the set-up, which may have any value, to a whole number from 0 to 1e9.
+/// Converts a number of the set-up, which may have any value, to a whole number between 0 and 1e9.
 int whole_of(double number) { return static_cast<int>(std::clamp(number, 0.0, 1e9)); }
 std::uint32_t type_of(const ToolRow& row) { return static_cast<std::uint32_t>(whole_of(row.type)); }
 
@@ -98,7 +98,7 @@ ToolCall ToolManagement::change(int spindle, CountUse count) {
   InSpindle& state = spindles_.edit(spindle);
   ToolCall now = *state.prepared;
   state.prepared.reset();
-  const bool resolved = now.data != 0 || now.magazine != 0 || now.tool == 0;  // false if T was programmed before the tables had data
+  const bool resolved = now.data != 0 || now.magazine != 0 || now.tool == 0;  // false: the tables had no data when T was executed
   if (enabled() && resolved) exchange(state, now, spindle);
   state.tool = now.tool;
   const ToolRow* there = row(now.data);
@@ -106,17 +106,17 @@ ToolCall ToolManagement::change(int spindle, CountUse count) {
   return now;
 }
 
-/// Moves the tools in the pocket table, and sets the pocket that `now` came from.
+/// Exchanges the tools in the table of pockets, and sets the pocket in `now` from which the new tool comes.
 void ToolManagement::exchange(InSpindle& state, ToolCall& now, int spindle) {
   std::optional<Pocket> from;
-  if (now.data != 0) from = place_of(now.data);                         // the tool may have been moved since T
-  else if (now.magazine != 0) from = Pocket{now.magazine, now.pocket};  // T named an empty pocket
+  if (now.data != 0) from = place_of(now.data);                         // the tool may have been moved since T was executed
+  else if (now.magazine != 0) from = Pocket{now.magazine, now.pocket};  // T has selected an empty pocket
   std::tie(now.magazine, now.pocket) = from.value_or(Pocket{});
   const ToolRow* loaded = row(now.data);
   if (loaded != nullptr && loaded->type != 0) now.tool = type_of(*loaded);
 
   const int old = spindle_row(spindle);
-  if (old == now.data) return;  // the tool is already in the spindle, or there is none
+  if (old == now.data) return;  // the tool is in the spindle already, or no tool is involved
   if (now.data != 0 && from) places_.edit(*from) = 0;
   places_.edit(only_pocket(spindle)) = now.data;
   if (old != 0) put_away(old, from, state.home);
@@ -241,7 +241,7 @@ Result<int> whole(const DataWord& word, double least, double most) {
   return static_cast<int>(word.value);
 }
 
-/// Returns the word with this letter, or the alarm word_missing.
+/// Returns the word with this letter; the alarm word_missing if the block has none.
 Result<const DataWord*> needed(const DataBlock& block, char letter, std::string_view code) {
   const DataWord* word = find(block, letter);
   if (word == nullptr) return fail(alarm(AlarmId::word_missing, block.where, letter, code));
@@ -251,7 +251,7 @@ Result<int> needed_whole(const DataBlock& block, char letter, std::string_view c
   return needed(block, letter, code).and_then([&](const DataWord* word) { return whole(*word, 0, most); });
 }
 
-/// Reads a word's decimal digits as binary digits: Q10001 is 17. Leading zeros may be omitted.
+/// Reads the decimal digits of a word as binary digits: Q10001 is 17. Leading zeros may be missing.
 Result<std::uint32_t> bits(const DataWord& word, int max_bits) {
   std::string digits(word.digits);
   if (digits.empty()) {
@@ -267,8 +267,7 @@ Result<std::uint32_t> bits(const DataWord& word, int max_bits) {
   return value;
 }
 
-/// Columns of the tool table that are whole numbers (12.4.1). The manual does not call L an integer there, but its column is a DWORD
-/// (12.3.1).
+/// A column of the tool table that has whole numbers (12.4.1). For L the manual gives no type in 12.4.1, but DWORD in 12.3.1.
 struct Item {
   char letter;
   double most;  // greatest value; 0: the value of N1400
@@ -295,7 +294,7 @@ Status place_block(const DataBlock& block, ToolManagement& tools) {
   const auto magazine = needed_whole(block, 'N', code, pockets_in_place_call - 1);
   KADR_TRY(magazine);
   if (!is_multi(*magazine) && !has_one_pocket(*magazine)) return out_of_range(*find(block, 'N'));
-  Pocket pocket = tools.only_pocket(*magazine);  // P is ignored for a magazine with one pocket
+  Pocket pocket = tools.only_pocket(*magazine);  // in a magazine with one pocket P has no effect
   if (is_multi(*magazine)) {
     const auto number = needed_whole(block, 'P', code, pockets_in_place_call - 1);
     KADR_TRY(number);

@@ -22,7 +22,7 @@ namespace kadr::nct {
 
 using Pocket = std::pair<int, int>;  // magazine number, pocket number
 
-/// A table that can restore its rows to their values at the start of the block, and lists the rows changed since the last take_changed().
+/// A table that can restore the rows that a block has changed, and that lists the rows changed since the last take_changed().
 template <class Key, class Row>
 class JournaledTable {
  public:
@@ -50,7 +50,7 @@ class JournaledTable {
     return keys;
   }
 
-  /// Copies the rows of another table (of another channel), between two blocks. Rows that differ count as changed.
+  /// Copies the rows from the table of another channel, between two blocks. Rows that differ count as changed.
   void take(const JournaledTable& other) {
     for (const auto& [key, row] : other.rows_)
       if (const auto [place, is_new] = rows_.try_emplace(key, row); is_new || !(place->second == row))
@@ -68,7 +68,7 @@ class JournaledTable {
   /// Returns a number that increases with each change of the table.
   std::uint64_t version() const { return version_; }
 
-  /// Connects the table to a journal: from then on the rows that a block writes can be restored. Without a journal nothing is restored.
+  /// Connects the table to a journal, which restores the rows that a faulty block has written. Without a journal no row is restored.
   void keep_in(Journal& journal) { journal_.lead_to(journal); }
 
  private:
@@ -87,7 +87,7 @@ class JournaledTable {
   void undo() {
     ++version_;
     for (const auto& [key, row] : old_) {
-      changed_.insert(key);  // undoing counts as a change: a reader may have seen the row meanwhile
+      changed_.insert(key);  // a restored row counts as changed: its value may have been read in the meantime
       if (row) rows_[key] = *row;
       else rows_.erase(key);
     }
@@ -108,16 +108,16 @@ struct ToolLimits {
   int offsets = 999;      // N1400: greatest number of H, D, G, W
 };
 
-/// What T and M6 emit for the machine.
+/// The data that T and M6 emit for the machine.
 struct ToolCall {
-  std::uint32_t tool = 0;  // T as programmed, or the type number of the tool's row
+  std::uint32_t tool = 0;  // the number T as programmed, or the type number in the tool's row
   int data = 0;            // data number: the tool's row in the tool table; 0: none
   int magazine = 0;        // magazine of the tool, now or before the change; 0: the tool is in no pocket
   int pocket = 0;
   friend bool operator==(const ToolCall&, const ToolCall&) = default;
 };
 
-/// Offset numbers of a tool; 0: none.
+/// The offset numbers in a tool's row; 0: none.
 struct OffsetNumbers {
   int h = 0, d = 0;  // milling: numbers of length and radius offset
   int g = 0, w = 0;  // turning: numbers of geometry and wear offset
@@ -131,18 +131,18 @@ class ToolManagement {
   static constexpr int main_spindle = 10;
 
   ToolManagement() = default;
-  /// Reads the tables from the set-up, and the tool in the main spindle if no table lists that tool.
+  /// Reads the tables from the set-up. Also reads the tool in the main spindle, for the case that no table lists it.
   explicit ToolManagement(const Setup& setup, ToolLimits limits = {});
 
   const ToolLimits& limits() const { return limits_; }
   void set_limits(const ToolLimits& limits) { limits_ = limits; }
-  /// True if the life of any tool in the tables is counted in time.
+  /// Returns true if the tables have a tool whose life is counted in time.
   bool counts_time() const;
   const std::map<int, ToolRow>& rows() const { return rows_.rows(); }
   const PocketTable& places() const { return places_.rows(); }
   const std::map<int, ToolForm>& forms() const { return forms_.rows(); }
 
-  /// True if a table has a row or a pocket. Otherwise T and M6 only pass the tool number to the machine.
+  /// Returns true if the tool table has a row or the pocket table a pocket. Else T and M6 only pass the tool number to the machine.
   bool enabled() const { return !rows().empty() || !places().empty(); }
   const ToolRow* row(int data) const { return rows_.find(data); }
 
@@ -152,7 +152,8 @@ class ToolManagement {
   ///   manual   12.3.1
   int search(std::uint32_t type) const;
 
-  /// Returns the first pocket (ordered by magazine, then by pocket number) that contains the tool of this row.
+  /// Returns the pocket that contains the tool of this row; of several pockets, the first by magazine and pocket number. Returns nullopt if
+  /// there is none.
   std::optional<Pocket> place_of(int data) const;
 
   /// Executes T: finds the tool and prepares it for the next change of this spindle. A later T replaces the prepared tool.
@@ -172,29 +173,31 @@ class ToolManagement {
   ///   manual   12.2, 12.3.1, 12.5
   ToolCall change(int spindle, CountUse count);
 
-  /// Adds cutting time, in s, to the life counter of the tool in this spindle. Time counts for tools with bits V and T and status 1 or 2.
-  /// The counter is in seconds (inferred) and keeps fractions. The caller checks that override, rotation and feed meet the conditions of
+  /// Adds cutting time in seconds to the life counter of the tool in this spindle. Time counts for a tool with bits V and T and status 1 or
+  /// 2. The counter is in seconds (inferred), with fractions. The caller checks that override, rotation and feed meet the conditions of
   /// 12.3.1.
   void add_time(double seconds, int spindle = main_spindle);
 
-  /// True if a tool with status 1 to 3 has `warn` or less of its life left (12.3.1).
+  /// Returns true if the tool has status 1 to 3, and at most `warn` of its life is left (12.3.1).
   bool warning(int data) const;
 
-  /// Returns the data number of the tool in a spindle or stand-by magazine; 0: empty or not listed.
+  /// Returns the data number of the tool in a spindle or stand-by magazine; 0: no tool, or a tool that no table lists.
   int spindle_row(int magazine = main_spindle) const;
 
   /// Returns #8401…#8450 for the tool in a spindle or stand-by magazine (12.5.3). If the magazine is empty, #8401 is 0 and the others are
   /// vacant. Also vacant: #8415…#8430, user data above N2903, and all but #8401 if the row is not in the table. Time is in whole seconds.
   std::optional<double> spindle_data(int magazine, int variable) const;
 
-  /// Checks a value for #8400: it must be the number of a spindle or stand-by magazine; whether that magazine exists is not checked.
-  /// Alarm magazine_number (value).
+  /// Checks a value that is assigned to #8400: it must be the number of a spindle or stand-by magazine. Whether the machine has that
+  /// magazine is not checked.
+  ///   alarms  magazine_number (its argument is the value)
   static Status check_magazine(double number);
 
   /// Returns the offset numbers H, D, G, W of the tool in the spindle, for N2923 (12.5.1); all 0 if the spindle is empty (inferred).
   OffsetNumbers offset_numbers(int spindle = main_spindle) const;
 
-  /// Returns the tool's form. Only a row with bit L and a form number has a form; any other tool occupies just its own pocket.
+  /// Returns the form of a tool: the space that it needs. Only a tool whose row has bit L and a form number has a form; any other tool
+  /// needs just its own pocket.
   ToolForm form_of(int data) const;
 
   // Used by DataInput.
@@ -202,18 +205,18 @@ class ToolManagement {
   void clear_row(int data) { rows_.erase(data); }
   void set_place(Pocket pocket, int data) { places_.edit(pocket) = data; }
   void set_form(int number, const ToolForm& form) { forms_.edit(number) = form; }
-  /// Returns the pocket of a magazine with a single pocket: as the pocket table lists it, else pocket number 1.
+  /// Returns the pocket of a magazine with one pocket: the one that the pocket table lists, else pocket 1.
   Pocket only_pocket(int magazine) const;
 
-  /// Connects the tables and the prepared tools to a journal, which restores them after an alarm. From then on this object must not be
-  /// moved.
+  /// Connects the tables and the prepared tools to a journal, which restores them after an alarm. After this call the object must not be
+  /// moved in memory.
   void keep_in(Journal& journal) { rows_.keep_in(journal), places_.keep_in(journal), forms_.keep_in(journal), spindles_.keep_in(journal); }
 
-  /// Copies the three tables, which all channels share (12.3). What is prepared for a spindle belongs to the channel.
+  /// Copies from another channel the three tables, which all channels share (12.3). The prepared tools belong to each channel.
   void take_tables(const ToolManagement& from) { rows_.take(from.rows_), places_.take(from.places_), forms_.take(from.forms_); }
   std::uint64_t tables_version() const { return rows_.version() + places_.version() + forms_.version(); }
 
-  /// Returns the keys of rows written since the last call, for the state file; a key without a row means that the row was deleted.
+  /// Returns the keys of the rows written since the last call, for the state file. If a key has no row, the row was deleted.
   ///   law  every row that differs from its state at the last call is returned; after Journal::undo() others may be returned too
   std::vector<int> take_changed_rows() { return rows_.take_changed(); }
   std::vector<Pocket> take_changed_places() { return places_.take_changed(); }
@@ -223,7 +226,7 @@ class ToolManagement {
   struct InSpindle {
     std::optional<ToolCall> prepared;
     std::uint32_t tool = 0;  // tool number by T, if no table lists the tool
-    Pocket home{};           // the pocket that the tool came from
+    Pocket home{};           // the pocket from which the tool came
   };
   void exchange(InSpindle& state, ToolCall& now, int spindle);
   void put_away(int data, const std::optional<Pocket>& first, Pocket second);
@@ -244,7 +247,7 @@ bool fits_next_to(int pocket_a, const ToolForm& a, int pocket_b, const ToolForm&
 
 enum class DataKind : std::uint8_t { register_rows, modify_rows, delete_rows, places, forms };
 
-/// Returns what G10 Ll Pp opens: L75 P1 … P3, L76 P1, L77 P6; nullopt for anything else.
+/// Returns which table G10 Ll Pp opens for data: L75 P1 … P3, L76 P1, L77 P6; nullopt for other values.
 std::optional<DataKind> data_kind(double l, double p);
 
 struct DataWord {
@@ -258,7 +261,7 @@ struct DataBlock {
   Span where;
 };
 
-/// Reads the data blocks between G10 and G11 (12.4). A plain value: a copy restores it.
+/// Reads the data blocks between G10 and G11 (12.4). A plain value: an alarm restores a copy.
 class DataInput {
  public:
   void begin(DataKind kind) { kind_ = kind, row_ = 0; }
