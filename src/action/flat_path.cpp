@@ -62,8 +62,8 @@ void take_quarters(Box2& box, const CircleArc& arc) {
     if (arc.turns > 0.5) return arc.turns >= 1 || behind || before;
     return behind && before && not_opposite;  // not_opposite: a very short arc does not pass the opposite direction
   };
-  // The positive or negative axis direction lies within the sweep if cross(first, axis) >= 0 and cross(axis, last) >= 0, and at least one
-  // of the arms `first`, `last` does not point away from it.
+  // `first` and `last` point from the centre to the ends of the arc. A direction of an axis lies within the arc if cross(first, axis) >= 0
+  // and cross(axis, last) >= 0; both are also 0 if first and last point the opposite way, so one of them must not.
   if (passes(first.y <= 0, last.y >= 0, first.x >= 0 || last.x >= 0)) box.most.x = std::max(box.most.x, arc.center.x + arc.radius);
   if (passes(first.x >= 0, last.x <= 0, first.y >= 0 || last.y >= 0)) box.most.y = std::max(box.most.y, arc.center.y + arc.radius);
   if (passes(first.y >= 0, last.y <= 0, first.x <= 0 || last.x <= 0)) box.least.x = std::min(box.least.x, arc.center.x - arc.radius);

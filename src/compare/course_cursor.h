@@ -45,7 +45,7 @@ class CourseCursor {
   const Axes& begin(std::size_t i) { return i == 0 ? at_ : item(i - 1).to; }
   const Axes& at() const { return at_; }
   void pass(std::size_t count = 1);
-  /// Passes a fraction of the first item, which must be a motion; the rest stays as the first item.
+  /// Moves the cursor past a fraction of the first item, which must be a motion; the rest of the motion becomes the first item.
   void pass_part(double part);
   /// Number of motions passed; a motion cut in two counts once.
   std::size_t moves() const { return moves_; }

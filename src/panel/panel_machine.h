@@ -44,7 +44,7 @@ struct PanelChannel {
   ServoSample sample;
   PanelBlock block;                   // the block that the channel's axes are executing, or executed last
   AlarmReport::Line line;             // text and location of that block
-  std::optional<PanelMeeting> waits;  // the meeting at which this channel waits; set when its axes have arrived
+  std::optional<PanelMeeting> waits;  // the waiting code at which this channel waits; set once its axes have stopped
 };
 
 /// Everything that an operator sees.

@@ -94,7 +94,8 @@ class Drilling final : public SteppedCycleValue<Drilling> {
         turn_spindle(m, SpindleDir::stop);
         m.emit(Stop{false});
         turn_spindle(m, h_.spindle);
-        m.position.programmed[h_.drill] = h_.clear;  // in LinuxCNC the operator has withdrawn the tool at this point
+        // LinuxCNC stops here until the operator has withdrawn the tool by hand, so the position continues at the retract level.
+        m.position.programmed[h_.drill] = h_.clear;
         m.set_plain_position(AxisMask{1} << h_.drill);
         return {};
       case 89_g:

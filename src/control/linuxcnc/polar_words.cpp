@@ -44,8 +44,8 @@ Status LinuxCnc::take_polar_words(BlockContext& m) {
   state.polar_step = !absolute;
   state.polar_radius = radius == nullptr ? 0 : radius->value * unit;
   state.polar_angle = angle == nullptr ? 0 : angle->value;
-  // The words as written are saved for forget_polar_words(), because a loop may execute the block again. If only one of @ and ^ is given, a
-  // word is added, so that X and Y both have one.
+  // The words @ and ^ of the block become X and Y; if only one of them is given, a word is added, because both X and Y are needed. The
+  // words as written are saved: forget_polar_words() restores them, since a loop may execute the block again.
   written_words.assign(m.block->words.begin(), m.block->words.begin() + m.block->word_count);
   Word* const first = radius != nullptr ? radius : angle;
   first->address = first->written = 'X';

@@ -102,7 +102,7 @@ struct Grammar {
   char parameter_address = 0;           // 'R' if R0..R9 are formal parameters (2С42 6.3.7)
   std::string long_parameters;          // "RPE#": R01, P123, #12 are formal parameters if a sign or = follows (spec/correctors 3)
   char label_address = 0;               // 'O' if Onnnn starts a subprogram (Mach3)
-  char section_address = 0;             // 'L' if `L` alone starts a section of subprograms (2С42 6.3.5)
+  char section_address = 0;             // 'L' if an L without a number starts the part of the file with subprograms (2С42 6.3.5)
   bool zero_between_slashes = false;    // G92 /2/: the number between slashes is a word with the address A (2С42, last section)
   std::uint32_t block_length = 0;       // maximum number of characters in a block, 0 = any number
   std::uint32_t variables = 0;          // greatest number n of a variable #n

@@ -15,7 +15,8 @@ constexpr double least_valid = 0.95;   // minimum fraction of valid rows: a torn
 constexpr std::size_t least_rows = 8;  // minimum number of rows: with fewer rows a match may be chance
 // minimum for a wrongly inserted tape: eight variants are tried, so chance matches are more likely
 constexpr std::size_t least_turned = 16;
-constexpr double sure = 0.1;  // minimum surplus of pairs with the address before the number, as a fraction of all pairs
+// An orientation is sure if pairs "address, number" outnumber pairs "number, address" by at least this fraction of all pairs.
+constexpr double sure = 0.1;
 constexpr std::size_t looked_at = 64 * 1024;
 
 std::uint8_t mirrored(std::uint8_t row) {

@@ -101,7 +101,7 @@ bool Playback::is_allowed(const Cursor& at, const OverrideFactor& pace) const {
   return true;
 }
 
-/// Returns the least time that a ramp to a share needs, by the speed and the limits of the axes at the current position, s.
+/// Returns the least time, in s, in which the override may change to `target`: from the speed and the axes' limits at the current position.
 double Playback::shortest(double target) const {
   double seconds = least_ramp * period_;
   if (is_over(now_.at)) return seconds;

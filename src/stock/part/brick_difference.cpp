@@ -38,8 +38,8 @@ void take_left_on(const std::vector<Stretch>& material, const std::vector<LineRa
   }
 }
 
-/// Collects the segments of the wanted part without material. Each end of such a segment gets the number of the sweep that cut the adjacent
-/// end of material.
+/// Collects the segments of a lattice line that lie inside the wanted part but have no material left. Each end of such a segment gets the
+/// number of the sweep that cut the material next to it.
 void take_gouged(const std::vector<Stretch>& material, const std::vector<LineRange>& part, std::int32_t line,
                  std::vector<Stretch>& gouged) {
   for (const LineRange& p : part) {
