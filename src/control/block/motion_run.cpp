@@ -41,7 +41,7 @@ bool keeps_modes(const Block& block) {
     case StatementKind::loop:
     case StatementKind::loop_end:
     case StatementKind::go_to:
-    case StatementKind::o_word: return true;  // where a subprogram ends and restores modes, o_lines calls modes_changed()
+    case StatementKind::o_word: return true;  // restore_modes(), at the end of a subprogram, calls modes_changed() itself
     case StatementKind::assign: {
       const Expression target = block.statement.target;
       const Instruction& number = block.code[target.begin];
