@@ -18,8 +18,8 @@ TEST(TheFormOfAText, FollowsTheNumber) {
   for (std::size_t form = 0; form < slavic.size(); ++form)
     for (const std::uint64_t n : slavic[form]) EXPECT_EQ(plural_form(PluralRule::slavic, n), form) << n;
   EXPECT_EQ(plural_form(PluralRule::one_other, 1), 0u);
-  for (const std::uint64_t n : {0, 2, 11, 21, 101}) EXPECT_EQ(plural_form(PluralRule::one_other, n), 1u) << n;
-  for (const std::uint64_t n : {0, 1, 2, 5}) EXPECT_EQ(plural_form(PluralRule::none, n), 0u) << n;
+  for (const std::uint64_t n : {0u, 2u, 11u, 21u, 101u}) EXPECT_EQ(plural_form(PluralRule::one_other, n), 1u) << n;
+  for (const std::uint64_t n : {0u, 1u, 2u, 5u}) EXPECT_EQ(plural_form(PluralRule::none, n), 0u) << n;
 }
 
 TEST(TheLanguages, BeginWithEnglishAndRussianAsInLang) {
