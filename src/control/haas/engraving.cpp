@@ -15,7 +15,7 @@
 namespace kadr::functions {
 namespace {
 
-constexpr double usual_height = mm_per_inch;                                                      // mm; height of the text if J is missing
+constexpr double usual_height = mm_per_inch;  // height of the text in mm, if J is missing
 constexpr double text_itself = 0, serial_number = 1, first_character = 32, last_character = 126;  // values of P
 constexpr int serial_variable = 599;
 constexpr std::size_t max_digits = 15;  // a double stores whole numbers of 15 digits exactly
@@ -55,9 +55,9 @@ class EngravedText {
     return p_ == serial_number ? choose_serial() : Status();
   }
 
-  /// Determines the serial number to engrave. With the comment `(####)` as many digits of #599 are engraved as the comment has characters
-  /// #: the last digits of a longer number, or leading zeros and a shorter number. Then #599 is increased by 1. The comment `(1234)` sets
-  /// #599 and engraves nothing.
+  /// Determines the serial number to engrave. With the comment `(####)`, the number of characters # is the number of digits of #599 to
+  /// engrave. A longer number loses its first digits; a shorter number gets leading zeros. Then #599 is increased by 1. The comment
+  /// `(1234)` sets #599 and engraves nothing.
   ///     alarms  not_available: the comment has other characters
   Status choose_serial() {
     const auto consists_of = [&](std::string_view signs) {

@@ -33,7 +33,8 @@ Status jump_by_input(Interpreter& m, const Call& call) {
   for (const char letter : {'P', 'Q'})
     if (!m.has(letter)) return fail(alarm(AlarmId::word_missing, call.where, letter, call.row->code));
   constexpr double max_inputs = 63;
-  const double input = std::round(m.value('Q') * std::pow(10.0, m.word('Q')->counted));  // Q is no length: its scale is undone
+  // Q is not a length, so the scaling of a length is undone
+  const double input = std::round(m.value('Q') * std::pow(10.0, m.word('Q')->counted));
   if (!(input >= 0 && input <= max_inputs)) return fail(alarm(AlarmId::value_out_of_range, m.where('Q'), 'Q', input));
   const auto& inputs = macro_b_of(m).plc_in;
   const auto number = static_cast<std::size_t>(input);

@@ -18,7 +18,7 @@ namespace kadr::mach3 {
 namespace {
 
 /// Name of the file of probed points in the program memory. INFERRED: Mach3 asks the operator for a name (OpenDigFile); Kadr always uses
-/// this one, and empties the file first.
+/// the name `points.txt`, and empties the file first.
 constexpr std::string_view points_file = "points.txt";
 constexpr files::FileMode emptied{.creates = true, .takes_existing = true, .appends = false};
 
@@ -94,7 +94,7 @@ class Mach3 final : public Dialect {
   }
 
  private:
-  /// The return of the probe to the start of its motion, until it is emitted.
+  /// The return of the probe to the start of its motion, stored until begin_block() emits it.
   struct Back {
     Origin origin;
     AxisMask named = 0;
@@ -114,7 +114,8 @@ class Mach3 final : public Dialect {
     return fail(alarm);
   }
 
-  /// Writes a probed point to the file: X, Y, Z, which are #2000 to #2002. INFERRED: a line per point, with commas and four decimals.
+  /// Writes a probed point to the file: the coordinates X, Y, Z, which are #2000 to #2002. INFERRED: the file has one line per point, with
+  /// commas and four decimals.
   Status write_point(const BlockContext& m) {
     if (!points_.is_open()) return {};
     std::string line;

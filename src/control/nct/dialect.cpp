@@ -20,7 +20,7 @@ namespace nct {
 
 void Nct::started(Emitter& m) {
   couple_gantries(m);
-  for (const auto& [name, value] : signals)  // signals of axes that are on from the start (20.2 to 20.4)
+  for (const auto& [name, value] : signals)  // some signals that couple, exchange or park axes are on from the start (20.2 to 20.4)
     if (const AxisSignal asked = axis_signal(name); value != 0 && !asked.axis.empty())
       couple_axis(m, std::string(asked.axis), asked.link, true);
 }
@@ -59,7 +59,7 @@ Status Nct::machine_code(Interpreter& m, const Call& call) {
   return *waits ? Status() : Fanuc::machine_code(m, call);
 }
 
-// ---- the tool tables: what system variables return (12.5.3), and the contents after a run
+// ---- the tool tables: the values that system variables return (12.5.3), and the contents after a run
 
 bool Nct::consume_touched_tables() {
   bool touched = Fanuc::consume_touched_tables();

@@ -1,5 +1,6 @@
 #pragma once
-// The data that only the NCT remembers (spec/nct): tools, the electronic gearbox, coupled axes. All of them are plain values.
+// The part of the memory that only the NCT has (spec/nct): tools, the electronic gearbox, coupled axes. All data are plain values, so a
+// snapshot can copy them.
 
 #include "control/nct/axes/coupling.h"
 #include "control/nct/axes/drives.h"
@@ -29,9 +30,9 @@ struct Memory {
   Couplings couplings;        // axes that follow a master axis
   Drives drives;              // exchanged, reversed, parked axes
   int axes_in_all = 0;        // number of axes in all channels
-  bool counts_time = false;   // the life of some tool was counted in time at the last set_time()
-  bool turned = false;        // the main spindle was turning at the last set_time()
-  double tool_magazine = 10;  // #8400: number of the spindle or stand-by magazine whose tool #8401 … describe
+  bool counts_time = false;   // true: at the last set_time(), the life of at least one tool was counted in time
+  bool turned = false;        // true: the main spindle was turning at the last set_time()
+  double tool_magazine = 10;  // #8400: number of the spindle or stand-by magazine whose tool the variables #8401 … describe
 };
 
 }  // namespace kadr::nct

@@ -1,5 +1,5 @@
-// The NCT control at power-on, when it reads a set-up, and at the end of a program (spec/nct/12, 20). It also saves and restores its state
-// for alarms and snapshots. Used by the rest of control.
+// The NCT control at power-on, when it reads a set-up, and at the end of a program (spec/nct/12, 20), and how the class Nct saves and
+// restores its state for alarms and snapshots. Used by the rest of control.
 
 #include "control/nct/nct.h"
 
@@ -11,7 +11,7 @@
 namespace kadr::nct {
 namespace {
 
-/// Returns the sizes of the tool tables, which are in N1400, N2902, N2903.
+/// Returns the sizes of the tool tables, which the parameters N1400, N2902 and N2903 give.
 ToolLimits tool_limits(const ParameterStore& p) {
   const ToolLimits usual;
   const auto whole = [&](const char* name, int otherwise) {
@@ -25,7 +25,7 @@ ToolLimits tool_limits(const ParameterStore& p) {
 /// Returns the number of axes in all channels.
 int axes_of_machine(const BlockContext& m, const Setup& setup) {
   int axes = static_cast<int>(m.axis_count);
-  constexpr int by_default = 3;  // a channel that lists no axes has X, Y, Z
+  constexpr int by_default = 3;  // a channel that lists no axes has the axes X, Y, Z
   for (const auto& [number, channel] : setup.channels) axes += channel.axes.empty() ? by_default : static_cast<int>(channel.axes.size());
   return axes;
 }

@@ -1,7 +1,7 @@
 #pragma once
 // The dialect class of the NCT control (spec/nct): the behaviour that the control's file cannot describe and that no other control has.
-// Each channel has one object, whose memory is a plain value (memory.h). `settings` and `state` here are those of the NCT alone; what the
-// Fanuc family shares is in fanuc_of(m).settings and fanuc_of(m).state.
+// Each channel has one object, whose memory is a plain value (memory.h). `settings` and `state` of this class have only the data of the
+// NCT; the data that the whole Fanuc family has are in fanuc_of(m).settings and fanuc_of(m).state.
 
 #include <memory>
 #include <string>

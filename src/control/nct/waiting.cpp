@@ -62,7 +62,8 @@ Result<bool> waiting_code(BlockContext& m, const Call& call) {
   if (!digits) return fail(digits.error());
   const auto channels = channels_in(m, *digits);
   if (!channels) return fail(channels.error());
-  m.pass_varies = m.pass_varies || m.waiting.known != 0;  // in the next pass the other channels may act differently
+  // the next pass of the program may differ from this pass, because the other channels may act differently
+  m.pass_varies = m.pass_varies || m.waiting.known != 0;
   const bool alone = *channels == 1u << m.def.channel;
   if (m.waiting.mode == Control::Waiting::pass || waiting_suspended(nct_of(m))) return true;
   if (m.waiting.mode == Control::Waiting::alarm && !alone)

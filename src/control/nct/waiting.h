@@ -19,7 +19,7 @@ inline constexpr int max_channels = 8;  // greatest number of channels of a mach
 /// Returns the channels that the set-up lists, as bits: bit n is channel n; 0 if this is the only channel.
 std::uint32_t channels_of(const Setup& setup);
 
-/// Returns true if the signal CP_NOWT is on: then waiting codes have no effect.
+/// Returns true if the signal CP_NOWT is on. While it is on, waiting codes have no effect.
 bool waiting_suspended(const Nct& nct);
 
 /// Executes `Mm P…`, where m is from N2201 to N2202 (at most 100 codes). The channel waits for the channels whose numbers are the digits of

@@ -24,7 +24,7 @@ const Word* code_of(const BlockContext& m, std::initializer_list<Function> funct
   return nullptr;
 }
 
-/// The facts about the program up to the current block.
+/// The facts about the blocks executed so far that the warnings depend on.
 struct Seen {
   bool reference = false;  // the program has had a G25
   bool moved = false;
@@ -40,8 +40,8 @@ void check_reference(Emitter& m, Seen& seen) {
   seen.reference = true;
 }
 
-/// Warns if the plane changes without a stop. INFERRED: the stop is G9 in the block with the new plane, as in table 9, or in the last block
-/// before it that moves.
+/// Warns if the plane changes without a stop. INFERRED: the stop is a G9 in the block with the new plane, as in table 9, or in the last
+/// preceding block with a motion.
 void check_plane(Emitter& m, const Seen& seen, Plane before) {
   const Word* const plane = code_of(m, {Function::plane_xy, Function::plane_zx, Function::plane_yz});
   if (plane == nullptr || m.modal.plane == before || seen.at_rest || m.block_exact) return;

@@ -11,7 +11,8 @@ namespace {
 /// order.
 bool is_after(std::uint32_t a, std::uint32_t b) { return static_cast<std::int32_t>(a - b) > 0; }
 
-constexpr std::uint32_t renewed = 1u << 30;  // blocks; a state that is valid for longer is stored again, so that is_after() stays correct
+// number of blocks after which an unchanged state is stored again, so that is_after() stays correct
+constexpr std::uint32_t renewed = 1u << 30;
 
 /// Returns true if the states are equal apart from the tool position, which is in the motions themselves.
 bool same_modes(const ControlState& a, const ControlState& b) {

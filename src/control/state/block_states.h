@@ -1,9 +1,8 @@
 #pragma once
-// BlockStates: the states after each of the last blocks. The control reads ahead of the machine: the display of a motion needs the modes of
-// the block that the motion comes from, not the modes of the block being read.
-//
-// An action's Origin holds the number of its block in the run. A state is
-// stored only for a block whose state differs from that of the block before.
+// BlockStates: the states after each of the last blocks. The control reads ahead of the machine. The display of a motion therefore needs
+// the modes of the block that the motion comes from, not the modes of the block being read.
+// An action's Origin holds the number of its block in the run. A state is stored only for a block whose state differs from that of the
+// block before.
 
 #include <cstdint>
 #include <deque>
@@ -16,7 +15,7 @@ namespace kadr {
 
 class BlockStates {
  public:
-  static constexpr std::size_t most = 4096;  // greatest number of stored states; all later rooms together buffer fewer motions
+  static constexpr std::size_t most = 4096;  // greatest number of stored states; all later rooms of src/ together buffer fewer motions
 
   /// Records the state after an executed block.
   void note(std::uint32_t block, const ControlState& now);

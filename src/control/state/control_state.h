@@ -40,69 +40,71 @@ enum class CompensationPhase : std::uint8_t {
 enum class MotionMode : std::uint8_t { none, rapid, linear, arc_cw, arc_ccw, cycle };
 enum class FeedMode : std::uint8_t { per_minute, per_revolution, inverse_time };
 
-inline constexpr std::uint8_t feed_permission = 1;  // bit of Modal::override_permission: the operator may change the feed
+inline constexpr std::uint8_t feed_permission = 1;  // bit of Modal::override_permission that lets the operator change the feed
 
-/// The modes that a block may change if it has only motions and feeds.
+/// The modes that a block with only motions and feeds may change.
 struct MotionModal {
-  std::array<std::int16_t, most_groups> rows;  // by modal group: row in ControlDef::codes of the code in force; -1: none
+  std::array<std::int16_t, most_groups> rows;  // by modal group: index in ControlDef::codes of the code in force; -1: none
   std::int16_t motion_row = -1;
   MotionMode motion = MotionMode::none;
   bool feed_known = false;
-  double feed = 0;  // mm/min, mm/rev or 1/min: see Modal::feed_mode
+  double feed = 0;  // feed in force in mm/min, mm/rev or 1/min, as Modal::feed_mode selects
   friend bool operator==(const MotionModal&, const MotionModal&) = default;
 };
 
-/// The modes that stay in force from block to block. `rows` has the code of each group; the members here have its meaning.
+/// The modes that stay in force from block to block. `rows` has the code in force of each group; the other members have what these codes
+/// mean.
 struct Modal : MotionModal {
   Plane plane = Plane::xy;
   PlaneAxes axes;  // axes of the selected plane
   FeedMode feed_mode = FeedMode::per_minute;
   SpindleDir spindle = SpindleDir::stop;
-  std::int8_t radius_side = 0;     // side of the tool: -1 left (G41), +1 right (G42), 0 no compensation
-  std::int8_t length_sign = 0;     // +1 G43, -1 G44, 0 no length compensation
-  std::int8_t corrector_sign = 0;  // +1 or -1: an axis corrector counts as its absolute value with this sign; 0: with its own sign
+  std::int8_t radius_side = 0;  // side of the tool: -1 left (G41), +1 right (G42), 0 no compensation
+  std::int8_t length_sign = 0;  // +1 G43, -1 G44, 0 no length compensation
+  // +1 or -1: an axis corrector acts with its absolute value and this sign; 0: the corrector acts with its own sign
+  std::int8_t corrector_sign = 0;
   bool absolute = true;
   bool centers_absolute = false;
   bool inch = false;
   bool exact = false;           // exact stop mode
   bool retract_initial = true;  // G98: canned cycles return to the initial level
   bool polar = false;
-  bool surface_speed = false;  // G96: the unit of `rpm` is m/min
+  bool surface_speed = false;  // G96 is in force (constant surface speed): `rpm` is in m/min
   bool mist = false;
   bool flood = false;
   bool override_enabled = true;
-  std::uint8_t override_permission = 3;  // what the operator may change; bits: feed_permission, 2 for the spindle
+  std::uint8_t override_permission = 3;  // overrides that the operator may change, as bits: feed_permission for the feed, 2 for the spindle
   std::uint16_t work_zero = 0;           // number of the work offset; 0: none
   std::uint32_t fixture = 1;
   std::uint32_t offset_number = 0;  // D: number of the offset in force
-  std::uint32_t length_number = 0;  // H: number of the length offset, if it has its own word
+  std::uint32_t length_number = 0;  // H: number of the length offset, on controls that have a separate word for it
   std::uint32_t tool_selected = 0;
-  std::uint32_t corrector = 0;  // number of the corrector in force, from T0404
+  std::uint32_t corrector = 0;  // number of the corrector in force: the last two digits of T0404
   std::uint32_t tool = 0;       // number of the tool in the spindle
-  double radius_by_word = -1;   // mm; radius by P of G41, G42; -1: the radius is in the table
-  std::uint8_t nose = 0;        // if radius_by_word is set: orientation of a turning tool (spec/linuxcnc 9)
-  double blend_tolerance = 0;   // mm; path tolerance, P of G64
+  double radius_by_word = -1;   // tool radius in mm by P of G41, G42; -1: the tool radius is in the table
+  std::uint8_t nose = 0;        // orientation of a turning tool, used only with radius_by_word (spec/linuxcnc 9)
+  double blend_tolerance = 0;   // path tolerance in mm by P of G64
   double rpm = 0;
-  double rpm_waiting = -1;     // S that applies from the next M3 or M4 on (2С42 6.4.3); -1: none
-  Axes axis_feed{};            // by axis: its own feed (GOST 20999-83), if it has one
-  AxisMask feeds_of_axes = 0;  // axes that have their own feed
-  Vec2 pole;                   // pole of polar coordinates, programmed coordinates
+  double rpm_waiting = -1;     // spindle speed S that applies from the next M3 or M4 on (2С42 6.4.3); -1: none
+  Axes axis_feed{};            // by axis: the feed of this axis alone (GOST 20999-83), for the axes in feeds_of_axes
+  AxisMask feeds_of_axes = 0;  // axes that have a feed of their own
+  Vec2 pole;                   // pole of polar coordinates, in programmed coordinates, mm
   double polar_radius = 0;
   double polar_angle = 0;
-  std::array<double, 3> pole_of{};  // G10 of GOST: coordinates of the pole by axis, X Y Z
+  std::array<double, 3> pole_of{};  // G10 of GOST: coordinates X, Y, Z of the pole, mm
   Plane pole_plane = Plane::xy;     // plane of the pole and of its angle
-  Plane pole_under = Plane::xy;     // plane in force when the pole was given
+  Plane pole_under = Plane::xy;     // plane in force when the program gave the pole
   CompensationPhase contour = CompensationPhase::off;
   std::int8_t compensation_side = 0;         // Motion::side of the last compensated motion; 0 if there was none
   CornerJoin corner_join = CornerJoin::arc;  // type of corner of a compensated contour: G36, G37
   Vec2 compensation_start;                   // end of the first motion of the compensated contour, programmed coordinates
   PlaneAxes compensation_axes;               // plane of the contour
-  Vec2 compensation_vector;                  // from the contour's last point to the tool, as if the contour ended there; work coordinates
-  bool off_contour_reported = false;         // the warning beside_contour was reported for this contour
+  Vec2 compensation_vector;           // vector in work coordinates from the contour's last point to the tool, as if the contour ended there
+  bool off_contour_reported = false;  // the warning beside_contour has been reported for this contour
   // nct
-  std::uint8_t main_spindle = 1;  // nct 11.4: the spindle for feed per revolution and for threads
+  std::uint8_t main_spindle = 1;  // nct 11.4: number of the spindle for feed per revolution and for threads
   bool turning_lengths = false;   // G43.7: length offsets of turning tools are in force
-  double other_feed = 0;          // the feed of the other unit: of G94 while G95 is in force, and vice versa
+  double other_feed = 0;          // last feed of the unit that is not in force: of G94 while G95 is in force, and vice versa
   bool other_feed_known = false;
   bool polar_data = false;            // G16: polar coordinates are on
   bool polar_radius_given = false;    // a radius was given since G16; on GOST, since the first G10
@@ -110,36 +112,36 @@ struct Modal : MotionModal {
   bool polar_angle_given = false;
   std::uint8_t smoothing = 0;                // Q of G5.1: 2 or 3
   PathSurface surface = PathSurface::plane;  // G12.1, G7.1
-  double surface_radius = 0;                 // radius of the cylinder for PathSurface, mm
-  double surface_side = 1;                   // G12.1: sign of the linear axis at its start
-  AxisMask diameter = 0;                     // axes whose words are diameters
-  Axes new_system{};                         // shift of G92
-  Axes local{};                              // shift of G52
+  double surface_radius = 0;                 // radius in mm of the cylinder of G7.1
+  double surface_side = 1;                   // G12.1: +1 or -1, the sign of the linear axis's position when G12.1 was executed
+  AxisMask diameter = 0;                     // axes whose words give diameters
+  Axes new_system{};                         // shift by G92, mm or degrees
+  Axes local{};                              // shift by G52, mm or degrees
   Axes lengths{};                            // length offsets by G43, G44 on each axis, with their sign
   friend bool operator==(const Modal&, const Modal&) = default;
 };
 
 /// Conversion from programmed to work coordinates. A point is scaled, then rotated (or rotated, then scaled), then mirrored, and then
-/// shifted by the values of axis correctors. Each axis is converted by itself, except the two axes of a rotation. The transformation that
+/// shifted by the values of axis correctors. Each axis is converted separately, except the two axes of a rotation. The transformation that
 /// was switched on first is the outermost (nct 16.0).
 ///   law  to_programmed(to_work(p)) == p, within the numerical tolerance
 struct Transform {
   bool identity = true;
-  Axes scale;                                // negative where mirrored
-  Axes scale_shift;                          // mm: scaling centre · (1 - scale)
-  Axes added;                                // mm; shift by axis correctors, or twice the coordinate of a mirror line (nct 16.3)
-  double rotation = 0;                       // degrees; positive from the first axis towards the second
-  Vec2 rotation_center;                      // mm
+  Axes scale;                                // scale factor of each axis; negative if the axis is mirrored
+  Axes scale_shift;                          // shift of each axis by scaling, mm: scaling centre · (1 - scale)
+  Axes added;                                // shift in mm by axis correctors, or twice the coordinate of a mirror line (nct 16.3)
+  double rotation = 0;                       // angle in degrees; positive from the first axis towards the second
+  Vec2 rotation_center;                      // centre of the rotation, mm
   std::uint8_t first = 0, second = 1;        // indices of the axes of the rotation
   bool turned_last = true;                   // true: scaled, then rotated; false: rotated, then scaled
-  bool scaling = false, turning = false;     // nct: G51, G68 are in force, even if they change no coordinate
+  bool scaling = false, turning = false;     // nct: G51 or G68 is in force, even if it changes no coordinate
   std::array<std::int8_t, max_axes> mirror;  // by axis: +1, or -1 if mirrored
 
   Transform();
   void refresh();  // sets `identity` and the rotation's sine and cosine
   Axes to_work(const Axes& programmed) const;
   Axes to_programmed(const Axes& work) const;
-  /// Returns the axes that move with the named ones: of the two axes of a rotation, both move if one is named.
+  /// Returns the axes that move if the named axes move: of the two axes of a rotation, both move if one is named.
   AxisMask moved_with(AxisMask named) const;
 
   // ---- effect in a plane
@@ -187,13 +189,13 @@ struct Tables {
 struct CycleMemory {
   std::int16_t row = -1;         // row of the cycle in ControlDef::codes; -1: none
   std::uint64_t known = 0;       // letters of the words that have a value, one bit per letter
-  double bottom = 0, level = 0;  // Z and R as programmed, mm
+  double bottom = 0, level = 0;  // Z (bottom) and R (level) as programmed, mm
   double peck = 0, dwell = 0;
   double i = 0, j = 0, k = 0;
 };
 
-/// The state that a block changes and that an alarm in the block restores, as one value. It is a base class of Interpreter. Other data that
-/// a block writes are recorded in its Journal.
+/// The state that a block changes and that an alarm in the block restores, as one value. ControlState is a base class of Interpreter. Other
+/// data that a block writes are recorded in its Journal.
 struct ControlState {
   Modal modal;
   Transform transform;

@@ -11,7 +11,7 @@ namespace kadr {
 struct CrossChannelAxis {
   std::size_t axis = 0;               // index of the axis in this channel
   int other = 0;                      // number of the other axis; the numbers are unique across the channels
-  AxisLink link = AxisLink::follows;  // follows the other axis, or is exchanged with it
+  AxisLink link = AxisLink::follows;  // the axis follows the other axis, or the two are exchanged
   double sign = 1;                    // +1, or -1 if the axis follows in the opposite direction
   friend bool operator==(const CrossChannelAxis&, const CrossChannelAxis&) = default;
 };

@@ -38,11 +38,11 @@ class Journal {
   }
   /// Restores everything to its state at begin(), the last change first.
   void undo();
-  /// Number of the block; it rises with each block.
+  /// Returns the number of the block, which increases with each block.
   std::uint64_t block() const { return block_; }
 
  private:
-  /// What is recorded after the bytes of an old value. It follows these bytes, so that the last change is found first.
+  /// The record after the bytes of an old value. It comes after them so that undo(), which reads backwards, finds the last change first.
   struct Change {
     void* cell;        // address of the changed cell; nullptr: undos_[size] undoes the change
     std::size_t size;  // size of the cell in bytes
@@ -85,7 +85,7 @@ class JournalLink {
   }
   /// Returns true at the first call in this block. Without a journal the result is false, because nothing is restored.
   bool is_first() { return journal_ != nullptr && std::exchange(seen_, journal_->block()) != journal_->block(); }
-  /// Makes is_first() return true at its next call, as if nothing had been recorded in this block.
+  /// Makes is_first() return true at its next call, as if the table had recorded nothing in this block.
   void start_anew() { seen_ = 0; }
   explicit operator bool() const { return journal_ != nullptr; }
 

@@ -1,5 +1,5 @@
 #pragma once
-// LineMarks: a rough record of the lines that a run has reached; 32 lines share a mark. A search for a line need not repeat a run that has
+// LineMarks: a rough record of the lines that a run has reached; one mark stands for 32 lines. A search for a line can skip a run that has
 // no mark for the line.
 
 #include <array>
@@ -9,7 +9,7 @@ namespace kadr {
 
 class LineMarks {
  public:
-  static constexpr std::uint32_t lines_a_mark = 32, marks = 1U << 15;  // enough for a million lines; further lines share these marks
+  static constexpr std::uint32_t lines_a_mark = 32, marks = 1U << 15;  // marks for a million lines; further lines use the same marks again
 
   void note(std::uint16_t file, std::uint32_t line) {
     const std::uint32_t mark = mark_of(file, line);
@@ -21,9 +21,9 @@ class LineMarks {
     const std::uint32_t mark = mark_of(file, line);
     return (bits_[mark / 64] >> mark % 64 & 1U) != 0;
   }
-  /// Number of blocks recorded.
+  /// Returns the number of blocks recorded.
   std::uint64_t blocks() const { return blocks_; }
-  /// Adds the marks of another run to these.
+  /// Adds the marks of another run to the marks of this run.
   void add(const LineMarks& other) {
     for (std::size_t i = 0; i < bits_.size(); ++i) bits_[i] |= other.bits_[i];
     blocks_ += other.blocks_;

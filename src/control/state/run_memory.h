@@ -1,6 +1,6 @@
 #pragma once
-// RunMemory: the data besides its state that the interpreter keeps from block to block. A snapshot includes them; an alarm does not restore
-// them.
+// RunMemory: the data that the interpreter keeps from block to block in addition to ControlState. A snapshot includes these data; an alarm
+// does not restore them.
 
 #include <array>
 #include <cstdint>
@@ -16,17 +16,18 @@
 
 namespace kadr {
 
-/// What the interpreter does next, when the block's canned cycle is finished, and also the functions that wait for the end of the cycle.
+/// The next action of the interpreter. It comes after the block's canned cycle and the functions that wait for the end of the cycle.
 enum class RunPhase : std::uint8_t {
   next_block,    // reads the next block
-  same_block,    // executes the block that was read: it waited for an answer of the operator, or for its real time
+  same_block,    // executes the block that was read earlier: the block waited for an answer of the operator, or for its real time
   end_of_block,  // after an observed block: an interrupt macro or the machine's logic acts next (nct 23.4)
   stopped,       // an alarm has stopped the run
 };
 
 struct RunMemory {
-  Origin origin;          // location of the block being executed
-  Axes moved_from{};      // work coordinates before the last motion; set in inch mode, during cutter compensation, and with feeds of axes
+  Origin origin;  // location of the block being executed
+  // work coordinates before the last motion; set only in inch mode, during cutter compensation, and while axes have feeds of their own
+  Axes moved_from{};
   std::string call_text;  // text of the block that called the cycle body being executed
   Span call_where;
   WaitingCodes waiting;
@@ -34,10 +35,10 @@ struct RunMemory {
   ProgramUse use;                   // which data of the set-up the program has used
   std::optional<Position> resumed;  // position of the block that an interrupt macro has delayed
   std::uint64_t start_block = 0;    // number of the block with '%'; 0 if there is none
-  std::uint64_t unsupported = 0;    // modal groups, one bit each, whose code at the start is one that Kadr does not support
+  std::uint64_t unsupported = 0;    // modal groups, one bit each, whose code at the start is not supported by Kadr
   bool needs_frames = true;         // the first batch must start with a FrameChange
   bool reads_clock = false;         // a block that may read a clock has been read
-  bool pass_varies = false;         // something in this pass may differ in the next pass: a variable, a skip, a probe …
+  bool pass_varies = false;  // a further pass of the program may differ from this pass, because of a variable, a skipped block, a probe …
   bool start_missing_reported = false;
   bool feed_missing_reported = false;
   bool skipping_section = false;

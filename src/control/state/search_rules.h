@@ -7,8 +7,9 @@
 namespace kadr {
 
 struct SearchRules {
-  std::vector<std::pair<int, int>> groups;  // ranges (first, last) of M codes that replace each other: only the last is executed
-  bool tool_on_m6 = false;                  // true: M6 changes the tool; false: T
+  // ranges (first, last) of M codes that replace each other: the block search executes only the last code of each range
+  std::vector<std::pair<int, int>> groups;
+  bool tool_on_m6 = false;  // true: M6 changes the tool; false: T
 };
 
 }  // namespace kadr

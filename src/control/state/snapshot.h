@@ -1,6 +1,6 @@
 #pragma once
-// Snapshot: a control between two blocks, as a value. It is taken from one control and can be restored in another with the same
-// definition, set-up and program.
+// Snapshot: the state of a control between two blocks, as a value. A snapshot is made from one control and can be restored in another
+// control with the same definition, set-up and program.
 
 #include <memory>
 

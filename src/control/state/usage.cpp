@@ -15,7 +15,8 @@ void ProgramUse::note(UseKind kind, std::uint32_t number, const Origin& origin, 
   if (origin.line == 0 || number > most) return;
   if (kind == UseKind::tool) called_ = number;
   const std::uint32_t tool = in_spindle_ != 0 ? in_spindle_ : called_;
-  const bool of_tool = kind == UseKind::length || kind == UseKind::radius;  // tools may share an offset: first use by each tool
+  // several tools may use one offset, so the first use by each tool is recorded
+  const bool of_tool = kind == UseKind::length || kind == UseKind::radius;
   const auto is_kept = [&](const Use& use) { return use.kind == kind && use.number == number && (!of_tool || use.tool == tool); };
   std::vector<bool>& seen = seen_[static_cast<std::size_t>(kind)];
   constexpr std::size_t tabled = 65'536;  // smaller numbers have bits in seen_; greater ones are rare and are searched in the list
@@ -36,7 +37,7 @@ void ProgramUse::pass(const Origin& origin) {
 }
 
 void note_work_offset(BlockContext& m, std::uint32_t row) {
-  if (row == 0) return;  // no work offset
+  if (row == 0) return;  // 0 means no work offset, so there is no use to record
   // At the end of the program the control itself resets the work system; this is not a use by the program.
   if (!m.has_code({Function::work_zero, Function::fixture, Function::work_system, Function::work_system_extended, Function::table_system,
                    Function::zero_shift}))

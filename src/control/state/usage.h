@@ -1,6 +1,6 @@
 #pragma once
-// ProgramUse: which data of a set-up a program uses (offsets, work offsets, correctors, tools, variables, switches), and where first.
-// The control provides it (Control::use()), for the note `not_stated` and for `kadr setup`.
+// ProgramUse: which data of a set-up a program uses (offsets, work offsets, correctors, tools, variables, switches), and the first use of
+// each. The control provides it (Control::use()), for the note `not_stated` and for `kadr setup`.
 
 #include <array>
 #include <cstdint>
@@ -13,13 +13,13 @@ namespace kadr {
 class BlockContext;
 
 enum class UseKind : std::uint8_t {
-  length,         // the length of an offset comes into force: by H, or by D of the 2С42
-  radius,         // the radius of an offset comes into force
-  work_zero,      // a work offset, by its row in the table; work_systems() of config/setup/setup_names returns the names
-  corrector,      // corrector (offset value) of an axis, or of a tool's radius
-  tool,           // a tool, by T
-  variable,       // #n is read before it was written; without vacant variables (on some controls) only after watch()
-  parameter,      // R0 … R9 is read before it was written; without vacant variables only after watch()
+  length,     // the length of an offset comes into force, by H or (2С42) by D
+  radius,     // the radius of an offset comes into force
+  work_zero,  // a work offset, by its row in the table; work_systems() of config/setup/setup_names returns the names
+  corrector,  // corrector (offset value) of an axis, or of a tool's radius
+  tool,       // a tool, by T
+  variable,   // #n is read before it is written; if the control has no vacant variables, this is recorded only after watch()
+  parameter,  // one of R0 … R9 is read before it is written; if the control has no vacant variables, this is recorded only after watch()
   skip_switch,    // the switch of a skip mark /, /n
   optional_stop,  // the switch of M1
   count
@@ -41,7 +41,7 @@ class ProgramUse {
   /// Records that a tool is in the spindle. If this function is never called, the tool of the last T counts.
   void change_to(std::uint32_t tool) { in_spindle_ = tool; }
 
-  /// Starts recording variables and lines too, which takes time.
+  /// Starts to record variables and lines too. This recording takes time, so it is off otherwise.
   void watch() { watches_ = true; }
   bool watches() const { return watches_; }
   /// Records that a line of the program itself has been executed.

@@ -17,13 +17,13 @@ enum class WaitingMode : std::uint8_t {
 /// A waiting code at which a channel waits.
 struct ChannelMeeting {
   std::uint32_t code = 0;      // number of the waiting code: M…
-  std::uint32_t channels = 0;  // channels that must arrive at this code; bit n: channel n
+  std::uint32_t channels = 0;  // channels that must arrive at this code, as bits: bit n for channel n
   Origin origin;
 };
 
 struct WaitingCodes {
   WaitingMode mode = WaitingMode::alarm;
-  std::uint32_t known = 0;                // channels of the machine, bit n: channel n; 0 if the set-up lists no channels
+  std::uint32_t known = 0;                // channels of the machine as bits, bit n for channel n; 0 if the set-up lists no channels
   std::optional<ChannelMeeting> meeting;  // the code at which this channel waits; nullopt: it does not wait
 };
 

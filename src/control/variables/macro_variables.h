@@ -65,7 +65,7 @@ class MacroVariables {
   std::set<std::uint32_t> take_changed_further() { return std::exchange(further_changed_, {}); }
   const std::map<std::uint32_t, double>& all_further() const { return further_; }
 
-  /// Records the value of #n before a block writes the variable, so that an alarm can restore the value.
+  /// Records the value of #n in the journal before a block writes the variable, so that an alarm can restore the value.
   void keep_common(Journal& journal, int n) { journal.keep(*commons_[static_cast<std::size_t>(n - first_common)]); }
   Locals& locals() { return levels_.back(); }
   const Locals& locals() const { return levels_.back(); }
@@ -74,7 +74,8 @@ class MacroVariables {
   void close_level() {
     if (levels_.size() > 1) levels_.pop_back();
   }
-  /// Called at the end of the program: closes all levels of local variables but that of the main program, which becomes vacant (23.1.3).
+  /// Called at the end of the program: deletes the local variables of all levels except the main program, and makes those of the main
+  /// program vacant (23.1.3).
   void close_levels() { levels_.assign(1, no_locals()); }
   std::size_t depth() const { return levels_.size(); }
   const std::vector<Locals>& levels() const { return levels_; }
@@ -90,7 +91,7 @@ class MacroVariables {
 
   /// Returns the numbers of common variables that survive power-off and were written since the last call.
   std::vector<std::uint16_t> take_changed();
-  /// Clears the variables that need power: #100 … #499 and the local variables.
+  /// Makes the variables vacant that do not survive power-off: #100 … #499 and the local variables.
   void power_off();
 
  private:

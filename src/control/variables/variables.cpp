@@ -12,7 +12,7 @@
 namespace kadr {
 namespace {
 
-constexpr std::uint32_t first_system_variable = 1000;  // lower numbers are free for the program
+constexpr std::uint32_t first_system_variable = 1000;  // lower numbers have no meaning for the control: the program uses them freely
 
 /// Returns how many parameters the control has: R0 to R9, or a thousand for each parameter letter.
 std::size_t parameters_of(const Grammar& grammar) {
@@ -30,7 +30,8 @@ std::uint32_t number_of(double number, std::uint32_t highest) {
 }  // namespace
 
 Variables::Variables(const ControlDef& def, Journal& journal) : def_(def), journal_(journal) {
-  all_.values.resize(def.grammar.has_vacant_variables() ? 1 : def.grammar.variables + 1);  // custom macros: see MacroVariables
+  // a control with custom macros has its variables in MacroVariables instead
+  all_.values.resize(def.grammar.has_vacant_variables() ? 1 : def.grammar.variables + 1);
   all_.set.resize(all_.values.size());
   all_.parameters.resize(parameters_of(def.grammar));
   all_.parameters_set.resize(all_.parameters.size());
@@ -57,7 +58,7 @@ Status Variables::set(double number, double value, Span where) {
 }
 
 void Variables::set_raw(std::uint32_t number, double value) {
-  if (number >= all_.values.size()) return;  // a row of the control's file may name a number above the highest variable
+  if (number >= all_.values.size()) return;  // does nothing: a row of the control's file may name a number above the highest variable
   journal_.keep(all_.values[number]);
   journal_.keep(all_.set[number]);
   all_.values[number] = value;

@@ -36,14 +36,15 @@ bool bit_of(const BlockContext& m, std::size_t axis, int bit) {
   return store.bit(store.named("2102"), bit, m.def.axis_numbers[axis]);
 }
 
-/// Returns true if `axis` follows `master`, directly or through other axes. In this case `master` must not follow `axis`.
+/// Returns true if `axis` follows `master`, directly or through other axes. In this case `master` must not follow `axis`, because the
+/// coupling would be a loop.
 bool follows(const Couplings& couplings, std::size_t axis, std::size_t master) {
   for (auto follower = couplings.followers.rbegin(); follower != couplings.followers.rend(); ++follower)
     if (follower->axis == axis) axis = follower->master;
   return axis == master;
 }
 
-/// Sorts the followers so that each one is after its own master.
+/// Sorts the followers so that each follower comes after its own master.
 void sort(std::vector<Follower>& followers) {
   std::vector<Follower> sorted;
   AxisMask waiting = 0;
@@ -95,7 +96,8 @@ bool is_cross_channel_axis(const BlockContext& m, double number) {
 }
 
 SetupFault coupling_fault(const BlockContext& m, const std::vector<SetupEvent>& events) {
-  const bool names_masters = macro_b_of(m).parameters.named("2101") != ParameterId::none;  // only the NCT has the parameter N2101
+  // only the NCT has parameter N2101, which names the master of an axis; other controls couple no axes
+  const bool names_masters = macro_b_of(m).parameters.named("2101") != ParameterId::none;
   for (const SetupEvent& event : events)
     for (const std::string& name : event.what == SetupEvent::Do::synchronise ? event.axes : std::vector<std::string>()) {
       const int axis = axis_named(m, name);

@@ -20,26 +20,26 @@ namespace kadr::nct {
 /// The axes that follow a master at present. (fanuc::Memory::following has the mask of all followers, also of those whose master is in
 /// another channel.) The machine position of a follower is lead + sign · machine position of its master.
 struct Couplings {
-  std::vector<Follower> followers;    // sorted: each follower is after its own master
+  std::vector<Follower> followers;    // the coupled axes of this channel, sorted so that each follower comes after its own master
   std::vector<CrossChannelAxis> far;  // axes that follow, or are exchanged with, axes of other channels
-  Axes lead{};                        // mm or degrees; by follower: the constant in the equation above
+  Axes lead{};                        // the constant of the equation above for each follower, mm or degrees
 };
 
-/// Returns the index of the axis of this channel that has the control-wide number `number`; nullopt if there is no such axis or it is
-/// `axis`.
+/// Returns the index of the axis of this channel whose control-wide number is `number`. Returns nullopt if this channel has no other axis
+/// than `axis` with this number.
 std::optional<std::size_t> axis_numbered(const BlockContext& m, double number, std::size_t axis);
 
 /// Returns true if an axis of another channel has this control-wide number.
 bool is_cross_channel_axis(const BlockContext& m, double number);
 
-/// Returns the fault of the first coupling that events of the set-up request and that is impossible; empty if all are possible.
+/// Returns the fault of the first impossible coupling among those that events of the set-up request; empty if all are possible.
 SetupFault coupling_fault(const BlockContext& m, const std::vector<SetupEvent>& events);
 
-/// Moves the gantry axes (N2102 #4 PSN=1) to the positions of their masters. From then on they follow their masters.
+/// Moves the gantry axes (N2102 #4 PSN=1) to the positions of their masters. From then on the gantry axes follow their masters.
 void couple_gantries(BlockContext& m);
 
-/// Executes a request of the machine's logic that an axis starts or stops following the master which N2101 names. A request for an axis of
-/// another channel is ignored, but the master may be in another channel.
+/// Makes an axis follow the master that N2101 names, or ends the coupling, as the machine's logic requests. A request for an axis of
+/// another channel is ignored; the master may be in another channel.
 void couple_axis(Emitter& m, const std::string& name, bool on);
 
 /// Starts or ends the coupling of an axis with an axis of another channel.
@@ -49,11 +49,11 @@ void link_cross_channel(BlockContext& m, const CrossChannelAxis& axis, bool on);
 ///   alarms  axis_follows
 Status not_following(const BlockContext& m, AxisMask named);
 
-/// Adds the followers to a motion. `motion` has the positions of their masters at its end already.
+/// Adds the end positions of the followers to a motion that already has the end positions of their masters.
 void follow(BlockContext& m, Motion& motion);
 
-/// Recomputes `lead` of all followers after a position has changed without a motion: a probe has made contact, a block was undone, an axis
-/// has rolled over.
+/// Recomputes `lead`, the constant of the coupling equation, of all followers after a position has changed without a motion: a probe has
+/// made contact, a block was undone, an axis has rolled over.
 void follow_from_here(BlockContext& m);
 
 }  // namespace kadr::nct

@@ -16,7 +16,7 @@ namespace {
 
 constexpr AxisMask bit(std::size_t axis) { return AxisMask{1} << axis; }
 
-bool is_main(int role) { return role >= 1 && role <= 3; }  // roles 1, 2, 3: X, Y, Z
+bool is_main(int role) { return role >= 1 && role <= 3; }  // the roles 1, 2, 3 belong to the main axes X, Y, Z
 
 /// Returns true if the axis may be exchanged or reversed. A rotary axis that rolls over may not, because its position cannot be converted
 /// back. Axes of five-axis functions, followers and masters may not, because other code depends on them.
@@ -33,7 +33,7 @@ bool is_free_axis(const BlockContext& m, std::size_t axis) {
          !(turns_tool && (five.first.axis == number || five.second.axis == number || is_main(fanuc_of(m).settings.axes[axis].role)));
 }
 
-/// Returns the axis with which this axis is exchanged: parameter N2104 names it.
+/// Returns the axis with which this axis may be exchanged: the axis that parameter N2104 names.
 std::optional<std::size_t> other_of(const BlockContext& m, std::size_t axis) {
   const ParameterStore& store = macro_b_of(m).parameters;
   return axis_numbered(m, store.value(store.named("2104"), m.def.axis_numbers[axis]), axis);
@@ -46,7 +46,7 @@ bool goes_other_way(const BlockContext& m, std::size_t axis) {
   return store.bit(store.named("2105"), mmi, m.def.axis_numbers[axis]);
 }
 
-/// Returns the machine axis that each programmed axis drives. A reversal applies after the exchange (INFERRED).
+/// Returns the machine axis that each programmed axis drives. INFERRED: a reversal applies after the exchange.
 AxisDrives drives_of(const BlockContext& m, const Drives& d) {
   AxisDrives all;
   all.reversed = d.mirrored ^ d.far_reversed;
@@ -84,7 +84,7 @@ void unpark(BlockContext& m, std::size_t axis) {
   follow_from_here(m);
 }
 
-/// Executes a request of the machine's logic. Returns false if it is impossible.
+/// Exchanges, reverses or parks an axis, or ends this, as the machine's logic requests. Returns false if the request is impossible.
 bool execute(BlockContext& m, const AxisRequest& asked) {
   Drives& d = nct_of(m).drives;
   if (asked.machine) {

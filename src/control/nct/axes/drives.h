@@ -16,22 +16,22 @@ class Emitter;
 
 namespace kadr::nct {
 
-/// A request of the machine's logic, since the last block, to exchange, reverse or park an axis.
+/// A request of the machine's logic to exchange, reverse or park an axis, received since the last block.
 struct AxisRequest {
   std::size_t axis;
   AxisLink link;
   bool on;
-  std::optional<double> machine{};  // machine coordinate of the other axis, if that is in another channel
+  std::optional<double> machine{};  // machine coordinate of the other axis, mm; set only if the other axis is in another channel
 };
 
-/// The axes that are exchanged, reversed or parked. With N2104 and N2105 this determines fanuc::Memory::driven.
+/// The axes that are exchanged, reversed or parked. Together with parameters N2104 and N2105, these axes determine fanuc::Memory::driven.
 struct Drives {
   AxisMask exchanged = 0;  // axes for which the machine's logic has requested an exchange
   AxisMask mirrored = 0;
   AxisMask parked = 0;
   AxisMask far = 0;           // axes that drive an axis of another channel
   AxisMask far_reversed = 0;  // axes that drive an axis of another channel in the reversed direction
-  Axes standing{};            // machine coordinates of the parked axes
+  Axes standing{};            // machine coordinates of the parked axes, mm or degrees
   std::vector<AxisRequest> asked;
 };
 
@@ -41,7 +41,7 @@ bool may_be_exchanged(const BlockContext& m, std::size_t axis);
 /// Stores a request of the machine's logic until the next block begins.
 void request_axis(BlockContext& m, const std::string& name, AxisLink link, bool on);
 
-/// Executes the stored requests. Nothing moves; the work coordinates become those of the machine axes that the programmed axes drive now.
+/// Executes the stored requests. Nothing moves; a work coordinate becomes that of the machine axis that the programmed axis now drives.
 ///   warns  axis_not_changed
 void execute_requests(Emitter& m);
 

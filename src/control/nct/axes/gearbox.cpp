@@ -27,8 +27,8 @@ Result<std::size_t> axis_of(const BlockContext& m, const Call& call, const char*
   return wrong_parameter(call, std::strtod(parameter, nullptr));
 }
 
-/// Returns the number of the spindle that N1801 names. The name is one of the set-up; else "S2" is spindle 2, and "S" the main spindle
-/// (INFERRED).
+/// Returns the number of the spindle that N1801 names. If the set-up lists no spindle with this name, "S2" means spindle 2 and "S" means
+/// the main spindle (INFERRED).
 Result<int> master_of(const BlockContext& m, const Call& call, const std::string& name) {
   for (const auto& [number, named] : fanuc_of(m).spindle_names)
     if (!name.empty() && named == name) return number;
@@ -39,7 +39,7 @@ Result<int> master_of(const BlockContext& m, const Call& call, const std::string
   return wrong_parameter(call, parameter);
 }
 
-/// Returns the ratio L / T of the gearbox: T is the number of teeth, L the number of starts. L0 is an alarm (INFERRED).
+/// Returns the ratio L / T of the gearbox: T is the number of teeth, L the number of starts. INFERRED: L0 raises an alarm.
 Result<double> ratio(const BlockContext& m, const Call& call) {
   if (!m.has('T')) return fail(alarm(AlarmId::word_missing, call.where, 'T', call.row->code));
   const auto teeth = m.whole('T', 1, max_teeth);
@@ -108,14 +108,15 @@ Status gear_on(Emitter& m, const Call& call) {
   couple.ratio = gear.ratio;
   couple.master_number = *master;
   couple.rpm = turns ? spindle.rpm * gear.ratio : 0;
-  couple.feeds_by_slave = store.bit(store.named("1800"), 1);  // N1800 #1 FRS; INFERRED: 1 means feed per workpiece revolution
+  // N1800 #1 FRS; INFERRED: bit 1 means that the feed is per revolution of the workpiece
+  couple.feeds_by_slave = store.bit(store.named("1800"), 1);
   nct.state.gear = gear;
   nct.stops_reading = true;
   m.emit(couple);
   return {};
 }
 
-/// G80.8: ends the coupling: the table stops, the spindle continues to turn.
+/// G80.8: ends the coupling. The table stops; the spindle continues to turn.
 Status gear_off(Emitter& m, const Call&) {
   nct::disengage(m);
   return {};

@@ -13,7 +13,8 @@ ToolPlace place_of(const nct::ToolCall& call) {
 /// Changes the tool: the prepared tool goes into the spindle.
 void change(Emitter& m, nct::CountUse count) {
   macro_b_of(m).endless.note_change();
-  m.pass_varies = m.pass_varies || nct_of(m).tools.enabled();  // the next pass of the program may differ, as the life of a tool may end
+  // the next pass of the program may differ from this pass, because the life of a tool may end
+  m.pass_varies = m.pass_varies || nct_of(m).tools.enabled();
   const nct::ToolCall now = nct_of(m).tools.change(nct_of(m).spindle_magazine(), count);
   m.modal.tool = now.tool;
   m.use.change_to(now.tool);
@@ -57,7 +58,7 @@ Status exchange_tool(Emitter& m, const Call&) {
 
 namespace nct {
 
-/// Returns the offset number that a word H or D means. If its value is that in N2923, this is the number of the tool in the spindle
+/// Returns the offset number that a word H or D means. A word with the value of N2923 means the offset number of the tool in the spindle
 /// (12.5.1).
 Result<std::uint32_t> Nct::offset_meant(char letter, std::uint32_t number) const {
   const int by_tool = settings.offset_by_tool;

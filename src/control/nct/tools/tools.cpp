@@ -18,7 +18,7 @@ constexpr int info_digits = 5, user_digits = 8;
 
 constexpr std::uint32_t not_performed = 0, not_used = 1, used = 2, expired = 3;
 
-constexpr int pockets_in_place_call = 10'000;  // T by pocket is magazine (iiii), pocket (kkkk): Tiiiikkkk
+constexpr int pockets_in_place_call = 10'000;  // a T word that names a pocket is Tiiiikkkk: magazine iiii, pocket kkkk
 constexpr int max_forms = 20;
 constexpr double max_dword = 99'999'999;
 
@@ -98,7 +98,7 @@ ToolCall ToolManagement::change(int spindle, CountUse count) {
   InSpindle& state = spindles_.edit(spindle);
   ToolCall now = *state.prepared;
   state.prepared.reset();
-  const bool resolved = now.data != 0 || now.magazine != 0 || now.tool == 0;  // false: the tables had no data when T was executed
+  const bool resolved = now.data != 0 || now.magazine != 0 || now.tool == 0;  // false: the tables did not list the tool when T was executed
   if (enabled() && resolved) exchange(state, now, spindle);
   state.tool = now.tool;
   const ToolRow* there = row(now.data);
@@ -109,14 +109,14 @@ ToolCall ToolManagement::change(int spindle, CountUse count) {
 /// Exchanges the tools in the table of pockets, and sets the pocket in `now` from which the new tool comes.
 void ToolManagement::exchange(InSpindle& state, ToolCall& now, int spindle) {
   std::optional<Pocket> from;
-  if (now.data != 0) from = place_of(now.data);                         // the tool may have been moved since T was executed
+  if (now.data != 0) from = place_of(now.data);  // searched again, because the tool may have been moved since T was executed
   else if (now.magazine != 0) from = Pocket{now.magazine, now.pocket};  // T has selected an empty pocket
   std::tie(now.magazine, now.pocket) = from.value_or(Pocket{});
   const ToolRow* loaded = row(now.data);
   if (loaded != nullptr && loaded->type != 0) now.tool = type_of(*loaded);
 
   const int old = spindle_row(spindle);
-  if (old == now.data) return;  // the tool is in the spindle already, or no tool is involved
+  if (old == now.data) return;  // there is nothing to exchange: the tool is in the spindle already, or no tool is involved
   if (now.data != 0 && from) places_.edit(*from) = 0;
   places_.edit(only_pocket(spindle)) = now.data;
   if (old != 0) put_away(old, from, state.home);
@@ -241,7 +241,7 @@ Result<int> whole(const DataWord& word, double least, double most) {
   return static_cast<int>(word.value);
 }
 
-/// Returns the word with this letter; the alarm word_missing if the block has none.
+/// Returns the word with this letter; raises the alarm word_missing if the block has no word with this letter.
 Result<const DataWord*> needed(const DataBlock& block, char letter, std::string_view code) {
   const DataWord* word = find(block, letter);
   if (word == nullptr) return fail(alarm(AlarmId::word_missing, block.where, letter, code));
@@ -251,7 +251,7 @@ Result<int> needed_whole(const DataBlock& block, char letter, std::string_view c
   return needed(block, letter, code).and_then([&](const DataWord* word) { return whole(*word, 0, most); });
 }
 
-/// Reads the decimal digits of a word as binary digits: Q10001 is 17. Leading zeros may be missing.
+/// Reads the decimal digits of a word as binary digits, so that Q10001 is 17. Leading zeros may be missing.
 Result<std::uint32_t> bits(const DataWord& word, int max_bits) {
   std::string digits(word.digits);
   if (digits.empty()) {
@@ -267,10 +267,10 @@ Result<std::uint32_t> bits(const DataWord& word, int max_bits) {
   return value;
 }
 
-/// A column of the tool table that has whole numbers (12.4.1). For L the manual gives no type in 12.4.1, but DWORD in 12.3.1.
+/// A column of the tool table that has whole numbers (12.4.1). The type of column L is DWORD: 12.4.1 does not give it, but 12.3.1 does.
 struct Item {
   char letter;
-  double most;  // greatest value; 0: the value of N1400
+  double most;  // greatest permitted value; 0: the value of N1400 is the limit
   double ToolRow::*number;
   std::uint32_t ToolRow::*code;
 };
@@ -294,7 +294,7 @@ Status place_block(const DataBlock& block, ToolManagement& tools) {
   const auto magazine = needed_whole(block, 'N', code, pockets_in_place_call - 1);
   KADR_TRY(magazine);
   if (!is_multi(*magazine) && !has_one_pocket(*magazine)) return out_of_range(*find(block, 'N'));
-  Pocket pocket = tools.only_pocket(*magazine);  // in a magazine with one pocket P has no effect
+  Pocket pocket = tools.only_pocket(*magazine);  // P has no effect in a magazine with one pocket
   if (is_multi(*magazine)) {
     const auto number = needed_whole(block, 'P', code, pockets_in_place_call - 1);
     KADR_TRY(number);

@@ -50,7 +50,7 @@ class JournaledTable {
     return keys;
   }
 
-  /// Copies the rows from the table of another channel, between two blocks. Rows that differ count as changed.
+  /// Copies the rows from the table of another channel, between two blocks. Rows that differ count as changed in this table.
   void take(const JournaledTable& other) {
     for (const auto& [key, row] : other.rows_)
       if (const auto [place, is_new] = rows_.try_emplace(key, row); is_new || !(place->second == row))
@@ -96,7 +96,7 @@ class JournaledTable {
   }
 
   std::map<Key, Row> rows_;
-  std::vector<std::pair<Key, std::optional<Row>>> old_;  // rows written in this block, each with its value before the block
+  std::vector<std::pair<Key, std::optional<Row>>> old_;  // the rows written in this block, each with its value before the block
   std::set<Key> changed_;
   std::uint64_t version_ = 0;
   JournalLink journal_;
@@ -111,7 +111,7 @@ struct ToolLimits {
 /// The data that T and M6 emit for the machine.
 struct ToolCall {
   std::uint32_t tool = 0;  // the number T as programmed, or the type number in the tool's row
-  int data = 0;            // data number: the tool's row in the tool table; 0: none
+  int data = 0;            // data number, which is the number of the tool's row in the tool table; 0: none
   int magazine = 0;        // magazine of the tool, now or before the change; 0: the tool is in no pocket
   int pocket = 0;
   friend bool operator==(const ToolCall&, const ToolCall&) = default;
@@ -131,7 +131,7 @@ class ToolManagement {
   static constexpr int main_spindle = 10;
 
   ToolManagement() = default;
-  /// Reads the tables from the set-up. Also reads the tool in the main spindle, for the case that no table lists it.
+  /// Reads the tables from the set-up, and also the tool in the main spindle, which the tables need not list.
   explicit ToolManagement(const Setup& setup, ToolLimits limits = {});
 
   const ToolLimits& limits() const { return limits_; }
@@ -142,18 +142,20 @@ class ToolManagement {
   const PocketTable& places() const { return places_.rows(); }
   const std::map<int, ToolForm>& forms() const { return forms_.rows(); }
 
-  /// Returns true if the tool table has a row or the pocket table a pocket. Else T and M6 only pass the tool number to the machine.
+  /// Returns true if the tool table has at least one row or the pocket table at least one pocket. Otherwise T and M6 only pass the tool
+  /// number to the machine.
   bool enabled() const { return !rows().empty() || !places().empty(); }
   const ToolRow* row(int data) const { return rows_.find(data); }
 
-  /// Finds the tool that T with this type number means: among the valid rows with status 1 or 2, or with status 0 and bit S, the row with
-  /// the greatest counter; among equal rows the smallest data number. The tool need not be in a pocket.
+  /// Finds the tool for a T word with this type number. Only valid rows with status 1 or 2, or with status 0 and bit S, are searched. The
+  /// result is the row with the greatest counter; among equal rows, the row with the smallest data number. The tool need not be in a
+  /// pocket.
   ///   returns  data number; 0: none
   ///   manual   12.3.1
   int search(std::uint32_t type) const;
 
   /// Returns the pocket that contains the tool of this row; of several pockets, the first by magazine and pocket number. Returns nullopt if
-  /// there is none.
+  /// the tool is in no pocket.
   std::optional<Pocket> place_of(int data) const;
 
   /// Executes T: finds the tool and prepares it for the next change of this spindle. A later T replaces the prepared tool.
@@ -164,28 +166,28 @@ class ToolManagement {
   Result<ToolCall> call(std::uint32_t tool, CallBy by, int spindle = main_spindle);
 
   /// Executes M6 (or T, if T changes tools): moves the prepared tool into the spindle. If no tool is prepared, nothing changes and no use
-  /// is counted. The old tool goes into the pocket of the new one (random handling, 12.3 c); else into the pocket it came from; else into
-  /// the first empty pocket of a magazine; else it is in no pocket any more. Inferred. A prepared tool that is already in the spindle
-  /// stays there.
+  /// is counted. INFERRED: the old tool goes into the pocket of the new tool (random handling, 12.3 c). Otherwise it goes into
+  /// the pocket from which it came, else into the first empty pocket of a magazine, else into no pocket. A prepared tool that is already in
+  /// the spindle stays there.
   ///   count    the change code counts as a use (N2901 TLC: 0 M6, 1 T). The tool now in the spindle is counted (inferred), if it has bits
   ///            V and C and status 1 or 2: status 1 becomes 2; it becomes 3 when the counter reaches the life
   ///   returns  tool and row now in the spindle, and the pocket it came from; `tool` is the row's type number, if it has one
   ///   manual   12.2, 12.3.1, 12.5
   ToolCall change(int spindle, CountUse count);
 
-  /// Adds cutting time in seconds to the life counter of the tool in this spindle. Time counts for a tool with bits V and T and status 1 or
-  /// 2. The counter is in seconds (inferred), with fractions. The caller checks that override, rotation and feed meet the conditions of
-  /// 12.3.1.
+  /// Adds cutting time in seconds to the life counter of the tool in this spindle, if the tool has bits V and T and status 1 or 2.
+  /// INFERRED: the counter is in seconds, with fractions. The caller checks that override, rotation and feed meet the conditions of 12.3.1.
   void add_time(double seconds, int spindle = main_spindle);
 
-  /// Returns true if the tool has status 1 to 3, and at most `warn` of its life is left (12.3.1).
+  /// Returns true if the tool has status 1 to 3 and the remaining part of its life is at most the warning limit `warn` of its row (12.3.1).
   bool warning(int data) const;
 
   /// Returns the data number of the tool in a spindle or stand-by magazine; 0: no tool, or a tool that no table lists.
   int spindle_row(int magazine = main_spindle) const;
 
-  /// Returns #8401…#8450 for the tool in a spindle or stand-by magazine (12.5.3). If the magazine is empty, #8401 is 0 and the others are
-  /// vacant. Also vacant: #8415…#8430, user data above N2903, and all but #8401 if the row is not in the table. Time is in whole seconds.
+  /// Returns #8401…#8450 for the tool in a spindle or stand-by magazine (12.5.3); times are in whole seconds. If the magazine is empty,
+  /// #8401 is 0 and the other variables are vacant. If the tool's row is not in the table, all variables but #8401 are vacant. The
+  /// variables #8415…#8430 and those of user data above N2903 are always vacant.
   std::optional<double> spindle_data(int magazine, int variable) const;
 
   /// Checks a value that is assigned to #8400: it must be the number of a spindle or stand-by magazine. Whether the machine has that
@@ -200,12 +202,12 @@ class ToolManagement {
   /// needs just its own pocket.
   ToolForm form_of(int data) const;
 
-  // Used by DataInput.
+  // The following functions are for the class DataInput only.
   ToolRow& edit_row(int data) { return rows_.edit(data); }
   void clear_row(int data) { rows_.erase(data); }
   void set_place(Pocket pocket, int data) { places_.edit(pocket) = data; }
   void set_form(int number, const ToolForm& form) { forms_.edit(number) = form; }
-  /// Returns the pocket of a magazine with one pocket: the one that the pocket table lists, else pocket 1.
+  /// Returns the pocket of a magazine with one pocket: the pocket that the pocket table lists, or pocket 1 if the table lists none.
   Pocket only_pocket(int magazine) const;
 
   /// Connects the tables and the prepared tools to a journal, which restores them after an alarm. After this call the object must not be
@@ -216,7 +218,7 @@ class ToolManagement {
   void take_tables(const ToolManagement& from) { rows_.take(from.rows_), places_.take(from.places_), forms_.take(from.forms_); }
   std::uint64_t tables_version() const { return rows_.version() + places_.version() + forms_.version(); }
 
-  /// Returns the keys of the rows written since the last call, for the state file. If a key has no row, the row was deleted.
+  /// Returns, for the state file, the keys of the rows written since the last call. A key without a row belongs to a deleted row.
   ///   law  every row that differs from its state at the last call is returned; after Journal::undo() others may be returned too
   std::vector<int> take_changed_rows() { return rows_.take_changed(); }
   std::vector<Pocket> take_changed_places() { return places_.take_changed(); }
@@ -225,7 +227,7 @@ class ToolManagement {
  private:
   struct InSpindle {
     std::optional<ToolCall> prepared;
-    std::uint32_t tool = 0;  // tool number by T, if no table lists the tool
+    std::uint32_t tool = 0;  // tool number of the last T, used if no table lists the tool
     Pocket home{};           // the pocket from which the tool came
   };
   void exchange(InSpindle& state, ToolCall& now, int spindle);
@@ -239,9 +241,9 @@ class ToolManagement {
   JournaledTable<int, InSpindle> spindles_;
 };
 
-/// True if two tools in pockets of one chain, or of one row of a matrix, do not collide: the space that the left tool needs on its right
-/// plus the space that the right tool needs on its left is at most twice the number of pockets between them (12.3.3; inferred: space is
-/// counted in half pockets, from the border of the tool's own pocket).
+/// Returns true if two tools in pockets of one chain, or of one row of a matrix, do not collide (12.3.3). Condition: the space that the
+/// left tool needs on its right plus the space that the right tool needs on its left is at most twice the number of pockets between the
+/// tools. INFERRED: space is counted in half pockets, from the border of the tool's own pocket.
 ///   law  symmetric in the two tools; false for the same pocket
 bool fits_next_to(int pocket_a, const ToolForm& a, int pocket_b, const ToolForm& b);
 
@@ -261,7 +263,7 @@ struct DataBlock {
   Span where;
 };
 
-/// Reads the data blocks between G10 and G11 (12.4). A plain value: an alarm restores a copy.
+/// Reads the data blocks between G10 and G11 (12.4). The object is a plain value, so that a copy can restore it after an alarm.
 class DataInput {
  public:
   void begin(DataKind kind) { kind_ = kind, row_ = 0; }
