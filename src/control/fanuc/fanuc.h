@@ -1,8 +1,8 @@
 #pragma once
 // Fanuc: the dialect class that Fanuc, Haas and NCT share (spec/fanuc, spec/nct); it is derived from the class of macros, MacroB. The class
 // Fanuc adds drilling and turning cycles, reference return, frames, five axes, spindles and measuring. There is one object per channel. The
-// memory of an object is a plain value (memory.h). `settings` and `state` belong to this class; the macro level has settings and a state of
-// its own, macro_b_of(m).settings and macro_b_of(m).state. Behaviour that only the NCT has is behind the virtual functions below.
+// memory of an object is a plain value (memory.h). `settings` and `state` belong to this class; the macro level has its own,
+// macro_b_of(m).settings and macro_b_of(m).state. Virtual functions of the class stand for the behaviour that only the NCT has.
 
 #include <memory>
 #include <string>
@@ -46,18 +46,19 @@ class Fanuc : public MacroB, public fanuc::Memory {
   const SpindleState& spindle(int number) const { return state.spindles[static_cast<std::size_t>(number)]; }
   /// Returns the present speed of the main spindle, rev/min; 0 if the spindle does not turn.
   double spindle_rpm(const Emitter& m) const;
-  /// Returns how G96, G97 determine the speed of the main spindle (11.5). emit_surface_speed() emits this rule whenever the rule changes.
+  /// Returns the rule by which G96 and G97 determine the speed of the main spindle (11.5). emit_surface_speed() emits this rule whenever
+  /// the rule changes.
   SurfaceSpeed surface_speed(const BlockContext& m) const override;
   void emit_surface_speed(Emitter& m) const;
   double css_rpm(const Emitter& m) const;
 
-  // ---- what the machine reports
+  // ---- reports of the machine
   void synchronise(int slave, int master) override;
   bool rolls_over(std::size_t axis) const override { return settings.axes[axis].rolls; }
   void convert_spindle(int number, bool to_axis) override;
   SearchRules search_rules() const override;
 
-  // ---- what the interpreter asks of a dialect (dialect.cpp): each function is implemented by one of the same name in this folder
+  // ---- functions that the interpreter calls in a dialect (dialect.cpp); a function of the same name in this folder implements each
   bool has_unfinished() const override { return !finishing.empty(); }
   Result<bool> finish(Interpreter& m) override;
   void note_skip_mark(Emitter& m) override;
@@ -81,7 +82,7 @@ class Fanuc : public MacroB, public fanuc::Memory {
   void note_motion(Emitter& m, Motion& motion) override;
   double inch_feed(const BlockContext& m, const Motion& motion, const Axes& from) const override;
   void note_feed(BlockContext&) override { state.thread_lead = 0; }
-  bool keeps_both_feeds() const override { return true; }  // NCT 6.2.1: G94 and G95 each keep their F
+  bool keeps_both_feeds() const override { return true; }  // NCT 6.2.1: G94 and G95 each have their own F
   void refresh_frames(Emitter& m) override;
   Axes shift_of_origin(const BlockContext& m) const override;
   bool zero_may_move() const override { return true; }
@@ -91,7 +92,7 @@ class Fanuc : public MacroB, public fanuc::Memory {
   /// Executes an M code of a spindle (indexing, closing the position loop); passes any other code to the machine's logic.
   Status spindle_machine_code(Emitter& m, int code, Span where);
 
-  // ---- what the macro level, MacroB, asks
+  // ---- functions that the macro level, MacroB, calls
   Axes before_transform(const BlockContext& m) const override;
   void keep_cycles() override { interrupted_cycles = {state.drilling, state.turning}; }
   void bring_cycles_back() override;
@@ -101,7 +102,7 @@ class Fanuc : public MacroB, public fanuc::Memory {
   Result<bool> write_table(Emitter& m, const FoundVariable& variable, double value, Span where) override;
 
   // ---- behaviour that only the NCT has
-  /// Returns the number that an H or D word refers to: one special number means the offset of the tool in the spindle (12.5.1).
+  /// Returns the offset number that an H or D word means. One special number means the offset of the tool in the spindle (12.5.1).
   virtual Result<std::uint32_t> offset_meant(char letter, std::uint32_t number) const = 0;
   /// open_tool_data() opens the tool tables for G10 L75 to L77; tool_line() reads one of the data lines that follow (12.4).
   virtual Status open_tool_data(BlockContext& m, std::uint32_t l, double p, Span where) = 0;
@@ -111,9 +112,9 @@ class Fanuc : public MacroB, public fanuc::Memory {
   void read_parameters(BlockContext& m) override;
   /// Resets everything that the program has set to its power-on state (3.4).
   void reset_program(Interpreter& m);
-  /// Ends the electronic gearbox (NCT 20.1) if a reset ends it; called when the program is reset.
+  /// Ends the electronic gearbox (NCT 20.1) at a reset of the program, if the parameters request this.
   virtual void end_gear(Emitter& m) = 0;
-  /// True if a reset leaves the code of this group in force.
+  /// Returns true if a reset leaves the code of this group in force.
   virtual bool keeps_group(int group) const = 0;
 
  private:
@@ -123,7 +124,7 @@ class Fanuc : public MacroB, public fanuc::Memory {
   void stop_machine(Interpreter& m);
 
   UndoableState before_;                   // the state that keep_all() has saved
-  std::array<Axes, 5> setup_reference_{};  // reference points given by keys of the set-up, not by parameters
+  std::array<Axes, 5> setup_reference_{};  // reference points that keys of the set-up give; those that parameters give are not included
 };
 
 /// The part of a snapshot that belongs to the class Fanuc.
@@ -133,20 +134,21 @@ struct FanucState : MacroState {
   fanuc::Memory cutting;
 };
 
-/// Returns the number of rows of the offset table: N1400; if N1400 is not set, the number of rows that variables can address (15.1).
+/// Returns the number of rows of the offset table, which N1400 gives. If N1400 is not set, returns the number of rows that variables can
+/// address (15.1).
 std::uint32_t max_offsets(const BlockContext& m);
-/// Finds the axes that the machine converts spindles to (11.8), as far as events of the set-up command such conversions.
+/// Finds the axes into which the machine converts spindles (11.8), as events of the set-up command.
 void find_spindle_axes(BlockContext& m, const Setup& setup);
-/// Warns if one of the named axes is moved while it turns as a spindle.
+/// Warns if a motion moves one of the named axes while the axis turns as a spindle.
 void watch_spindle_axes(Emitter& m, AxisMask named);
-/// Returns the thread lead in mm, from the block's E or F, or the last lead; 0: none (4.4).
+/// Returns the thread lead in mm, from the block's E or F, or the last lead; 0 if there is no lead (4.4).
 double take_lead(BlockContext& m);
-/// Returns the dwell P in seconds (8). alarms value_out_of_range, spindle_not_turning
+/// Returns the duration in s of a dwell P (8). alarms value_out_of_range, spindle_not_turning
 Result<double> dwell_seconds(Emitter& m, double p, Span where);
-/// Returns a dwell P in seconds, on a control where the decimal point decides the unit: without a point P is in milliseconds; with a
-/// point it is in seconds or, on some controls, an alarm (spec/fanuc 4.1, spec/haas 4.1). alarms point_not_allowed
+/// Returns the duration in s of a dwell P on a control where the decimal point decides the unit. Without a point P is in milliseconds. With
+/// a point P is in seconds, or on some controls raises an alarm (spec/fanuc 4.1, spec/haas 4.1). alarms point_not_allowed
 Result<double> dwell_by_digits(BlockContext& m);
-/// True if the block has a word that refers to a spindle.
+/// Returns true if the block has a word that refers to a spindle.
 bool has_spindle_word(const BlockContext& m);
 /// Executes G10 L… (in tables/set_tables.cpp).
 Status set_tables(Emitter& m, const Call& call);

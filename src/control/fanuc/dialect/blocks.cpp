@@ -1,4 +1,4 @@
-// What the Fanuc family does before and after the planning of a block: data lines, macro calls, checks of the words (spec/nct/23 23.3,
+// The steps of the Fanuc family before and after the planning of a block: data lines, macro calls, checks of the words (spec/nct/23 23.3,
 // 24.1, 12.4; spec/fanuc 1.2, 1.3, 2.1). Used by control/fanuc/dialect/dialect.
 
 #include "control/fanuc/dialect/blocks.h"
@@ -77,8 +77,8 @@ Status check_words(const BlockContext& m) {
   return check_m_codes(m);
 }
 
-/// Raises an alarm for a decimal point in a word that must not have one, such as S1000.0 (spec/fanuc 1.3). The arguments of a macro call
-/// may have a point, whatever their letter.
+/// Raises an alarm for a decimal point in a word that must not have one, such as S1000.0 (spec/fanuc 1.3). An argument of a macro call may
+/// have a decimal point, whatever its letter.
 Status check_points(const BlockContext& m) {
   const std::uint64_t concerned = fanuc_of(m).without_point;
   if ((m.block->letters & concerned) == 0) return {};
@@ -90,7 +90,7 @@ Status check_points(const BlockContext& m) {
   return {};
 }
 
-/// Checks that only one function of the block uses P (8, 10.2.2, 14.4.2).
+/// Raises an alarm if two functions of the block use the word P, because the meaning of P is then unclear (8, 10.2.2, 14.4.2).
 Status one_meaning_of_p(const BlockContext& m) {
   if (!m.has('P')) return {};
   const CodeRow* first = nullptr;
@@ -129,7 +129,8 @@ Status take_spindle_words(BlockContext& m) {
     first = &w;
   }
   if (first == nullptr || p == nullptr || codes) return {};
-  if (m.block->word_count > 2) return fail(alarm(AlarmId::own_block, p->where, m.block->text_of(first->where)));  // 11.1.1
+  // 11.1.1: S and P must be the only words of the block
+  if (m.block->word_count > 2) return fail(alarm(AlarmId::own_block, p->where, m.block->text_of(first->where)));
   const auto number = m.whole('P', 1, max_spindles);
   if (!number) return fail(number.error());
   fanuc_of(m).spindle_by_p = static_cast<int>(*number);
@@ -147,7 +148,7 @@ Status take_spindle_words(BlockContext& m) {
 void count_increments(BlockContext& m) {
   if (m.def.grammar.least_increments.empty()) return;
   const bool inch = m.has_code({Function::inch}) || (m.modal.inch && !m.has_code({Function::millimetre}));
-  if (!inch && !m.block->evaluates && !m.has('F')) return;  // the reader has already counted in 0.001 mm
+  if (!inch && !m.block->evaluates && !m.has('F')) return;  // nothing to scale: the reader has already counted the numbers in 0.001 mm
   const Settings& s = fanuc_of(m).settings;
   const bool turns = m.has_code({Function::feed_per_revolution}) ||
                      (m.modal.feed_mode == FeedMode::per_revolution && !m.has_code({Function::feed_per_minute}));
@@ -187,9 +188,10 @@ Result<bool> before_plan(Interpreter& m) {
   if (const auto called = call_with_words(m); !called || *called) return called;
   const bool looks_closer = watches_words(m) || watches_codes(m);
   if (m.block->kept && m.block->checked == m.block->letters && !m.block->codes_vary &&
-      !looks_closer) {  // an earlier execution has checked the words of this block …
+      !looks_closer) {  // an earlier execution of this block has checked its words …
     if (!m.block->calls_macro) count_increments(m);
-    if (m.block->evaluates && !m.block->calls_macro) KADR_TRY(check_values(m));  // … but values of expressions may have changed since
+    // … but the values of expressions may have changed since that execution
+    if (m.block->evaluates && !m.block->calls_macro) KADR_TRY(check_values(m));
     if (!m.block->calls_macro) note_words(m);
     else if (m.block->has_number) macro_b_of(m).state.words.n = m.block->number;
     return false;

@@ -1,5 +1,5 @@
-// Implements the functions that the interpreter asks of a dialect (control/dialect.h) with the functions of this folder, and what the
-// machine's logic reports about spindles (spec/nct 11.7, 11.8).
+// Implements the functions that the interpreter calls in a dialect (control/dialect.h) with the functions of this folder, and processes
+// what the machine's logic reports about spindles (spec/nct 11.7, 11.8).
 
 #include <utility>
 
@@ -25,7 +25,7 @@ void Fanuc::note_skip_mark(Emitter& m) { fanuc::note_skip_mark(m); }
 Result<bool> Fanuc::takes_block(Interpreter& m) {
   const auto done = before_plan(m);
   if (done && !*done && (MacroB::state.active_modal_calls != 0 || !pending.empty()))
-    m.keep_flow_place();  // a macro call after the block may fail and then needs this position
+    m.keep_flow_place();  // a macro call after the block may fail; its alarm then needs the position in the program that is stored here
   return done;
 }
 
@@ -64,8 +64,8 @@ bool Fanuc::lines_follow(const BlockContext& m) const {
   return !counts_inches && !m.modal.polar_data && plain_motion && words_follow();
 }
 
-/// Returns the axes that roll over (their position restarts at 0 after a full period, 5.6). The travel of these axes is computed
-/// separately.
+/// Returns the axes that roll over: their position restarts at 0 after a full period (5.6). Their travel is computed separately from that
+/// of other axes.
 AxisMask Fanuc::rolling_axes(const BlockContext& m) const {
   AxisMask rolling = 0;
   for (std::size_t a = 0; a < m.axis_count; ++a)
@@ -86,7 +86,7 @@ void Fanuc::note_line(BlockContext& m) {
   if (m.block->marker == Marker::label && m.def.grammar.colon_is_label && m.program().depth() == 0)
     MacroB::state.words.o = m.block->label;                          // last program number O (spec/fanuc 5.8)
   if (m.block->has_number) MacroB::state.words.n = m.block->number;  // last block number N (23.1.14)
-  if (m.block->calls_macro) return;                                  // the words of the block are arguments
+  if (m.block->calls_macro) return;  // nothing more to record: the words of the block are arguments of a macro
   if (const Word* const code = m.block->find('M'); code != nullptr) MacroB::state.words.m = code->value;
   if ((m.block->letters & letter_bit('F')) == 0) return;
   MacroB::state.words.f = m.block->find('F')->value;
@@ -112,7 +112,7 @@ void Fanuc::roll(const BlockContext& m, Axes& positions) const { roll_positions(
 
 Status Fanuc::accept_answer(Emitter& m, const ProbeAnswer& at) { return fanuc::accept_answer(m, at); }
 
-// ---- what the machine reports
+// ---- reports of the machine
 
 void Fanuc::synchronise(int slave, int master) {
   for (int n = 1; n <= static_cast<int>(max_spindles); ++n) {
@@ -120,7 +120,7 @@ void Fanuc::synchronise(int slave, int master) {
     SpindleState& s = spindle(n);
     s.master = master;
     if (master < 1 || master > static_cast<int>(max_spindles)) continue;
-    SpindleState& leads = spindle(master);  // 11.7.4: both position loops are closed; the slave gets the master's speed
+    SpindleState& leads = spindle(master);  // 11.7.4: the position loops of both spindles are closed; the slave turns at the master's speed
     s.rpm = leads.rpm;
     s.dir = leads.dir;
     s.loop_closed = leads.loop_closed = true;
@@ -136,7 +136,7 @@ void Fanuc::convert_spindle(int number, bool to_axis) {
   s.referenced = false;
 }
 
-/// Returns the exclusive groups of M codes from N1341 to N1372; a group with values of 0 does not exist.
+/// Returns the exclusive groups of M codes, whose first and last codes are in N1341 to N1372; a group with values of 0 does not exist.
 SearchRules Fanuc::search_rules() const {
   SearchRules rules{{}, settings.change_on_m6};
   for (const auto& group : settings.m_groups)
@@ -144,7 +144,7 @@ SearchRules Fanuc::search_rules() const {
   return rules;
 }
 
-// ---- what the macro level, MacroB, asks
+// ---- functions that the macro level, MacroB, calls
 
 Axes Fanuc::before_transform(const BlockContext& m) const { return fanuc::before_transform(m); }
 

@@ -1,5 +1,5 @@
-// The Fanuc family at power-on, when a set-up is read, and at the end of a program (spec/nct/03, 13, 24); saving and restoring its state
-// for alarms and snapshots. Used by control/nct/nct.
+// The Fanuc family at power-on, when it reads a set-up, and at the end of a program (spec/nct/03, 13, 24), and how its state is saved and
+// restored for alarms and snapshots. Used by control/nct/nct.
 
 #include <algorithm>
 #include <cmath>
@@ -16,7 +16,7 @@
 namespace kadr::fanuc {
 namespace {
 
-/// Returns the number in the name of a modal group; 0 if it is not a numbered G group.
+/// Returns the number in the name of a modal group; 0 if the group is not a numbered group of G codes.
 int group_number(const GroupRow& group) {
   const bool digits = !group.name.empty() && group.name.find_first_not_of("0123456789") == std::string::npos;
   return digits ? std::stoi(group.name) : 0;
@@ -38,7 +38,7 @@ std::int32_t initial_code(const Settings& s, int group, std::int32_t otherwise) 
 void reset_shifts(BlockContext& m) {
   reset_five_axis(m);
   m.modal.new_system = {};
-  if (!fanuc_of(m).settings.shift_is_global) m.modal.local = {};  // spec/haas 5.3: setting 33 keeps G52
+  if (!fanuc_of(m).settings.shift_is_global) m.modal.local = {};  // spec/haas 5.3: with setting 33 on, a reset keeps the shift of G52
   m.modal.surface = PathSurface::plane;
   m.modal.smoothing = 0;
   m.modal.diameter = 0;
@@ -48,18 +48,19 @@ void reset_shifts(BlockContext& m) {
 
 }  // namespace
 
-/// Puts the initial code of every modal group into force. `keep`: groups whose bit in CLR G Table is set keep their code.
+/// Puts the initial code of every modal group into force. `keep`: true if a group keeps its code when its bit in CLR G Table is set.
 void Fanuc::reset_codes(Interpreter& m, bool keep) {
   const Settings& s = settings;
   plane_axes = 0;
   Block* const block = m.block;
   Block none;
-  m.block = &none;  // an empty block: the functions find no words
+  m.block = &none;  // an empty block, so that the functions find no words
   for (std::size_t g = 1; g < m.def.groups.size(); ++g) {
     const GroupRow& group = m.def.groups[g];
     const int number = group_number(group);
     if (keeps_group(number)) continue;
-    const bool always = number == 15 || number == 17 || number == 21;  // groups of G64, G15, G13.1: reset despite CLR (6.3.3, 5.4, 4.5)
+    // the groups of G64, G15 and G13.1 are always reset, whatever CLR is (6.3.3, 5.4, 4.5)
+    const bool always = number == 15 || number == 17 || number == 21;
     if (group.power_on < 0 || (!always && keep && s.keeps_codes && static_cast<std::size_t>(number) < s.kept_groups.size() &&
                                s.kept_groups[static_cast<std::size_t>(number)]))
       continue;
@@ -67,7 +68,7 @@ void Fanuc::reset_codes(Interpreter& m, bool keep) {
     const std::int32_t index = m.def.row_of('G', tenth);
     if (index < 0) continue;
     const CodeRow& row = m.def.codes[static_cast<std::size_t>(index)];
-    if (row.function == Function::mirror_off) clear_mirror(m);  // ends mirroring even if G51 or G68 remains in force
+    if (row.function == Function::mirror_off) clear_mirror(m);  // ends mirroring, even if G51 or G68 remains in force
     const std::size_t silent = m.batch->size();
     (void)handler_of(row.function)(m, {&row, nullptr, {}});
     m.batch->cut(silent);
@@ -91,7 +92,7 @@ Fanuc::Fanuc(BlockContext& m, const Setup& setup, const RunLimits& limits, std::
 
 Fanuc::~Fanuc() = default;
 
-/// Sets the reference points: a reference point given by a parameter (9, 9.2) has priority over the one given by a key of the set-up.
+/// Sets the reference points. A reference point that a parameter gives (9, 9.2) has priority over the point that a key of the set-up gives.
 void Fanuc::take_reference_points(BlockContext& m) {
   for (std::size_t a = 0; a < m.axis_count; ++a)
     for (std::size_t point = 1; point < m.tables.reference.size(); ++point) {
@@ -139,7 +140,7 @@ bool Fanuc::start(Interpreter& m, const Setup& setup) {
     spindle_names[number] = spindle_setup.name;
   }
   if (settings.default_spindle > 0) state.current_spindle = state.main_spindle = settings.default_spindle;
-  m.modal.main_spindle = static_cast<std::uint8_t>(state.main_spindle);  // 11.4; INFERRED: the spindle of N0604
+  m.modal.main_spindle = static_cast<std::uint8_t>(state.main_spindle);  // 11.4; INFERRED: at power-on this is the spindle of N0604
   spindle_part = setup.spindle_override / 100;
   state.surface_speed = settings.surface_speed;
   state.css_axis = settings.css_axis;
@@ -159,7 +160,7 @@ bool Fanuc::start(Interpreter& m, const Setup& setup) {
 namespace {
 
 /// Puts the tool length into force if the set-up starts with G43 and H but does not state the lengths of the axes. INFERRED: the length
-/// acts along the axis that the tool is parallel to (25.1), usually Z.
+/// acts along the axis to which the tool is parallel (25.1), usually Z.
 void take_length_in_force(BlockContext& m) {
   const std::uint32_t number = m.modal.length_number;
   if (m.modal.length_sign == 0 || number == 0 || m.modal.turning_lengths || any_nonzero(m.modal.lengths)) return;
@@ -196,8 +197,8 @@ void Fanuc::take_setup(Emitter& m, const Setup& setup) {
   mirror_by_settings(m);
 }
 
-/// Stops the machine at the end of the program as M5, M9 do (13.1, "usually"): executes the codes in `end` of the control's file; then
-/// stops all spindles of the channel.
+/// Stops the machine at the end of the program as M5 and M9 do (13.1, "usually"): executes the codes of the key `end` in the control's
+/// file, and then stops all spindles of the channel.
 void Fanuc::stop_machine(Interpreter& m) {
   const std::size_t silent = m.batch->size();
   const double parts = MacroB::state.parts_done;
@@ -231,12 +232,13 @@ void Fanuc::reset_program(Interpreter& m) {
 }
 
 bool Fanuc::end_program(Interpreter& m) {
-  if (settings.part_code == 0) MacroB::state.parts_done += 1;  // 13.1; if a part code is set, note_code() counts parts
+  if (settings.part_code == 0) MacroB::state.parts_done += 1;  // 13.1; if N2305 sets a part code, note_code() counts the parts instead
   reset_program(m);
   return true;
 }
 
-/// Executes power off and on: resets the codes of all groups, also of those that parameter bit CLR makes a reset keep (23.5).
+/// Simulates that the power goes off and on: resets the codes of all groups, even of those whose codes parameter bit CLR keeps at a reset
+/// (23.5).
 bool Fanuc::lose_power(Interpreter& m) {
   ActionBatch unseen;
   ActionBatch* const kept = std::exchange(m.batch, &unseen);

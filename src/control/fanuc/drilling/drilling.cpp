@@ -1,5 +1,5 @@
-// Drilling cycles G73 … G89 (spec/nct/18): the data kept while a cycle is in force, and queries about them for other functions. Used by
-// the rest of control; tested by tests/control/fanuc/drilling_test.cpp.
+// Drilling cycles G73 … G89 (spec/nct/18): the data stored while a cycle is in force, and queries about these data for other functions.
+// Used by the rest of control; tested by tests/control/fanuc/drilling_test.cpp.
 
 #include "control/fanuc/drilling/drilling.h"
 
@@ -22,21 +22,21 @@ namespace {
 constexpr double max_pecks = 1e6;
 constexpr double max_holes = 99'999'999;
 
-/// Returns the table row of the cycle in force, or -1.
+/// Returns the index in ControlDef::codes of the cycle in force, or -1 if no cycle is in force.
 std::int16_t cycle_row(const BlockContext& m) {
   const std::int16_t row = m.modal.rows[fanuc_of(m).drilling_group];
   return row >= 0 && m.def.codes[static_cast<std::size_t>(row)].function == Function::drilling ? row : std::int16_t{-1};
 }
 
-/// True if the block has a code of group 1, which determines the block's motion. A cycle in the same block is then not executed (18.0,
-/// INFERRED).
+/// Returns true if the block has a code of group 1, which determines the block's motion. A cycle in the same block is then not executed
+/// (18.0, INFERRED).
 bool moves_by_code(const BlockContext& m) {
   return m.has_code({Function::rapid, Function::linear, Function::arc_cw, Function::arc_ccw, Function::thread, Function::turning_simple});
 }
 
-/// Returns the drilling direction for the plane in force: 1 X, 2 Y, 3 Z.
+/// Returns the drilling direction for the plane in force as a number: 1 for X, 2 for Y, 3 for Z.
 int drilling_direction(const BlockContext& m) {
-  if (m.def.behaviour.tool_along_third && !fanuc_of(m).settings.drills_across) return 3;  // spec/fanuc 10.1: always along Z
+  if (m.def.behaviour.tool_along_third && !fanuc_of(m).settings.drills_across) return 3;  // spec/fanuc 10.1: drilling is always along Z
   return m.modal.plane == Plane::zx ? 2 : m.modal.plane == Plane::yz ? 1 : 3;
 }
 
@@ -45,7 +45,7 @@ bool has_direction(const BlockContext& m, std::size_t axis, int direction) {
   return role == direction || role == direction + 4;
 }
 
-/// Returns the block's word for an axis of the drilling direction (the bottom of the hole), or nullptr. At most one is allowed.
+/// Returns the block's word for an axis of the drilling direction, which gives the bottom of the hole; nullptr if there is no such word.
 ///   alarms  not_together: words of both the main and the parallel axis (18.0 does not say), address_twice
 Result<const Word*> bottom_word(const BlockContext& m) {
   const int direction = drilling_direction(m);
@@ -63,7 +63,7 @@ Result<const Word*> bottom_word(const BlockContext& m) {
 }
 
 /// Returns the axis of the bottom word. Without that word, returns the drilling axis of the cycle in force. INFERRED: if no cycle is in
-/// force, the main axis of the drilling direction; -1 if the channel does not have this axis.
+/// force, returns the main axis of the drilling direction, or -1 if the channel lacks this axis.
 int drilling_axis(const BlockContext& m, const Word* bottom) {
   if (bottom != nullptr) return m.def.address(bottom->address).axis;
   const int direction = drilling_direction(m);
@@ -74,7 +74,7 @@ int drilling_axis(const BlockContext& m, const Word* bottom) {
   return -1;
 }
 
-/// Executes one block with a drilling cycle: stores its words, computes the levels, does operation 1 and starts the other operations.
+/// Executes one block with a drilling cycle: stores its words, computes the levels, executes operation 1 and starts the other operations.
 class Drilling {
  public:
   Drilling(Emitter& m, const Call& call)
@@ -94,12 +94,13 @@ class Drilling {
     if (m_.transform.moved_with(drills) != drills) return fail(alarm(AlarmId::plane_wrong, call_.where, code_text()));
     KADR_TRY(begin(static_cast<std::size_t>(axis), *bottom));
     const bool by_level = m_.def.behaviour.shifts_by_q();               // a block with R alone drills too (spec/fanuc 10.1)
-    if (!m_.has_axis_words() && !(by_level && m_.has('R'))) return {};  // 18.2: the cycle is not executed
+    if (!m_.has_axis_words() && !(by_level && m_.has('R'))) return {};  // 18.2: without axis words the cycle is not executed
     KADR_TRY(resume_from(*bottom));
     double passes = 1;
     const char repeats = m_.def.behaviour.repeats_by_k && m_.has('K') ? 'K' : 'L';
     if (m_.has(repeats)) {
-      passes = m_.value(repeats) * std::pow(10.0, m_.word(repeats)->counted);  // K is a number of holes: the scaling as a length is undone
+      // K is a number of holes, not a length, so its scaling is undone
+      passes = m_.value(repeats) * std::pow(10.0, m_.word(repeats)->counted);
       if (passes != std::floor(passes)) return fail(alarm(AlarmId::word_not_integer, m_.where(repeats), repeats, passes));
       if (!(passes >= 0 && passes <= max_holes)) return fail(alarm(AlarmId::value_out_of_range, m_.where(repeats), repeats, passes));
     }
@@ -148,7 +149,8 @@ class Drilling {
     return {};
   }
 
-  /// True if the cycle reads the letter I, J or K: I J in G17, K I in G18, J K in G19. I is also read by cycles in which I is a percentage.
+  /// Returns true if the cycle reads the letter I, J or K: I and J in G17, K and I in G18, J and K in G19. A cycle with a percentage reads
+  /// I in every plane.
   bool belongs(char letter) const {
     if (letter == 'I' && has_percent()) return true;
     if (m_.def.behaviour.shifts_by_q()) return true;
@@ -159,8 +161,8 @@ class Drilling {
     }
   }
 
-  /// Switches the cycle mode on, or changes the drilling axis, and then stores the initial level. The block must have R and the bottom
-  /// (18.0).
+  /// Switches the cycle mode on, or changes the drilling axis, and then stores the initial level. The block must give R and the bottom of
+  /// the hole (18.0).
   Status begin(std::size_t axis, const Word* bottom) {
     const bool fresh = !drilling_on(m_);
     if (!fresh && axis == kept_.axis) return {};
@@ -183,7 +185,7 @@ class Drilling {
       kept_.bottom = coordinate(m_, *bottom, kept_.axis);
       kept_.bottom_added = is_increment(m_, *bottom);
     }
-    if (const Word* const r = m_.word('R'); r != nullptr) {  // R is always a radius (5.3)
+    if (const Word* const r = m_.word('R'); r != nullptr) {  // R is always a radius, even in diameter programming (5.3)
       kept_.level = m_.length_value('R');
       kept_.level_added = !m_.modal.absolute || r->incremental;
     }
@@ -192,7 +194,7 @@ class Drilling {
     if (m_.has('I') && !percent) kept_.shift.x = m_.length_value('I');
     if (m_.has('J')) kept_.shift.y = m_.length_value('J');
     if (m_.has('K') && !m_.def.behaviour.repeats_by_k) kept_.shift.z = m_.length_value('K');
-    if (m_.has('Q') && by_q()) kept_.peck = std::fabs(m_.length_value('Q'));  // spec/fanuc 10.5: the sign of Q is ignored
+    if (m_.has('Q') && by_q()) kept_.peck = std::fabs(m_.length_value('Q'));  // spec/fanuc 10.5: Q counts without its sign
     else if (m_.has('Q')) KADR_TRY(not_negative('Q', m_.length_value('Q'), kept_.peck));
     if (m_.has('E')) KADR_TRY(not_negative('E', m_.length_value('E'), kept_.clearance));
     if (m_.has('P') && m_.def.behaviour.dwell_unit != DwellUnit::seconds) {
@@ -200,7 +202,7 @@ class Drilling {
       if (!seconds) return fail(seconds.error());
       KADR_TRY(not_negative('P', *seconds, kept_.dwell));
     } else if (m_.has('P') && !m_.has_code({Function::dwell_or_turns}))
-      KADR_TRY(not_negative('P', m_.value('P'), kept_.dwell));  // 18.2: P as in G4
+      KADR_TRY(not_negative('P', m_.value('P'), kept_.dwell));  // 18.2: P is the dwell, as in G4
     return {};
   }
 
@@ -248,13 +250,13 @@ class Drilling {
       const double values[] = {kept_.shift.x, kept_.shift.y, kept_.shift.z};
       const std::size_t first = m_.modal.plane == Plane::zx ? 2 : m_.modal.plane == Plane::yz ? 1 : 0;
       job.shift = {values[first], values[(first + 1) % 3]};
-      if (by_q() && job.shift == Vec2{}) {  // spec/fanuc 10.5: direction bits 00 +X, 01 -X, 10 +Y, 11 -Y
+      if (by_q() && job.shift == Vec2{}) {  // spec/fanuc 10.5: two bits give the direction of the shift: 00 +X, 01 -X, 10 +Y, 11 -Y
         const double way = s.shift_negative ? -job.peck : job.peck;
         job.shift = s.shift_second ? Vec2{0, way} : Vec2{way, 0};
       }
     }
     if (m_.def.behaviour.cycle_words == CycleWords::pecks_by_ijk && kept_.shift.x > 0 &&
-        (code_ == 73_g || code_ == 83_g)) {  // spec/haas 8.3: decreasing pecks
+        (code_ == 73_g || code_ == 83_g)) {  // spec/haas 8.3: each peck is shorter than the previous one
       job.peck = kept_.shift.x;
       job.less = std::max(kept_.shift.y, 0.0);
       job.least = std::max(kept_.shift.z, job.less > 0 ? tol::level : 0.0);
@@ -272,8 +274,8 @@ class Drilling {
     return {};
   }
 
-  /// Checks that all levels of the first hole are within range, and also the position of the last hole, to which L increments lead. After
-  /// the start of the cycle no motion may raise an alarm.
+  /// Checks that all levels of the first hole are within range, and also the position of the last hole, which L increments reach. After the
+  /// start of the cycle no motion may raise an alarm.
   Status within_reach(const DrillingRun::Job& job) const {
     const Axes& first = m_.position.programmed;
     for (const double level : {job.initial, job.level, job.bottom}) {
@@ -303,8 +305,8 @@ class Drilling {
   DrillingMemory& kept_;
 };
 
-/// Checks that the cycle exists: with the codes of lathes (parameter bit N1503 CSM), G83.1, G84.1, G86.1 are drilling cycles instead of
-/// G73, G74, G76.
+/// Checks that the control has the cycle. With the codes of lathes (parameter bit N1503 CSM), the drilling cycles are G83.1, G84.1, G86.1
+/// in place of G73, G74, G76.
 Status known(const BlockContext& m, const Call& call) {
   const bool alias = call.row->arg == 73_g || call.row->arg == 74_g || call.row->arg == 76_g;
   const bool replaced = call.row->tenth == 73_g || call.row->tenth == 74_g || call.row->tenth == 76_g;
@@ -333,10 +335,11 @@ int drills_along(const BlockContext& m) {
 
 void note_code(Interpreter& m, const CodeRow& row, std::int32_t tenth) {
   if (row.letter == 'M' && fanuc_of(m).settings.part_code != 0 && tenth == 10 * fanuc_of(m).settings.part_code)
-    macro_b_of(m).state.parts_done += 1;  // 13.1: this M code counts a part
+    macro_b_of(m).state.parts_done += 1;  // 13.1: this M code counts a finished part
   note_mirror_code(m, row);
   if (row.group != fanuc_of(m).motion_group) return;
-  if (row.function != Function::turning_simple) fanuc_of(m).state.turning.code = 0;  // 19.1: the code ends a simple turning cycle
+  // 19.1: a code of group 1 ends the simple turning cycle
+  if (row.function != Function::turning_simple) fanuc_of(m).state.turning.code = 0;
   if (drilling_on(m)) m.run_modes({Function::drilling_off});
 }
 
@@ -349,7 +352,7 @@ Status check_increment_of_r(const BlockContext& m) {
   const Word* const r = m.word('R');
   if (r == nullptr || !r->incremental || drilling_on(m) ||
       m.has_code({Function::drilling, Function::set_tables, Function::plane_rotation_on}))
-    return {};  // 5.1
+    return {};  // 5.1: a cycle permits the operator I in R; the other two codes use R for another purpose
   return fail(alarm(AlarmId::increment_not_allowed, r->where, r->written));
 }
 
@@ -365,7 +368,7 @@ Status drilling(Emitter& m, const Call& call) {
   return fanuc::Drilling(m, call).run();
 }
 
-/// G80 (18.1.4) or a code of group 1: deletes the cycle's data and puts G98 into force.
+/// Executes G80 (18.1.4) or a code of group 1: deletes the cycle's data and puts G98 into force.
 Status drilling_off(Interpreter& m, const Call&) {
   if (!fanuc::drilling_on(m)) return {};
   fanuc_of(m).state.drilling = {};
@@ -374,7 +377,8 @@ Status drilling_off(Interpreter& m, const Call&) {
   return {};
 }
 
-/// G70, G71, G72 in a cycle mode (spec/haas 8.5): holes on a circle or on a line, relative to the tool's position.
+/// Executes G70, G71, G72 while a drilling cycle is in force (spec/haas 8.5): drills holes on a circle, an arc or a line, relative to the
+/// tool's position.
 Status hole_pattern(Emitter& m, const Call& call) {
   const std::int16_t row = fanuc::motion_row(m);
   if (!fanuc::drilling_on(m) || row < 0) return fail(alarm(AlarmId::cycle_data_missing, call.where));

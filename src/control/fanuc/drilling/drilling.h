@@ -1,6 +1,6 @@
 #pragma once
-// Drilling cycles G73 … G89 (spec/nct/18): the data kept while a cycle is in force, and queries about them for other functions. The cycle
-// mode is on while modal group 9 has a cycle in force; the code of group 1 remains in force after the cycle ends.
+// Drilling cycles G73 … G89 (spec/nct/18): the data stored while a cycle is in force, and queries about these data for other functions. The
+// cycle mode is on while modal group 9 has a cycle in force; the code of group 1 remains in force after the cycle ends.
 
 #include <cstddef>
 #include <cstdint>
@@ -17,12 +17,12 @@ struct CodeRow;
 
 namespace kadr::fanuc {
 
-/// True if a cycle of group 9 is in force.
+/// Returns true if a cycle of group 9 is in force.
 bool drilling_on(const BlockContext& m);
-/// Returns the table row of the code that a block with nothing but axis words executes: the cycle in force, or else the code of group 1
-/// (18.0).
+/// Returns the index in ControlDef::codes of the code that a block with axis words only executes: the cycle in force, or else the code of
+/// group 1 (18.0).
 std::int16_t motion_row(const BlockContext& m);
-/// Returns the drilling axis if the block executes a cycle, else -1. A length offset acts on this axis (15.3, 18.2).
+/// Returns the drilling axis if the block executes a cycle, or -1. A length offset acts on this axis (15.3, 18.2).
 int drills_along(const BlockContext& m);
 /// Called after each executed code: a code of group 1 ends the cycle mode (18.0).
 void note_code(Interpreter& m, const CodeRow& row, std::int32_t tenth);

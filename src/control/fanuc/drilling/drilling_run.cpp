@@ -1,5 +1,5 @@
-// Runs a drilling cycle one operation at a time (spec/nct/18.0, 18.1). One pass drills one hole. The memory needed depends neither on the
-// number of passes (word L) nor on the depth. Used by control/fanuc/drilling/drilling.
+// Runs a drilling cycle one operation at a time (spec/nct/18.0, 18.1). One repetition of the cycle drills one hole. The memory needed
+// depends neither on the number of repetitions (word L) nor on the depth. Used by control/fanuc/drilling/drilling.
 
 #include "control/fanuc/drilling/drilling_run.h"
 
@@ -77,7 +77,8 @@ Status DrillingRun::check(const Emitter& m) const {
   if (turns) return {};
   const bool dwells = job_.dwell > 0 && std::count(cycle_.steps.begin(), cycle_.steps.end(), pause) != 0;
   const bool revolutions = m.modal.feed_mode == FeedMode::per_revolution && !fanuc_of(m).settings.dwell_seconds;
-  if (!is_tap() && !(dwells && revolutions)) return {};  // without rotation, a dwell in revolutions never ends (8)
+  // no check is needed: only a tap, and a dwell in revolutions, would never end without rotation (8)
+  if (!is_tap() && !(dwells && revolutions)) return {};
   const auto code = static_cast<std::size_t>(m.def.row_of('G', job_.code));
   return fail(alarm(AlarmId::spindle_not_turning, m.block->where, std::string_view(m.def.codes[code].code)));
 }
@@ -114,8 +115,8 @@ Status DrillingRun::over_point(Emitter& m, Vec2 point) {
   return is_there(m, to, named) ? Status() : to_hole(m, to, named);
 }
 
-/// Executes operation 1 (the motion over the hole) of a pass. Without a pattern, operation 1 of the first pass has been executed before the
-/// functions of the block.
+/// Executes operation 1 (the motion over the hole) of one repetition. For the first repetition without a hole pattern, operation 1 was
+/// executed before the functions of the block.
 Status DrillingRun::begin_pass(Emitter& m) {
   if (!job_.points.empty()) KADR_TRY(over_point(m, job_.points[pass_]));
   else if (pass_ != 0) KADR_TRY(over_hole(m, job_.axis));
@@ -163,8 +164,8 @@ Status DrillingRun::spindle_step(Emitter& m, DrillStep step) {
   }
 }
 
-/// Peck drilling (18.1.1, 18.1.7): the tool cuts by the depth Q, retracts at rapid by the distance E or to R, and returns at rapid to the
-/// height E above the depth reached. The last peck cuts the remaining depth.
+/// Executes one step of peck drilling (18.1.1, 18.1.7): the tool cuts by the depth Q, retracts at rapid by the distance E or to R, and
+/// returns at rapid to the height E above the depth reached. The last peck cuts the remaining depth.
 Status DrillingRun::pecks(Emitter& m, bool to_level) {
   switch (part_) {
     case 1: part_ = 2; return rapid(m, job_.level - down() * job_.rise / scale(m));
@@ -182,8 +183,8 @@ Status DrillingRun::pecks(Emitter& m, bool to_level) {
   }
 }
 
-/// Tapping with pecks (18.1.9, 18.1.10). INFERRED: every motion is synchronised; the feed of N1507 applies to the return to R, the feed of
-/// N1506 to the return by E.
+/// Executes one step of tapping with pecks (18.1.9, 18.1.10). INFERRED: every motion is synchronised with the spindle; the feed of N1507
+/// applies to the return to R, the feed of N1506 to the return by E.
 Status DrillingRun::tap_in(Emitter& m) {
   if (job_.peck == 0) return tap(m, job_.bottom, 100);
   switch (part_) {
@@ -196,7 +197,7 @@ Status DrillingRun::tap_in(Emitter& m) {
   }
 }
 
-/// Operation 4 of rigid tapping (18.1.9): executes M19, or only closes the position loop of the spindle.
+/// Executes operation 4 of rigid tapping (18.1.9): M19, or only the closing of the spindle's position loop.
 Status DrillingRun::close_loop(Emitter& m) {
   if (job_.orients_tap) return spindle_function(m, 19);
   const int number = fanuc_of(m).state.current_spindle;
@@ -211,8 +212,8 @@ Status DrillingRun::close_loop(Emitter& m) {
   return fanuc_of(m).spindle_machine_code(m, code, m.block->where);
 }
 
-/// Executes dwell P: seconds, or revolutions in G95. INFERRED: in rigid tapping, where the spindle is in its position loop, the time of a
-/// revolution is that of the speed S.
+/// Executes dwell P, in seconds or (G95) in revolutions. INFERRED: in rigid tapping the spindle is in its position loop, and the time of a
+/// revolution follows from the programmed speed S.
 Status DrillingRun::dwell(Emitter& m) {
   if (!(job_.dwell > 0)) return {};
   if (m.def.behaviour.dwell_unit != DwellUnit::seconds) {
@@ -230,8 +231,8 @@ Status DrillingRun::dwell(Emitter& m) {
   return {};
 }
 
-/// Shifts the tool in the plane from the hole's position. `by`: mm of machine travel; mirroring, rotation and scaling do not act on the
-/// shift (18.0).
+/// Shifts the tool in the plane from the hole's position by `by`, in mm of machine travel. Mirroring, rotation and scaling do not act on
+/// the shift (18.0).
 Status DrillingRun::shift(Emitter& m, Vec2 by) {
   const PlaneAxes& plane = m.modal.axes;
   Axes to = hole_;
@@ -260,12 +261,13 @@ Status DrillingRun::feed(Emitter& m, double level, double percent) {
   KADR_TRY(m.straight(MotionKind::feed, to, 1u << job_.axis));
   Motion& motion = std::get<Motion>(m.batch->back().what);
   motion.feed *= percent / 100;
-  if (taps() && !is_tap()) motion.own_override = motion.no_hold = true;  // 18.2: feed override and feed hold do not act
+  // 18.2: feed override and feed hold have no effect in a tapping motion
+  if (taps() && !is_tap()) motion.own_override = motion.no_hold = true;
   return {};
 }
 
-/// Taps to a level (18.1.9): the spindle turns one revolution per thread lead, clockwise into the hole with G84.2. The feed is emitted in
-/// mm/min, since the spindle turns with the axis.
+/// Taps to a level (18.1.9). The spindle turns one revolution per thread lead, with G84.2 clockwise into the hole. The feed is emitted in
+/// mm/min, because the spindle turns with the axis.
 Status DrillingRun::tap(Emitter& m, double level, double percent) {
   const double way = level - m.position.programmed[job_.axis];
   if (std::fabs(way) <= tol::level) return {};
@@ -284,7 +286,7 @@ void DrillingRun::single_block(Emitter& m) const {
   if (stops_each_block(m)) m.emit(Stop{false, StopReason::single_block});
 }
 
-/// Returns the machine millimetres per programmed millimetre along the drilling axis.
+/// Returns the machine travel in mm per programmed mm along the drilling axis.
 double DrillingRun::scale(const BlockContext& m) const { return std::fabs(m.transform.scale[job_.axis]); }
 
 double DrillingRun::next_depth(const BlockContext& m) const {
@@ -292,7 +294,7 @@ double DrillingRun::next_depth(const BlockContext& m) const {
   return down() * (job_.bottom - next) <= tol::level ? job_.bottom : next;
 }
 
-/// Returns the level that is E above the depth reached, but not above R.
+/// Returns the level at the distance E above the depth reached, but not above R.
 double DrillingRun::back_to(const BlockContext& m) const {
   const double back = depth_ - down() * job_.clearance / scale(m);
   return down() * (back - job_.level) < 0 ? job_.level : back;

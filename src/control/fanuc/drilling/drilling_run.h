@@ -1,6 +1,6 @@
 #pragma once
-// Runs a drilling cycle one operation at a time (spec/nct/18.0, 18.1). One pass drills one hole. The memory needed depends neither on the
-// number of passes (word L) nor on the depth.
+// Runs a drilling cycle one operation at a time (spec/nct/18.0, 18.1). One repetition of the cycle drills one hole. The memory needed
+// depends neither on the number of repetitions (word L) nor on the depth.
 
 #include <cstddef>
 #include <cstdint>
@@ -12,42 +12,45 @@
 
 namespace kadr::fanuc {
 
-/// Computes the hole position from the block's axis words, without the word of the drilling axis. `drill`: index of the drilling axis;
-/// `to`: programmed coordinates.
+/// Computes the hole position from the block's axis words, except the word of the drilling axis. `drill`: index of the drilling axis; `to`:
+/// the result in programmed coordinates.
 ///   alarms  those of target() in words/coordinates.h (chapter 5)
 Status hole_position(const BlockContext& m, std::size_t drill, Axes& to, AxisMask& named);
 /// Executes operation 1 of a drilling cycle (18.0): moves at rapid over the hole. Does nothing if the tool is already over the hole.
 Status over_hole(Emitter& m, std::size_t drill);
-/// Returns the spindle speed in rev/min that determines the feed of rigid tapping: the S of the spindle that a word referred to last.
+/// Returns the spindle speed in rev/min that determines the feed of rigid tapping: the programmed speed S of the spindle to which a word
+/// referred last.
 double tapping_rpm(const BlockContext& m);
 
-/// Runs operations 2 … 10 of the NCT manual (18.0) for the first hole, and operations 1 … 10 for the other holes that word L requests. A
-/// run cannot fail after check_drilling() has succeeded.
+/// Executes operations 2 … 10 of the NCT manual (18.0) for the first hole, and operations 1 … 10 for the other holes that word L requests.
+/// The run raises no alarm if check_drilling() has succeeded.
 class DrillingRun final : public SteppedCycleValue<DrillingRun> {
  public:
-  /// Data of one block from the program and the parameters. Levels are programmed coordinates, mm.
+  /// The data of one block, from the program and the parameters. Levels are programmed coordinates in mm.
   struct Job {
-    std::int32_t code = 0;  // code in tenths; for an alias, the code of the cycle that it stands for
+    std::int32_t code = 0;  // code in tenths; for an alias, the code of the cycle that the alias executes
     std::size_t axis = 0;   // the drilling axis
     std::uint32_t passes = 1;
     double initial = 0, level = 0, bottom = 0;
-    bool to_initial = true;          // G98: the tool returns to the initial level; else to R
-    double peck = 0, clearance = 0;  // mm of machine travel: not scaled (18.0)
-    double dwell = 0;                // P, seconds or revolutions
-    Vec2 shift;                      // shift of G76, G87 in the plane, mm; not mirrored, rotated or scaled
-    double out_percent = 100;        // feed of the retract (operation 7), % of the programmed feed
-    double between_percent = 100;    // feed of a tap's return to R between its cuts, % of the programmed feed
+    bool to_initial = true;          // G98: the tool returns to the initial level; false (G99): to R
+    double peck = 0, clearance = 0;  // Q and E in mm of machine travel, so they are not scaled (18.0)
+    double dwell = 0;                // dwell P in seconds or revolutions
+    Vec2 shift;                      // shift of G76, G87 in the plane, mm; mirroring, rotation and scaling do not act on the shift
+    double out_percent = 100;        // feed of the retract (operation 7) in % of the programmed feed
+    double between_percent = 100;    // feed of a tap's return to R between pecks, in % of the programmed feed
     bool back_boring = false;        // G87 with a spindle that can be oriented
-    bool pecks_to_level = false;     // true: a tap with pecks returns to R as G83 does (PTC=1); false: by a short distance as G73 does
-    std::vector<Vec2> points;        // hole positions of a pattern, programmed coordinates; empty: the block's words give the position
-    double less = 0, least = 0;      // each peck is shorter by `less` than the previous one, but at least `least` (spec/haas 8.3)
-    double rise = 0;                 // height above R to which the tool returns between pecks, mm
-    double clear_after = 0;          // total depth of cuts after which the tool returns to R, mm (spec/haas 8.3); 0: never
-    bool orients_tap = false;        // TSC=1: M19 orients the spindle before rigid tapping
+    // PTC=1: between pecks a tap returns to R, as G83 does; false: it returns by a short distance, as G73 does
+    bool pecks_to_level = false;
+    // hole positions of a pattern, programmed coordinates in mm; empty if the words of the block give the position
+    std::vector<Vec2> points;
+    double less = 0, least = 0;  // each peck is shorter by `less` than the previous one, but not shorter than `least`, mm (spec/haas 8.3)
+    double rise = 0;             // height above R to which the tool returns between pecks, mm
+    double clear_after = 0;      // depth in mm that the pecks cut before the tool returns to R (spec/haas 8.3); 0: the tool never returns
+    bool orients_tap = false;    // TSC=1: M19 orients the spindle before rigid tapping
   };
   explicit DrillingRun(Job job);
 
-  /// Checks the spindle speed that the cycle needs, after the block's S and M codes. alarms spindle_not_turning
+  /// Checks that the spindle turns as the cycle needs, after the block's S and M codes. alarms spindle_not_turning
   Status check(const Emitter& m) const;
   Result<bool> next(Emitter& m) override;
   bool functions_first() const override { return true; }
@@ -66,7 +69,7 @@ class DrillingRun final : public SteppedCycleValue<DrillingRun> {
   Status feed(Emitter& m, double level, double percent);
   Status tap(Emitter& m, double level, double percent);
   void single_block(Emitter& m) const;
-  bool is_tap() const { return job_.code == 84.2_g || job_.code == 84.3_g; }  // rigid tapping: spindle and axis are synchronised
+  bool is_tap() const { return job_.code == 84.2_g || job_.code == 84.3_g; }  // rigid tapping, in which spindle and axis are synchronised
   bool taps() const { return is_tap() || job_.code == 84_g || job_.code == 74_g; }
   double down() const { return job_.bottom < job_.level ? -1 : 1; }
   double scale(const BlockContext& m) const;
@@ -75,12 +78,12 @@ class DrillingRun final : public SteppedCycleValue<DrillingRun> {
 
   Job job_;
   const DrillCycle& cycle_;
-  double peck_ = 0;  // depth of the next peck
+  double peck_ = 0;  // depth of the next peck, mm
   Axes hole_{};
   std::uint32_t pass_ = 0;
   std::size_t at_ = 0;      // index of the cycle's next step; 0: operation 1
-  std::uint32_t part_ = 0;  // phase within a peck: 1 return to R, 2 move to the start of the next cut, else cut
-  double depth_ = 0;        // level reached by pecks, programmed coordinate, mm
+  std::uint32_t part_ = 0;  // phase within a peck: 1 the return to R, 2 the motion to the start of the next cut, other values the cut
+  double depth_ = 0;        // level that the pecks have reached, programmed coordinate in mm
   double cut_ = 0;          // depth cut since the last return to R, mm
   bool stands_off_ = false;
 };

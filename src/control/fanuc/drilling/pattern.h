@@ -13,8 +13,8 @@ struct Call;
 
 namespace kadr::fanuc {
 
-/// Returns the positions of the holes, in programmed coordinates of the plane, mm. The tool's position is the centre, or for G72 the
-/// first hole.
+/// Returns the positions of the holes, in programmed coordinates of the plane, mm. The tool's position is the centre of the circle or arc,
+/// or for G72 the first hole.
 ///   alarms  word_missing: I, L, and K for G71; word_not_integer, value_out_of_range: L
 Result<std::vector<Vec2>> pattern_points(const BlockContext& m, const Call& call);
 

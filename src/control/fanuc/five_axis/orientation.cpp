@@ -16,8 +16,8 @@ namespace {
 
 constexpr int orient_alone = 531;  // code in tenths: G53.1
 
-/// Returns the positions of the two rotary axes, machine coordinates, that orient the tool along the Z' axis of the tilted plane (25.11;
-/// 25g 3).
+/// Returns the positions (machine coordinates, degrees) of the two rotary axes that align the tool with the Z' axis of the tilted plane
+/// (25.11; 25g 3).
 Result<RotaryPair> pair_for_plane(const BlockContext& m, const Call& call) {
   const FiveAxisTransform& space = *space_of(m);
   const FiveAxisTransformData& d = space.data();
@@ -28,7 +28,7 @@ Result<RotaryPair> pair_for_plane(const BlockContext& m, const Call& call) {
   return *pair;
 }
 
-/// Returns the real position of the tool tip on the part, computed with the tool length in force, in coordinates of the programming frame
+/// Returns the real position of the tool tip on the part, in coordinates of the programming frame. The tool length in force is included
 /// (25g 1.5, INFERRED).
 Vec3 tip_in_frame(const BlockContext& m) {
   const FiveAxisTransform& space = *space_of(m);
@@ -57,14 +57,14 @@ AxisMask all_five(const BlockContext& m) {
   return axes;
 }
 
-/// Returns the kind of motion for the code in force: rapid for G0, feed for all others (25.15; for G53.1 INFERRED).
+/// Returns the kind of motion for the code in force: rapid for G0, a motion at feed for all other codes (25.15; for G53.1 INFERRED).
 Result<MotionKind> kind_in_force(Emitter& m, const Call& call) {
   if (m.modal.motion == MotionMode::rapid || m.modal.motion == MotionMode::none) return MotionKind::rapid;
   KADR_TRY(m.feed_known(call.where));
   return MotionKind::feed;
 }
 
-/// Adds a straight motion of all five axes to a point in work coordinates of the frames in force.
+/// Adds a straight motion of all five axes to the point `work`, in work coordinates of the frames in force.
 Motion& add_five(Emitter& m, MotionKind kind, const Axes& work) {
   const AxisMask named = all_five(m);
   const auto rolls = fanuc_of(m).settings.axes;
@@ -109,7 +109,7 @@ Result<Leading> leading_words(const BlockContext& m, const Call& call, Vec3 tip)
   if (m.has('R')) return fail(alarm(AlarmId::words_exclude, m.where('R'), "R", "X Y Z"));
   (void)call;
   Axes to = m.position.programmed;
-  set_main(m, to, tip);  // axes without a word keep their present value
+  set_main(m, to, tip);  // an axis without a word keeps its present coordinate
   const Axes here = m.transform.to_programmed(to);
   to = here;
   for (std::uint32_t i = 0; i < m.block->word_count; ++i) {
@@ -131,8 +131,8 @@ Result<Leading> leading_words(const BlockContext& m, const Call& call, Vec3 tip)
   return words;
 }
 
-/// Puts the tool length that H selects into force. The length compensation in force decides whether this length acts along one axis or
-/// along the tool's direction (25.15).
+/// Puts the tool length that H selects into force. The mode of length compensation in force decides whether this length acts along one axis
+/// or along the tool's direction (25.15).
 Status take_orientation_length(Emitter& m, const Call& call) {
   FiveAxisState& five = fanuc_of(m).state.five_axis;
   if (m.has('H')) {
@@ -160,8 +160,8 @@ Status take_orientation_length(Emitter& m, const Call& call) {
   return {};
 }
 
-/// G53.6: rotates the axes with tool centre point control; afterwards the frame of the tilted plane is valid for the positions that the
-/// rotary axes have reached.
+/// Executes G53.6: rotates the axes with tool centre point control. Afterwards the frame of the tilted plane is valid for the positions
+/// that the rotary axes have reached.
 Status orient_with_tip_control(Emitter& m, const Call& call) {
   macro_b_of(m).stops_reading = true;
   const auto kind = kind_in_force(m, call);
@@ -177,7 +177,7 @@ Status orient_with_tip_control(Emitter& m, const Call& call) {
   const TipControl lead = std::exchange(five.lead, TipControl::tip);
   const double length = std::exchange(five.lead_length, along);
   five.oriented.reset();
-  m.change_frames();  // tool centre point control is on for this motion only
+  m.change_frames();  // tool centre point control is on for this motion only, so the frames are computed again
   Axes work = m.position.work;
   set_rotary(m, work, *pair);
   FiveAxisTipPath::Data way;
@@ -194,7 +194,7 @@ Status orient_with_tip_control(Emitter& m, const Call& call) {
   }
   Motion& motion = add_five(m, *kind, work);
   if (way.pivot) detail_of(m, motion).tip_path = std::make_shared<const FiveAxisTipPath>(way);
-  five.lead = lead;  // the mode before the block is restored
+  five.lead = lead;  // the mode that was in force before the block is restored
   five.lead_length = length;
   five.oriented = *pair;
   m.change_frames();
@@ -208,7 +208,7 @@ namespace kadr::functions {
 
 using namespace fanuc;
 
-/// G53.1, G53.6 (25.11, 25.15). call.row->arg is the code in tenths.
+/// Executes G53.1, G53.6 (25.11, 25.15). call.row->arg is the code in tenths.
 Status tool_orientation(Emitter& m, const Call& call) {
   const FiveAxisState& five = fanuc_of(m).state.five_axis;
   if (five.frame != SpaceFrame::plane) return fail(alarm(AlarmId::frame_missing, call.where, call.row->code));
@@ -218,7 +218,7 @@ Status tool_orientation(Emitter& m, const Call& call) {
 }
 
 /// G54.2 P (25.4): selects a dynamic offset. If parameter bit FOS is 0, the linear axes move with the origin, so that their coordinates
-/// stay the same. They move at feed if G1 is in force, else at rapid.
+/// stay the same. The motion is at feed if G1 is in force, otherwise at rapid.
 Status dynamic_zero(Emitter& m, const Call& call) {
   if (!fanuc_of(m).settings.five_axis.has_table()) return fail(alarm(AlarmId::no_five_axes, call.where, call.row->code));
   if (m.modal.surface != PathSurface::plane) return fail(alarm(AlarmId::surface_state, call.where, call.row->code));

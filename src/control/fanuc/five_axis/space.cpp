@@ -38,7 +38,7 @@ void set_zero(const Emitter& m, FiveAxisTransformData& d) {
     return on_table && joint.axis >= 0 ? from[static_cast<std::size_t>(joint.axis)] : 0.0;
   };
   if (d.moves_origin) {
-    // The origin is relative to the pivot of the second rotary table. INFERRED: the common offset is not added.
+    // The origin is relative to the pivot of the second rotary table. INFERRED: the common work offset is not added.
     d.measured = {of(machine.first, machine.first_on_table(), zero), of(machine.second, machine.second_on_table(), zero)};
     const Mat3 first = machine.first_on_table() ? machine.first_turn(d.measured.first) : Mat3();
     d.zero = main_of(m, zero) + machine.table + first * machine.second_table;
@@ -103,7 +103,8 @@ std::shared_ptr<const WorkTransform> five_axis_transform(const Emitter& m, const
   return std::make_shared<const FiveAxisTransform>(data);
 }
 
-/// Five-axis functions apply the work offset of a rotary axis of the table, but not that of a rotary axis of the head (25a 7).
+/// Computes the frames in force. Five-axis functions apply the work offset of a rotary axis of the table, but not that of a rotary axis of
+/// the head (25a 7).
 void refresh_space(Emitter& m) {
   Placement& f = m.frames;
   f.space = five_axis_transform(m, f.space);
@@ -121,8 +122,8 @@ void refresh_space(Emitter& m) {
   } else if (!f.turn || f.turn->rows != turn->rows || f.turn->main != d.main || f.turn->drives != drives) {
     f.turn = std::make_shared<const FrameTurn>(FrameTurn{turn->rows, d.main, drives});
   }
-  // Placement keeps the origin (the work offset) and the tool length (with the rotary axes at 0), since reports show both. The shift
-  // becomes 0, since `space` contains it.
+  // Placement keeps the origin (the work offset) and the tool length (for rotary axes at 0), because reports show both. The shift is set to
+  // 0, because the transformation `space` contains it.
   for (const std::int8_t axis : d.main)
     if (axis >= 0) f.shift[static_cast<std::size_t>(axis)] = 0;
 }

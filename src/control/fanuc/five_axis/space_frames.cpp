@@ -12,10 +12,10 @@ namespace kadr::fanuc {
 namespace {
 
 constexpr Vec3 axis_x{1, 0, 0}, axis_y{0, 1, 0}, axis_z{0, 0, 1};
-// Three points are "almost on one line" (25.8) if the sine of their angle is below least_sine. The limit is UNKNOWN; spec/nct/25f suggests
-// this value.
+// The limit by which three points are "almost on one line" (25.8): the sine of the angle at one of them is below least_sine. The manual's
+// limit is UNKNOWN; spec/nct/25f suggests this value.
 constexpr double least_sine = 1e-4;
-constexpr double least_distance = 1e-3;  // least distance between two points, mm
+constexpr double least_distance = 1e-3;  // least permitted distance between two points, mm
 
 FiveAxisState& frame_state(const BlockContext& m) { return fanuc_of(m).state.five_axis; }
 
@@ -37,7 +37,7 @@ Result<Vec3> point_words(const BlockContext& m) {
   return point;
 }
 
-/// Puts the programming frame into force. No axis moves: the machine position stays, the coordinates change.
+/// Puts the programming frame into force. No axis moves: the machine position stays the same, the programmed coordinates change.
 void set_frame(Emitter& m, SpaceFrame kind, const Mat3& turn, Vec3 origin) {
   FiveAxisState& five = frame_state(m);
   if (five.frame == SpaceFrame::none)
@@ -49,8 +49,8 @@ void set_frame(Emitter& m, SpaceFrame kind, const Mat3& turn, Vec3 origin) {
   m.change_frames();
 }
 
-/// Returns the product of rotations about the fixed axes X, Y, Z (25.7). Word Q gives the order of the rotations; the last rotation is the
-/// leftmost factor.
+/// Returns the product of rotations about the fixed axes X, Y, Z (25.7). Word Q gives the order of the rotations. The last rotation is the
+/// leftmost factor of the product.
 Result<Mat3> by_order(const BlockContext& m, Vec3 angles) {
   const double q = m.value('Q');
   const Mat3 turns[] = {Mat3::about(axis_x, angles.x), Mat3::about(axis_y, angles.y), Mat3::about(axis_z, angles.z)};
@@ -62,7 +62,7 @@ Result<Mat3> by_order(const BlockContext& m, Vec3 angles) {
   return of(2) * (of(1) * of(0));
 }
 
-/// Returns the rotation that projection angles define (25.10).
+/// Returns the rotation of the tilted plane that projection angles define (25.10).
 Result<Mat3> by_projections(const BlockContext& m, Vec3 angles) {
   const Vec3 first = Mat3::about(axis_y, angles.x) * axis_x, second = Mat3::about(axis_x, angles.y) * axis_y;
   const Vec3 normal = cross(first, second);
@@ -93,7 +93,7 @@ Status by_vectors(Emitter& m, const PlaneBlocks& plane) {
   return {};
 }
 
-/// Returns the number (1 … 3) of the first point or vector of a tilted plane that no block has given yet; 0 if all are given.
+/// Returns the number (1 … 3) of the first point or vector of a tilted plane that no block has given; 0 if all are given.
 int missing_of(const PlaneBlocks& plane) {
   const int count = plane.kind == 2 ? 3 : 2;
   for (int q = 1; q <= count; ++q)
@@ -158,7 +158,7 @@ Status space_rotation(Emitter& m, const Call& call) {
   return {};
 }
 
-/// G68.2 (25.6 to 25.10): sets a tilted plane. INFERRED: without P it acts as with P0.
+/// G68.2 (25.6 to 25.10): sets a tilted plane. INFERRED: G68.2 without P acts like G68.2 P0.
 Status tilted_plane(Emitter& m, const Call& call) {
   if (m.modal.radius_side != 0) return fail(alarm(AlarmId::compensation_active, call.where, call.row->code));
   const auto p = m.has('P') ? m.whole('P', 0, 4) : Result<std::uint32_t>(0);
@@ -178,7 +178,7 @@ Status tilted_plane(Emitter& m, const Call& call) {
   return {};
 }
 
-/// G69.1: ends all frames in space at once; nothing moves. INFERRED: the rotary axes stay where G53.1 has turned them.
+/// G69.1: ends all frames in space at once; nothing moves. INFERRED: the rotary axes stay where G53.1 has positioned them.
 Status space_frame_off(Emitter& m, const Call& call) {
   FiveAxisState& five = fanuc_of(m).state.five_axis;
   if (five.frame == SpaceFrame::none) return {};

@@ -39,8 +39,8 @@ TipControl lead_of(int arg) {
   }
 }
 
-/// Raises an alarm if a mode is in force that 25.14 does not describe together with tool centre point control (INFERRED: an alarm is safer
-/// than a motion).
+/// Raises an alarm if a mode is in force that 25.14 does not describe together with tool centre point control. INFERRED: the manual gives
+/// no alarm for this case; an alarm is safer than a motion.
 Status nothing_else(const BlockContext& m, const Call& call) {
   const FiveAxisState& five = five_of(m);
   const auto refuse = [&](std::string_view what) { return fail(alarm(AlarmId::lead_state, call.where, call.row->code, what)); };
@@ -53,7 +53,7 @@ Status nothing_else(const BlockContext& m, const Call& call) {
   return {};
 }
 
-/// True if G0 or G1 is in force or is in the block (25.14).
+/// Returns true if G0 or G1 is in force or in the block (25.14).
 bool straight_mode(const BlockContext& m) {
   if (m.has_code({Function::rapid, Function::linear})) return true;
   if (m.has_code({Function::arc_cw, Function::arc_ccw, Function::thread, Function::drilling})) return false;
@@ -90,8 +90,8 @@ void note_lead_radius(BlockContext& m) {
   five.corner = offset.corner + offset.corner_wear;
 }
 
-/// "With G49 only G0 or G1 may be programmed" (25.14) forbids an arc in the block of G49. A G49 block without motion ends the mode
-/// whatever motion code is in force.
+/// Checks the rule "With G49 only G0 or G1 may be programmed" (25.14), which forbids an arc in the block of G49. A block of G49 without
+/// motion ends the mode, whatever motion code is in force.
 Status may_end_lead(const BlockContext& m, const Call& call) {
   if (!controls_tip(five_of(m).lead) || straight_mode(m)) return {};
   const bool arc_named = m.has_code({Function::arc_cw, Function::arc_ccw, Function::thread, Function::drilling});
@@ -133,8 +133,8 @@ Status tip_control_line(Emitter& m, const Call& call, MotionKind kind) {
   return lead_motion(m, std::get<Motion>(m.batch->back().what), from);
 }
 
-/// Tool posture control keeps the tool's direction in the plane, or on the cone, that contains the directions at both ends of the motion
-/// (25.16). Cutting point control places the tip so that the tool touches the programmed point (25.17).
+/// Completes a motion. Tool posture control keeps the tool's direction in the plane, or on the cone, that contains the directions at both
+/// ends of the motion (25.16). Cutting point control places the tip so that the tool touches the programmed point (25.17).
 Status lead_motion(BlockContext& m, Motion& motion, const Axes& from) {
   const FiveAxisState& five = five_of(m);
   const FiveAxisTransform* const space = space_of(m);
@@ -161,7 +161,7 @@ Status lead_motion(BlockContext& m, Motion& motion, const Axes& from) {
   if (data.posture) {
     const auto reached = way->end_of_posture();
     const RotaryPair wanted = space->rotary(data.end);
-    constexpr double same_angle = 0.01;  // degrees: axis positions this close are the same (25i, INFERRED)
+    constexpr double same_angle = 0.01;  // degrees; two positions of an axis that differ by less count as equal (25i, INFERRED)
     const auto off = [](double a, double b) { return std::fabs(std::remainder(a - b, 360.0)); };
     if (!reached || off(reached->first, wanted.first) > same_angle || off(reached->second, wanted.second) > same_angle) {
       const double tilt = space->data().machine.group == MachineGroup::head_head ? wanted.second : wanted.first;
@@ -185,8 +185,8 @@ namespace kadr::functions {
 
 using namespace fanuc;
 
-/// G43.1, G43.4, G43.5, G43.8, G43.9. call.row->arg is the code in tenths. INFERRED: without H, the offset number in force is used; a block
-/// without words that move an axis puts the tool length into force without a motion, so that only the reported position changes.
+/// Executes G43.1, G43.4, G43.5, G43.8, G43.9. call.row->arg is the code in tenths. INFERRED: without H, the offset number in force is
+/// used. In a block without words that move an axis, the new tool length causes no motion; only the reported position changes.
 Status tool_lead(Emitter& m, const Call& call) {
   FiveAxisState& five = fanuc_of(m).state.five_axis;
   const TipControl lead = lead_of(call.row->arg);

@@ -18,8 +18,8 @@ namespace {
 
 constexpr char vector_letters[] = {'I', 'J', 'K'};
 
-/// Returns the tool centre point mode that is in force when the block moves. If a code in the block sets this mode, returns also the table
-/// row of the code; else nullptr.
+/// Returns the mode of tool centre point control that is in force when the block moves, and the table row of the code in the block that
+/// sets this mode; nullptr if no code of the block sets it.
 std::pair<TipControl, const CodeRow*> lead_of_block(const BlockContext& m) {
   for (std::uint32_t i = 0; i < m.block->word_count; ++i) {
     const Word& w = m.block->words[i];
@@ -45,13 +45,13 @@ void hide(BlockContext& m, Word& w) {
   m.block->altered = true;
 }
 
-/// True if another code of the block uses the words I J K or P.
+/// Returns true if another code of the block uses the words I J K or P.
 bool has_other_taker(const BlockContext& m) {
   return m.has_code({Function::set_tables, Function::tilted_plane, Function::space_rotation, Function::macro_call, Function::macro_modal,
                      Function::work_area_on, Function::vector_corner, Function::radius_side, Function::scaling_on});
 }
 
-/// The components I J K of a vector; components left out are 0 (25.14, INFERRED).
+/// The components I J K of a vector. INFERRED: a component left out is 0 (25.14).
 struct Components {
   Vec3 value;
   const Word* first = nullptr;
@@ -93,8 +93,9 @@ Status take_normal(BlockContext& m, TipControl lead) {
   return {};
 }
 
-/// Near a singular direction of the tool, the direction hardly depends on the position of one rotary axis. If the position that the control
-/// chooses turns this axis far although the axis could stay, this function keeps the axis where it is. This rule is not from the manual.
+/// Returns `chosen`, or rotary axis positions that avoid a needless swing. Near a singular direction, the tool's direction hardly depends
+/// on the position of one rotary axis. If the control's choice turns this axis far although the axis could stay, the result keeps the axis
+/// where it is. This rule is not from the manual.
 std::optional<RotaryPair> without_rotary_swing(Emitter& m, const Word& where, Vec3 wanted, RotaryPair present,
                                                const std::optional<RotaryPair>& chosen) {
   constexpr double far = 20;  // degrees
@@ -115,7 +116,7 @@ std::optional<RotaryPair> without_rotary_swing(Emitter& m, const Word& where, Ve
 Status direct(Emitter& m, TipControl lead, const Components& vector, std::uint32_t until) {
   Fanuc& fanuc = fanuc_of(m);
   const FiveAxis& machine = fanuc.settings.five_axis;
-  if (machine.group == MachineGroup::none) return {};  // the code that sets the mode raises the alarm
+  if (machine.group == MachineGroup::none) return {};  // no alarm here: the code that sets the mode raises it
   if (length(vector.value) == 0) return fail(alarm(AlarmId::direction_zero, vector.first->where, "I J K"));
   const FiveAxisTransform& space = *space_of(m);
   FiveAxisTransformData d = space.data();
@@ -126,7 +127,7 @@ Status direct(Emitter& m, TipControl lead, const Components& vector, std::uint32
   const Vec3 on_machine = leans ? d.basic * wanted : wanted;
   std::optional<RotaryPair> at;
   if (goes_on) {
-    // Two opposite tool directions do not define a plane in which the tool could turn from one to the other (25i).
+    // Two opposite tool directions do not define a plane in which the tool could rotate from one direction to the other (25i).
     const Vec3 from = space.direction_of(space.rotary(m.position.machine));
     if (dot(from, on_machine) < -1 + 1e-9) return fail(alarm(AlarmId::lead_angle, vector.first->where, 180.0));
     at = DirectionPath(space, present, from, on_machine, std::nullopt).rotary(1, present);
@@ -148,7 +149,8 @@ Status direct(Emitter& m, TipControl lead, const Components& vector, std::uint32
     fanuc.directed[axis] = targets[given];
     ++given;
   }
-  for (; given < 2; ++given) {  // fewer words than rotary axes: the rest is positioned without words
+  // if the vector has fewer words than the machine has rotary axes, the other axes are positioned without words
+  for (; given < 2; ++given) {
     const auto axis = static_cast<std::size_t>(axes[given]);
     fanuc.by_direction |= AxisMask{1} << axis;
     fanuc.directed[axis] = targets[given];
@@ -156,7 +158,7 @@ Status direct(Emitter& m, TipControl lead, const Components& vector, std::uint32
   return {};
 }
 
-/// Executes I J K of G43.5, G43.9: they are the tool's direction. Words of the rotary axes are an alarm (25.14).
+/// Executes the words I J K of G43.5, G43.9, which give the tool's direction. Words of the rotary axes raise an alarm (25.14).
 Status take_direction(Emitter& m, TipControl lead) {
   const FiveAxis& machine = fanuc_of(m).settings.five_axis;
   for (const int axis : {machine.first.axis, machine.second.axis}) {

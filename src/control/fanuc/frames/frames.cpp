@@ -77,8 +77,8 @@ void refresh_frames(Emitter& m) {
   if (before && m.frames.turn && *before == *m.frames.turn) m.frames.turn = before;
 }
 
-/// Returns the shift of G52 and G92. If the work system is rotated, returns 0, since Placement::shift then contains the shift, to be
-/// rotated too.
+/// Returns the shift of G52 and G92. If the work system is rotated, returns 0: Placement::shift then contains the shift, so that the shift
+/// is rotated too.
 Axes shift_of_origin(const BlockContext& m) {
   Axes shift{};
   for (std::size_t a = 0; a < m.axis_count && m.frames.turn == nullptr; ++a) shift[a] = m.modal.new_system[a] + m.modal.local[a];
@@ -102,7 +102,7 @@ void roll_positions(const BlockContext& m, Axes& positions) {
 }
 
 double inch_feed(const BlockContext& m, const Motion& motion, const Axes& from) {
-  double linear = 0, rotary = 0;  // squares of the distances: linear axes in mm, rotary axes in degrees
+  double linear = 0, rotary = 0;  // squares of the distances: of the linear axes in mm², of the rotary axes in degrees²
   for (std::size_t a = 0; a < m.axis_count; ++a) {
     const bool rolls = motion.detail && (motion.detail->rolled >> a & 1u) != 0;
     const double way = rolls ? motion.detail->travel[a] : motion.to[a] - from[a];
@@ -115,7 +115,7 @@ double inch_feed(const BlockContext& m, const Motion& motion, const Axes& from) 
 
 namespace {
 
-/// Returns the smoothing of a motion. Fine smoothing acts only on G1, with G40, G64 and G80 (4.7).
+/// Returns the smoothing mode of a motion. Fine smoothing acts only on G1, with G40, G64 and G80 in force (4.7).
 std::uint8_t smoothing_of(const BlockContext& m, const Motion& motion) {
   const AxisMask smoothed =
       fanuc_of(m).state.smoothed != 0 ? fanuc_of(m).state.smoothed : ((AxisMask{1} << m.axis_count) - 1) & ~m.def.rotary;
@@ -141,16 +141,18 @@ void note_motion(Emitter& m, Motion& motion) {
   motion.as_programmed = plain && motion.kind != MotionKind::probe;
   if (!plain && fanuc.state.five_axis.frame != SpaceFrame::none) add_programmed_end(m, motion);
   if (motion.kind != MotionKind::thread) fanuc.state.in_thread = false;
-  const bool tip = controls_tip(fanuc.state.five_axis.lead);   // 25.14: the feed is the feed of the tool tip
-  motion.along = tip ? FeedAlong::path : FeedAlong::all_axes;  // 4.2: the feed counts millimetres and degrees alike
-  // Bits of #3004 (23.1.10, 6.3.4): M_FHD inhibits feed hold, M_OV inhibits override and feed hold as G63 does, M_EST inhibits exact stop.
+  const bool tip = controls_tip(fanuc.state.five_axis.lead);  // 25.14: the programmed feed is the feed of the tool tip
+  // 4.2: the feed is along a path in which a millimetre and a degree count alike
+  motion.along = tip ? FeedAlong::path : FeedAlong::all_axes;
+  // The bits of #3004 (23.1.10, 6.3.4): M_FHD inhibits feed hold; M_OV inhibits override and feed hold, as G63 does; M_EST inhibits exact
+  // stop.
   constexpr std::uint32_t m_fhd = 1, m_ov = 2, m_est = 4;
   if ((fanuc.control_2 & m_est) != 0) motion.exact = false;
   const bool stops = (m.block_exact || m.modal.exact) && (fanuc.control_2 & m_est) == 0;
   motion.in_position = stops || (motion.kind == MotionKind::rapid && fanuc.settings.in_position_check);
   motion.own_override = (fanuc.control_2 & m_ov) != 0 || m.modal.rows[fanuc.stop_group] == fanuc.inhibiting;
   motion.no_hold = motion.own_override || (fanuc.control_2 & m_fhd) != 0;
-  if (motion.own_override) motion.corner_speed = CornerSpeed::kept;  // G63 (6.3.4): full feed at corners
+  if (motion.own_override) motion.corner_speed = CornerSpeed::kept;  // G63 (6.3.4): the motion has the full feed at corners
   else if (m.modal.rows[fanuc.stop_group] == fanuc.slowing) motion.corner_speed = CornerSpeed::inner_slower;
   if (m.modal.smoothing != 0) motion.join = fanuc.settings.accuracy;
   if (m.modal.smoothing > 1 && !stops) motion.smoothing = smoothing_of(m, motion);

@@ -1,4 +1,4 @@
-// Reference points: G27, G28, G29, G30 (spec/nct/09, spec/fanuc 6.6, spec/haas 5.1); single-direction positioning.
+// Reference points: G27, G28, G29, G30 (spec/nct/09, spec/fanuc 6.6, spec/haas 5.1); single-direction positioning G60.
 
 #include <cmath>
 
@@ -10,7 +10,7 @@
 namespace kadr::functions {
 namespace {
 
-constexpr double same_place = 1e-4;  // mm: positions closer than this are the same
+constexpr double same_place = 1e-4;  // mm; positions that differ by less count as equal
 
 /// Checks that no drilling cycle is in force, on a control where G80 must end the cycle before a reference return (spec/fanuc 10.1, alarm
 /// PS0044).
@@ -25,7 +25,7 @@ Status off_surfaces(const BlockContext& m, const Call& call) {
   return fail(alarm(AlarmId::surface_state, call.where, call.row->code));
 }
 
-/// Reads the point that the axis words give; it is Cartesian even with G16.
+/// Reads the point that the axis words give. The point is Cartesian even while G16 (polar coordinates) is in force.
 Status point_of(BlockContext& m, Axes& to, AxisMask& named) {
   fanuc_of(m).cartesian_block = true;
   const Status read = m.target(to, named);
@@ -43,14 +43,15 @@ Status to_reference(Emitter& m, std::uint32_t point, AxisMask named) {
 
 }  // namespace
 
-/// G28, G30 P (9.1, 9.2): moves at rapid through the intermediate point to a reference point. If call.row->arg is 1, this is the first
-/// reference point.
+/// G28, G30 P (9.1, 9.2): moves at rapid through the intermediate point to a reference point. If call.row->arg is 1, this is reference
+/// point 1.
 Status reference_return(Emitter& m, const Call& call) {
   KADR_TRY(outside_cycles(m, call));
   KADR_TRY(off_surfaces(m, call));
   std::uint32_t point = 1;
   if (call.row->arg == 2) {
-    const bool needed = (call.row->needs & letter_bit('P')) != 0, usual = !needed && !m.has('P');  // spec/fanuc 6.6: usually point 2
+    // spec/fanuc 6.6: G30 without P means reference point 2
+    const bool needed = (call.row->needs & letter_bit('P')) != 0, usual = !needed && !m.has('P');
     if (needed && !m.has('P')) return fail(alarm(AlarmId::word_missing, call.where, 'P', call.row->code));
     const auto number = usual ? Result<std::uint32_t>(2U) : m.whole('P', 1, 4);
     if (!number) return fail(number.error());
@@ -58,7 +59,7 @@ Status reference_return(Emitter& m, const Call& call) {
   }
   if (!m.has_axis_words()) {
     if (m.def.behaviour.reference_all_axes) return to_reference(m, point, (AxisMask{1} << m.axis_count) - 1);
-    if (!call.row->needs_axis) {  // spec/fanuc 6.6: UNKNOWN what moves without axis words
+    if (!call.row->needs_axis) {  // spec/fanuc 6.6: it is UNKNOWN which axes move if the block has no axis words
       m.warn(warning(AlarmId::reference_without_axes, call.where, call.row->code));
       return {};
     }
@@ -73,7 +74,7 @@ Status reference_return(Emitter& m, const Call& call) {
   return to_reference(m, point, named);
 }
 
-/// G27 (spec/fanuc 6.6): moves at rapid to the given point, which must be the reference point of the named axes.
+/// G27 (spec/fanuc 6.6): moves at rapid to the given point, and checks that the point is the reference point of the named axes.
 Status reference_check(Emitter& m, const Call& call) {
   KADR_TRY(outside_cycles(m, call));
   KADR_TRY(off_surfaces(m, call));
@@ -105,7 +106,8 @@ Status reference_leave(Emitter& m, const Call& call) {
   return m.straight(MotionKind::rapid, to, named);
 }
 
-/// G60 (spec/fanuc 3.5): a one-shot G0. INFERRED: the motion beyond the end point and back, which the control adds, is not emitted.
+/// G60 (spec/fanuc 3.5): positions from one side; acts as G0 for one block. INFERRED: the motion beyond the end point and back, which the
+/// real control adds, is not emitted.
 Status single_direction(Emitter& m, const Call&) {
   AxisMask named = 0;
   Axes to;

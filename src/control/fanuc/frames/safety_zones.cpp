@@ -1,4 +1,4 @@
-// G22, G23: safety zones set by the program (spec/nct/22 22.2). The machine checks motions against them.
+// G22, G23: safety zones that the program sets (spec/nct/22 22.2). The machine checks motions against the zones.
 
 #include <limits>
 
@@ -8,12 +8,12 @@
 
 namespace kadr::functions {
 
-/// G22 X Y Z I J K P: limits in machine coordinates. INFERRED: a missing word means no limit; without P the inside is forbidden; for an
-/// axis in diameter programming the limits are diameters too.
+/// G22 X Y Z I J K P: sets the limits of the zone in machine coordinates. INFERRED: a missing word means no limit; without P the inside is
+/// forbidden; for an axis in diameter programming the limits are diameters too.
 Status work_area_on(Emitter& m, const Call& call) {
   constexpr double none = std::numeric_limits<double>::infinity();
   constexpr char max_letters[] = {'X', 'Y', 'Z'}, least_letters[] = {'I', 'J', 'K'};
-  if (m.block->letters == 0) return {};  // G22 at power-on (3.4): there are no limits yet
+  if (m.block->letters == 0) return {};  // G22 at power-on has no words (3.4), so there are no limits yet
   ZoneChange zone{true, false, 0, {}, {}};
   for (int role = 1; role <= 3; ++role) {
     const char most = max_letters[role - 1], least = least_letters[role - 1];
@@ -34,13 +34,12 @@ Status work_area_on(Emitter& m, const Call& call) {
   if (!p) return fail(p.error());
   zone.outside_forbidden = *p == 1;
   m.emit(zone);
-  m.each_block = true;  // from here on the machine may refuse a motion
+  m.each_block = true;  // from now on the machine may refuse a motion, so run() returns the actions of each block separately
   macro_b_of(m).stops_reading = true;
   return {};
 }
 
-/// G23: restores the zone of the parameters with the present parameter values (22.2: values that were written into the parameters take
-/// effect with G23).
+/// G23: restores the zone that the parameters describe. Values that were written into the parameters take effect with G23 (22.2).
 Status work_area_off(Emitter& m, const Call&) {
   const macro_b::ParameterStore& p = macro_b_of(m).parameters;
   const auto enabled = p.named("1000"), control = p.named("1001"), most = p.named("1006"), least = p.named("1007");
@@ -52,10 +51,11 @@ Status work_area_off(Emitter& m, const Call&) {
     zone.most[a] = p.value(most, number);
     zone.least[a] = p.value(least, number);
   }
-  if (zone.axes == 0) zone = {false, false, 1, {}, {}, true};  // there is no zone
+  if (zone.axes == 0) zone = {false, false, 1, {}, {}, true};  // the parameters describe no zone
   m.emit(zone);
   m.emit(ZoneChange{p.bit(control, before), false, 0, {}, {}, true});
-  if (zone.on) m.each_block = true;  // from here on the machine may refuse a motion
+  // from now on the machine may refuse a motion, so run() returns the actions of each block separately
+  if (zone.on) m.each_block = true;
   macro_b_of(m).stops_reading = true;
   return {};
 }

@@ -12,8 +12,8 @@ namespace {
 
 bool is_rotary(const BlockContext& m, std::size_t axis) { return (m.def.rotary >> axis & 1u) != 0; }
 
-/// Converts a point of the virtual plane to positions of the linear and the rotary axis. Of the angles that differ by full revolutions, the
-/// angle nearest to `near` (degrees) is used.
+/// Converts a point of the virtual plane to positions of the linear and the rotary axis. Several angles that differ by full revolutions are
+/// possible; the angle nearest to `near` (degrees) is used.
 void to_polar(const BlockContext& m, const Axes& programmed, double near, Axes& work) {
   const PlaneAxes& plane = m.modal.axes;
   const double u = programmed[plane.first], w = programmed[plane.second];
@@ -27,7 +27,7 @@ void to_polar(const BlockContext& m, const Axes& programmed, double near, Axes& 
   work[plane.second] = angle;
 }
 
-/// Converts a point on the cylinder to a point on the unrolled surface, mm.
+/// Converts a point on the cylinder to a point in mm on the unrolled surface.
 Vec2 unrolled(const BlockContext& m, const Axes& point) {
   const PlaneAxes& plane = m.modal.axes;
   const auto flat = [&](std::size_t axis) { return is_rotary(m, axis) ? point[axis] * m.modal.surface_radius * rad_per_deg : point[axis]; };
@@ -81,7 +81,7 @@ double swept_about_pole(const FlatArc& arc) {
   const Vec2 arm = arc.from - arc.center;
   const double growth = length(arm) > 0 ? length(arc.to - arc.center) / length(arm) : 1;
   const double turns = std::fabs(arc.turns);
-  double whole = 0;  // full revolutions of a circle whose radius stays constant: they need no sampling
+  double whole = 0;  // full revolutions of a circle with constant radius; they need no sampling
   if (std::fabs(growth - 1) < tol::same_point) whole = std::floor(turns);
   const double around = length(arc.center) < length(arm) ? 360 : 0;
   const double left = std::min(turns - whole, max_sampled);
@@ -119,8 +119,8 @@ Status surface_line(Emitter& m, MotionKind kind, const Axes& programmed, AxisMas
   const bool polar = m.modal.surface == PathSurface::polar;
   const bool real_rapid = kind == MotionKind::rapid && !polar;  // on the cylinder a rapid motion moves the real axes (4.6)
   if (polar && in_plane) {
-    // The rotary axis follows the straight line continuously. Along a line it turns by at most half a revolution, so of two possible angles
-    // the nearer one is right.
+    // The rotary axis follows the straight line continuously. Along a line it turns by at most half a revolution, so the nearer of two
+    // possible angles is right.
     named |= both;
   }
   m.move_to(programmed, surface_work(m, programmed), named);
@@ -138,7 +138,7 @@ namespace {
 
 Status allowed(const BlockContext& m, const Call& call) {
   if (m.modal.radius_side != 0) return fail(alarm(AlarmId::compensation_active, call.where, call.row->code));
-  // 4.5, 4.6 do not state how scaling and rotation act while the axes of the plane have another meaning.
+  // Scaling or rotation raises an alarm: 4.5 and 4.6 do not state how they act while the axes of the plane have another meaning.
   if (m.transform.scaling || m.transform.turning)
     return fail(alarm(AlarmId::not_available, call.where, m.transform.scaling ? "G51" : "G68"));
   return {};
@@ -146,8 +146,8 @@ Status allowed(const BlockContext& m, const Call& call) {
 
 }  // namespace
 
-/// G12.1 (4.5): switches polar interpolation on. The plane must have a linear first axis and a rotary second axis; the rotary axis must
-/// be at 0, the linear axis must not.
+/// G12.1 (4.5): switches polar interpolation on. The plane must have a linear first axis and a rotary second axis. The rotary axis must be
+/// at 0; the linear axis must not be at 0.
 Status polar_surface_on(Emitter& m, const Call& call) {
   KADR_TRY(allowed(m, call));
   const PlaneAxes& plane = m.modal.axes;
@@ -178,7 +178,7 @@ Status polar_surface_off(Emitter& m, const Call& call) {
   return {};
 }
 
-/// G7.1 A50 switches on a cylinder of radius 50 about A; A0 switches it off (4.6).
+/// G7.1 (4.6): A50 switches cylindrical interpolation on, for a cylinder of radius 50 about the axis A; A0 switches it off.
 Status cylinder_mode(Emitter& m, const Call& call) {
   KADR_TRY(allowed(m, call));
   const PlaneAxes& plane = m.modal.axes;

@@ -30,8 +30,8 @@ void change_transform(BlockContext& m, Change change) {
   if (drilling_on(m)) drilling.initial = m.transform.to_programmed(initial)[drilling.axis];
 }
 
-/// Calls `use(axis, centre)` for each coordinate of the centre in the block. The centre is Cartesian even in G16; increments count from
-/// the programmed position (16.0).
+/// Calls `use(axis, centre)` for each coordinate of the centre in the block. The centre is Cartesian even in G16 (polar coordinates); an
+/// increment counts from the programmed position (16.0).
 template <class Use>
 Status each_center(const BlockContext& m, Use use) {
   AxisMask named = 0;
@@ -49,14 +49,14 @@ Status each_center(const BlockContext& m, Use use) {
   return {};
 }
 
-/// Checks that mirroring may change: it is the outermost transformation, so no other transformation may be on (16.4).
+/// Checks that mirroring may change. Mirroring is the outermost transformation, so scaling and rotation must be off (16.4).
 Status mirror_may_change(const BlockContext& m, const Call& call) {
   if (!m.transform.scaling && !m.transform.turning) return {};
   return fail(alarm(AlarmId::mirror_state, call.where, call.row->code, m.transform.scaling ? "G51" : "G68"));
 }
 
-/// Raises an alarm for scaling or rotation during cylindrical interpolation, where degrees and millimetres would mix; 4.6 does not mention
-/// this case.
+/// Raises an alarm for scaling or rotation during cylindrical interpolation, where degrees and millimetres would mix. The manual (4.6) does
+/// not mention this case.
 Status flat_surface(const BlockContext& m, const Call& call) {
   if (m.modal.surface == PathSurface::cylinder) return fail(alarm(AlarmId::not_available, call.where, call.row->code));
   return {};
@@ -67,7 +67,7 @@ bool is_linear(const BlockContext& m, std::size_t axis) {
   return is_virtual || (m.def.rotary >> axis & 1u) == 0;
 }
 
-/// Reads the scale factors: P for every linear axis, or I, J, K for X, Y, Z. INFERRED: a factor left out is 1.
+/// Reads the scale factors: P for every linear axis, or I, J, K for X, Y, Z. INFERRED: a missing factor is 1.
 ///   alarms  word_missing, not_together, scale_zero, value_out_of_range, illegal_address
 Status read_factors(Emitter& m, const Call& call, Axes& factors) {
   factors.fill(1);
@@ -77,12 +77,14 @@ Status read_factors(Emitter& m, const Call& call, Axes& factors) {
   if (by_parameter && !each)
     for (const char letter : {'I', 'J', 'K'})
       if (m.has(letter)) m.warn(warning(AlarmId::word_passed_over, m.where(letter), m.block->text_of(m.where(letter))));
-  if (!each && !m.has('P') && settings.scale_usual != 0) {  // parameter 5411 (spec/fanuc 6.9), setting 71 (spec/haas 6.3)
+  // without P, the factor is that of parameter 5411 (spec/fanuc 6.9) or setting 71 (spec/haas 6.3)
+  if (!each && !m.has('P') && settings.scale_usual != 0) {
     for (std::size_t a = 0; a < m.axis_count; ++a)
       if (is_linear(m, a)) factors[a] = settings.scale_usual;
     return {};
   }
-  if (by_parameter && !each && !m.has('P')) return fail(alarm(AlarmId::scale_zero, call.where, 'P'));  // parameter 5411 is 0
+  // parameter 5411 is 0, so there is no factor
+  if (by_parameter && !each && !m.has('P')) return fail(alarm(AlarmId::scale_zero, call.where, 'P'));
   if (!each && !m.has('P')) return fail(alarm(AlarmId::word_missing, call.where, 'P', call.row->code));
   if (each && m.has('P')) return fail(alarm(AlarmId::not_together, m.where('P'), "P", "I J K"));
   for (const char letter : {'P', 'I', 'J', 'K'})
@@ -90,7 +92,8 @@ Status read_factors(Emitter& m, const Call& call, Axes& factors) {
   if (!each) {
     const bool counted = !m.word('P')->has_point && !m.word('P')->expression;
     const double factor = m.value('P') * (counted ? settings.scale_unit : 1);
-    if (factor < 0) return fail(alarm(AlarmId::value_out_of_range, m.where('P'), 'P', factor));  // only negative I, J, K mirror
+    // a negative P is an error: only a negative I, J or K mirrors
+    if (factor < 0) return fail(alarm(AlarmId::value_out_of_range, m.where('P'), 'P', factor));
     for (std::size_t a = 0; a < m.axis_count; ++a)
       if (is_linear(m, a)) factors[a] = factor;
     return {};
@@ -127,7 +130,7 @@ namespace kadr::functions {
 using namespace fanuc;
 namespace {
 
-/// Ends mirroring on the named axes; without axis words, on all axes (INFERRED).
+/// Ends mirroring on the named axes. INFERRED: without axis words, it ends on all axes.
 Status end_mirror(BlockContext& m) {
   if (!m.has_axis_words()) {
     clear_mirror(m);
@@ -164,8 +167,8 @@ Status mirror_on(Emitter& m, const Call& call) {
   return {};
 }
 
-/// G101 X0 Y0 (spec/haas 6.1): mirrors the named axes about the work origin; the numbers have no meaning. INFERRED: it is allowed in G51
-/// and G68, since the control has no alarm for this case.
+/// G101 X0 Y0 (spec/haas 6.1): mirrors the named axes about the work origin; the numbers in the words have no meaning. INFERRED: G101 is
+/// allowed while G51 or G68 is in force, because the control has no alarm for this case.
 Status mirror_axes_on(Emitter& m, const Call&) {
   auto mirror = m.transform.mirror;
   Axes added = m.transform.added;
@@ -182,13 +185,13 @@ Status mirror_axes_on(Emitter& m, const Call&) {
 
 Status mirror_axes_off(Emitter& m, const Call&) { return end_mirror(m); }
 
-/// G50.1: ends mirroring on the named axes; without axis words, on all axes (INFERRED). alarms mirror_state
+/// G50.1: ends mirroring on the named axes. INFERRED: without axis words, it ends on all axes. alarms mirror_state
 Status mirror_off(Emitter& m, const Call& call) {
   KADR_TRY(mirror_may_change(m, call));
   return end_mirror(m);
 }
 
-/// G51 (16.2): switches scaling on. A coordinate of the centre that is left out is the present position. If scaling is already on, the
+/// G51 (16.2): switches scaling on. For a missing coordinate of the centre, the present position is used. If scaling is already on, the
 /// order of the transformations does not change.
 Status scaling_on(Emitter& m, const Call& call) {
   KADR_TRY(flat_surface(m, call));
@@ -223,7 +226,7 @@ Status plane_rotation_on(Emitter& m, const Call& call) {
   if (!is_linear(m, plane.first) || !is_linear(m, plane.second)) return fail(alarm(AlarmId::plane_wrong, call.where, call.row->code));
   const Word* const r = m.word('R');
   const fanuc::Settings& settings = fanuc_of(m).settings;
-  // spec/fanuc 6.8, spec/haas 6.2: a parameter decides whether R is incremental in G91; otherwise R is absolute in G91 too
+  // spec/fanuc 6.8, spec/haas 6.2: a parameter decides whether R is incremental in G91; if not, R is absolute in G91 too
   const bool by_parameter = !m.def.grammar.least_increments.empty();
   const bool adds =
       by_parameter ? r != nullptr && !m.modal.absolute && settings.rotation_adds : r == nullptr || r->incremental || !m.modal.absolute;

@@ -15,8 +15,8 @@ Status plane_surface(const BlockContext& m, const Call& call) {
   return {};
 }
 
-/// Calls `use(axis, value, word)` for each axis word; `use` returns a Status. `value` is the number as written, in mm or degrees; a
-/// diameter is halved.
+/// Calls `use(axis, value, word)` for each axis word; `use` returns a Status. `value` is the number as written, in mm or degrees; for an
+/// axis in diameter programming it is halved.
 template <class Use>
 Status each_axis(const BlockContext& m, Use use) {
   for (std::uint32_t i = 0; i < m.block->word_count; ++i) {
@@ -34,8 +34,8 @@ bool written_as_increment(const BlockContext& m, const Word& w) {
   return w.incremental || m.def.address(w.address).function == Function::increment_axis;
 }
 
-/// Returns the axis of the plane for a direction `d` (1 X, 2 Y, 3 Z). If the block names an axis of this direction, this is the named axis,
-/// a main axis before a parallel one; otherwise it is the main axis (10.4).
+/// Returns the axis of the plane for a direction `d` (1 X, 2 Y, 3 Z): the main axis, unless the block names an axis of this direction. A
+/// named main axis has priority over a named parallel axis (10.4).
 int axis_of_direction(const BlockContext& m, int d) {
   int parallel = -1;
   for (std::size_t a = 0; a < m.axis_count; ++a) {
@@ -54,7 +54,7 @@ bool names_direction(const BlockContext& m, int d) {
   return false;
 }
 
-/// Returns a rotary axis named in the block, or -1. If the block names one direction of the plane as well, the rotary axis replaces the
+/// Returns a rotary axis that the block names, or -1. If the block also names one direction of the plane, the rotary axis replaces the
 /// other direction (4.5, 4.6).
 int named_rotary(const BlockContext& m) {
   for (std::size_t a = 0; a < m.axis_count; ++a)
@@ -76,7 +76,7 @@ Status select_plane(Emitter& m, const Call& call) {
   const int normal = fanuc::main_axis(m, d3);
   if (m.modal.radius_side != 0 && (m.modal.plane != plane)) return fail(alarm(AlarmId::compensation_active, call.where, call.row->code));
   m.modal.plane = plane;
-  // A channel that lacks an axis of the plane can still select the plane; a motion in the plane is then an alarm.
+  // A channel that lacks an axis of the plane can still select the plane; only a motion in the plane raises an alarm.
   m.modal.axes = {static_cast<std::size_t>(std::max(first, 0)), static_cast<std::size_t>(std::max(second, 0)),
                   static_cast<std::size_t>(std::max(normal, 0))};
   return {};
@@ -106,7 +106,7 @@ Status work_system_extended(Emitter& m, const Call& call) {
   return {};
 }
 
-/// G52 (10.3): sets the origin of the local system; increments shift the present origin.
+/// G52 (10.3): sets the origin of the local system; an increment shifts the present origin.
 Status local_system(Emitter& m, const Call& call) {
   KADR_TRY(plane_surface(m, call));
   KADR_TRY(each_axis(m, [&](std::size_t a, double v, const Word& w) -> Status {
@@ -118,8 +118,8 @@ Status local_system(Emitter& m, const Call& call) {
   return {};
 }
 
-/// G92 (10.2.6): gives the tool's position the stated coordinates in every work system, and deletes G52 of the named axes. Word S limits
-/// the spindle speed (11.5.2).
+/// G92 (10.2.6): gives the tool's position the stated coordinates in every work system, and deletes the shift of G52 on the named axes.
+/// Word S limits the spindle speed (11.5.2).
 Status new_system(Emitter& m, const Call& call) {
   if (m.has('S')) {
     fanuc_of(m).state.max_css_speed = m.value('S');
@@ -132,7 +132,8 @@ Status new_system(Emitter& m, const Call& call) {
   KADR_TRY(plane_surface(m, call));
   KADR_TRY(each_axis(m, [&](std::size_t a, double v, const Word& w) -> Status {
     if (written_as_increment(m, w)) return fail(alarm(AlarmId::incremental_in_machine, w.where, std::string_view(m.axis_names[a])));
-    const double here = m.position.work[a] + m.modal.local[a];  // chapter 16: the coordinates of G92 are not transformed
+    // chapter 16: mirroring, scaling and rotation do not act on the coordinates of G92
+    const double here = m.position.work[a] + m.modal.local[a];
     m.modal.new_system[a] += here - v;
     m.modal.local[a] = 0;
     return {};
@@ -141,12 +142,12 @@ Status new_system(Emitter& m, const Call& call) {
   return {};
 }
 
-/// G53 (10.1.1): moves at rapid to machine coordinates, always absolute, without compensations. Without axis words, G53 empties the
-/// look-ahead buffer.
+/// G53 (10.1.1): moves at rapid to machine coordinates, which are always absolute, without compensations. G53 without axis words empties
+/// the look-ahead buffer.
 Status machine_move(Emitter& m, const Call& call) {
   macro_b_of(m).stops_reading = true;
   if (!m.has_axis_words()) return {};
-  if (m.def.behaviour.machine_move_absolute && !m.modal.absolute) {  // spec/fanuc 6.5: in G91, G53 does nothing
+  if (m.def.behaviour.machine_move_absolute && !m.modal.absolute) {  // spec/fanuc 6.5: G53 does nothing while G91 is in force
     m.warn(warning(AlarmId::machine_move_incremental, call.where, call.row->code));
     return {};
   }
@@ -158,7 +159,7 @@ Status machine_move(Emitter& m, const Call& call) {
     if (written_as_increment(m, w)) return fail(alarm(AlarmId::incremental_in_machine, w.where, std::string_view(m.axis_names[a])));
     to[m.frames.driven(a)] = v;
     named |= 1u << a;
-    // An axis that rolls over travels as with G90 (5.6).
+    // An axis that rolls over moves as with G90 (5.6).
     if (const fanuc::AxisSettings& axis = fanuc_of(m).settings.axes[a]; axis.rolls && (m.def.rotary >> a & 1u) != 0) {
       const double from = fanuc::rolled_position(m.position.machine[a], axis.period);
       fanuc_of(m).travel[a] = fanuc::roll_travel(axis, from, v, false);

@@ -17,7 +17,8 @@ namespace {
 constexpr double any_difference = 1e300;
 constexpr std::uint32_t max_turns = 99'999'999;
 
-/// Letters of an arc's centre in a plane (4.3, 4.5): for the first axis, for the second axis, and the letter that the plane does not use.
+/// The letters of an arc's centre in a plane (4.3, 4.5): the letter for the first axis, that for the second axis, and the letter that the
+/// plane does not use.
 struct CenterLetters {
   char first, second, other;
 };
@@ -29,8 +30,8 @@ CenterLetters center_letters(Plane plane) {
   }
 }
 
-/// Builds the arc of one block, after the transformations (16.0): start, end and centre are transformed, and the sign of the
-/// transformation's determinant decides whether the sense of rotation is reversed.
+/// Builds the arc of one block after the transformations (16.0). Start, end and centre are transformed; the sense of rotation is reversed
+/// if the determinant of the transformation is negative.
 class Arc {
  public:
   Arc(Emitter& m, const Call& call, Turn turn)
@@ -51,11 +52,12 @@ class Arc {
     const bool has_data = m_.has('R') || has_center();
     const AxisMask both = 1u << plane_.first | 1u << plane_.second;
     const bool in_plane = (named_ & both) != 0;
-    if (named_ == 0 && !has_data) return {};  // a block with G2 or G3 alone only sets the mode
+    if (named_ == 0 && !has_data) return {};  // a block with G2 or G3 alone sets the mode and moves nothing
     if (radius_first && m_.has('R') && (has_center() || m_.has(letters_.other))) warn_center_passed_over();
     if (m_.has(letters_.other) && !(radius_first && m_.has('R')))
       return fail(alarm(AlarmId::arc_not_in_plane, m_.where(letters_.other), letters_.other));
-    if (!has_data && !in_plane && fanuc_of(m_).by_direction != 0) return straight_rest();  // 25.17: the tool rotates about its tip
+    // 25.17: without a motion in the plane, the tool rotates about its tip
+    if (!has_data && !in_plane && fanuc_of(m_).by_direction != 0) return straight_rest();
     if (!has_data && fanuc_of(m_).settings.arc_without_data_straight) {
       m_.warn(warning(AlarmId::arc_is_line, call_.where, call_.row->code));
       return straight_line();
@@ -80,7 +82,7 @@ class Arc {
  private:
   bool over_determined() const { return contour_.on == SupportingCurve::circle; }
 
-  /// Reads the words of automatic geometry (chapter 17).
+  /// Reads the words of automatic geometry, such as ,C and ,R (chapter 17).
   Status geometry() {
     KADR_TRY(shape_words(m_, contour_));
     const auto over = is_over_determined_arc(m_, m_.has(letters_.first) && m_.has(letters_.second));
@@ -93,7 +95,7 @@ class Arc {
     return {};
   }
 
-  /// Adds an over-determined arc. Its start point, and so its length, is computed in the room `path` (17.3).
+  /// Adds an over-determined arc. The room `path` computes the start point of the arc, and with it the length (17.3).
   Status meeting_arc() {
     if (m_.transform.distorts(plane_)) return fail(alarm(AlarmId::not_together, call_.where, "G51", "I J R"));
     const Vec2 center{m_.length_value(letters_.first), m_.length_value(letters_.second)};
@@ -104,7 +106,7 @@ class Arc {
     return {};
   }
 
-  /// Warns that the centre is ignored because R is in the block (spec/fanuc 3.2).
+  /// Warns that the centre I J K is ignored, because R is in the block (spec/fanuc 3.2).
   void warn_center_passed_over() {
     for (const char letter : {letters_.first, letters_.second, letters_.other})
       if (m_.has(letter)) m_.warn(warning(AlarmId::center_passed_over, m_.where(letter), m_.block->text_of(m_.where(letter))));
@@ -112,15 +114,16 @@ class Arc {
 
   bool has_center() const { return m_.has(letters_.first) || m_.has(letters_.second); }
 
-  /// Returns the polar angle of the start point, in [0, 360): the polar angle programmed last, or else the angle of the tool's position.
+  /// Returns the polar angle of the start point, in [0, 360) degrees: the polar angle programmed last, or if there is none, the angle of
+  /// the tool's position.
   double start_angle() const {
     if (m_.modal.polar_angle_given) return m_.modal.polar_angle;
     const double angle = angle_deg({m_.position.programmed[plane_.first], m_.position.programmed[plane_.second]});
     return angle < 0 ? angle + 360 : angle;
   }
 
-  /// Executes a block with R whose end point is missing or is the start point: such a block has no arc and raises no alarm (4.3). Only the
-  /// axes outside the plane move.
+  /// Executes a block with R whose end point is missing or is the start point. According to 4.3 the block has no arc and raises no alarm.
+  /// Only the axes outside the plane move.
   Status straight_rest() {
     if (has_shape_words(m_)) return fail(alarm(AlarmId::corner_illegal, call_.where));
     named_ &= ~(1u << plane_.first | 1u << plane_.second);
@@ -136,7 +139,7 @@ class Arc {
     return m_.straight(MotionKind::feed, end_, named_);
   }
 
-  /// Computes the arc from its centre: I, J, K count from the start point, or with CCA=1 from the work origin. They are always radii,
+  /// Computes the arc from its centre. I, J, K count from the start point, or with CCA=1 from the work origin; they are always radii and
   /// never polar.
   Result<PlaneArc> by_center() {
     if (m_.modal.surface == PathSurface::cylinder) {
@@ -160,7 +163,7 @@ class Arc {
     const Vec2 pole = placed_point({});
     if (polar_turns_ && std::fabs(length(from_ - pole) - std::fabs(radius)) <= most) return PlaneArc{pole, *polar_turns_};
     const double half = length(to_ - from_) / 2, r = std::fabs(radius);
-    // 4.3: if R is too short, the centre is on the chord, at the distance R from the start
+    // 4.3: if R is too short, the centre is on the chord, at the distance R from the start point
     if (r < half - tol::same_point) {
       if (half * 2 - r - r > most) return placed(alarm(AlarmId::radius_too_small, {}, r, half));
       return PlaneArc{from_ + (r / (2 * half)) * (to_ - from_), 0.5};
@@ -179,7 +182,7 @@ class Arc {
     return std::fabs(sweep) / 360;
   }
 
-  /// Reads word L, the number of revolutions; an incomplete revolution counts as one (4.3.1).
+  /// Reads word L, the number of revolutions. An incomplete revolution counts as one revolution (4.3.1).
   Status turns(PlaneArc& arc) {
     if (!m_.has('L')) return {};
     const auto count = m_.whole('L', 1, max_turns);
@@ -189,7 +192,8 @@ class Arc {
   }
 
   Status emit_arc_motion(const PlaneArc& arc) {
-    if (m_.transform.identity && m_.modal.surface == PathSurface::plane) {  // most blocks have nothing to transform
+    // the usual case: the block has nothing to transform
+    if (m_.transform.identity && m_.modal.surface == PathSurface::plane) {
       const Axes from = m_.position.work;
       return lead_motion(m_, move(arc, end_), from);
     }
@@ -222,9 +226,9 @@ class Arc {
     return motion;
   }
 
-  /// True if the radius of the arc changes although L does not request a spiral: "not the speed along the path is constant, but the angular
-  /// velocity" (4.3). INFERRED: the programmed feed is the feed at the start of the arc. Returns false for a helix and for an arc in
-  /// cylindrical interpolation.
+  /// Returns true if the radius of the arc changes although L does not request a spiral: "not the speed along the path is constant, but the
+  /// angular velocity" (4.3). INFERRED: the programmed feed is the feed at the start of the arc. Returns false for a helix and for an arc
+  /// in cylindrical interpolation.
   bool turns_evenly(const PlaneArc& arc) const {
     const AxisMask in_plane = AxisMask{1} << plane_.first | AxisMask{1} << plane_.second;
     const bool flat = (named_ & ~in_plane) == 0 && m_.modal.surface == PathSurface::plane;
@@ -232,10 +236,11 @@ class Arc {
            radius_changes(from_, to_, arc.center);
   }
 
-  /// Applies mirroring, scaling and rotation to a programmed point of the plane, mm. Not valid in cylindrical interpolation.
+  /// Applies mirroring, scaling and rotation to a programmed point of the plane, in mm. Must not be called in cylindrical interpolation.
   Vec2 placed_point(Vec2 programmed) const { return m_.transform.identity ? programmed : m_.transform.to_work(programmed, plane_); }
 
-  /// Applies mirroring, scaling and rotation to a programmed point. In cylindrical interpolation the result is on the unrolled surface, mm.
+  /// Applies mirroring, scaling and rotation to a programmed point. In cylindrical interpolation the result is a point in mm on the
+  /// unrolled surface.
   Vec2 placed_flat(const Axes& programmed) const {
     return m_.transform.identity ? flat_point(m_, programmed) : flat_point(m_, m_.transform.to_work(programmed));
   }
@@ -255,7 +260,7 @@ class Arc {
   Emitter& m_;
   const Call& call_;
   Turn programmed_turn_;
-  Turn turn_;  // sense of rotation after mirroring; from_ and to_ are transformed points
+  Turn turn_;  // sense of rotation after mirroring, because from_ and to_ are transformed points
   PlaneAxes plane_;
   CenterLetters letters_;
   Axes end_{};

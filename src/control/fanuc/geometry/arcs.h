@@ -10,7 +10,7 @@ struct Call;
 
 namespace kadr::fanuc {
 
-/// Executes the arc of the block, if it has one.
+/// Executes the arc of the block, if the block has one.
 ///   alarms  center_missing, arc_not_in_plane (2015), radius_mismatch (2012), value_out_of_range (L), those of automatic_geometry.h
 Status arc(Emitter& m, const Call& call, Turn turn);
 

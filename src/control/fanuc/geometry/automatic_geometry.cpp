@@ -1,4 +1,4 @@
-// Automatic geometry (spec/nct/17): ,C ,R ,A, over-determined blocks, end points given by an angle. Used by the rest of control.
+// Automatic geometry (spec/nct/17): the words ,C ,R ,A, over-determined blocks, end points given by an angle. Used by the rest of control.
 
 #include "control/fanuc/geometry/automatic_geometry.h"
 
@@ -14,13 +14,14 @@ namespace {
 constexpr std::uint64_t shape_bits = letter_bit(comma_chamfer) | letter_bit(comma_rounding);
 constexpr std::uint64_t geometry_bits = shape_bits | letter_bit(comma_angle) | letter_bit('Q');
 
-/// Converts the directions and lengths of automatic geometry (chapter 17) from programmed to work coordinates. This is the only conversion
-/// of these data. If the axes have different scale factors, a length is scaled by their mean (16.2 for ,R).
+/// Converts the directions and lengths of automatic geometry (chapter 17) from programmed to work coordinates; nothing else converts these
+/// data. If the axes have different scale factors, a length is scaled by the mean of the factors (16.2 for ,R).
 CornerData in_work(const BlockContext& m, CornerData c) {
   const Transform& t = m.transform;
   if (t.identity) return c;
   const PlaneAxes& plane = m.modal.axes;
-  const Vec2 way = t.to_work(c.direction, plane) - t.to_work(Vec2{}, plane);  // direction of the line as a vector, scaled like the line
+  // direction of the line as a vector, scaled in the same way as the line
+  const Vec2 way = t.to_work(c.direction, plane) - t.to_work(Vec2{}, plane);
   if (const double size = length(way); size > 0) c.direction = 1 / size * way;
   c.chamfer *= t.corner_scale(plane);
   c.rounding *= t.corner_scale(plane);
@@ -29,8 +30,8 @@ CornerData in_work(const BlockContext& m, CornerData c) {
   return c;
 }
 
-/// Reads ,A in a block that gives neither or both coordinates of the plane. The block is then a line that starts or ends at a computed
-/// point (17.3).
+/// Reads ,A in a block that gives neither or both coordinates of the plane. Such a block is a line that starts or ends at a computed point
+/// (17.3).
 Status supporting_line(const BlockContext& m, MotionKind kind, PlaneWords words, CornerData& contour) {
   const Span where = m.where(comma_angle);
   if (kind != MotionKind::feed || (!words.both() && m.modal.radius_side == 0)) return fail(alarm(AlarmId::angle_alone, where));
@@ -39,7 +40,7 @@ Status supporting_line(const BlockContext& m, MotionKind kind, PlaneWords words,
   const SinCos angle = sincos_deg(m.value(comma_angle));
   contour.on = words.both() ? SupportingCurve::line : SupportingCurve::way;
   contour.direction = {angle.cos, angle.sin};
-  contour.farther = m.value('Q') > 0;  // 17.3 rule 6. INFERRED: a missing Q acts like Q below 0
+  contour.farther = m.value('Q') > 0;  // 17.3 rule 6. INFERRED: a missing Q acts like a negative Q
   return {};
 }
 
@@ -120,7 +121,7 @@ Status shaped_line(Emitter& m, const Call& call, MotionKind kind) {
 Result<bool> is_over_determined_arc(const BlockContext& m, bool has_both_centers) {
   const bool all = has_both_centers && m.has('R') && plane_words(m).both();
   if (all && m.modal.radius_side != 0) return true;
-  if (!m.has('Q')) return false;  // in G40, R has priority over the centre (4.3, INFERRED)
+  if (!m.has('Q')) return false;  // 4.3, INFERRED: in G40, R has priority over the centre
   if (all) return fail(alarm(AlarmId::intersection_needs_side, m.where('Q'), "Q"));
   return fail(alarm(AlarmId::illegal_address, m.where('Q'), 'Q'));
 }

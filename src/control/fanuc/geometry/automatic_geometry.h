@@ -1,6 +1,6 @@
 #pragma once
-// Automatic geometry (spec/nct/17): chamfers ,C, roundings ,R, angles ,A and over-determined blocks. End points given by an angle are
-// computed here; path/compensation/corner_resolver computes everything else.
+// Automatic geometry (spec/nct/17): chamfers ,C, roundings ,R, angles ,A and over-determined blocks. This file computes end points given by
+// an angle; path/compensation/corner_resolver computes everything else.
 
 #include "action/action.h"
 #include "base/result.h"
@@ -19,7 +19,7 @@ namespace kadr::fanuc {
 bool has_geometry_words(const BlockContext& m);
 bool has_shape_words(const BlockContext& m);
 
-/// Which axes of the plane have a word in the block.
+/// The axes of the plane that have a word in the block.
 struct PlaneWords {
   bool first = false, second = false;
   bool both() const { return first && second; }
@@ -43,8 +43,8 @@ Status shaped_line(Emitter& m, const Call& call, MotionKind kind);
 ///   alarms  chamfer_and_rounding (2082), value_out_of_range
 Status shape_words(const BlockContext& m, CornerData& contour);
 
-/// Returns true if the block is an over-determined arc, X Y I J R in G41, G42: the second of two blocks that meet at a computed point
-/// (17.3.2, 17.3.4).
+/// Returns true if the block is an over-determined arc, X Y I J R in G41, G42. This arc is the second of two blocks that meet at a computed
+/// point (17.3.2, 17.3.4).
 ///   alarms  intersection_needs_side, illegal_address (Q)
 Result<bool> is_over_determined_arc(const BlockContext& m, bool has_both_centers);
 /// Reads the circle of an over-determined arc. `center`: centre of the circle, an absolute position; word R is the radius.

@@ -14,20 +14,20 @@ class Emitter;
 
 namespace kadr::fanuc {
 
-/// Sets the compensation side, tool radius and side step of a motion. The side step says that the motion starts or ends compensation;
-/// only the first motion in the plane after G41, G42 or G40 gets one.
+/// Sets the compensation side, tool radius and side step of a motion. The side step of a motion tells whether the motion starts or ends
+/// compensation; only the first motion in the plane after G41, G42 or G40 has one.
 void note_side(BlockContext& m, Motion& motion);
-/// Handles a block with the skip character `/`, whether the block is skipped or not. If N1337 #4 CBB is 0, such a block interrupts cutter
+/// Processes the skip character `/` of a block, whether or not the block is skipped. If N1337 #4 CBB is 0, the block interrupts cutter
 /// compensation (15.5.2).
 void note_skip_mark(Emitter& m);
-/// True if the block commands a new tool length and has only increments of zero (G91). Such a block shifts the start point of the next
-/// motion by the length; no axis moves (15.3).
+/// Returns true if the block commands a new tool length and has only increments of zero (G91). Such a block moves no axis; it shifts the
+/// start point of the next motion by the length (15.3).
 bool only_shifts_length(const BlockContext& m);
-/// Completes a block with G41, G42 or G40 that has no motion in the plane: compensation then starts with the next motion, or has ended at
-/// the present position.
+/// Completes a block with G41, G42 or G40 that has no motion in the plane. After G41 or G42, compensation starts with the next motion;
+/// after G40, compensation has ended at the present position.
 void end_side_block(Emitter& m);
-/// Returns the words I, J, K of the plane as a direction, mirrored and rotated like the contour (15.5.1, 15.5.6); nullopt if there are
-/// none.
+/// Returns the words I, J, K of the plane as a direction, mirrored and rotated like the contour (15.5.1, 15.5.6); nullopt if the block has
+/// none of these words.
 std::optional<Vec2> plane_direction(const BlockContext& m);
 
 }  // namespace kadr::fanuc

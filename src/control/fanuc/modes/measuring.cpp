@@ -17,7 +17,7 @@ namespace kadr {
 namespace {
 
 constexpr int max_inputs = 8;
-constexpr int torque_input = 98;     // P98 of G31: measures by the torque limit
+constexpr int torque_input = 98;     // P98 of G31: the torque limit takes the place of a probe signal
 constexpr double full_torque = 255;  // value of Q that means 100 % torque
 constexpr double max_torque_word = 254;
 
@@ -26,7 +26,7 @@ struct Needed {
   std::string_view group;
   std::string_view code;
 };
-constexpr Needed no_radius{"7", "G40"};  // needed by G31 only
+constexpr Needed no_radius{"7", "G40"};  // G31 needs this code; G37 does not
 constexpr std::array<Needed, 5> always_needed{{{"17", "G15"}, {"11", "G50"}, {"22", "G50.1"}, {"16", "G69"}, {"5", "G94"}}};
 
 /// Returns the code in force of a group; empty if there is none.
@@ -49,7 +49,7 @@ Status state_allows(const BlockContext& m, const Call& call) {
   return {};
 }
 
-/// Reads P, the probe input: 1 … 8 or 98; without P it is 1.
+/// Reads P, the number of the probe input: 1 … 8, or 98 for the torque limit. Without P the number is 1.
 Result<int> input_of(const BlockContext& m) {
   if (!m.has('P')) return 1;
   const auto p = m.whole('P', 1, torque_input);
@@ -71,7 +71,7 @@ Status servo_follows(const BlockContext& m, const Call& call, AxisMask named) {
   return {};
 }
 
-/// Checks G31 P98 (21.2): Q1 … Q254, and a single axis whose drive reports its torque.
+/// Checks that G31 P98 is possible (21.2): Q is from 1 to 254, and the block moves a single axis, whose drive reports its torque.
 Status torque_possible(const BlockContext& m, const Call& call, AxisMask named) {
   if (!m.has('Q')) return fail(alarm(AlarmId::word_missing, call.where, 'Q', call.row->code));
   const double q = m.value('Q');
@@ -84,15 +84,16 @@ Status torque_possible(const BlockContext& m, const Call& call, AxisMask named) 
   return servo_follows(m, call, named);
 }
 
-/// Returns the measuring feed, mm/min. If the parameter bit SKF (G31) or TLF (G37) is set, this is the feed of the parameter; else 0, which
-/// means the feed in force.
+/// Returns the measuring feed, mm/min. If the parameter bit SKF (G31) or TLF (G37) is set, the parameter gives this feed; otherwise the
+/// result is 0, which means the feed in force.
 ///   alarms  feed_missing
 Result<double> measuring_feed(Emitter& m, bool by_parameter, double of_parameter, Span where) {
   if (!by_parameter) {
     KADR_TRY(m.feed_known(where));
     return 0;
   }
-  if (!(of_parameter > 0)) return fail(alarm(AlarmId::feed_missing, where));  // INFERRED: alarm if the feed parameter is 0
+  // INFERRED: the control raises an alarm if the feed parameter is 0
+  if (!(of_parameter > 0)) return fail(alarm(AlarmId::feed_missing, where));
   return of_parameter;
 }
 
@@ -110,7 +111,7 @@ Status probe_motion(Emitter& m, const Axes& to, AxisMask named, double feed, int
   return {};
 }
 
-/// Checks that N3004 and N3005 (21.3) are positive, and that N3004, the rapid distance, is the greater one. INFERRED: otherwise an alarm
+/// Checks that N3004 and N3005 (21.3) are positive, and that N3004, the rapid distance, is greater than N3005. INFERRED: otherwise an alarm
 /// reports the parameter as out of limits.
 Status distances_fit(const BlockContext& m, const Call& call) {
   const fanuc::Settings& s = fanuc_of(m).settings;
@@ -120,8 +121,8 @@ Status distances_fit(const BlockContext& m, const Call& call) {
   return {};
 }
 
-/// Returns the axis of the only axis word of G37: a linear axis, never an increment. INFERRED: a second axis word or a rotary axis raises
-/// the alarm for faulty data.
+/// Returns the axis of the only axis word of G37. The axis must be linear, and the word must not be an increment. INFERRED: a second axis
+/// word or a rotary axis raises the alarm for faulty data.
 Result<std::size_t> length_axis(const BlockContext& m) {
   const Word* only = nullptr;
   for (std::uint32_t i = 0; i < m.block->word_count; ++i) {
@@ -149,7 +150,7 @@ Status absolute_target(BlockContext& m, Axes& to, AxisMask& named) {
 
 namespace functions {
 
-/// G31 (21.1): measures by a probe signal; with P98, by the torque limit (21.2).
+/// G31 (21.1): moves until a probe signal comes, and measures the position; with P98, until the torque limit is reached (21.2).
 Status measure(Emitter& m, const Call& call) {
   KADR_TRY(state_allows(m, call));
   KADR_TRY(needs(m, call, no_radius));
@@ -167,8 +168,8 @@ Status measure(Emitter& m, const Call& call) {
   return probe_motion(m, to, named, *feed, *input);
 }
 
-/// G37 (21.3): moves at rapid to the distance N3004 before the expected position, then at feed until the signal comes, at most N3005
-/// beyond the expected position.
+/// G37 (21.3): moves at rapid to the distance N3004 before the expected position, and then at feed until the signal comes, but at most to
+/// the distance N3005 beyond the expected position.
 Status measure_length(Emitter& m, const Call& call) {
   const fanuc::Settings& s = fanuc_of(m).settings;
   KADR_TRY(state_allows(m, call));
@@ -182,13 +183,14 @@ Status measure_length(Emitter& m, const Call& call) {
   const auto feed = measuring_feed(m, s.length_parameter_feed, s.length_feed, call.where);
   if (!feed) return fail(feed.error());
   const double expected = to[*axis];
-  const double side = m.position.programmed[*axis] < expected ? -1 : 1;  // INFERRED: the side from which the axis approaches
+  // INFERRED: the side of the expected position from which the axis approaches
+  const double side = m.position.programmed[*axis] < expected ? -1 : 1;
   to[*axis] = expected + side * s.length_rapid;
   KADR_TRY(m.straight(MotionKind::rapid, to, named));
   fanuc_of(m).measurement = {true, *axis, expected, s.length_alarm, m.modal.length_number};
   m.probe_where = call.where;
   to[*axis] = expected - side * s.length_alarm;
-  return probe_motion(m, to, named, *feed, 1);  // INFERRED: probe input 1
+  return probe_motion(m, to, named, *feed, 1);  // INFERRED: G37 uses probe input 1
 }
 
 }  // namespace functions
@@ -196,15 +198,16 @@ Status measure_length(Emitter& m, const Call& call) {
 namespace fanuc {
 namespace {
 
-/// Adds the difference q − Q (position of the signal less expected position) to the offset that H selected (TMW, TCA). INFERRED: the new
-/// value takes effect with the next H.
+/// Corrects the offset that H selected by the difference q − Q (position of the signal less expected position), as TMW and TCA command.
+/// INFERRED: the new value takes effect with the next H.
 Status correct_length(BlockContext& m, const Measurement& of, double there) {
   const double way = of.expected - there;
   if (!(std::fabs(way) <= of.window)) return fail(alarm(AlarmId::probe_window, m.probe_where, there, of.expected));
   m.journal.keep(m.tables.offsets[of.offset]);
   ToolOffset& offset = m.tables.offsets[of.offset];
   double& corrected = fanuc_of(m).settings.length_wear ? offset.length_wear : offset.length;
-  const double entered = is_diameter(m, of.axis) ? 2 * way : way;  // 5.3: for an axis in diameter programming the table has diameters
+  // 5.3: for an axis in diameter programming the offset table has diameters
+  const double entered = is_diameter(m, of.axis) ? 2 * way : way;
   corrected += fanuc_of(m).settings.length_adds ? entered : -entered;
   fanuc_of(m).changed_offsets.push_back(of.offset);
   return {};

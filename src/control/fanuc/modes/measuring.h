@@ -13,10 +13,10 @@ class Emitter;
 
 namespace kadr::fanuc {
 
-/// Processes the probe's answer: the next block starts where the motion stopped, and #5061 … contain the position of the probe's signal
-/// (21.1). After G37 the tool offset is corrected (21.3).
+/// Processes the probe's answer: the next block starts where the motion stopped, and #5061 … have the position at which the probe's signal
+/// came (21.1). After G37 the tool offset is corrected (21.3).
 ///   alarms  probe_window: the signal of G37 came too far from the expected position, or not at all; the offset remains unchanged
-///   law     G31 without a signal is no alarm: the position is the end point
+///   law     G31 without a signal raises no alarm: the measured position is then the end point
 Status accept_answer(Emitter& m, const ProbeAnswer& answer);
 
 }  // namespace kadr::fanuc

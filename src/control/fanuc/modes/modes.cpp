@@ -8,14 +8,14 @@
 
 namespace kadr::functions {
 
-/// G16 (5.4): switches polar data on; radius and angle must be given again.
+/// G16 (5.4): switches polar data on. The program must then give radius and angle again.
 Status polar_data_on(Emitter& m, const Call&) {
   if (!m.modal.polar_data) m.modal.polar_radius_given = m.modal.polar_angle_given = false;
   m.modal.polar_data = true;
   return {};
 }
 
-/// Executes codes that concern only the machine or the planner; no action is emitted.
+/// Executes codes that concern only the machine or the planner, so there is no action to emit.
 Status no_action(Emitter&, const Call&) { return {}; }
 
 /// G08 P1, P0 (spec/fanuc 11): switches look-ahead on or off. Look-ahead concerns only the machine, so P is checked and no action is
@@ -25,7 +25,7 @@ Status look_ahead(Emitter& m, const Call& call) {
   return fail(alarm(AlarmId::look_ahead_wrong, m.has('P') ? m.where('P') : call.where, call.row->code));
 }
 
-/// M29 S (spec/fanuc 10.4): G84 and G74 tap rigidly (the spindle is synchronised with the axis) until G80.
+/// M29 S (spec/fanuc 10.4): G84 and G74 tap rigidly until G80: the spindle is synchronised with the axis.
 Status rigid_tapping(Emitter& m, const Call&) {
   fanuc_of(m).state.rigid_tap = true;
   return {};
@@ -36,8 +36,8 @@ Status polar_data_off(Emitter& m, const Call&) {
   return {};
 }
 
-/// G5.1 Q (4.7): stores the smoothing mode; the room motion does the smoothing. Axis words name the axes to smooth, nothing moves.
-/// INFERRED: a motion of axes that were not named, or of a rotary axis, is not smoothed.
+/// G5.1 Q (4.7): stores the smoothing mode for the room `motion`, which does the smoothing. Axis words name the axes to smooth; nothing
+/// moves. INFERRED: a motion of axes that were not named, or of a rotary axis, is not smoothed.
 Status smoothing(Emitter& m, const Call& call) {
   if (!m.has('Q')) return fail(alarm(AlarmId::word_missing, call.where, 'Q', call.row->code));
   const auto q = m.whole('Q', 0, 3);
@@ -75,17 +75,18 @@ Status dwell_or_turns(Emitter& m, const Call& call) {
   return {};
 }
 
-/// G62, G63, G64: stores the mode of feed control; the room motion applies it to the feed.
+/// G62, G63, G64: stores the mode of feed control; the room `motion` applies the mode to the feed.
 Status feed_control(Emitter& m, const Call&) {
   m.modal.exact = false;
   m.modal.blend_tolerance = 0;
   return {};
 }
 
-/// G50.2 ends polygon turning. Kadr never starts polygon turning, so nothing is to be done.
+/// Executes G50.2, which ends polygon turning. Kadr never starts polygon turning, so there is nothing to end.
 Status transform_off(Emitter&, const Call&) { return {}; }
 
-/// G33 (4.4): cuts a thread along one or two axes. F is the thread lead, or E the threads per inch; Q is the start angle.
+/// G33 (4.4): cuts a thread along one or two axes. F is the thread lead in mm; or E is the number of threads per inch. Q is the start
+/// angle.
 Status thread(Emitter& m, const Call& call) {
   if (call.row->modal) {
     m.modal.motion_row = static_cast<std::int16_t>(call.row - m.def.codes.data());
@@ -122,7 +123,7 @@ Status auxiliary_word(Emitter& m, const Call& call) {
   return {};
 }
 
-/// G10: L selects the table (10.2.4, 10.2.5, 15.2, 24.1, 12.4).
+/// G10: changes tables; L selects the table (10.2.4, 10.2.5, 15.2, 24.1, 12.4).
 Status set_tables(Emitter& m, const Call& call) { return fanuc::set_tables(m, call); }
 Status set_tables_end(Emitter&, const Call&) { return {}; }
 
@@ -130,8 +131,8 @@ Status set_tables_end(Emitter&, const Call&) { return {}; }
 
 namespace kadr::fanuc {
 
-/// Returns the thread lead. F is the modal word that is also the feed; E sets a thread lead apart from F, which remains valid until the
-/// next F (4.4, as spec/nct/04 recommends).
+/// Returns the thread lead in mm. F is modal and is also the feed. E sets a thread lead apart from F, which is valid until the next F (4.4,
+/// as spec/nct/04 recommends).
 double take_lead(BlockContext& m) {
   if (m.has('E')) fanuc_of(m).state.thread_lead = mm_per_inch / m.value('E');
   else if (m.has('F')) fanuc_of(m).state.thread_lead = 0, m.modal.feed = m.length_value('F'), m.modal.feed_known = true;
@@ -153,8 +154,9 @@ Result<double> dwell_seconds(Emitter& m, double p, Span where) {
   if (m.modal.feed_mode != FeedMode::per_revolution || fanuc_of(m).settings.dwell_seconds) return p;
   const double rpm = fanuc_of(m).spindle_part > 0 ? fanuc_of(m).spindle_rpm(m) : 0;
   const std::string_view word = where.end > where.begin ? m.block->text_of(where) : "P";
-  if (!(rpm > 0)) return fail(alarm(AlarmId::spindle_not_turning, where, word));  // without rotation, a dwell in revolutions never ends (8)
-  return p * 60 / (rpm * fanuc_of(m).spindle_part);  // INFERRED (8): the real spindle speed counts, override included
+  // a dwell in revolutions never ends while the spindle does not turn (8)
+  if (!(rpm > 0)) return fail(alarm(AlarmId::spindle_not_turning, where, word));
+  return p * 60 / (rpm * fanuc_of(m).spindle_part);  // 8, INFERRED: the real spindle speed counts, including the override
 }
 
 }  // namespace kadr::fanuc

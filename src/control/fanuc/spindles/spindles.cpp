@@ -13,7 +13,8 @@ namespace {
 constexpr double mm_per_m = 1000;
 constexpr double mm_per_foot = 304.8;
 
-/// Returns the lowest and highest speed of the spindle: those of the selected gear range, or of all gear ranges.
+/// Returns the lowest and the highest speed of the spindle in rev/min: those of the selected gear range, or if none is selected, of all
+/// gear ranges together.
 std::pair<double, double> limits_of(const Fanuc& fanuc, int number) {
   const auto found = fanuc.ranges.find(number);
   if (found == fanuc.ranges.end() || found->second.empty()) return {0, 1e300};
@@ -25,8 +26,8 @@ std::pair<double, double> limits_of(const Fanuc& fanuc, int number) {
   return all;
 }
 
-/// Returns the number of the gear range that contains the speed. If several ranges contain the speed, returns the selected range; if no
-/// range contains it, 0 (11.3).
+/// Returns the number of the gear range that contains the speed; 0 if no range contains it. If several ranges contain the speed, returns
+/// the selected range (11.3).
 int range_of(const Fanuc& fanuc, int number, double rpm) {
   const auto found = fanuc.ranges.find(number);
   if (found == fanuc.ranges.end()) return 0;
@@ -44,8 +45,8 @@ std::string name_of_spindle(const BlockContext& m, int number) {
   return found != fanuc_of(m).spindle_names.end() && !found->second.empty() ? found->second : "S" + std::to_string(number);
 }
 
-/// Checks that the spindle belongs to this channel. INFERRED: if the set-up lists spindles, a number missing from this list raises alarm
-/// 2017.
+/// Checks that the spindle belongs to this channel. INFERRED: if the set-up lists spindles, a spindle number that is not in this list
+/// raises alarm 2017.
 Status own_spindle(const BlockContext& m, int number, Span where) {
   const SpindleState& s = fanuc_of(m).spindle(number);
   if (!s.known && !fanuc_of(m).spindle_names.empty())
@@ -64,8 +65,8 @@ void turn(Emitter& m, int number, double degrees, bool absolute) {
   m.emit(action);
 }
 
-/// Returns the number of the spindle that a word of the block names (S without a number means the default spindle); without such a word,
-/// the spindle that a word referred to last (11.1.1, 11.2).
+/// Returns the number of the spindle that a word of the block names; S without a number names the default spindle. If the block has no such
+/// word, returns the spindle to which a word referred last (11.1.1, 11.2).
 int spindle_of_block(const BlockContext& m) {
   const Fanuc& fanuc = fanuc_of(m);
   for (std::uint32_t i = 0; i < m.block->word_count; ++i) {
@@ -80,7 +81,7 @@ int spindle_of_block(const BlockContext& m) {
   return fanuc.state.current_spindle;
 }
 
-/// Limits the speed of an S word to the gear range; S0 stays 0.
+/// Limits the speed (rev/min) of an S word to the gear range; S0 stays 0.
 double limited(const Fanuc& fanuc, int number, double rpm) {
   const auto [least, most] = limits_of(fanuc, number);
   return rpm == 0 ? 0 : std::clamp(rpm, least, most);
@@ -143,7 +144,7 @@ Status spindle_word(Emitter& m, const Call& call) {
   return {};
 }
 
-/// M3, M4, M5, M19 for the spindle that a word referred to last (11.2).
+/// Executes M3, M4, M5, M19 for the spindle to which a word referred last (11.2).
 Status spindle_code(Emitter& m, const Call& call) {
   fanuc::Fanuc& fanuc = fanuc_of(m);
   const int number = fanuc.state.current_spindle;
@@ -185,7 +186,7 @@ Status gear_range(Emitter& m, const Call& call) {
   return {};
 }
 
-/// Executes CS2=30: turns spindle 2 to 30° by the shorter path, or, if the word is an increment, by 30° (11.7.3).
+/// Executes words such as CS2=30: turns spindle 2 to 30° in the shorter direction, or by 30° if the word is an increment (11.7.3).
 Status spindle_axis_word(Emitter& m, const Call& call) {
   const int number = m.def.address(call.word->address).number;
   KADR_TRY(fanuc::own_spindle(m, number, call.where));
@@ -203,7 +204,7 @@ Status spindle_axis_word(Emitter& m, const Call& call) {
   return {};
 }
 
-/// G96 P: P selects the axis that the diameter is measured on (11.5.3).
+/// G96 P: P selects the axis whose position is the diameter for the constant surface speed (11.5.3).
 Status css_on(Emitter& m, const Call&) {
   if (m.has('P')) {
     const auto axis = m.whole('P', 1, 32);
@@ -211,7 +212,7 @@ Status css_on(Emitter& m, const Call&) {
     const auto& numbers = m.def.axis_numbers;
     if (std::find(numbers.begin(), numbers.begin() + static_cast<std::ptrdiff_t>(m.axis_count), *axis) ==
         numbers.begin() + static_cast<std::ptrdiff_t>(m.axis_count))
-      return fail(alarm(AlarmId::axis_number_wrong, m.where('P'), double(*axis)));  // INFERRED: alarm as for AX[n] (23.2.12)
+      return fail(alarm(AlarmId::axis_number_wrong, m.where('P'), double(*axis)));  // INFERRED: the same alarm as for AX[n] (23.2.12)
     fanuc_of(m).state.css_axis = static_cast<int>(*axis);
   }
   m.modal.surface_speed = true;
@@ -219,7 +220,7 @@ Status css_on(Emitter& m, const Call&) {
   return {};
 }
 
-/// G97: the last spindle speed of G96 remains in force (11.5.1).
+/// G97: ends G96; the last spindle speed of G96 remains in force (11.5.1).
 Status css_off(Emitter& m, const Call&) {
   if (m.modal.surface_speed && m.batch != nullptr) {
     fanuc::SpindleState& s = fanuc_of(m).spindle(fanuc_of(m).state.main_spindle);
@@ -245,11 +246,11 @@ Status Fanuc::machine_code(Interpreter& m, const Call& call) {
 Status Fanuc::spindle_machine_code(Emitter& m, int code, Span where) {
   const int number = state.current_spindle;
   for (int i = 0; i <= static_cast<int>(max_spindles); ++i) {
-    const int n = i == 0 ? number : i;  // 11.2: first the spindle that a word referred to last
+    const int n = i == 0 ? number : i;  // 11.2: the spindle to which a word referred last comes first
     const SpindleSettings& s = settings.spindles[static_cast<std::size_t>(n)];
     if (s.index_count > 0 && code >= s.index_from && code < s.index_from + s.index_count) {
       KADR_TRY(loop_closed(m, n, where));
-      if (!spindle(n).referenced)  // 11.7.3: M19 must come before the first indexing code
+      if (!spindle(n).referenced)  // 11.7.3: the program must execute M19 before the first indexing code
         return fail(alarm(AlarmId::spindle_not_referenced, where, std::string_view(name_of_spindle(m, n))));
       const double way = (code - s.index_from + 1) * s.index_angle;
       turn(m, n, s.index_negative ? -way : way, false);
@@ -257,7 +258,8 @@ Status Fanuc::spindle_machine_code(Emitter& m, int code, Span where) {
     }
   }
   const SpindleSettings& own = settings.spindles[static_cast<std::size_t>(number)];
-  const bool closes = own.indexes && own.closing_code != 0 && own.closing_code == code;  // 11.7.2: the code closes the position loop
+  // 11.7.2: this M code closes the position loop of the spindle
+  const bool closes = own.indexes && own.closing_code != 0 && own.closing_code == code;
   const bool of_spindle = closes || (own.m_high != 0 && code >= own.m_low && code <= own.m_high) || has_spindle_word(m);
   if (closes) {
     spindle(number).loop_closed = true;
@@ -268,8 +270,8 @@ Status Fanuc::spindle_machine_code(Emitter& m, int code, Span where) {
   return {};
 }
 
-/// INFERRED from the manual's example, where S1 becomes C1: the axis to which a spindle is converted is named C and the spindle's number,
-/// C2 for spindle 2. For spindle 1 the name may also be C.
+/// Finds the axes into which events of the set-up convert spindles. INFERRED from the manual's example, where S1 becomes C1: the name of
+/// the axis is C and the spindle's number, for example C2 for spindle 2. For spindle 1 the name may also be C.
 void find_spindle_axes(BlockContext& m, const Setup& setup) {
   for (const SetupEvent& event : setup.events) {
     if (event.what != SetupEvent::Do::spindle_to_axis) continue;

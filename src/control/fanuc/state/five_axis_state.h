@@ -1,7 +1,7 @@
 #pragma once
-// What the five-axis functions (NCT manual, chapter 25) remember from block to block: tool centre point control, the programming frame in
-// space, the positions to which G53.1 has turned the rotary axes (spec/nct/25b to 25l). Plain values; space.cpp computes the resulting
-// transformation, Placement::space.
+// The data of the five-axis functions (NCT manual, chapter 25) that stay valid from block to block: tool centre point control, the
+// programming frame in space, the positions to which G53.1 has turned the rotary axes (spec/nct/25b to 25l). All are plain values;
+// space.cpp computes the resulting transformation, Placement::space.
 
 #include <array>
 #include <cstdint>
@@ -30,27 +30,27 @@ enum class SpaceFrame : std::uint8_t { none, turned, turned_twice, plane };
 
 /// The blocks of G68.2 P2 or P3 read so far. INFERRED (25.8): the first block of another kind ends the definition.
 struct PlaneBlocks {
-  std::uint8_t kind = 0;          // word P of these blocks; 0: no definition is open
+  std::uint8_t kind = 0;          // word P of these blocks; 0 while no definition is open
   std::uint8_t seen = 0;          // bit q is set if the block with Qq has been read
-  std::array<Vec3, 4> points{};   // point given by each block, indexed by Q
-  std::array<Vec3, 4> vectors{};  // vector given by each block of P3, indexed by Q
-  double turn = 0;                // angle R of the block with Q0, degrees
+  std::array<Vec3, 4> points{};   // the point that each block gives, indexed by its word Q, mm
+  std::array<Vec3, 4> vectors{};  // the vector that each block of P3 gives, indexed by its word Q
+  double turn = 0;                // angle R in degrees of the block with Q0
 };
 
 struct FiveAxisState {
   TipControl lead = TipControl::none;
-  bool begins = false;     // true: tool centre point control takes effect with the next motion (25h)
-  bool posture = false;    // true: tool posture control, by P1 in the block of G43.4 to G43.9
-  double lead_length = 0;  // tool length that H has put into force, mm
+  bool begins = false;     // tool centre point control takes effect with the next motion (25h)
+  bool posture = false;    // tool posture control is on: P1 was in the block of G43.4 to G43.9
+  double lead_length = 0;  // tool length in mm that H has put into force
   SpaceFrame frame = SpaceFrame::none;
   Mat3 turn;           // rotation of the programming frame
   Vec3 origin;         // origin of the programming frame, mm
-  Axes outer_shift{};  // shifts of G52 and G92 when the frame was set
+  Axes outer_shift{};  // shifts of G52 and G92 that were in force when the frame was set
   PlaneBlocks plane;
-  std::optional<RotaryPair> oriented;  // rotary axis positions by G53.1, G53.6; the frame is valid for them
-  AxisMask positioned = 0;             // rotary axes programmed since G43.1 or tool centre point control was switched on (25.20)
-  Vec3 normal;                         // surface normal by ,L2, a unit vector in part coordinates; {}: not programmed yet
-  double radius = 0, corner = 0;       // tool radius and corner radius of offset D, mm (25.17)
+  std::optional<RotaryPair> oriented;  // rotary axis positions that G53.1 or G53.6 has set; the frame is valid for these positions
+  AxisMask positioned = 0;        // rotary axes programmed since G43.1 or tool centre point control was switched on (25.20), one bit each
+  Vec3 normal;                    // surface normal by ,L2, a unit vector in part coordinates; {} if it is not programmed
+  double radius = 0, corner = 0;  // tool radius and corner radius of offset D, mm (25.17)
 };
 
 }  // namespace kadr::fanuc

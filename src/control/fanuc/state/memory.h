@@ -1,6 +1,6 @@
 #pragma once
-// What Fanuc, Haas and NCT remember besides macros: settings derived from parameters, states of spindles, cycles, frames and compensation.
-// All are plain values.
+// The memory of Fanuc, Haas and NCT that macros do not need: settings derived from parameters, states of spindles, cycles, frames and
+// compensation. All are plain values.
 
 #include <array>
 #include <cstdint>
@@ -23,88 +23,90 @@ namespace kadr::fanuc {
 struct SpindleState {
   bool known = false;  // the set-up lists this spindle
   int channel = 1;
-  double rpm = 0;  // programmed speed, limited to the selected gear range
+  double rpm = 0;  // programmed speed in rev/min, limited to the selected gear range
   SpindleDir dir = SpindleDir::stop;
   bool loop_closed = false;
   bool referenced = false;  // the spindle has been oriented since its position loop was closed
-  double angle = 0;         // degrees; valid while the position loop is closed
+  double angle = 0;         // spindle angle in degrees; valid while the position loop is closed
   int range = 0;            // gear range selected by M11 … M18; 0: none
-  int master = 0;           // number of the spindle to which this one is synchronised; 0: none
+  int master = 0;           // number of the spindle with which this spindle is synchronised; 0: none
 };
 
-/// The part of the memory that even a block with nothing but a motion may change. It is saved at the start of each block, so that an alarm
-/// can restore it.
+/// The part of the memory that even a block with motions only may change. It is saved at the start of each block, so that an alarm can
+/// restore it.
 struct MotionMemory {
   bool rigid_tap = false;  // M29 is in force (spec/fanuc 10.4)
-  Axes through{};          // intermediate point of the last G28, G30, programmed coordinates (spec/fanuc 6.6)
+  Axes through{};          // intermediate point of the last G28 or G30, in programmed coordinates (spec/fanuc 6.6)
   bool has_through = false;
   bool in_thread = false;               // the previous motion was a thread too
   double thread_lead = 0;               // thread lead, mm; 0: none
-  double surface_angle = 0;             // position of the rotary axis in G12.1, degrees, not reduced to 0 … 360
-  AxisMask smoothed = 0;                // axes that G5.1 has named for smoothing; 0: all linear axes
-  SideStep side_step = SideStep::none;  // role of the next motion in the plane for cutter compensation
+  double surface_angle = 0;             // position of the rotary axis in G12.1 in degrees, which may be outside 0 … 360
+  AxisMask smoothed = 0;                // axes that G5.1 has named for smoothing; 0 means all linear axes
+  SideStep side_step = SideStep::none;  // whether the next motion in the plane starts or ends cutter compensation
   bool compensates = false;             // a motion has been executed with cutter compensation since G41, G42
 };
 
-/// The state of cutting that a run keeps in addition to ControlState. An alarm restores this state as one value.
+/// The cutting state of a run in addition to ControlState. An alarm restores it as one value.
 struct UndoableState : MotionMemory {
   std::array<SpindleState, max_spindles + 1> spindles;
-  int current_spindle = 1;  // the spindle that a word referred to last (11.2)
+  int current_spindle = 1;  // number of the spindle to which a word referred last (11.2)
   int main_spindle = 1;
   double surface_speed = 0;  // constant surface speed of G96, m/min
-  int css_axis = 0;          // axis of the constant surface speed, numbered through all channels
-  double max_css_speed = 0;  // highest speed by G92 S, rev/min; 0: no limit
+  int css_axis = 0;          // number of the axis of the constant surface speed; the count includes the axes of all channels
+  double max_css_speed = 0;  // highest spindle speed in rev/min, set by G92 S; 0: no limit
   DrillingMemory drilling;
   TurningMemory turning;
-  double tool_radius = 0;                // tool radius of offset D when D was programmed, mm (15.1)
+  double tool_radius = 0;                // tool radius in mm of offset D, stored when D was programmed (15.1)
   std::optional<Vec2> way;               // direction vector I J K of G41, G42, G40
-  CompensationCheck compensation_check;  // compensation settings that the room `path` has received last
+  CompensationCheck compensation_check;  // the compensation settings that were sent to the room `path` last
   FiveAxisState five_axis;
 };
 
 inline constexpr std::size_t extended_systems = max_further_systems;  // number of work systems of G54.1 P
 inline constexpr std::size_t all_systems = 1 + macro_b::basic_systems + extended_systems;
-inline constexpr std::size_t dynamic_systems = 8;  // G54.2 P1 … P8: the last rows in the tables of work offsets and rotations
+inline constexpr std::size_t dynamic_systems = 8;  // G54.2 P1 … P8: they are the last rows in the tables of work offsets and rotations
 
-/// Data of canned cycles, saved during an interrupt macro and restored at its end (23.4).
+/// The data of canned cycles, saved at the start of an interrupt macro and restored at its end (23.4).
 struct InterruptedCycles {
   DrillingMemory drilling;
   TurningMemory turning;
 };
 
-/// All memory that is a plain value: a snapshot copies it.
+/// All memory that is a plain value, so that a snapshot can copy it.
 struct Memory {
   Settings settings;
   UndoableState state;
-  std::map<int, std::vector<std::pair<double, double>>> ranges;  // gear ranges of each spindle: lowest and highest speed, rev/min
+  // gear ranges of each spindle: lowest and highest speed of each range, rev/min
+  std::map<int, std::vector<std::pair<double, double>>> ranges;
   std::map<int, std::string> spindle_names;
-  std::vector<Finishing> finishing;  // contours that G70.7 is executing, the innermost last
+  std::vector<Finishing> finishing;  // contours that G70.7 is executing, the innermost contour last
   InterruptedCycles interrupted_cycles;
-  AxisDrives driven;                                  // machine axis that each programmed axis drives
+  AxisDrives driven;                                  // the machine axis that each programmed axis drives
   AxisMask following = 0;                             // axes that follow another axis
-  std::uint8_t drilling_group = 0, motion_group = 0;  // index of the modal group of G80, of G0
-  std::int16_t slowing = -1;                          // row of G62 in ControlDef::codes
+  std::uint8_t drilling_group = 0, motion_group = 0;  // indices of two modal groups: the group of G80, and the group of G0
+  std::int16_t slowing = -1;                          // index of G62 in ControlDef::codes
   std::uint64_t without_point = 0;                    // letters whose numbers may have no decimal point (spec/fanuc 1.3)
   // data of the block being executed
-  bool holds_vector = false;     // true: the block has G38, which keeps the compensation vector
-  bool uncompensated = false;    // true: the block has G53, G28 or G30; its motions are not compensated
-  int spindle_by_p = 0;          // S1500 P2: the number of the spindle; 0: not given
+  bool holds_vector = false;     // the block has G38, which keeps the compensation vector
+  bool uncompensated = false;    // the block has G53, G28 or G30, whose motions are not compensated
+  int spindle_by_p = 0;          // number of the spindle in a block such as S1500 P2; 0 if the block has no such P
   bool absolute_block = false;   // the block's axis words are absolute even with G91 (17.3)
   bool cartesian_block = false;  // the block's axis words are Cartesian even with G16 (5.4)
-  AxisMask rolled = 0;           // rotary axes of the block that roll over (5.6); `travel`: their travels, degrees
+  AxisMask rolled = 0;           // rotary axes of the block that roll over (5.6); `travel` has their travels in degrees
   Axes travel{};
   AxisMask plane_axes = 0;    // axes whose letter is in the block, with or without a number
-  AxisMask taken_up = 0;      // axes without a word that the block's motion positions too, at their last programmed coordinates (25h)
-  AxisMask by_direction = 0;  // rotary axes that the block's I J K position, at `directed` (25.14)
+  AxisMask taken_up = 0;      // axes without a word that the block's motion also positions, at their last programmed coordinates (25h)
+  AxisMask by_direction = 0;  // rotary axes that I J K of the block position; `directed` has the positions (25.14)
   Axes directed{};
   Vec3 normal_before;  // surface normal at the start of the block's motion (25.17)
   // data of the machine and its operator
-  std::array<std::pair<double, double>, max_axes> axis_limits{};  // lowest and highest end position of each axis, machine coordinates
-  double spindle_part = 1;                                        // spindle override as a fraction: 1 is 100 %
-  double singular = 0;                                            // tolerance of a singular direction, degrees (Setup::kinematics)
-  Axes servo_lag{};                                               // following error of each axis as the set-up gives it, mm
-  std::vector<std::pair<std::size_t, int>> spindle_axes;          // axis index, number of the spindle converted to it (11.8)
-  Axes probe_position{}, probe_length{};                          // work coordinates, and tool length as a vector, at the probe's signal
+  std::array<std::pair<double, double>, max_axes> axis_limits{};  // lowest and highest position of each axis, machine coordinates
+  double spindle_part = 1;                                        // spindle override as a fraction, so that 1 means 100 %
+  double singular = 0;                                            // tolerance in degrees for a singular direction (Setup::kinematics)
+  Axes servo_lag{};                                               // following error in mm of each axis, as the set-up gives it
+  // pairs of an axis index and the number of the spindle converted to this axis (11.8)
+  std::vector<std::pair<std::size_t, int>> spindle_axes;
+  Axes probe_position{}, probe_length{};  // work coordinates at the probe's signal, and the tool length then in force as a vector, mm
   Axes probe_machine{};
   Measurement measurement;  // purpose of the probe motion in progress
   // data for the state file: tables that have changed since that file was written

@@ -12,7 +12,8 @@ namespace {
 
 using macro_b::ParameterSource;
 
-/// Returns the role of an axis by N0103. If the parameter is 0, an axis named X, Y or Z has its usual role (2.1: basic configuration).
+/// Returns the role of an axis, which N0103 gives. If N0103 is 0, an axis named X, Y or Z has the role of that name (2.1: basic
+/// configuration).
 int role_of(const std::string& name, int parameter) {
   if (parameter != 0) return parameter;
   return name == "X" ? 1 : name == "Y" ? 2 : name == "Z" ? 3 : 0;
@@ -76,7 +77,7 @@ void read_frames_and_cycles(Settings& s, const ParameterSource& p) {
 }
 
 void read_interpretation(Settings& s, const ParameterSource& p) {
-  const bool free_at_zero = p.has("arc_difference");  // Fanuc: 3410 = 0 means "not checked" (spec/fanuc 3.2)
+  const bool free_at_zero = p.has("arc_difference");  // a Fanuc does not check the radii if parameter 3410 is 0 (spec/fanuc 3.2)
   const double difference = p.value(free_at_zero ? "arc_difference" : "1339", 0);
   s.radius_difference = s.radius_shortfall = difference > 0 ? difference : 0.01;
   if (free_at_zero && !(difference > 0)) s.radius_difference = std::numeric_limits<double>::infinity();
@@ -162,8 +163,8 @@ Vec3 joint_direction(int code, double inclination) {
   }
 }
 
-/// Reads the machine's kinematics (25.1). INFERRED: N3200 = 1 means two rotary axes in the head, N3200 = 0 a machine without five axes;
-/// N3201 has the codes of N3205, and N3201 = 0 means Z.
+/// Reads the machine's kinematics (25.1). INFERRED: N3200 = 1 means two rotary axes in the head, N3200 = 0 a machine without five axes.
+/// INFERRED: N3201 has the same codes as N3205, and N3201 = 0 means Z.
 void read_five_axis(Settings& s, const ParameterSource& p, const std::array<std::uint8_t, max_axes>& numbers, std::size_t count) {
   const auto joint = [&](int number, const char* reversed) {
     RotaryJoint j;

@@ -1,5 +1,5 @@
-// G10: sets offsets, work offsets and parameters (spec/nct/10 10.2.4, 10.2.5; 15 15.2; 12 12.4; 24 24.1), and opens the data lines up to
-// G11.
+// G10: sets offsets, work offsets and parameters (spec/nct/10 10.2.4, 10.2.5; 15 15.2; 12 12.4; 24 24.1), and opens the data lines that end
+// with G11.
 
 #include <cmath>
 
@@ -11,16 +11,17 @@
 namespace kadr::fanuc {
 namespace {
 
-constexpr char rotation_letters[] = {'I', 'J', 'K'};  // words for the rotation angles in the planes G17, G18, G19
+constexpr char rotation_letters[] = {'I', 'J', 'K'};  // letters of the rotation angles in the planes G17, G18, G19
 
-/// Sets a work offset by G10 L2, L20, L21. Values replace the old ones; in G91 or with the operator I they are added.
+/// Sets a work offset by G10 L2, L20, L21. The values replace the old values; in G91 or with the operator I they are added to the old
+/// values.
 Status set_zero(Emitter& m, const Call& call, std::uint32_t index, bool common) {
   const bool adds = !m.modal.absolute;
-  // On a control without a common offset, the L and P of the common offset set the shift of G52 (spec/haas 5.4).
+  // On a control without a common work offset, the words L and P of the common offset set the shift of G52 (spec/haas 5.4).
   Axes& shift = m.def.has_common_zero() ? m.tables.common : m.modal.local;
   Axes& table = common ? shift : m.tables.zeros[index];
-  Axes zero = table;  // a copy: on an alarm the table is unchanged
-  // Lengths of a dynamic offset are radii (25.4.1). UNKNOWN whether I, J, K are allowed, so they raise an alarm.
+  Axes zero = table;  // a copy, so that the table is unchanged after an alarm
+  // The lengths of a dynamic offset are radii (25.4.1). It is UNKNOWN whether I, J, K are allowed, so they raise an alarm.
   const bool dynamic = index >= all_systems;
   for (const char letter : rotation_letters)
     if ((common || dynamic) && m.has(letter)) return fail(alarm(AlarmId::illegal_address, m.where(letter), letter));
@@ -48,8 +49,8 @@ Status set_zero(Emitter& m, const Call& call, std::uint32_t index, bool common) 
   return {};
 }
 
-/// Returns the value of an offset that word L of G10 selects: length, radius or corner radius, or the wear of one of them (15.2); nullptr
-/// for any other L.
+/// Returns the value in a row of the offset table that word L of G10 selects: length, radius or corner radius, or the wear of one of these
+/// (15.2). Returns nullptr for any other L.
 double* offset_register(ToolOffset& offset, std::uint32_t l) {
   switch (l) {
     case 10: return &offset.length;
@@ -78,8 +79,8 @@ Status set_offset(BlockContext& m, const Call& call, std::uint32_t l) {
   return {};
 }
 
-/// G10 L200 sets wear, L201 geometry: X Y Z R Q of the offset table for turning (15.2). INFERRED: a value without a word in the block
-/// remains unchanged.
+/// Executes G10 L200 (wear) and L201 (geometry): sets X Y Z R Q of the offset table for turning (15.2). INFERRED: a value without a word in
+/// the block remains unchanged.
 Status set_turning_offset(BlockContext& m, const Call& call, bool wear) {
   if (!m.has('P')) return fail(alarm(AlarmId::word_missing, call.where, 'P', call.row->code));
   const auto number = m.whole('P', 1, max_offsets(m));
@@ -103,7 +104,7 @@ Status set_turning_offset(BlockContext& m, const Call& call, bool wear) {
   return {};
 }
 
-/// Executes G10 L52, L75, L76, L77: the lines that follow, up to G11, are data lines.
+/// Executes G10 L52, L75, L76, L77: the lines that follow until G11 are data lines.
 Status open_data(BlockContext& m, const Call& call, std::uint32_t l) {
   if (m.has_axis_words()) return fail(alarm(AlarmId::own_block, call.where, call.row->code));
   if (l == 52) {

@@ -16,16 +16,16 @@
 namespace kadr::fanuc {
 namespace {
 
-/// Returns the index in the channel of an axis, given its number among the axes of all channels; -1 if the axis belongs to another channel
-/// or does not exist.
+/// Returns the index in the channel of the axis with this number; the numbers count the axes of all channels. Returns -1 if the axis
+/// belongs to another channel or does not exist.
 int axis_of(const BlockContext& m, std::uint32_t number) {
   for (std::size_t a = 0; a < m.axis_count; ++a)
     if (m.def.axis_numbers[a] == number) return static_cast<int>(a);
   return -1;
 }
 
-/// Converts a position from mm to the value that the program reads: in the unit in force, as a diameter in diameter programming. kept()
-/// does the inverse.
+/// Converts a position from mm to the value that the program reads, which has the unit in force and is a diameter in diameter programming.
+/// kept() does the inverse.
 double shown(const BlockContext& m, int axis, double mm) {
   if ((m.def.rotary >> axis & 1u) != 0) return mm;
   const double v = (m.modal.diameter >> axis & 1u) != 0 ? 2 * mm : mm;
@@ -64,7 +64,7 @@ double position_of_variable(const BlockContext& m, std::size_t axis, const Axes&
   return component(*space, axis, at).value_or(work[axis]);
 }
 
-/// Returns the position or tool length of an axis that a system variable reports; 0 for an axis of another channel.
+/// Returns the position or tool length of an axis, as a system variable reports it; 0 for an axis of another channel.
 double axis_value(const BlockContext& m, VariableKind kind, int axis) {
   if (axis < 0) return 0;
   const auto a = static_cast<std::size_t>(axis);
@@ -78,7 +78,7 @@ double axis_value(const BlockContext& m, VariableKind kind, int axis) {
     case VariableKind::probe_position:
       return shown(m, axis, position_of_variable(m, a, fanuc.probe_position, fanuc.probe_length, in_frame));
     case VariableKind::length_in_force: return shown(m, axis, length);
-    default: return 0;  // servo lag, distance to go, handwheel shift: always 0 on the virtual machine
+    default: return 0;  // servo lag, distance to go and handwheel shift are always 0 on the virtual machine
   }
 }
 
@@ -102,8 +102,8 @@ double* offset_field(BlockContext& m, VariableKind kind, std::uint32_t number) {
   }
 }
 
-/// Returns the factor that converts the value of an offset variable to the value in the offset table: millimetres per unit, halved for a
-/// diameter (spec/haas 2.4).
+/// Returns the factor that converts the value of an offset variable to the value in the offset table: the number of mm per unit, halved for
+/// a diameter (spec/haas 2.4).
 double register_unit(const BlockContext& m, VariableKind kind) {
   if (kind == VariableKind::offset_tip) return 1;
   const bool radius = kind == VariableKind::offset_radius || kind == VariableKind::offset_radius_wear;
@@ -129,8 +129,8 @@ bool is_zero(VariableKind kind) {
 
 bool is_rotation(VariableKind kind) { return kind == VariableKind::rotation || kind == VariableKind::rotation_extended; }
 
-/// Returns #5501 … (25.4): the dynamic offset at the present position of the rotary table; for a rotary axis, the offset as the table of
-/// dynamic offsets has it.
+/// Returns #5501 … (25.4): the dynamic offset at the present position of the rotary table. For a rotary axis, returns the offset in the
+/// table of dynamic offsets.
 double dynamic_value(const BlockContext& m, int axis) {
   const FiveAxisTransform* const space = space_of(m);
   if (axis < 0 || space == nullptr || m.modal.work_zero < all_systems) return 0;
@@ -138,8 +138,8 @@ double dynamic_value(const BlockContext& m, int axis) {
   return component(*space, a, space->origin_now(m.position.machine)).value_or(m.tables.zeros[m.modal.work_zero][a]);
 }
 
-/// Returns the probe position. #151001 … report it in the frame (work system or programming frame) that #5061 … do not use; #151101 …
-/// report machine positions (25.19).
+/// Returns the probe position. #151001 … report it in the frame that #5061 … do not use: the work system or the programming frame. #151101
+/// … report machine positions (25.19).
 double probe_of_five_axes(const BlockContext& m, bool of_machine, int axis) {
   if (axis < 0) return 0;
   const auto a = static_cast<std::size_t>(axis);
@@ -189,7 +189,7 @@ Result<bool> Fanuc::write_table(Emitter& m, const FoundVariable& f, double value
   }
   if (!is_rotation(kind) && !is_zero(kind)) return false;
   const int axis = axis_of(m, f.index);
-  if (is_zero(kind) && axis < 0) return true;  // an axis of another channel: the value is ignored
+  if (is_zero(kind) && axis < 0) return true;  // the value of an axis of another channel is ignored
   if (!(std::fabs(value) <= farthest)) return fail(alarm(AlarmId::value_limit, where, value));
   (is_rotation(kind) ? *rotation_field(m, f) : *zero_field(m, f, axis)) = is_rotation(kind) ? value : kept(m, axis, value);
   tables_changed = true;

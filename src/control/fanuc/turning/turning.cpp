@@ -1,4 +1,4 @@
-// Turning cycles G70.7 … G79.7: first blocks of the compound cycles, dispatch of their second blocks, simple cycles.
+// Turning cycles G70.7 … G79.7: first blocks of the compound cycles, selection of the function for their second blocks, simple cycles.
 
 #include "control/fanuc/turning/turning.h"
 
@@ -16,8 +16,8 @@
 namespace kadr::fanuc {
 namespace {
 
-/// Distances in the first or second block of a compound cycle, indexed by axis of the plane. Distances are always radii, whichever letter
-/// names the axis.
+/// The distances in the first or second block of a compound cycle, indexed by the axis of the plane. They are always radii, whichever
+/// letter names the axis.
 struct Distances {
   std::array<double, 2> value{};
   std::array<const Word*, 2> word{};
@@ -40,7 +40,7 @@ Status out_of_range(const BlockContext& m, char letter) {
   return fail(alarm(AlarmId::value_out_of_range, m.where(letter), letter, m.value(letter)));
 }
 
-/// Reads R of the first block of a compound cycle. R may not be negative; without R the old value remains.
+/// Reads R of the first block of a compound cycle. A negative R raises an alarm; without R the old value remains.
 Status take_r(const BlockContext& m, double& to) {
   if (!m.has('R')) return {};
   if (!(m.value('R') >= 0)) return out_of_range(m, 'R');
@@ -48,7 +48,8 @@ Status take_r(const BlockContext& m, double& to) {
   return {};
 }
 
-/// G71.7 W5 R1, G72.7 V5 R1: reads the depth of a pass along the infeed axis (19.A 4), and the retract.
+/// Reads the first block of G71.7 (G71.7 W5 R1) or G72.7 (G72.7 V5 R1): the depth of a pass along the infeed axis (19.A 4), and the
+/// retract.
 Status first_of_rough(BlockContext& m, const Call& call) {
   TurningMemory& kept = fanuc_of(m).state.turning;
   const std::size_t infeed = call.row->arg == 71.7_g ? 1 : 0;
@@ -65,7 +66,7 @@ Status first_of_rough(BlockContext& m, const Call& call) {
   return take_r(m, kept.back);
 }
 
-/// G73.7 U3 W3 R4: reads the offset of the first pass and the number of passes.
+/// Reads the first block of G73.7 (G73.7 U3 W3 R4): the offset of the first pass and the number of passes.
 Status first_of_pattern(BlockContext& m) {
   constexpr double max_passes = 9999;
   TurningMemory& kept = fanuc_of(m).state.turning;
@@ -80,8 +81,8 @@ Status first_of_pattern(BlockContext& m) {
   return {};
 }
 
-/// G76.7 Pmmrraa QΔmin Rd: reads the number of finishing passes mm, chamfer rr, tool angle aa; least depth of a pass; finishing
-/// allowance.
+/// Reads the first block of G76.7 (G76.7 Pmmrraa QΔmin Rd): the number mm of finishing passes, the chamfer rr, the tool angle aa, the least
+/// depth of a pass, and the finishing allowance.
 Status first_of_thread(BlockContext& m) {
   constexpr double angles[] = {80, 60, 55, 30, 29, 0};
   TurningMemory& kept = fanuc_of(m).state.turning;
@@ -103,7 +104,7 @@ Status first_of_thread(BlockContext& m) {
   return take_r(m, kept.allowance);
 }
 
-/// True for the first block of a compound cycle. The second block has words for the contour, the target or the pecks.
+/// Returns true for the first block of a compound cycle. The second block differs: it has words for the contour, the target or the pecks.
 bool is_first_line(const BlockContext& m, int code) {
   switch (code) {
     case 70.7_g: return false;
@@ -146,7 +147,7 @@ Status possible(const BlockContext& m, const Call& call) {
   return {};
 }
 
-/// Reads the words of a simple cycle. A word that is not given keeps its value from an earlier block.
+/// Reads the words of a simple cycle. If a word is missing, its value from an earlier block remains.
 Status take_simple(BlockContext& m, const Call& call) {
   TurningMemory& kept = fanuc_of(m).state.turning;
   const auto target = plane_target(m);
@@ -176,7 +177,7 @@ Status cut_once(Emitter& m, const Call& call) {
   return go(m, MotionKind::rapid, s);
 }
 
-/// G78.7: cuts one thread pass. The manual does not give the length of the run-out. INFERRED: there is no run-out.
+/// G78.7: cuts one pass of a thread. The manual does not give the length of the run-out. INFERRED: there is no run-out.
 Status simple_thread(Emitter& m, const Call& call) {
   const TurningMemory& kept = fanuc_of(m).state.turning;
   const auto lead = thread_lead_of(m, call);
@@ -219,7 +220,8 @@ Status finish(Interpreter& m, const Call& call) {
 
 Result<bool> end_contour(Interpreter& m) {
   std::vector<Finishing>& all = fanuc_of(m).finishing;
-  while (!all.empty() && m.program().depth() < all.back().depth) all.pop_back();  // M99 or a restart has left the contour
+  // M99 or a restart has left the contour, so its G70.7 is over
+  while (!all.empty() && m.program().depth() < all.back().depth) all.pop_back();
   if (all.empty() || m.program().depth() != all.back().depth || m.program().position().offset < all.back().behind) return false;
   const Finishing ended = all.back();
   all.pop_back();
@@ -234,7 +236,7 @@ Result<bool> end_contour(Interpreter& m) {
 
 namespace kadr::functions {
 
-/// G70.7 … G76.7 (19.2). call.row->arg is the code in tenths (707).
+/// Executes G70.7 … G76.7 (19.2). call.row->arg is the code in tenths, such as 707 for G70.7.
 Status turning_cycle(Interpreter& m, const Call& call) {
   KADR_TRY(fanuc::possible(m, call));
   if (fanuc::is_first_line(m, call.row->arg)) return fanuc::first_line(m, call);
@@ -243,7 +245,7 @@ Status turning_cycle(Interpreter& m, const Call& call) {
   return fanuc::second_line(m, call);
 }
 
-/// G77.7, G78.7, G79.7 (19.1): each block with an axis word repeats the cycle, which ends at its start point.
+/// G77.7, G78.7, G79.7 (19.1): each block with an axis word executes the cycle again. The cycle ends at its start point.
 Status turning_simple(Emitter& m, const Call& call) {
   m.modal.motion_row = static_cast<std::int16_t>(call.row - m.def.codes.data());
   m.modal.motion = MotionMode::linear;

@@ -1,5 +1,5 @@
 #pragma once
-// Turning cycles G70.7 … G79.7 (spec/nct/19). The manual gives only their names and one example. The code follows section 19.B, which is
+// Turning cycles G70.7 … G79.7 (spec/nct/19). The manual gives only their names and one example, so the code follows section 19.B, which is
 // INFERRED as a whole. Depths, allowances, tapers and R of a diameter axis are radii (5.3). A compound cycle has two blocks: the first
 // block sets its data, the second block executes the cycle.
 
@@ -36,17 +36,18 @@ Status pattern(Interpreter& m, const Call& call, Vec2 allowance);
 Status groove(Emitter& m, const Call& call);
 Status compound_thread(Emitter& m, const Call& call);
 
-/// One pass of a thread: the tool moves at rapid from `start` to `from`, cuts along the thread to `to`, retracts from the thread, and
+/// One pass of a thread. The tool moves at rapid from `start` to `from`, cuts along the thread to `to`, retracts from the thread, and
 /// returns to `start`.
 struct ThreadPass {
   Vec2 from, to;
   Vec2 start;          // point where the whole pass starts and ends
   double lead = 0;     // thread lead, mm
   double angle = 0;    // spindle angle at the start of the thread, degrees
-  double chamfer = 0;  // length of the run-out at 45° at the end of the thread, mm along its axis
+  double chamfer = 0;  // length in mm, along the thread's axis, of the run-out at 45° at the end of the thread
 };
 Status thread_pass(Emitter& m, const ThreadPass& pass);
-/// Returns the thread lead in mm, given by F or E; without these words, the last thread lead. alarms thread_definition, not_together (G96)
+/// Returns the thread lead in mm, which F or E gives; without these words, the last thread lead. alarms thread_definition, not_together
+/// (G96)
 Result<double> thread_lead_of(BlockContext& m, const Call& call);
 
 }  // namespace kadr::fanuc

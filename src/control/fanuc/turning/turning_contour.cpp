@@ -1,4 +1,4 @@
-// Reads the contour of a turning cycle: the blocks P … Q of the program, which are not executed (spec/nct/19.A 2, 5). Used by
+// Reads the contour of a turning cycle: the blocks P … Q of the program, which the control does not execute (spec/nct/19.A 2, 5). Used by
 // control/fanuc/turning/turning, control/fanuc/turning/turning_rough.
 
 #include "control/fanuc/turning/turning_contour.h"
@@ -18,8 +18,8 @@ namespace {
 constexpr std::size_t max_pieces = 10'000;
 
 /// Lets the interpreter read blocks without executing them; the destructor restores the interpreter's state. Meanwhile mirroring, scaling
-/// and rotation are off: the cycle computes with the contour as programmed, and the motions of the cycle are transformed like any others
-/// (16, INFERRED).
+/// and rotation are off. INFERRED (16): the cycle computes with the contour as programmed, and the motions of the cycle are transformed
+/// like any others.
 class DryRun {
  public:
   explicit DryRun(Emitter& m)
@@ -38,7 +38,7 @@ class DryRun {
     m.transform = Transform();
     m.position.work = m.position.programmed;
     m.block_axes_taken = false;
-    m.modal.feed_known = true;  // F words of the contour apply to finishing only
+    m.modal.feed_known = true;  // the contour needs no feed here, because its F words apply to finishing only
     m.modal.feed = 1;
   }
   ~DryRun() {
@@ -103,7 +103,7 @@ class Reader {
     return address == comma_chamfer || address == comma_rounding || address == comma_angle || address == comma_vector;
   }
 
-  /// Returns an alarm that a block of the contour has raised, with the location of the cycle's block.
+  /// Returns an alarm that a block of the contour has raised; the location in the alarm is that of the cycle's block.
   Status unread(Alarm alarm) const {
     const bool comma = alarm.id == AlarmId::address_unknown && alarm.args[0].text().size() == 1 && has_comma(alarm.args[0].text()[0]);
     if (comma) return without(",C ,R ,A");
@@ -111,7 +111,7 @@ class Reader {
     return fail(alarm);
   }
 
-  /// Computes chamfers ,C, roundings ,R and all other points that depend on the next block (17), as for executed motions.
+  /// Computes chamfers ,C, roundings ,R and all other points that depend on the next block (17), in the same way as for executed motions.
   Status corners() {
     const auto waits = [](const Action& action) {
       const Motion& motion = std::get<Motion>(action.what);
@@ -151,7 +151,7 @@ class Reader {
     if ((m_.letters.codes & letter_bit(w.address)) != 0) return code(w, motion);
     constexpr std::uint64_t of_others = letter_bit('P') | letter_bit('E');  // Q is allowed: it selects an intersection (17.3)
     if ((of_others & letter_bit(w.address)) != 0) return shape();
-    return {};  // F, S, T, D apply to finishing only
+    return {};  // F, S, T and D are not errors: they apply to finishing only
   }
 
   /// Returns the tool radius of the block's own D, or of the D in force.
@@ -190,8 +190,8 @@ class Reader {
     return ignored ? Status() : shape();
   }
 
-  /// Executes G41, G42 in a contour: the codes only permit over-determined blocks (17.3). INFERRED: the contour is not compensated, as on a
-  /// Fanuc (19.B).
+  /// Executes G41 and G42 in a contour, which only permit over-determined blocks there (17.3). INFERRED: the contour is not compensated, as
+  /// on a Fanuc (19.B).
   void side(const CodeRow& row) {
     m_.modal.radius_side = row.arg == 0 ? std::int8_t{0} : row.arg == 1 ? std::int8_t{-1} : std::int8_t{1};
     if (row.arg != 0 && uncompensated_.empty() && radius() != 0) uncompensated_ = row.code;
@@ -249,7 +249,7 @@ Result<ContourLocation> find_contour(Interpreter& m, const Call& call) {
   BlockReader reader(file.source(), file.grammar(), file.reader().encoding());
   reader.seek(*last);
   Block block;
-  (void)reader.next(block);  // a fault in the block is reported when that block is executed
+  (void)reader.next(block);  // a fault in the block is ignored here: it is reported when the block is executed
   return ContourLocation{*first, *last, reader.position()};
 }
 
@@ -261,7 +261,8 @@ Result<Contour> read_drawing(Interpreter& m, const Call& call) {
   Contour contour;
   KADR_TRY(Reader(m, call).run(*place, contour));
   const auto is_arc = [](const ContourPiece& piece) { return piece.is_arc(); };
-  if (m.transform.distorts(plane) && std::any_of(contour.pieces.begin(), contour.pieces.end(), is_arc))  // 16.2: arcs become ellipses
+  // 16.2: different scale factors would turn an arc into an ellipse
+  if (m.transform.distorts(plane) && std::any_of(contour.pieces.begin(), contour.pieces.end(), is_arc))
     return fail(alarm(AlarmId::not_together, call.where, "G51", call.row->code));
   if (!contour.uncompensated.empty()) m.warn(warning(AlarmId::rough_uncompensated, call.where, contour.uncompensated, call.row->code));
   contour.behind = place->behind;
@@ -278,7 +279,8 @@ std::vector<ContourPiece> monotone(const std::vector<ContourPiece>& pieces) {
     }
     const bool ccw = piece.kind == MotionKind::arc_ccw;
     const double sweep = 360 * piece.turns;
-    const double begin = (ccw ? 1 : -1) * angle_deg(piece.from - piece.center);  // start angle in the arc's direction of rotation, degrees
+    // start angle in degrees, measured in the arc's direction of rotation
+    const double begin = (ccw ? 1 : -1) * angle_deg(piece.from - piece.center);
     double done = 0;
     for (double quarter = 90 * (std::floor(begin / 90) + 1); done < 1; quarter += 90) {
       const double part = quarter - begin < sweep ? (quarter - begin) / sweep : 1;

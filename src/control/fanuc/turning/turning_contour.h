@@ -1,5 +1,5 @@
 #pragma once
-// Reads the contour of a turning cycle: the blocks P … Q of the program, which are not executed (spec/nct/19.A 2, 5).
+// Reads the contour of a turning cycle: the blocks P … Q of the program, which the control does not execute (spec/nct/19.A 2, 5).
 
 #include <cstdint>
 #include <vector>
@@ -9,12 +9,13 @@
 
 namespace kadr::fanuc {
 
-/// A motion of the contour in the plane, in programmed coordinates, mm: a line, or an arc whose radius changes linearly with the angle.
+/// A motion of the contour in the plane, in programmed coordinates, mm. It is a line, or an arc whose radius changes linearly with the
+/// angle.
 struct ContourPiece {
   MotionKind kind = MotionKind::rapid;
   Vec2 from, to;
   Vec2 center;
-  double turns = 0;         // arcs only: swept angle / 360, positive
+  double turns = 0;         // swept angle of an arc in revolutions, positive; 0 for a line
   std::uint32_t block = 0;  // block number N of the block that programs this motion
 
   bool is_arc() const { return kind == MotionKind::arc_cw || kind == MotionKind::arc_ccw; }
@@ -23,16 +24,16 @@ struct ContourPiece {
 };
 
 struct Contour {
-  std::vector<ContourPiece> pieces;  // in program order; the first one starts at the tool's position
+  std::vector<ContourPiece> pieces;  // in program order; the first piece starts at the tool's position
   Position behind;                   // position in the program just after the contour's last block
-  std::string_view uncompensated;    // G41 or G42 of the contour, which the cycle ignores; empty if the contour has neither
-  bool follows = false;              // the contour comes after the cycle's block: the program then continues at `behind`
+  std::string_view uncompensated;    // G41 or G42 of the contour, which the cycle does not apply; empty if the contour has neither
+  bool follows = false;              // the contour comes after the block of the cycle, so the program continues at `behind`
 };
 
 /// The positions of blocks P … Q in the file being read.
 struct ContourLocation {
   Position first, last;
-  Position behind;  // just after block Q
+  Position behind;  // position just after block Q
 };
 /// Finds the contour by the words P and Q of the current block. alarms  word_missing, contour_block_missing, contour_order
 Result<ContourLocation> find_contour(Interpreter& m, const Call& call);
@@ -42,10 +43,10 @@ Result<ContourLocation> find_contour(Interpreter& m, const Call& call);
 ///           plane_wrong: G68 in another plane; not_together: arcs with different factors of G51
 Result<Contour> read_drawing(Interpreter& m, const Call& call);
 
-/// Splits arcs at the points where one of the axes reverses. Along each line or arc of the result, both axes move in one direction only.
+/// Splits arcs at the points where one of the axes reverses. Along each line or arc of the result, neither axis reverses its direction.
 std::vector<ContourPiece> monotone(const std::vector<ContourPiece>& pieces);
 
-/// Adds one motion of the contour, displaced by `shift` (mm in the plane). A rapid line of the program stays rapid; any other motion uses
+/// Adds one motion of the contour, displaced by `shift` (mm in the plane). A rapid line of the contour remains rapid; any other motion has
 /// the feed in force.
 Status emit(Emitter& m, const ContourPiece& piece, Vec2 shift);
 

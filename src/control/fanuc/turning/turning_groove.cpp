@@ -17,7 +17,8 @@ constexpr double max_steps = 1e6;
 
 class GrooveRun final : public SteppedCycleValue<GrooveRun> {
  public:
-  /// In each point, x is the coordinate along the pecks, y the coordinate along which the positions follow one another; programmed, mm.
+  /// The data of a cycle. In each point, x is the programmed coordinate in mm along the pecks, and y that along which the pecking positions
+  /// follow one another.
   struct Job {
     bool deep_first = true;  // G74.7: the pecks are along the first axis of the plane
     Vec2 start;              // x: along the pecks, y: across them
@@ -40,12 +41,12 @@ class GrooveRun final : public SteppedCycleValue<GrooveRun> {
   }
 
  private:
-  /// Returns the coordinate reached by a motion from `a` towards `b` of at most the length `way`, mm.
+  /// Returns the coordinate in mm that a motion from `a` towards `b` reaches, if the motion is at most `way` mm long.
   static double toward(double a, double b, double way) { return std::fabs(b - a) <= way + tol::level ? b : a + (b < a ? -way : way); }
 
   Status to(Emitter& m, MotionKind kind, Vec2 at) const { return go(m, kind, job_.deep_first ? at : Vec2{at.y, at.x}); }
 
-  /// Moves the tool away from the wall, out of the groove and to the next position; after the last position, back to the start point.
+  /// Moves the tool off the wall, out of the groove and to the next position; after the last position, back to the start point.
   Status leave(Emitter& m) {
     const double off = job_.target.y < job_.start.y ? job_.relief : -job_.relief;
     KADR_TRY(to(m, MotionKind::rapid, {depth_, place_ + off}));
@@ -63,7 +64,7 @@ class GrooveRun final : public SteppedCycleValue<GrooveRun> {
   bool over_ = false;
 };
 
-/// Reads the length of a peck, or the step between positions: P is along the second axis of the plane, Q along the first.
+/// Reads the length of a peck, or the distance between pecking positions: P is along the second axis of the plane, Q along the first.
 Result<double> distance(const Emitter& m, const Call& call, char letter) {
   if (!m.has(letter)) return fail(alarm(AlarmId::word_missing, call.where, letter, call.row->code));
   if (!(m.value(letter) > 0)) return fail(alarm(AlarmId::value_out_of_range, m.where(letter), letter, m.value(letter)));
@@ -94,7 +95,8 @@ Status groove(Emitter& m, const Call& call) {
     job.target.y = job.start.y;
   }
   if (m.has('R') && !(m.value('R') >= 0)) return fail(alarm(AlarmId::value_out_of_range, m.where('R'), 'R', m.value('R')));
-  if (job.target.y != job.start.y) job.relief = m.length_value('R');  // INFERRED: a single groove has no free side for R
+  // INFERRED: in a single groove the tool has no free side, so R has no effect
+  if (job.target.y != job.start.y) job.relief = m.length_value('R');
   job.back = fanuc_of(m).state.turning.groove_back;
   KADR_TRY(m.feed_known(call.where));
   if (std::fabs(job.target.x - job.start.x) / job.peck > max_steps)

@@ -19,10 +19,10 @@ namespace kadr::fanuc {
 
 /// Returns the tool's position in the plane, in programmed coordinates, mm.
 Vec2 plane_point(const BlockContext& m);
-/// Adds a straight motion in the plane to the point `to`. The motion names only the axes whose coordinate changes; without a change there
-/// is no motion.
+/// Adds a straight motion in the plane to the point `to`. The motion names only the axes whose coordinate changes; if no coordinate
+/// changes, nothing is added.
 Status go(Emitter& m, MotionKind kind, Vec2 to);
-/// Ends a pass of the cycle. In single-block operation the machine then stops (19.B, INFERRED).
+/// Marks the end of a pass of the cycle. In single-block operation the machine then stops (19.B, INFERRED).
 void end_pass(Emitter& m);
 
 /// Returns the index of a word's axis in the plane: 0 for the first axis, 1 for the second; 2 if the axis is not in the plane.

@@ -1,5 +1,5 @@
-// G71.7, G72.7: passes parallel to one axis down to the contour, then one pass along it; G73.7: repeated passes along the
-// contour (spec/nct/19.B).
+// G71.7, G72.7: passes parallel to one axis down to the contour, then one pass along the contour; G73.7: repeated passes along the contour
+// (spec/nct/19.B).
 
 #include <algorithm>
 #include <cmath>
@@ -17,7 +17,7 @@ namespace {
 constexpr double max_cuts = 1e6;
 constexpr int halvings = 60;
 
-/// Continues the program after the contour, if the contour comes after the cycle's block.
+/// Continues the program after the contour, if the contour comes after the cycle's block. Otherwise does nothing.
 Status jump_after(Interpreter& m, const Contour& contour) {
   if (contour.follows) m.flow.jump(contour.behind);
   return {};
@@ -32,7 +32,8 @@ Status jump_after(Interpreter& m, const Contour& contour) {
 ///   depth   ─────╯ contour
 class Profile {
  public:
-  /// A pass along u. `from`, `to`: coordinates u of its ends. `open`: the pass starts at the start point's u, not in a pocket.
+  /// A pass along u. `from`, `to`: coordinates u of its ends. `open`: the pass starts at the coordinate u of the start point; otherwise in
+  /// a pocket.
   struct Cut {
     double from, to;
     bool open;
@@ -66,8 +67,8 @@ class Profile {
     return p;
   }
 
-  /// Converts a point of the plane to (coordinate along the passes, coordinate of the infeed), or back. Facing cycles exchange the two
-  /// axes.
+  /// Converts a point of the plane to the pair (coordinate along the passes, coordinate of the infeed), or back. The facing cycle exchanges
+  /// the two axes.
   Vec2 uv(Vec2 p) const { return facing_ ? Vec2{p.y, p.x} : p; }
   /// Returns the point of the plane with the coordinates u (along the passes) and depth.
   Vec2 at(double u, double depth) const { return uv({u, start_.y + sign_ * depth}); }
@@ -100,7 +101,7 @@ class Profile {
  private:
   double depth(Vec2 p) const { return sign_ * (uv(p).y - start_.y); }
 
-  /// Returns the coordinate u at which a monotone line or arc reaches the depth `depth`; computed by bisection.
+  /// Returns the coordinate u at which a monotone line or arc reaches the depth `depth`. The coordinate is found by bisection.
   double crossing(const ContourPiece& piece, double depth) const {
     const bool rises = this->depth(piece.to) < this->depth(piece.from);
     double low = 0, high = 1;
@@ -180,7 +181,8 @@ class RoughRun final : public SteppedCycleValue<RoughRun> {
   std::size_t cut_ = 0, piece_ = 0;
 };
 
-/// Cuts the whole contour `passes` times. The first pass is offset by `relief`, the last pass is on the contour plus the allowance.
+/// Cuts the whole contour `passes` times. The first pass is offset from the contour by `relief`; the last pass is offset only by the
+/// allowance.
 class PatternRun final : public SteppedCycleValue<PatternRun> {
  public:
   PatternRun(Contour contour, Vec2 allowance, Vec2 relief, std::uint32_t passes)
@@ -215,7 +217,8 @@ class PatternRun final : public SteppedCycleValue<PatternRun> {
 
 }  // namespace
 
-/// G71.7, G72.7. call.row->arg 717: G71.7, infeed along the second axis of the plane; 727: G72.7, infeed along the first axis (19.A 4).
+/// G71.7, G72.7 (19.A 4). call.row->arg is 717 for G71.7, with infeed along the second axis of the plane, and 727 for G72.7, with infeed
+/// along the first axis.
 Status rough(Interpreter& m, const Call& call, Vec2 allowance) {
   const TurningMemory& kept = fanuc_of(m).state.turning;
   const bool facing = call.row->arg == 72.7_g;

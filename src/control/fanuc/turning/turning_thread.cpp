@@ -29,13 +29,13 @@ Status cut_thread(Emitter& m, Vec2 to, double lead, double angle) {
   return {};
 }
 
-/// Runs the passes of a compound thread. The depth of pass n is Δ1·√n, at least `least` deeper than the pass before, up to the thread's
-/// height less the finishing allowance; after these passes the finishing passes follow.
+/// Executes the passes of a compound thread. The depth of pass n is Δ1·√n, but at least `least` more than the depth of the previous pass.
+/// When the depth reaches the thread's height less the finishing allowance, the finishing passes follow.
 class ThreadRun final : public SteppedCycleValue<ThreadRun> {
  public:
   struct Job {
-    Vec2 start, target;  // the target is the end of the thread, at its root
-    double taper = 0;    // difference of start and end along the second axis, mm
+    Vec2 start, target;  // `target` is the end of the thread at its root
+    double taper = 0;    // difference between start and end of the thread along the second axis, mm
     double height = 0;   // height of the thread, mm
     double first = 0;    // depth of the first pass (Δ1), mm
     double lead = 0;     // thread lead, mm
@@ -60,7 +60,8 @@ class ThreadRun final : public SteppedCycleValue<ThreadRun> {
   }
 
  private:
-  /// Returns a pass at `depth_` below the crest. Its start point is moved back along the first axis so that only one flank cuts.
+  /// Returns a pass at the depth `depth_` below the crest. The start point of the pass is moved back along the first axis, so that only one
+  /// flank cuts.
   ThreadPass pass() const {
     const Vec2& s = job_.start;
     const Vec2& t = job_.target;
@@ -110,7 +111,7 @@ Result<double> thread_lead_of(BlockContext& m, const Call& call) {
   return lead;
 }
 
-/// G76.7 X_ Z_ R_ P_ Q_ F_: starts the thread passes.
+/// Executes the second block of G76.7, G76.7 X_ Z_ R_ P_ Q_ F_, which starts the thread passes.
 Status compound_thread(Emitter& m, const Call& call) {
   constexpr double max_passes = 1e6;
   ThreadRun::Job job;

@@ -18,7 +18,8 @@ std::uint32_t fanuc::max_offsets(const BlockContext& m) {
 }
 
 Result<std::uint32_t> fanuc::offset_number(const BlockContext& m, char letter) {
-  if (m.has(letter) && m.value(letter) > fanuc::max_offsets(m) && m.def.gives(AlarmId::offset_number_large))  // PS0030 (spec/fanuc 7.1)
+  // PS0030 (spec/fanuc 7.1): the offset number is too large
+  if (m.has(letter) && m.value(letter) > fanuc::max_offsets(m) && m.def.gives(AlarmId::offset_number_large))
     return fail(alarm(AlarmId::offset_number_large, m.where(letter), m.block->text_of(m.where(letter))));
   const auto number = m.whole(letter, 0, fanuc::max_offsets(m));
   if (!number) return number;
@@ -27,7 +28,7 @@ Result<std::uint32_t> fanuc::offset_number(const BlockContext& m, char letter) {
 
 namespace {
 
-/// Returns the axes that the tool length acts on (15.3): those of the block, Z, or the normal of the plane.
+/// Returns the axes on which the tool length acts (15.3): the axes of the block, Z, or the normal of the plane.
 AxisMask length_axes(const BlockContext& m) {
   const int mode = fanuc_of(m).settings.length_axes;
   const auto bit = [](int axis) { return axis >= 0 ? 1u << static_cast<unsigned>(axis) : 0u; };
@@ -45,8 +46,8 @@ AxisMask length_axes(const BlockContext& m) {
 }
 
 /// Returns the shift of an axis by a length of the offset table. For an axis in diameter programming the length is a diameter (5.3, 15.3).
-/// The length is halved when it is put into force, since the offset table does not state an axis, and since G10.9 (diameter programming)
-/// must not move the machine.
+/// The length is halved when it comes into force, for two reasons: the offset table does not state an axis, and G10.9 (diameter
+/// programming) must not move the machine.
 double shift_by(const BlockContext& m, std::size_t axis, double length) { return fanuc::is_diameter(m, axis) ? length / 2 : length; }
 
 /// G43.7 (15.4): puts the sums of geometry and wear of the turning offset table into force on X, Y, Z at once.
@@ -71,7 +72,8 @@ void register_length(BlockContext& m, std::uint32_t number) {
     if ((axes >> a & 1u) != 0) m.modal.lengths[a] = number == 0 ? 0 : m.modal.length_sign * shift_by(m, a, length);
 }
 
-/// Checks that H is the number of the tool in the spindle, if setting 15 requires it (spec/haas 10); H0 ends the compensation.
+/// Checks that H is the number of the tool in the spindle, if setting 15 requires this (spec/haas 10). H0 is always allowed, because it
+/// ends the compensation.
 Status of_tool(const BlockContext& m, std::uint32_t number) {
   const std::uint32_t tool = m.modal.tool;
   if (!fanuc_of(m).settings.length_of_tool || number == 0 || number == tool) return {};
@@ -89,13 +91,13 @@ bool fanuc::only_shifts_length(const BlockContext& m) {
 
 namespace functions {
 
-/// G43, G44, G49, G43.7: call.row->arg is 1 for G43, 2 for G44, 0 for G49, 437 for G43.7.
+/// Executes G43, G44, G49, G43.7. call.row->arg is 1 for G43, 2 for G44, 0 for G49, 437 for G43.7.
 Status length_comp(Emitter& m, const Call& call) {
   if (m.modal.smoothing == 3) return fail(alarm(AlarmId::smoothing_length, call.where, call.row->code));
   const bool turning = call.row->arg == 43.7_g;
   if (turning && !fanuc_of(m).settings.turning_offsets) return fail(alarm(AlarmId::code_unknown, call.where, call.row->code));  // TOL=0
   if (call.row->arg == 0) KADR_TRY(fanuc::may_end_lead(m, call));
-  if (m.modal.turning_lengths && !turning) m.modal.lengths = {};  // 15.4: offsets for milling have no lengths in X and Y
+  if (m.modal.turning_lengths && !turning) m.modal.lengths = {};  // 15.4: the lengths in X and Y end, because offsets for milling have none
   m.modal.turning_lengths = turning;
   fanuc::end_lead(m);
   if (call.row->arg == 0) {
@@ -114,7 +116,7 @@ Status length_comp(Emitter& m, const Call& call) {
   } else if (!m.has_axis_words() && !turning) {
     return {};
   }
-  // The tool length has no axis to act on. The program was probably written for another control, which would apply the length.
+  // Warns that the tool length has no axis to act on. The program was probably written for another control, which would apply the length.
   if (m.has('H') && !turning && length_axes(m) == 0) m.warn(warning(AlarmId::length_no_axis, call.where, call.row->code));
   register_length(m, m.modal.length_number);
   m.change_frames();
@@ -148,8 +150,8 @@ Status radius_number(Emitter& m, const Call&) {
   return {};
 }
 
-/// G40, G41, G42 (15.5.1, 15.5.3): call.row->arg is 0, 1, 2. The next motion in the plane starts or ends compensation; I, J, K give its
-/// direction vector.
+/// Executes G40, G41, G42 (15.5.1, 15.5.3). call.row->arg is 0, 1, 2. The next motion in the plane starts or ends compensation; I, J, K
+/// give the direction vector of this start or end.
 Status radius_side(Emitter& m, const Call& call) {
   fanuc::UndoableState& state = fanuc_of(m).state;
   if (call.row->arg != 0 && m.modal.plane != Plane::xy && m.def.gives(AlarmId::compensation_plane))
@@ -173,15 +175,15 @@ Status radius_side(Emitter& m, const Call& call) {
   return {};
 }
 
-/// G38 (15.5.5): at the end of this block's line, the compensation vector is the same as at the start of the line.
+/// G38 (15.5.5): the compensation vector at the end of this block's line is the same as at the start of the line.
 Status vector_hold(Emitter& m, const Call& call) {
   if (m.modal.radius_side == 0) return fail(alarm(AlarmId::compensation_needed, call.where, call.row->code));
   fanuc_of(m).holds_vector = true;
   return {};
 }
 
-/// G39 (15.5.6): adds an arc of the tool about the programmed point. The arc ends where the next motion starts or, with I, J, K, where a
-/// motion in the direction I, J, K would start. The block has no other motion.
+/// G39 (15.5.6): adds an arc of the tool about the programmed point. The arc ends where the next motion starts. With I, J, K, the arc ends
+/// where a motion in the direction I, J, K would start. The block must have no other motion.
 Status vector_corner(Emitter& m, const Call& call) {
   if (m.modal.radius_side == 0) return fail(alarm(AlarmId::compensation_needed, call.where, call.row->code));
   if (m.has_axis_words()) return fail(alarm(AlarmId::own_block, call.where, call.row->code));

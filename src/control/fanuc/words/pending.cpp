@@ -1,4 +1,4 @@
-// Functions that need no action here, and the alarm for functions that are not implemented.
+// Functions for which no action is emitted, and the alarm for functions that are not implemented.
 
 #include "control/functions/functions.h"
 

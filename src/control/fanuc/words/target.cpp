@@ -11,9 +11,11 @@
 namespace kadr::fanuc {
 namespace {
 
-/// Computes the end point of a block in G16: the word of the first plane axis is the radius, the word of the second axis the angle (5.4).
+/// Computes the end point of a block in G16 (polar coordinates): the word of the first plane axis is the radius, the word of the second
+/// axis the angle (5.4).
 void polar(const BlockContext& m, const Word* radius, const Word* angle, Axes& to, AxisMask& named) {
-  Modal& modal = const_cast<BlockContext&>(m).modal;  // radius and angle of the block are stored
+  // the modal state is changed, because radius and angle of the block stay valid for later blocks
+  Modal& modal = const_cast<BlockContext&>(m).modal;
   const PlaneAxes& plane = modal.axes;
   const Vec2 here{m.position.programmed[plane.first], m.position.programmed[plane.second]};
   if (!modal.polar_angle_given) modal.polar_angle = angle_deg(here);
@@ -37,7 +39,8 @@ void polar(const BlockContext& m, const Word* radius, const Word* angle, Axes& t
   named |= 1u << plane.first | 1u << plane.second;
 }
 
-/// Returns the alarm for two words that position the same axis (such as X and the increment U), with the location of the later word.
+/// Returns the alarm for two words that position the same axis (such as X and the increment U); the location in the alarm is that of the
+/// later word.
 tl::unexpected<Alarm> twice(const BlockContext& m, std::size_t axis) {
   const Word* last = nullptr;
   for (std::uint32_t i = 0; i < m.block->word_count; ++i) {
@@ -52,7 +55,8 @@ tl::unexpected<Alarm> twice(const BlockContext& m, std::size_t axis) {
 bool is_diameter(const BlockContext& m, std::size_t axis) { return (m.modal.diameter >> axis & 1u) != 0; }
 
 double coordinate(const BlockContext& m, const Word& w, std::size_t axis) {
-  const bool is_virtual = m.modal.surface == PathSurface::polar && axis == m.modal.axes.second;  // 4.5: the virtual axis' word is a length
+  // 4.5: the word of the virtual axis is a length
+  const bool is_virtual = m.modal.surface == PathSurface::polar && axis == m.modal.axes.second;
   const bool is_length = is_virtual || m.def.address(w.address).unit == WordUnit::length;
   const double v = w.value * (is_length ? m.unit_scale() : 1.0);
   return is_diameter(m, axis) ? v / 2 : v;
@@ -63,13 +67,13 @@ bool is_increment(const BlockContext& m, const Word& w) {
   return !m.modal.absolute || w.incremental || m.def.address(w.address).function == Function::increment_axis;
 }
 
-/// Returns the position `c` of an axis that rolls over, reduced to [0, period).
+/// Returns the position `c` of an axis that rolls over, reduced to [0, period) degrees.
 double rolled_position(double c, double period) {
   const double r = c - period * std::floor(c / period);
-  return r < period ? r : 0;  // r can be rounded up to a full period
+  return r < period ? r : 0;  // 0 if rounding has raised r to a full period
 }
 
-/// Returns the signed travel of a rotary axis that rolls over (5.6), from position c in [0, period) to the programmed value.
+/// Returns the signed travel in degrees of a rotary axis that rolls over (5.6), from position c in [0, period) to the programmed value.
 double roll_travel(const AxisSettings& axis, double c, double programmed, bool increment) {
   const double period = axis.period;
   if (increment) return axis.cuts_turns ? programmed - period * std::trunc(programmed / period) : programmed;
@@ -87,7 +91,7 @@ double roll_travel(const AxisSettings& axis, double c, double programmed, bool i
 
 namespace {
 
-/// Positions the rotary axes as the programmed tool direction requires (25.14), by the shortest path.
+/// Positions the rotary axes in the shorter direction, as the programmed tool direction requires (25.14).
 void take_directed(const BlockContext& m, Axes& to, AxisMask& named) {
   Fanuc& fanuc = fanuc_of(m);
   for (std::size_t axis = 0; axis < m.axis_count; ++axis) {
@@ -113,7 +117,7 @@ Status target(const BlockContext& m, Axes& to, AxisMask& named) {
   const bool is_polar = m.modal.polar_data && !fanuc.cartesian_block;
   const Word* radius = nullptr;
   const Word* angle = nullptr;
-  // Each address occurs only once in a block: blocks.cpp has checked that.
+  // Each address occurs only once in a block, because blocks.cpp has checked the block.
   for (std::uint64_t left = m.block->letters & m.letters.axes; left != 0; left &= left - 1) {
     const Word& w = m.block->words[m.block->at[static_cast<std::size_t>(std::countr_zero(left))]];
     if (w.address == 0) continue;  // a drilling cycle has hidden this word temporarily
@@ -124,7 +128,7 @@ Status target(const BlockContext& m, Axes& to, AxisMask& named) {
       (axis == plane.first ? radius : angle) = &w;
       continue;
     }
-    if ((fanuc.by_direction >> axis & 1u) != 0) continue;  // the word has replaced I, J or K; take_directed() sets the position
+    if ((fanuc.by_direction >> axis & 1u) != 0) continue;  // this word was made from I, J or K; take_directed() sets the position
     const double v = coordinate(m, w, axis);
     const AxisSettings& settings = fanuc.settings.axes[axis];
     const bool increment = is_increment(m, w);
