@@ -1,7 +1,7 @@
 #pragma once
 // Custom macros B of Fanuc, Haas and NCT (spec/nct/23, spec/fanuc 5, 9): calls, variables, statements, output. There is one MacroB object
 // per channel; the state of an object is a plain value (memory.h). The dialects derived from MacroB provide canned cycles, frames and tools
-// through the virtual functions at the end of the public part.
+// through virtual functions, which are at the end of the public part.
 
 #include <memory>
 #include <optional>
@@ -43,7 +43,8 @@ class MacroB : public Dialect, public MachineInterface, public Memory {
 
   // ---- state that an alarm restores
   void begin_block(Emitter& m) override;
-  /// Saves the macro state, so that an alarm in the block can restore it. Must be called before a block changes more than the position.
+  /// Saves the macro state, so that an alarm in the block can restore it. The caller must call it before a block changes more than the
+  /// position.
   virtual void keep_all();
   void keep(BlockContext&) override { keep_all(); }
   void undo_block(BlockContext& m) override;
@@ -53,14 +54,14 @@ class MacroB : public Dialect, public MachineInterface, public Memory {
   std::shared_ptr<const DialectState> snapshot() const override;
   Status restore(BlockContext& m, const DialectState& from) override;
 
-  // ---- what the machine reports
+  // ---- reports of the machine
   MachineInterface* machine_interface() override { return this; }
   void set_signal(const std::string& name, double value) override;
   void set_answer(double to) override { answer = to; }
   void set_time(double at_ms, double cut_ms) override;
   const WrittenFiles& files_written() const override { return output.files(); }
 
-  // ---- what the interpreter calls
+  // ---- functions that the interpreter calls
   bool starts_code_by_code() const override { return true; }
   bool start(Interpreter& m, const Setup& setup) override;
   /// Assigns the values that the set-up gives to variables.
@@ -84,18 +85,20 @@ class MacroB : public Dialect, public MachineInterface, public Memory {
   Result<double> control_value(BlockContext& m, double number, double bit, double index, Span where) const override;
 
   // ---- functions that the derived dialects provide
-  /// Returns the tool's position after mirroring, scaling and rotation, in work coordinates; in polar interpolation, in coordinates of the
-  /// virtual plane.
+  /// Returns the tool's position after mirroring, scaling and rotation, in work coordinates. In polar interpolation, returns coordinates of
+  /// the virtual plane.
   virtual Axes before_transform(const BlockContext& m) const = 0;
   /// Saves the data of the canned cycles in force when an interrupt macro starts; bring_cycles_back() restores these data at the end of the
   /// macro.
   virtual void keep_cycles() = 0;
   virtual void bring_cycles_back() = 0;
-  /// Returns the number of contours, blocks of the program, that canned cycles are executing at present, one within the other.
+  /// Returns the number of contours (blocks of the program) that canned cycles are executing at present. The contours are nested, one
+  /// within the other.
   virtual std::size_t open_contours() const = 0;
   /// Returns true if a table has been written since the last call.
   virtual bool consume_touched_tables() = 0;
-  /// Reads a system variable of a table or position: positions, tool offsets, work offsets, tools. Returns nullopt for any other variable.
+  /// Returns the value of a system variable of a table or position: positions, tool offsets, work offsets, tools. Returns nullopt for any
+  /// other variable.
   virtual std::optional<double> table_value(Emitter& m, const FoundVariable& variable) const = 0;
   /// Writes a variable that table_value() reads. Returns false for any other variable. alarms value_limit, magazine_number
   virtual Result<bool> write_table(Emitter& m, const FoundVariable& variable, double value, Span where) = 0;
@@ -109,13 +112,14 @@ class MacroB : public Dialect, public MachineInterface, public Memory {
   virtual void read_parameters(BlockContext& m);
   /// Resets everything that the program has set to its state at power-on (3.4).
   void reset_macros();
-  /// True if macros do not act on a block that has only an end point, an arc centre and a feed. Such a block may be executed without the
-  /// checks that other blocks need (MotionDialect::lines_follow).
+  /// Returns true if macros do not act on a block that has only an end point, an arc centre and a feed. Such a block may be executed
+  /// without the checks that other blocks need (MotionDialect::lines_follow).
   bool words_follow() const {
     return !settings.binds_codes && pending.empty() && state.data_mode == DataMode::none && state.active_modal_calls == 0 &&
            !single_block && !watches_blocks() && !interrupted.active;
   }
-  /// True if keep_all() has not been called in this block: keep_all() must then save the state, and an alarm has no saved state to restore.
+  /// Returns true if keep_all() has not been called in this block. Then keep_all() must save the state, and an alarm has no saved state to
+  /// restore.
   bool keeps_nothing() const { return !before_.all; }
 
  private:

@@ -15,8 +15,8 @@ constexpr int letter_variables = 195;  // #195 … #199
 constexpr int ascii_variables = 191;   // #191 … #194
 constexpr std::string_view letters_in_order = "ABCST";
 
-/// Returns the number of the program that parameters bind to a G or M code; -1 if no program is bound to the code. `value`: the code's
-/// number.
+/// Returns the number of the program that parameters bind to a G or M code; -1 if no program is bound to the code. `value`: the number of
+/// the code.
 int program_of(const std::vector<CodeRun>& runs, double value, const CodeRun** run = nullptr) {
   for (const CodeRun& r : runs) {
     const double k = std::round((value - r.start) / r.step);
@@ -27,9 +27,9 @@ int program_of(const std::vector<CodeRun>& runs, double value, const CodeRun** r
   return -1;
 }
 
-/// True if a word with this address and code may call the program bound to it, given the programs that are being called. A word makes no
-/// call inside the program that it has called itself (13.1, 23.3.4 … 23.3.7). Inside the program of another bound word it makes a call only
-/// if N1755 #1 ENC permits this. ENC does not apply to a G code inside the macro of another G code (23.3.4).
+/// Returns true if a word with this address and code may call the program bound to it, which depends on the programs that are being called.
+/// Inside the program that a word has called, the same word makes no call (13.1, 23.3.4 … 23.3.7). Inside the program of another bound
+/// word, a word makes a call only if N1755 #1 ENC permits this. ENC does not apply to a G code inside the macro of another G code (23.3.4).
 bool may_call(const Interpreter& m, char address, std::int32_t code) {
   bool others = false;
   for (const CallFrame& frame : m.flow.frames()) {
@@ -43,7 +43,7 @@ bool may_call(const Interpreter& m, char address, std::int32_t code) {
 Status macro_by_code(Interpreter& m, const Word& w, int program, const CodeRun& run) {
   const Word* const first = m.block->words.data();
   if (w.written == 'M' && &w != first)
-    return fail(alarm(AlarmId::illegal_address, first->where, first->written));  // 23.3.5: only N may precede the calling M word
+    return fail(alarm(AlarmId::illegal_address, first->where, first->written));  // 23.3.5: only N may come before the M word that calls
   CallRequest request;
   const auto place = macro_b_of(m).programs.system(m, static_cast<std::uint32_t>(program), w.where);
   if (!place) return fail(place.error());
@@ -56,7 +56,7 @@ Status macro_by_code(Interpreter& m, const Word& w, int program, const CodeRun& 
   KADR_TRY(arguments_of(m, static_cast<std::uint32_t>(&w - m.block->words.data()), arguments));
   if (!run.modal) return call(m, request, arguments, w.where);
   MacroB& macros = macro_b_of(m);
-  macros.keep_all();  // a negative parameter makes the call modal: G66 or G66.1 (23.3.4)
+  macros.keep_all();  // saved because a negative parameter makes the call modal, as G66 or G66.1 do (23.3.4)
   macros.state.modal_calls.resize(macros.state.active_modal_calls);
   macros.state.modal_calls.push_back(
       {request.place.reader, request.place.start, 1, request.name, macros.settings.modal_each_block, w.written, w.code, arguments});
@@ -71,8 +71,8 @@ void pend(BlockContext& m, Word& w, int program) {
   m.block->altered = true;
 }
 
-/// Executes a word A, B, C, S, T or one of the four letters bound by parameters: stores its value in a common variable, and requests the
-/// call of its subprogram after the block (23.3.7, 23.3.8).
+/// Executes a word A, B, C, S, T, or a word of the four letters that parameters bind: stores its value in a common variable, and requests
+/// the call of its subprogram after the block (23.3.7, 23.3.8).
 bool letter_calls(Interpreter& m, Word& w) {
   const Settings& s = macro_b_of(m).settings;
   if (w.written > 'Z') return false;
@@ -99,7 +99,7 @@ bool letter_calls(Interpreter& m, Word& w) {
 Result<bool> call_by_code(Interpreter& m) {
   const Settings& s = macro_b_of(m).settings;
   if (!s.binds_codes || m.has_code({Function::macro_call, Function::macro_modal}))
-    return false;  // in blocks with G65, G66 the other codes are arguments
+    return false;  // no calls by other codes: in a block with G65 or G66, other codes are arguments
   for (std::uint32_t i = 0; i < m.block->word_count; ++i) {
     Word& w = m.block->words[i];
     if (w.address == 0 || w.bare || (w.written != 'G' && w.written != 'M')) continue;
@@ -120,8 +120,8 @@ Result<bool> call_by_code(Interpreter& m) {
   return false;
 }
 
-/// INFERRED: the subprograms run in the order in which their words are written. The calls are therefore entered in reverse order: the call
-/// entered last runs first.
+/// Calls the pending subprograms. INFERRED: they run in the order in which their words are written. The calls are therefore entered in
+/// reverse order, because the call that is entered last runs first.
 Status call_pending(Interpreter& m) {
   MacroB& macros = macro_b_of(m);
   for (; !macros.pending.empty(); macros.pending.pop_back()) {

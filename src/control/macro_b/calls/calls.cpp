@@ -22,7 +22,8 @@ constexpr std::uint32_t max_repeats = 99'999'999;
 Result<CallRequest> named_program(Interpreter& m, const Call& code, bool name_allowed) {
   CallRequest request;
   if (m.block->file_name.end != 0) {
-    if (!name_allowed) return fail(alarm(AlarmId::word_missing, code.where, 'P', code.row->code));  // 23.3: only G65 accepts a file name
+    // 23.3: of the calling codes, only G65 accepts a file name
+    if (!name_allowed) return fail(alarm(AlarmId::word_missing, code.where, 'P', code.row->code));
     const auto place = macro_b_of(m).programs.by_name(m, m.block->text_of(m.block->file_name), m.block->file_name);
     if (!place) return fail(place.error());
     request.place = *place;
@@ -34,7 +35,7 @@ Result<CallRequest> named_program(Interpreter& m, const Call& code, bool name_al
   if (!number) return fail(number.error());
   constexpr std::uint32_t four_digits = 10'000;
   const bool counts = m.def.behaviour.repeats_in_program_number && code.row->function == Function::call_program && !m.has('L');
-  if (counts && *number >= four_digits) {  // spec/fanuc 9.1: P51002 is O1002, five times
+  if (counts && *number >= four_digits) {  // spec/fanuc 9.1: P51002 means O1002, executed five times
     request.times = *number / four_digits;
     *number %= four_digits;
   }
@@ -60,7 +61,7 @@ void close_call(MacroB& macros, const CallFrame& frame, std::size_t depth) {
 Result<std::uint32_t> repeats_of(const BlockContext& m) {
   const Word* const l = m.word('L');
   if (l == nullptr) return 1u;
-  const double times = l->expression ? std::round(l->value) : l->value;  // 23.1.1
+  const double times = l->expression ? std::round(l->value) : l->value;  // 23.1.1: the value of an expression is rounded
   if (times != std::floor(times)) return fail(alarm(AlarmId::word_not_integer, l->where, 'L', times));
   if (!(times >= 1 && times <= max_repeats)) return fail(alarm(AlarmId::value_out_of_range, l->where, 'L', times));
   return static_cast<std::uint32_t>(times);
@@ -105,7 +106,7 @@ Status call_modal(Interpreter& m, const Locals& arguments) {
   request.called_by = modal.called_by;
   request.called_code = modal.called_code;
   KADR_TRY(call(m, request, arguments, m.block->where));
-  --macros.state.active_modal_calls;  // inside the macro only the modal calls programmed before this modal call are in force
+  --macros.state.active_modal_calls;  // while the macro runs, only modal calls that were programmed before this call are in force
   return {};
 }
 
@@ -115,12 +116,12 @@ Status return_from(Interpreter& m, const Call& code) {
   if (p != nullptr && !(p->value >= 0 && p->value <= max_repeats)) return fail(alarm(AlarmId::value_out_of_range, p->where, 'P', p->value));
   CallFrame* const top = m.flow.innermost();
   if (p != nullptr && m.def.behaviour.returns_to_own_block) return go_to_block_again(m, p->value, p->where);
-  if (top == nullptr) {  // in the main program M99 is a jump (14.4.4)
+  if (top == nullptr) {  // 14.4.4: M99 in the main program is a jump
     if (p != nullptr) return go_to_block_again(m, p->value, p->where);
     return m.begin_again(code.where);
   }
   std::uint32_t passes = top->left;
-  if (m.has('L')) {  // INFERRED: L is the number of executions after the first (14.4.3)
+  if (m.has('L')) {  // 14.4.3, INFERRED: L of M99 is the number of executions after the first
     const auto k = m.whole('L', 0, max_repeats);
     if (!k) return fail(k.error());
     const std::uint32_t total = *k + 1;
@@ -137,7 +138,7 @@ Status return_from(Interpreter& m, const Call& code) {
   const std::size_t depth = m.program().depth();
   const auto left = m.flow.end_subprogram(code.where);
   if (!left) return fail(left.error());
-  if (!*left) {  // the subprogram repeats
+  if (!*left) {  // the subprogram runs again, so the call does not end
     if (opened_level && !m.def.behaviour.repeats_keep_locals) macros.variables.locals() = macros.repeated_arguments.back().second;
     return {};
   }
@@ -154,7 +155,7 @@ namespace kadr::functions {
 
 using macro_b::CallRequest;
 
-/// G65 P L arguments, G65 <file> (23.3.1).
+/// G65 P L arguments, G65 <file> (23.3.1): calls a macro once, or L times.
 Status macro_call(Interpreter& m, const Call& call) {
   auto request = macro_b::named_program(m, call, true);
   if (!request) return fail(request.error());
@@ -167,8 +168,8 @@ Status macro_call(Interpreter& m, const Call& call) {
   return macro_b::call(m, *request, arguments, call.where);
 }
 
-/// G66 P L arguments: calls the macro after each movement. G66.1: calls the macro with the words of each block as arguments, the G66.1
-/// block included (23.3.2, 23.3.3).
+/// G66 P L arguments: calls the macro after each movement (23.3.2). G66.1: calls the macro with the words of each block as arguments, from
+/// the block of G66.1 on (23.3.3).
 Status macro_modal(Interpreter& m, const Call& call) {
   constexpr std::size_t max_modal_calls = 16;
   auto request = macro_b::named_program(m, call, false);
@@ -179,7 +180,8 @@ Status macro_modal(Interpreter& m, const Call& call) {
   KADR_TRY(macro_b::arguments_of(m, macro_b::index_of(m, call.word), arguments));
   macro_b::MacroB& macros = macro_b_of(m);
   if (macros.state.modal_calls.size() >= max_modal_calls) return fail(alarm(AlarmId::call_too_deep, call.where, double{max_modal_calls}));
-  macros.state.modal_calls.resize(macros.state.active_modal_calls);  // INFERRED: modal calls not in force in this macro are lost
+  // INFERRED: modal calls that are not in force in this macro are deleted
+  macros.state.modal_calls.resize(macros.state.active_modal_calls);
   macros.state.modal_calls.push_back(
       {request->place.reader, request->place.start, *times, request->name, call.row->arg == 66.1_g, 0, -1, arguments});
   ++macros.state.active_modal_calls;
@@ -196,7 +198,7 @@ Status macro_modal_off(Emitter& m, const Call& call) {
   return {};
 }
 
-/// M98 P L, M98 <file> L (14.4.2): the subprogram uses the caller's locals.
+/// M98 P L, M98 <file> L (14.4.2): calls a subprogram, which uses the caller's local variables.
 Status call_program(Interpreter& m, const Call& call) {
   auto request = macro_b::named_program(m, call, true);
   if (!request) return fail(request.error());

@@ -21,13 +21,13 @@ bool asked(MacroB& macros) {
   return macros.settings.interrupt_edge ? rose : signal_on(macros);
 }
 
-/// True if the M code `code` (M96 or M97) is passed to the machine: the interrupt macro is off (N1758 #0 USD=0), or N1758 #4 MCD assigns
-/// other codes to it. `own`: the assigned code.
+/// Returns true if the M code `code` (M96 or M97) is passed to the machine: the interrupt macro is off (N1758 #0 USD=0), or N1758 #4 MCD
+/// assigns other M codes to the interrupt macro. `own`: the assigned M code.
 bool is_free(const MacroB& macros, int code, int own) {
   return !macros.settings.interrupts || (macros.settings.interrupt_own_codes && code != own);
 }
 
-/// Aborts a running interrupt macro (13.1). INFERRED: the macro ends as with M99, and so do the programs that it has called.
+/// Aborts a running interrupt macro (13.1). INFERRED: the macro and the programs that it has called end as with M99.
 Status abort_interrupt(Interpreter& m, const Call& call) {
   MacroB& macros = macro_b_of(m);
   while (macros.interrupted.active && m.program().depth() != 0) {
@@ -58,7 +58,7 @@ Result<bool> call_interrupt(Interpreter& m, BlockMoment moment) {
   frame.caller = m.origin;
   frame.modal_calls = macros.state.active_modal_calls;
   frame.opened_level = !macros.settings.interrupt_keeps_locals;
-  if (moment == BlockMoment::start) m.flow.jump(m.block->position);  // the block is read again after the macro
+  if (moment == BlockMoment::start) m.flow.jump(m.block->position);  // the interrupted block is read again after the macro
   KADR_TRY(m.flow.call_at(macros.state.interrupt_program->reader, macros.state.interrupt_program->start, frame, m.block->where));
   if (frame.opened_level) macros.variables.open_level(no_locals());
   macros.interrupted = {true, m.modal, macros.state.words, m.transform, macros.state.modal_calls, macros.state.active_modal_calls};
@@ -67,10 +67,10 @@ Result<bool> call_interrupt(Interpreter& m, BlockMoment moment) {
   return true;
 }
 
-/// Ends the interrupt macro. M99 without P restores the modal state of the interrupted block (`restore`); M99 P does not (23.4).
+/// Ends the interrupt macro. M99 without P restores the modal state of the interrupted block (`restore` is true); M99 P does not (23.4).
 void MacroB::end_interrupt(Emitter& m, bool restore) {
   interrupted.active = false;
-  signal_rose = false;  // a signal edge of CP_MINT during the macro has no effect
+  signal_rose = false;  // an edge of the signal CP_MINT during the macro has no effect
   if (!restore) return;
   m.modal = interrupted.modal;
   state.words = interrupted.words;
@@ -86,13 +86,13 @@ void MacroB::end_interrupt(Emitter& m, bool restore) {
 
 namespace kadr::functions {
 
-/// M96 P, M96 <file>: from now on the signal CP_MINT calls that program. With N1758 #5 SYM = 0 the program is searched in the folder of the
-/// main program, even if M96 is in a subprogram in another folder (23.4).
+/// M96 P, M96 <file>: enables the program as interrupt macro, which the signal CP_MINT calls. With N1758 #5 SYM = 0 the program is searched
+/// in the folder of the main program, even if M96 is in a subprogram in another folder (23.4).
 Status interrupt_on(Interpreter& m, const Call& call) {
   macro_b::MacroB& macros = macro_b_of(m);
   if (macro_b::is_free(macros, call.word->code / 10, macros.settings.interrupt_on)) return m.dialect->machine_code(m, call);
   if (m.def.reports_program_ends()) m.report_to_machine(call.word->code);
-  macros.signal_rose = false;  // INFERRED: a signal edge of CP_MINT before M96 has no effect
+  macros.signal_rose = false;  // INFERRED: an edge of the signal CP_MINT before M96 has no effect
   if (m.block->file_name.end != 0) {
     const auto place = macros.programs.by_name(m, m.block->text_of(m.block->file_name), m.block->file_name, macro_b::Beside::main_program);
     if (!place) return fail(place.error());

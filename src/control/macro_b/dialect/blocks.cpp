@@ -1,5 +1,5 @@
-// The steps that a control with macros adds to the execution of a block by the interpreter, which all controls share: macro calls in place
-// of the block, single-block stops, pending calls (spec/nct/23 23.3, 23.5). Used by control/fanuc/dialect/blocks.
+// The steps that a control with macros adds to the execution of a block by the interpreter: macro calls in place of the block, single-block
+// stops, pending calls (spec/nct/23 23.3, 23.5). All controls share the interpreter. Used by control/fanuc/dialect/blocks.
 
 #include "control/macro_b/dialect/blocks.h"
 
@@ -27,13 +27,13 @@ Result<bool> call_with_block(Interpreter& m) {
   if (macros.state.active_modal_calls == 0 || !macros.state.modal_calls[macros.state.active_modal_calls - 1u].each_block) return false;
   if (m.block->word_count == 0 || m.has_code({Function::macro_modal_off, Function::return_program, Function::macro_modal})) return false;
   Locals arguments;
-  KADR_TRY(arguments_of(m, limits::block_words, arguments));  // every word is an argument: none of them makes the call
+  KADR_TRY(arguments_of(m, limits::block_words, arguments));  // every word is an argument, because no word of the block makes the call
   KADR_TRY(call_modal(m, arguments));
   return true;
 }
 
-/// True inside programs 8000–8999 and 9000–9999: single-block operation executes such a program and its call as one block, unless a
-/// parameter makes the blocks of these programs stop (23.3.9).
+/// Returns true inside programs 8000–8999 and 9000–9999. In single-block operation such a program runs together with its call as one block,
+/// unless a parameter makes its blocks stop (23.3.9).
 bool hidden(const BlockContext& m) {
   const std::uint32_t number = number_of_file(m.program().file());
   const Settings& s = macro_b_of(m).settings;
@@ -47,8 +47,8 @@ bool may_stop(const BlockContext& m) {
          m.modal.rows[macros.stop_group] != macros.inhibiting;
 }
 
-/// Single-block operation: stops after each NC block. INFERRED: macro blocks run together with the next NC block (23.5). Canned cycles emit
-/// their own stops.
+/// Stops after each NC block in single-block operation. INFERRED: macro blocks run together with the next NC block (23.5). Canned cycles
+/// emit their own stops.
 void stop_single_block(Emitter& m, bool was_hidden) {
   if (!may_stop(m) || m.block->word_count == 0 || m.canned_cycle_run.active() || m.cycling()) return;
   const bool returned = m.has_code({Function::return_program});
@@ -103,7 +103,8 @@ void note_words(BlockContext& m) {
   take('F', words.f);
   take('H', words.h);
   take('M', words.m);
-  for (std::uint32_t i = 0; (m.block->letters & m.letters.spindles) != 0 && i < m.block->word_count; ++i)  // words as S2=700 too (11.1)
+  // also records spindle words with a number, such as S2=700 (11.1)
+  for (std::uint32_t i = 0; (m.block->letters & m.letters.spindles) != 0 && i < m.block->word_count; ++i)
     if (const Word& w = m.block->words[i]; w.address != 0 && m.def.address(w.address).function == Function::spindle_word) words.s = w.value;
   take('T', words.t);
 }

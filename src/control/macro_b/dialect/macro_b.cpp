@@ -1,4 +1,4 @@
-// Custom macros B: power-on, set-up and reset, state that an alarm restores, snapshots, and the functions that the interpreter calls
+// Custom macros B: power-on, set-up and reset, the state that an alarm restores, snapshots, and the functions that the interpreter calls
 // (spec/nct/03, 23). Used by control/fanuc/dialect.
 
 #include "control/macro_b/macro_b.h"
@@ -18,7 +18,7 @@
 namespace kadr::macro_b {
 namespace {
 
-/// Returns the names of all axes of the machine, the axes of other channels included, indexed by axis number − 1.
+/// Returns the names of the axes of all channels, indexed by axis number − 1.
 std::vector<std::string> all_axes(const ControlDef& def, const Setup& setup) {
   std::vector<std::string> names(32);
   std::size_t number = 1;
@@ -107,13 +107,13 @@ void MacroB::reset_macros() {
   interrupted.active = false;
 }
 
-/// Copies the parameters of another channel (24.1).
+/// Copies the parameters of another channel, because all channels share the parameters (24.1).
 void MacroB::take_common(BlockContext& m, const Dialect& from) {
   parameters.take(static_cast<const MacroB&>(from).parameters);
   refresh_settings(m);
 }
 
-// ---- state that an alarm restores; Interpreter::undo_block restores the state that all controls have
+// ---- the state that an alarm restores; Interpreter::undo_block restores the state that all controls have
 
 void MacroB::begin_block(Emitter& m) {
   m.journal.keep(state.words);
@@ -145,12 +145,12 @@ Status MacroB::restore(BlockContext&, const DialectState& from) {
   static_cast<Memory&>(*this) = then.memory;
   parameters.resume_from(then.parameters);
   variables.resume_from(then.variables);
-  changes = Changes();  // no saved values: all rows are written to the state file again
+  changes = Changes();  // no saved values, so that all rows are written to the state file again
   before_ = {};
   return {};
 }
 
-// ---- what the machine reports (11.7, 23.1.9, 23.4)
+// ---- reports of the machine (11.7, 23.1.9, 23.4)
 
 void MacroB::set_signal(const std::string& name, double value) {
   double& signal = signals[name];
@@ -160,17 +160,17 @@ void MacroB::set_signal(const std::string& name, double value) {
 
 void MacroB::set_time(double at_ms, double cut_ms) {
   now_ms = at_ms;
-  cutting_ms += cut_ms;  // added, since the program may have assigned a value to the timer
+  cutting_ms += cut_ms;  // added, not assigned, because the program may have assigned a value to the timer
 }
 
-// ---- what the interpreter calls
+// ---- functions that the interpreter calls
 
 void MacroB::add_variables(Emitter& m, FinalState& ending, const std::vector<std::string>& watch) {
   macro_b::add_variables(m, ending, watch);
 }
 
 /// Returns true if the block may read a clock variable: it has a clock variable, a variable with a computed number, or a text with
-/// variables (23.1.9). Before such a block is executed, all earlier actions are, so that the clock shows the time at the block. From this
+/// variables (23.1.9). All earlier actions are then executed before the block, so that the clock shows the time at the block. From this
 /// block on, the actions of each block are executed before the next block.
 bool MacroB::reads_clock(const Block& block) const {
   const StatementKind kind = block.statement.kind;
@@ -206,7 +206,7 @@ Result<double> MacroB::control_value(BlockContext& m, double number, double bit,
   return read_parameter(m, number, bit, index, where);
 }
 
-/// Executes a block between G10 L52 and G11, which writes parameters (24.1).
+/// Executes one of the blocks between G10 L52 and G11, which write parameters (24.1).
 Status MacroB::parameter_line(BlockContext& m) {
   ParameterStore::Write write;
   write.block = m.block->where;

@@ -1,5 +1,5 @@
-// Executes the output statements POPEN, FOPEN, DPRNT, BPRNT, PCLOS, FCLOS (spec/nct/23 23.2.13): each becomes a call of the OutputFile.
-// Used by control/macro_b/statements/statements, control/macro_b/statements/messages.
+// Executes the output statements POPEN, FOPEN, DPRNT, BPRNT, PCLOS, FCLOS (spec/nct/23 23.2.13) by calls of the class OutputFile. Used by
+// control/macro_b/statements/statements, control/macro_b/statements/messages.
 
 #include "control/macro_b/output/output.h"
 
@@ -21,7 +21,7 @@ namespace fs = std::filesystem;
 /// in the top folder of the program memory.
 std::string program_path(const BlockContext& m) {
   const auto whole = [](const std::string& path) {
-    std::error_code error;  // if there is no working directory, the path remains relative
+    std::error_code error;  // ignored: without a working directory the path remains relative
     return fs::absolute(path, error).lexically_normal();
   };
   const fs::path main = whole(m.program().main_file()), root = whole(macro_b_of(m).output.root() + "/").parent_path();
@@ -43,7 +43,7 @@ Result<double> value_or_zero(Emitter& m, Expression expression) {
   return evaluate(*m.block, expression, VariableReader{m});
 }
 
-/// Collects the values of the variables in a text, in the order of the text; the value of a vacant variable is nullopt.
+/// Collects the values of the variables in a text, in the order in which they occur in the text. The value of a vacant variable is nullopt.
 class Values {
  public:
   explicit Values(Emitter& m) : m_(m) { scratch_.text = {}; }

@@ -1,5 +1,5 @@
 #pragma once
-// Executes the output statements POPEN, FOPEN, DPRNT, BPRNT, PCLOS, FCLOS (spec/nct/23 23.2.13): each becomes a call of the OutputFile.
+// Executes the output statements POPEN, FOPEN, DPRNT, BPRNT, PCLOS, FCLOS (spec/nct/23 23.2.13) by calls of the class OutputFile.
 
 #include <string>
 

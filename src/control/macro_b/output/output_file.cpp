@@ -1,4 +1,4 @@
-// Names, opens, prints to and closes the files that a program writes. control/files/file_writer writes the bytes.
+// Names, opens, prints to and closes the files that a program writes. The bytes are written by control/files/file_writer.
 
 #include "control/macro_b/output/output_file.h"
 
@@ -20,10 +20,10 @@ using files::parts_of;
 
 namespace {
 
-constexpr std::size_t longest_name = 60;  // characters between < > (14.4.2)
+constexpr std::size_t longest_name = 60;  // greatest number of characters between < > (14.4.2)
 constexpr double device_number = 31;
 constexpr double max_program_number = 99'999'999;
-constexpr int short_numbers = 9'999;  // the largest number written as O and four digits
+constexpr int short_numbers = 9'999;  // the greatest program number that is written with O and four digits
 constexpr std::string_view percent = "%\r\n";
 constexpr std::string_view card_file = "PRNT0000.DAT";
 
@@ -35,7 +35,7 @@ constexpr FileMode modes[] = {
     {false, true, false},  // 5
 };
 
-/// Counts the characters of a text. Returns nullopt if one of them is not allowed in a name.
+/// Counts the characters of a text. Returns nullopt if a character is not allowed in a name.
 std::optional<std::size_t> count_characters(std::string_view text) {
   std::size_t count = 0;
   for (; !text.empty(); ++count) {
@@ -47,7 +47,7 @@ std::optional<std::size_t> count_characters(std::string_view text) {
   return count;
 }
 
-/// Returns the extension of a path: ".nct" for "sub/part.nct"; empty if the path has none.
+/// Returns the extension of a path, ".nct" for "sub/part.nct"; empty if the path has no extension.
 std::string_view extension_of(std::string_view program) {
   const std::size_t slash = program.rfind('/');
   const std::string_view file = slash == std::string_view::npos ? program : program.substr(slash + 1);
@@ -188,7 +188,7 @@ Status OutputFile::name_device_file(std::string_view line, PrintKind kind) {
   const Result<std::string> path = path_in_root(file, program_);
   KADR_TRY(path);
   if (!writer_.has_room(percent))
-    return fail(alarm(AlarmId::file_write, {}, std::string_view(file)));  // this check comes before the existing file is emptied
+    return fail(alarm(AlarmId::file_write, {}, std::string_view(file)));  // checked here, before the existing file is emptied
   KADR_TRY(open(named_file(*path, file), 2, program_));
   const Status begun = writer_.write(percent);
   if (!begun) {

@@ -44,12 +44,12 @@ class OutputFile {
   ///   alarms   file_mode (device), file_already_open (path)
   Status open_device(double device, std::string_view program);
 
-  /// POPEN without a number: appends to PRNT0000.DAT in the program's folder, starting with `%` CR LF (spec/fanuc 5.9). The alarms are
-  /// those of open_named().
+  /// Executes POPEN without a number: appends to PRNT0000.DAT in the program's folder, starting with `%` CR LF (spec/fanuc 5.9). The alarms
+  /// are those of open_named().
   Status open_card(std::string_view program);
 
-  /// FOPENn Pp: opens the file Onnnn with the number p in four digits; in eight digits if p is longer, or if only the eight-digit file
-  /// exists. Folder and extension are those of `program` (14.4.2).
+  /// Executes FOPENn Pp: opens the file Onnnn, whose name has the number p in four digits. The name has eight digits if p is longer, or if
+  /// only the eight-digit file exists. Folder and extension are those of `program` (14.4.2).
   ///   mode     1: a new file is created; 2: a new file is created, or an existing file is emptied;
   ///            3: text is appended to an existing file; 4: a new file is created, or text is appended to an existing file;
   ///            5: an existing file is emptied
@@ -57,24 +57,24 @@ class OutputFile {
   ///            file_outside, file_write; file_already_open also if the file is the running program itself (our choice)
   Status open_number(double mode, double p, std::string_view program);
 
-  /// FOPENn <name>. The alarms are those of open_number(), with file_exists (name) and file_missing (name) in place of those for programs,
-  /// and those of path_in_root(). Capital and small Latin letters are equal in names, but an exact match comes first (inferred, 14.4.2).
-  /// Folders are not created.
+  /// Executes FOPENn <name>. The alarms are those of path_in_root() and of open_number(), with file_exists (name) and file_missing (name)
+  /// in place of the alarms for programs. Inferred (14.4.2): capital and small Latin letters are equal in names, but an exact match has
+  /// priority. Folders are not created.
   Status open_named(double mode, std::string_view name, std::string_view program);
 
   /// Writes the text of one print statement, as decimal() or binary() returns it, with its CR LF. When print() returns, the operating
-  /// system has the text (one write, no buffer of our own), so killing this process loses no completed statement. A write that fails
-  /// halfway is undone. The text of the first DPRNT after POPEN31 is the file's name, with blanks removed; instead of the text, `%` CR LF
-  /// is written (inferred).
+  /// system has the text (one write, no buffer of our own), so a statement that is complete is not lost if this process is killed. A write
+  /// that fails halfway is undone. The first DPRNT after POPEN31 is an exception: its text, with blanks removed, is the file's name, and
+  /// `%` CR LF is written instead (inferred).
   ///   alarms   file_not_open, file_write (path), also if the file would exceed `most` bytes; if the text is the file's name: file_name
   ///            (also for BPRNT, or if the name has a separator), file_outside
   Status print(std::string_view line, PrintKind kind);
 
-  /// PCLOSn: writes `%` CR LF (inferred) and closes the file of POPEN. Alarms file_mode (device), file_not_open (also after FOPEN),
-  /// file_name: no DPRNT has named the file; file_write.
+  /// Executes PCLOSn: writes `%` CR LF (inferred) and closes the file of POPEN. Alarms: file_mode (device); file_not_open, also after
+  /// FOPEN; file_name, if no DPRNT has named the file; file_write.
   Status close_device(double device);
 
-  /// FCLOS: closes the file of FOPEN. Alarms file_not_open (also after POPEN), file_write.
+  /// Executes FCLOS: closes the file of FOPEN. Alarms: file_not_open, also after POPEN; file_write.
   Status close_file();
 
   /// Closes the open file at M2, M30 or any other end of the run, without writing a closing `%`.
@@ -87,16 +87,16 @@ class OutputFile {
     files::FileWriter::Memory writer;
   };
   Memory memory() const;
-  /// Continues the file that was open when the snapshot was taken: text that was printed after the snapshot is cut off. Other files do not
+  /// Continues the file that was open when the snapshot was taken. Text that was printed after the snapshot is cut off. Other files do not
   /// change.
   ///   alarms   file_write (path): the file no longer exists, is shorter than at the snapshot, or may not be written
   Status resume_from(const Memory& memory);
 
   bool is_open() const { return state_ != State::closed; }
-  /// All files written in the run: path from the root → size in bytes.
+  /// Returns all files written in the run, as a map from the path (from the root) to the size in bytes.
   const std::map<std::string, std::uint64_t>& files() const { return writer_.files(); }
   const std::string& root() const { return writer_.root(); }
-  const std::string& path() const { return writer_.path(); }  // open file's path from the root; empty until the file is named
+  const std::string& path() const { return writer_.path(); }  // path of the open file from the root; empty until the file has a name
 
  private:
   enum class State : std::uint8_t { closed, waits_for_name, device, file };

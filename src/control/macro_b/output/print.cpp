@@ -1,4 +1,4 @@
-// Formats the text that DPRNT and BPRNT print, and variables inside the text of #3107 (nct 23.2.13, 23.1.8). Used by
+// Formats the text that DPRNT and BPRNT print, and the variables inside the text of #3107 (nct 23.2.13, 23.1.8). Used by
 // control/macro_b/output/output, control/macro_b/output/output_file; tested by tests/control/macro_b/print_test.cpp.
 
 #include "control/macro_b/output/print.h"
@@ -28,7 +28,8 @@ std::size_t past_blanks(std::string_view text, std::size_t at) {
   return at;
 }
 
-/// The format after a variable in a print statement, one or two digits in brackets: `[53]` is 5 digits before the decimal point, 3 after.
+/// The format after a variable in a print statement: one or two digits in brackets. `[53]` means 5 digits before the decimal point and 3
+/// after it.
 struct Format {
   int first = 0;
   std::optional<int> second;
@@ -44,7 +45,7 @@ std::optional<Format> read_format(std::string_view text) {
   return Format{digits[0], count == 2 ? std::optional<int>(digits[1]) : std::nullopt, at + 1};
 }
 
-/// Creates the piece that prints a value. Returns nullopt if the format is not valid for DPRNT or BPRNT (`kind`).
+/// Returns the print element for the value of a variable; nullopt if the format is not valid for DPRNT or BPRNT (`kind`).
 std::optional<PrintPiece> value_piece(const std::optional<Format>& format, PrintKind kind, std::size_t slot) {
   if (!format) return std::nullopt;
   const int second = format->second.value_or(0);
@@ -66,17 +67,17 @@ void add_text(std::vector<PrintPiece>& pieces, std::string_view text) {
   pieces.back().text += text;
 }
 
-/// Returns the end of the bracketed format that starts at `at`, so that an alarm can quote the format; the end of the text if `]` is
-/// missing.
+/// Returns the end of the bracketed format that starts at `at`, so that an alarm can quote the format. If `]` is missing, returns the end
+/// of the text.
 std::size_t format_end(std::string_view text, std::size_t at) {
   const std::size_t close = text.find(']', at);
   return close == std::string_view::npos ? text.size() : close + 1;
 }
 
-/// Returns the digits of |value| rounded to `after` decimals, ties upwards, without the decimal point: at least after + 1 digits. The
-/// digits of the exact decimal expansion are rounded, because multiplying by a power of ten would add a rounding error. The first 60
-/// decimals suffice: a double that is not exactly halfway between two numbers of at most 15 decimals differs from the midpoint within 60
-/// decimals.
+/// Returns the digits of |value| rounded to `after` decimals, ties upwards, without the decimal point; the result has at least after + 1
+/// digits. The digits of the exact decimal expansion are rounded, because multiplying by a power of ten would add a rounding error. The
+/// first 60 decimals suffice: a double that is not exactly halfway between two numbers of at most 15 decimals differs from the midpoint
+/// within 60 decimals.
 std::string rounded_digits(double value, int after) {
   constexpr int shown = 60;
   char buffer[std::numeric_limits<double>::max_exponent10 + shown + 8];
@@ -192,7 +193,7 @@ std::string decimal(const std::vector<PrintPiece>& pieces, PrintValues values, P
 }
 
 Result<std::string> binary(const std::vector<PrintPiece>& pieces, PrintValues values) {
-  constexpr std::size_t longest = 10;  // digits of 2^31
+  constexpr std::size_t longest = 10;  // the number of digits of 2^31
   std::string bytes;
   for (const PrintPiece& piece : pieces) {
     if (!piece.slot) {

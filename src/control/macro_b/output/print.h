@@ -16,29 +16,29 @@ namespace kadr::macro_b {
 
 /// One element of a print statement: fixed characters, or the value of a variable.
 struct PrintPiece {
-  std::string text;                 // fixed characters as they are printed; empty if the piece is a value
-  std::optional<std::size_t> slot;  // index of the value in PrintValues; nullopt if the piece is fixed text
+  std::string text;                 // fixed characters as they are printed; empty if the element is a value
+  std::optional<std::size_t> slot;  // index of the value in PrintValues; nullopt if the element is fixed text
   std::uint8_t before = 0;          // digits before the decimal point (DPRNT only)
   std::uint8_t after = 0;           // digits after the decimal point
   friend bool operator==(const PrintPiece&, const PrintPiece&) = default;
 };
 struct PrintText {
   std::vector<PrintPiece> pieces;
-  std::size_t size = 0;  // length of the parsed text, both brackets included
+  std::size_t size = 0;  // length of the parsed text in characters, both brackets included
 };
 
 enum class PrintKind : std::uint8_t { decimal, binary };
 
-/// What fills the unused leading positions of a number: parameter N1757 Print Contr, bit #0 PNT.
+/// The character that fills the unused leading positions of a number, as parameter N1757 Print Contr, bit #0 PNT, selects it.
 enum class PrintFill : std::uint8_t {
-  spaces,  // 0: a space is printed for the sign `+` and for each leading zero
-  none,    // 1: the sign `+` and leading zeros are omitted
+  spaces,  // bit 0: a space is printed for the sign `+` and for each leading zero
+  none,    // bit 1: the sign `+` and leading zeros are omitted
 };
 
 using PrintValues = std::span<const std::optional<double>>;  // values by PrintPiece::slot; nullopt for an empty variable
 
-/// Reads the reference to a variable (`#130`, `#[#1+2]`, `#_OFSX[1]`) at the start of `rest`; returns its length in characters. The
-/// variable read by the n-th successful call, counted from 0, has slot n.
+/// Reads the reference to a variable (`#130`, `#[#1+2]`, `#_OFSX[1]`) at the start of `rest`, and returns the length of the reference in
+/// characters. The n-th successful call, counted from 0, reads the variable of slot n.
 using ReadVariable = std::function<Result<std::size_t>(std::string_view rest)>;
 
 /// Parses the bracketed text of a print statement, `[X#130[53]Y#500[53]T#10[20]]`.
@@ -51,8 +51,8 @@ using ReadVariable = std::function<Result<std::size_t>(std::string_view rest)>;
 ///            are printed as capitals; blanks in the text are not printed
 Result<PrintText> parse_print(std::string_view text, PrintKind kind, const ReadVariable& read_variable);
 
-/// Parses the text of a message: `#v[cd]` is the value of variable v with c digits before and d after the decimal point, `\n` is a line
-/// break; all other characters are unchanged (inferred: also a `#` without format, and `*`). Gives no alarm.
+/// Parses the text of a message. `#v[cd]` is the value of variable v with c digits before and d after the decimal point, and `\n` is a line
+/// break. All other characters are unchanged (inferred: also a `#` without format, and `*`). The function raises no alarm.
 ///   manual   23.1.8
 PrintText parse_message(std::string_view text, const ReadVariable& read_variable);
 
@@ -66,14 +66,15 @@ PrintText parse_message(std::string_view text, const ReadVariable& read_variable
 ///   law      except for ties, the digits are those that printf prints
 std::string decimal_number(std::optional<double> value, int before, int after, PrintFill fill);
 
-/// Concatenates the pieces, with the values inserted: the result is the text of a message, or a file name.
+/// Joins the elements, with the values inserted. The result is the text of a message, or a file name.
 std::string joined(const std::vector<PrintPiece>& pieces, PrintValues values, PrintFill fill);
 
-/// Returns the line that DPRNT prints: the pieces with the values inserted, then CR LF.
+/// Returns the line that DPRNT prints: the elements with the values inserted, then CR LF.
 std::string decimal(const std::vector<PrintPiece>& pieces, PrintValues values, PrintFill fill);
 
-/// Returns the bytes that BPRNT prints: text unchanged; each value, multiplied by 10^after and rounded (ties away from zero), as four
-/// bytes, the most significant first; then CR LF. An empty variable counts as 0. Inferred: negative values are in two's complement.
+/// Returns the bytes that BPRNT prints, ending with CR LF. Text is unchanged. Each value is multiplied by 10^after, rounded (ties away from
+/// zero), and printed as four bytes, the most significant first. An empty variable counts as 0. Inferred: negative values are in two's
+/// complement.
 ///   alarms   value_limit (value): the value does not fit into 32 bits (inferred)
 Result<std::string> binary(const std::vector<PrintPiece>& pieces, PrintValues values);
 

@@ -1,5 +1,5 @@
-// Finds a called program in three steps (spec/fanuc 9.2, spec/haas 1.1): in the caller's own file, by the names of files, by the first word
-// in each file. Used by control/macro_b/calls; tested by tests/cases/fanuc/programs.cases.
+// Finds a called program in three steps (spec/fanuc 9.2, spec/haas 1.1): in the caller's own file, then by the names of files, then by the
+// first word in each file. Used by control/macro_b/calls; tested by tests/cases/fanuc/programs.cases.
 
 #include <fmt/core.h>
 
@@ -18,9 +18,9 @@ namespace {
 namespace fs = std::filesystem;
 using Files = std::vector<fs::path>;
 
-constexpr std::size_t max_searched_files = 10'000;  // files of one folder
-constexpr std::size_t max_heading = 4096;           // bytes of a file that are searched for its first word
-constexpr std::size_t max_named = 3;                // files that an alarm lists
+constexpr std::size_t max_searched_files = 10'000;  // greatest number of files of one folder that are searched
+constexpr std::size_t max_heading = 4096;           // number of bytes at the start of a file that are searched for its first word
+constexpr std::size_t max_named = 3;                // greatest number of files that an alarm lists
 constexpr std::size_t digits_of_haas = 5, digits_of_fanuc = 4, max_name_digits = 8;
 
 std::string in_capitals(std::string text) {
@@ -28,7 +28,7 @@ std::string in_capitals(std::string text) {
   return text;
 }
 
-/// Returns the number of digits after the O of a file's name if the digits are the given program number; 0 for any other name.
+/// Returns the number of digits after the O in a file's name if these digits are the given program number; 0 for any other name.
 std::size_t digits_of(const fs::path& file, std::uint32_t number) {
   const std::string stem = in_capitals(file.stem().string());
   const std::size_t digits = stem.size() - 1;
@@ -78,7 +78,7 @@ FirstWord first_word(const fs::path& file, const Grammar& grammar, const FileAcc
   }
 }
 
-/// Returns the only file in `files`, or nullopt if `files` is empty. More than one file raises an alarm. `shown`: the program's name in the
+/// Returns the only file in `files`, or nullopt if `files` is empty. Several files raise an alarm. `shown`: name of the program in the
 /// alarm.
 ///   alarms  programs_alike
 Result<std::optional<fs::path>> only_one(const Files& files, std::string_view shown, Span where) {
@@ -90,8 +90,8 @@ Result<std::optional<fs::path>> only_one(const Files& files, std::string_view sh
   return fail(alarm(AlarmId::programs_alike, where, shown, std::string_view(names)));
 }
 
-/// Searches for a program by file name. Files with the caller's extension have priority over others; on a Haas, names of five digits have
-/// priority over names of four.
+/// Searches for a program by file name. A file with the caller's extension has priority over files with other extensions. On a Haas, a name
+/// of five digits has priority over a name of four.
 Result<std::optional<fs::path>> by_file_name(const BlockContext& m, const Files& files, std::uint32_t number, Span where) {
   const std::string extension = in_capitals(fs::path(m.program().file()).extension().string());
   const std::string shown = "O" + std::to_string(number);
@@ -134,7 +134,7 @@ Result<std::optional<ProgramLocation>> Programs::in_own_file(Interpreter& m, std
     return fail(alarm(AlarmId::programs_alike, where, std::string_view(shown), std::string_view(lines)));
   }
   if (places.empty()) return std::optional<ProgramLocation>();
-  if (m.program().reader() == 0) (void)m.flow.label_of(number);  // records that the program is called
+  if (m.program().reader() == 0) (void)m.flow.label_of(number);  // called only to record that the program is called; the label is not used
   return std::optional(ProgramLocation{m.program().reader(), places.front()});
 }
 

@@ -1,4 +1,4 @@
-// Finds programs by number and by name in the program memory, which is folders on the disk (spec/nct/14 14.4.1, 14.4.2). Used by
+// Finds programs by number and by name in the program memory, which consists of folders on the disk (spec/nct/14 14.4.1, 14.4.2). Used by
 // control/macro_b/calls/calls, control/macro_b/memory.
 
 #include "control/macro_b/programs/programs.h"
@@ -17,11 +17,11 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::size_t max_name = 60;  // characters between < and > (14.4.2)
-constexpr int max_parents = 16;       // folders above the program that are searched for SystemMacros
+constexpr std::size_t max_name = 60;  // greatest number of characters between < and > (14.4.2)
+constexpr int max_parents = 16;       // greatest number of folders above the program that are searched for SystemMacros
 constexpr std::uint32_t most_short = 9999;
-constexpr std::size_t max_files = 10'000;  // files of one folder that are examined
-constexpr std::size_t max_head = 512;      // bytes of a file that are searched for its number
+constexpr std::size_t max_files = 10'000;  // greatest number of files of one folder that are examined
+constexpr std::size_t max_head = 512;      // number of bytes at the start of a file that are searched for its program number
 
 bool alike(std::string a, std::string b) {
   const auto small = [](std::string& s) { std::transform(s.begin(), s.end(), s.begin(), to_lower); };
@@ -40,7 +40,7 @@ std::optional<fs::path> in_folder(const fs::path& folder, const std::string& nam
   return std::nullopt;
 }
 
-/// True if the file's real path, with links followed, is below the folder. A program may read no other file.
+/// Returns true if the file's real path, with links followed, is below the folder. A program must not read any other file.
 bool is_below(const fs::path& file, const fs::path& folder) {
   std::error_code error;
   const fs::path real = fs::canonical(file, error);
@@ -51,13 +51,13 @@ bool is_below(const fs::path& file, const fs::path& folder) {
   return parted.first == root.end();
 }
 
-/// True if the file is in the program memory: the main program's folder, or the folder given to the run (--files).
+/// Returns true if the file is in the program memory: in the main program's folder, or in the folder that the option --files gives.
 bool is_inside(const BlockContext& m, const fs::path& file) {
   const std::string& given = m.program().limits().files;
   return is_below(file, fs::path(m.program().main_file()).parent_path()) || (!given.empty() && is_below(file, given));
 }
 
-/// Returns the file of a program number in a folder. The name with four digits is tried first, then the name with eight.
+/// Returns the file of a program number in a folder. The name with four digits has priority over the name with eight digits.
 std::optional<fs::path> numbered(const fs::path& folder, std::uint32_t number, const std::string& extension) {
   if (number <= most_short)
     if (auto found = in_folder(folder, fmt::format("O{:04}{}", number, extension))) return found;
@@ -85,14 +85,14 @@ std::optional<std::uint32_t> number_in(std::string_view text) {
   return static_cast<std::uint32_t>(std::stoul(std::string(text)));
 }
 
-/// True for the extensions of the NCT, .nct and .prg: names of such files must follow 14.4.1 (O1, O01234 are invalid). Files with another
-/// extension, such as `.nc` of another shop, may have any name.
+/// Returns true for .nct and .prg, the extensions of the NCT. Names of files with these extensions must follow 14.4.1 (O1, O01234 are
+/// invalid). Files with another extension, such as `.nc` of another workshop, may have any name.
 bool names_are_strict(const std::string& extension) { return alike(extension, ".nct") || alike(extension, ".prg"); }
 
-/// The program number at the start of a file, after `O` or `:`. A line of % and empty lines may come before the number.
+/// The program number at the start of a file, after `O` or `:`. A line with % and empty lines may come before it.
 struct Heading {
   std::uint32_t number = 0;
-  Position start;  // start of the program; if the first line has `:`, which this control does not read, the second line
+  Position start;  // start of the program; this is the second line if the first has `:`, which this control does not read
 };
 
 std::optional<Heading> heading_of(const fs::path& path, const FileAccess* door) {
@@ -120,8 +120,8 @@ bool begins_with(const fs::path& path, std::uint32_t number, const FileAccess* d
   return heading && heading->number == number;
 }
 
-/// Finds a file of a program number. If `by_word` is false, the file's name is the number in another form ("0020" or "O00020" for 20); if
-/// `by_word` is true, the number is the first word in the file. Searches the caller's folder, then the folder of --files.
+/// Finds the file of a program number. If `by_word` is false, the file's name must be the number in another form ("0020" or "O00020" for
+/// 20). If `by_word` is true, the number must be the first word in the file. Searches the caller's folder, then the folder of --files.
 ///   returns  "" if no such file exists
 ///   alarms  label_twice
 Result<std::string> other_file(BlockContext& m, std::uint32_t number, const fs::path& caller, bool by_word, Span where) {
@@ -136,7 +136,8 @@ Result<std::string> other_file(BlockContext& m, std::uint32_t number, const fs::
     for (const auto& entry : fs::directory_iterator(folder, fs::directory_options::skip_permission_denied, error)) {
       if (left-- == 0) break;
       const fs::path& path = entry.path();
-      const bool of_name = number_of_file(path.filename().string()) != 0;  // 14.4.1: the number is that of the name
+      // 14.4.1: the program's number is in the file's name, so the file's first word does not count
+      const bool of_name = number_of_file(path.filename().string()) != 0;
       if (by_word ? of_name : number_in(path.stem().string()) != number || !alike(path.extension().string(), extension)) continue;
       if (!entry.is_regular_file(error) || (by_word && !begins_with(path, number, m.program().limits().door)) || !is_inside(m, path))
         continue;
@@ -156,7 +157,7 @@ std::string program_name(std::uint32_t number) {
 
 std::uint32_t number_of_file(const std::string& path) {
   std::string stem = fs::path(path).stem().string();
-  stem.resize(std::min(stem.size(), stem.find(' ')));  // the control's own form is "O9999 (macros)"
+  stem.resize(std::min(stem.size(), stem.find(' ')));  // drops a remark in the name: the control's own form is "O9999 (macros)"
   if (stem.size() < 2 || stem.size() > 9 || (stem[0] != 'O' && stem[0] != 'o')) return 0;
   if (stem.find_first_not_of("0123456789", 1) != std::string::npos) return 0;
   return static_cast<std::uint32_t>(std::stoul(stem.substr(1)));
@@ -186,7 +187,7 @@ Result<ProgramLocation> Programs::by_number(Interpreter& m, std::uint32_t number
     auto other = other_file(m, number, caller, false, where);
     if (!other) return fail(other.error());
     const auto built_in = other->empty() ? m.flow.open_built_in(program_name(number)) : std::nullopt;
-    if (built_in) {  // a built-in program of the control: G65 P9999 (23.6)
+    if (built_in) {  // 23.6: the program is built into the control, such as P9999 of G65
       place.reader = *built_in;
     } else {
       const bool by_word = other->empty();
@@ -218,7 +219,8 @@ Result<ProgramLocation> Programs::by_name(Interpreter& m, std::string_view name,
   const fs::path relative = path_of(name);
   const fs::path whole = (folder / relative).lexically_normal();
   auto file = in_folder(whole.parent_path(), whole.filename().string());
-  if (!file && m.def.grammar.programs_by_label) {  // spec/fanuc 9.2
+  // spec/fanuc 9.2: the extension may be missing in the call, or the first word in a file is the name
+  if (!file && m.def.grammar.programs_by_label) {
     file = in_folder(whole.parent_path(), whole.filename().string() + caller.extension().string());
     if (!file) {
       const auto headed = by_heading(m, name, where);

@@ -1,5 +1,5 @@
 #pragma once
-// Finds programs by number and by name in the program memory, which is folders on the disk (spec/nct/14 14.4.1, 14.4.2; 23 23.3).
+// Finds programs by number and by name in the program memory, which consists of folders on the disk (spec/nct/14 14.4.1, 14.4.2; 23 23.3).
 
 #include <cstdint>
 #include <map>
@@ -22,19 +22,19 @@ struct ProgramLocation {
   Position start;
 };
 
-/// Selects the folder in which a called program is searched: the folder of the calling program, or the folder of the main program.
+/// The folder in which a called program is searched: the folder of the calling program, or the folder of the main program.
 enum class Beside : std::uint8_t { caller, main_program };
 
 /// Finds called programs and records where they were found, so that each program is searched only once.
 class Programs {
  public:
-  /// Finds the program that M98 P, G65 P … call by number. It tries, in this order: a file `Onnnn` or `Onnnnnnnn` with the caller's
-  /// extension in the caller's folder (14.4.2). INFERRED: the program that starts with `Onnnn` in the main file itself (a tape with several
-  /// programs). Our choice, for files of other shops: a file whose name is the number in another form (not .nct, .prg), in the caller's
-  /// folder or in the folder of --files; the control's built-in program; a file that starts with `O` or `:` and the number.
+  /// Finds the program that M98 P, G65 P … call by number. First it tries a file `Onnnn` or `Onnnnnnnn` with the caller's extension in the
+  /// caller's folder (14.4.2). INFERRED: the program that starts with `Onnnn` in the main file itself comes second (a tape with several
+  /// programs). Our choice, for files of other workshops, is to try next: a file whose name is the number in another form (not .nct, .prg),
+  /// in the caller's folder or in the folder of --files; the control's built-in program; a file that starts with `O` or `:` and the number.
   ///   alarms  program_missing (2147), label_twice, file_outside, file_missing
   Result<ProgramLocation> by_number(Interpreter& m, std::uint32_t number, Span where, Beside beside = Beside::caller);
-  /// Finds the program that M98 <path\\name.ext> calls. The path is relative to the caller's folder; the file must be inside the main
+  /// Finds the program that M98 <path\\name.ext> calls. The path is relative to the caller's folder. The file must be inside the main
   /// program's folder or the folder of --files.
   ///   alarms  file_missing (2132), file_name, file_outside
   Result<ProgramLocation> by_name(Interpreter& m, std::string_view name, Span where, Beside beside = Beside::caller);
@@ -51,7 +51,8 @@ class Programs {
   /// Opens a file of the program memory. alarms file_outside, file_missing
   static Result<ProgramLocation> opened(Interpreter& m, const std::string& path, Span where);
 
-  std::map<std::pair<std::uint32_t, std::uint32_t>, ProgramLocation> numbers_;  // programs found, by {calling file, program number}
+  // the programs that were found, by {calling file, program number}
+  std::map<std::pair<std::uint32_t, std::uint32_t>, ProgramLocation> numbers_;
   std::map<std::uint32_t, ProgramLocation> systems_;
 };
 

@@ -11,7 +11,7 @@
 namespace kadr::macro_b {
 
 struct Moment {
-  std::uint64_t blocks = 0;  // number of blocks executed so far
+  std::uint64_t blocks = 0;  // number of blocks executed up to the snapshot
   std::vector<CallFrame> frames;
   std::vector<Locals> levels;
   std::array<double, last_common + 1> commons{};
@@ -21,7 +21,7 @@ struct Moment {
   std::uint8_t active_modal_calls = 0;
   std::size_t finishing = 0;
   std::uint64_t parameters = 0;
-  // ---- values that system variables show
+  // ---- values that a program reads by system variables
   std::uint64_t readings = 0, changes = 0;
   ProgramPosition position;
   ModalWords words;
@@ -31,12 +31,12 @@ struct Moment {
 namespace {
 
 constexpr std::uint64_t compared_passes = 8;  // number of passes that are compared with each snapshot
-// Limits for loops after a fault: the number of jumps back, and the number of blocks executed in loops. Beyond a limit, the program
-// continues after the loop.
+// Limits for loops after a fault: the number of jumps back, and the number of blocks executed in loops. When a limit is exceeded, the
+// program continues after the loop.
 constexpr std::uint64_t jumps_after_fault = 20'000, blocks_after_fault = 50'000;
 constexpr std::size_t max_faults = 1000;
 
-/// Compares the local variables bit by bit, so that a vacant variable equals a vacant variable.
+/// Compares the local variables bit by bit, so that two vacant variables are equal.
 bool same(const Locals& a, const Locals& b) { return std::memcmp(a.data(), b.data(), sizeof a) == 0; }
 
 bool same(const CallFrame& a, const CallFrame& b) {
@@ -97,7 +97,7 @@ bool same_calls(const BlockContext& m, const Moment& then) {
                     then.modal_arguments.end(), [](const ModalCall& a, const Locals& b) { return same(a.arguments, b); });
 }
 
-/// Returns true if the values that system variables show, and that a program can change, are the same as at the snapshot.
+/// Returns true if those values that a program can change, and that it reads by system variables, are the same as at the snapshot.
 bool same_surroundings(const BlockContext& m, const Moment& then) {
   const MacroB& macros = macro_b_of(m);
   const ProgramPosition &a = m.position, &b = then.position;
@@ -113,7 +113,7 @@ bool same(const BlockContext& m, const Moment& then) {
          (macros.endless.readings() == then.readings || same_surroundings(m, then));
 }
 
-/// True if the machine logic, the operator or another channel may end the loop.
+/// Returns true if the machine's logic, the operator or another channel may end the loop.
 bool others_act(const Emitter& m) { return (m.on_block != nullptr && *m.on_block) || m.waiting.known != 0; }
 
 }  // namespace
@@ -131,18 +131,19 @@ void Endless::forget() {
 
 void Endless::note_fault(const BlockContext& m, bool may_steer) {
   any_fault_ = true;
-  for (Watch& w : watches_) w.next_look = 0;  // examine each jump from now on
+  for (Watch& w : watches_) w.next_look = 0;  // from now on each jump is examined
   if (may_steer && faults_.size() < max_faults) faults_.push_back({m.block->position.offset, m.program().blocks(), m.program().reader()});
 }
 
-/// True if the loop, from the target to the jump, has a faulty block that would have written a variable, called or jumped.
+/// Returns true if the loop, from the target to the jump, has a faulty block that would have written a variable, called a program or
+/// jumped.
 bool Endless::holds_fault(const Watch& w) const {
   return std::any_of(faults_.begin(), faults_.end(),
                      [&](const Fault& f) { return f.reader == w.reader && f.offset >= w.target && f.offset <= w.from; });
 }
 
-/// After a fault a loop may run for long although no two passes are equal. Returns true when `kadr check` has executed the greatest number
-/// of jumps or blocks that it allows for such loops.
+/// Returns true when `kadr check` has executed the greatest number of jumps or blocks that it allows in a loop after a fault. Such a loop
+/// may run for long although no two of its passes are equal.
 bool Endless::took_too_long(const BlockContext& m, const Watch& w) {
   const auto nth = static_cast<std::size_t>(&w - watches_.data());
   if (looked_ == nth) looped_ += m.program().blocks() - looked_at_;
@@ -151,7 +152,8 @@ bool Endless::took_too_long(const BlockContext& m, const Watch& w) {
   return ++looks_ > jumps_after_fault || looped_ > blocks_after_fault;
 }
 
-/// True if a loop around this loop has jumped back since this loop's snapshot. In this case the outer loop may be the one that never ends.
+/// Returns true if a loop around this loop has jumped back since this loop's snapshot. In this case the outer loop may be the one that
+/// never ends.
 bool Endless::is_inside_another(const Watch& w) const {
   return std::any_of(watches_.begin(), watches_.end(), [&](const Watch& other) {
     if (&other == &w || other.target == ~std::uint64_t{0} || other.arrived <= w.snapshot->blocks) return false;

@@ -3,11 +3,10 @@
 //
 // A pass is one execution of the blocks of a loop. It depends on the position in the program, the variables, the open calls and, if the
 // pass reads a system variable, on the values of system variables. If the same jump back is made twice and all of these are equal, the loop
-// never ends. A snapshot of these values is taken at passes 1, 2, 4, 8 …; only the few passes after a snapshot are compared with the
-// snapshot, so the check of a loop of a million passes costs almost nothing.
-//
-// `kadr check` continues after a fault. It leaves a loop after one pass if a faulty block in the loop would have written a variable or
-// jumped, or if an earlier fault keeps the loop from ending: one fault gives one alarm.
+// never ends. A snapshot of these values is taken at passes 1, 2, 4, 8 …. Only the few passes after a snapshot are compared with it, so the
+// check of a loop of a million passes costs almost nothing.
+// `kadr check` continues after a fault. Two loops are then left early, so that one fault gives one alarm: a loop with a faulty block that
+// would have written a variable or jumped is left after one pass; so is a loop that an earlier fault keeps from ending.
 
 #include <array>
 #include <cstdint>
@@ -24,17 +23,17 @@ class Emitter;
 
 namespace kadr::macro_b {
 
-struct Moment;  // snapshot of the values that a pass of a loop depends on
+struct Moment;  // the values on which a pass of a loop depends, at one time
 
 class Endless {
  public:
   enum class Verdict : std::uint8_t {
-    go,       // the jump is made: nothing shows that the loop is endless
+    go,       // the program jumps back: nothing shows that the loop is endless
     endless,  // the loop would never end
-    leave,    // after a fault: the program continues after the loop
+    leave,    // the program continues after the loop, because a fault keeps the loop from ending
   };
-  /// Decides, before a jump back to `target` is made, whether the loop that this jump closes would never end. `reader`: number of the file;
-  /// `blocks`: blocks executed so far.
+  /// Decides before a jump back to `target` whether the loop that this jump closes would never end. `reader`: number of the file; `blocks`:
+  /// number of blocks executed so far.
   Verdict look(const Emitter& m, Position target, std::uint16_t reader, std::uint64_t blocks) {
     Watch& w = watches_[(target.offset ^ reader * 17u) % watches_.size()];
     if (w.target != target.offset || w.reader != reader) [[unlikely]]
@@ -45,11 +44,11 @@ class Endless {
     return look_closely(m, w);
   }
 
-  /// Records that a system variable has been read: from now on the values of system variables are compared too.
+  /// Records that a system variable has been read. From now on passes are compared by the values of system variables too.
   void note_reading() { ++readings_; }
-  /// Records that the program has changed a value that only system variables show.
+  /// Records that the program has changed a value that it can read only by system variables.
   void note_change() { ++changes_; }
-  /// Records that the current block was faulty and the run continues. `may_steer`: without the fault the block would have written a
+  /// Records that the current block was faulty and that the run continues. `may_steer`: without the fault, the block would have written a
   /// variable, called a program or jumped.
   void note_fault(const BlockContext& m, bool may_steer);
   /// Clears all records of loops, because the whole program starts again.
@@ -62,17 +61,17 @@ class Endless {
   /// The record of one jump back.
   struct Watch {
     std::uint64_t target = ~std::uint64_t{0};
-    std::uint64_t from = 0;  // offset in the file of the block that jumps
+    std::uint64_t from = 0;  // offset in the file of the block that jumps back
     std::uint64_t passes = 0, next_look = 1;
-    std::uint64_t arrived = 0;  // number of blocks executed when the jump was made last
+    std::uint64_t arrived = 0;  // number of blocks that had been executed at the last jump
     std::uint64_t seen = 0;     // value of `passes` when the snapshot was taken
-    std::size_t depth = 0;      // number of open calls
+    std::size_t depth = 0;      // number of open calls at the jump
     std::uint16_t reader = 0;
     std::shared_ptr<const Moment> snapshot;
   };
   struct Fault {
     std::uint64_t offset = 0;
-    std::uint64_t blocks = 0;  // number of blocks executed when the fault was found
+    std::uint64_t blocks = 0;  // number of blocks that had been executed when the fault was found
     std::uint16_t reader = 0;
   };
   void start(Watch& w, Position target, std::uint16_t reader);
@@ -82,10 +81,10 @@ class Endless {
   bool holds_fault(const Watch& w) const;
 
   std::array<Watch, 64> watches_;
-  std::vector<Fault> faults_;  // faulty blocks that would have written a variable, called or jumped
+  std::vector<Fault> faults_;  // faulty blocks that would have written a variable, called a program or jumped
   bool any_fault_ = false;
-  // Counts after a fault: jumps examined, blocks executed in successive passes of one loop, blocks executed when the last jump was
-  // examined.
+  // Counts after a fault: the jumps examined; the blocks executed in successive passes of one loop; the blocks executed up to the jump that
+  // was examined last.
   std::uint64_t looks_ = 0, looped_ = 0, looked_at_ = 0;
   std::size_t looked_ = ~std::size_t{0};  // index in watches_ of the jump examined last
   std::uint64_t readings_ = 0, changes_ = 0;

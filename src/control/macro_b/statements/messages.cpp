@@ -23,7 +23,7 @@ std::string text_of(BlockContext& m) {
   return m.program().shown(m.block->text_of(m.block->comments.front()), all);
 }
 
-/// Returns the message number before the text, at most three digits; 0 if the statement has no number.
+/// Returns the message number before the text, which has at most three digits; 0 if the statement has no number.
 Result<int> number_of(Emitter& m, const Statement& s) {
   if (!s.value) return 0;
   const auto value = evaluate(*m.block, s.value, VariableReader{m});
@@ -33,7 +33,7 @@ Result<int> number_of(Emitter& m, const Statement& s) {
   return static_cast<int>(nearest);
 }
 
-/// #3000: the program stops with alarm ii4nnn00, where ii is the channel.
+/// Executes #3000: the program stops with alarm ii4nnn00, where ii is the channel and nnn the number.
 Status program_alarm(BlockContext& m, const Statement& s, int number) {
   const int alarm_base = static_cast<int>(m.def.behaviour.alarm_base);
   const std::string code = fmt::format("{:02}{}00", m.def.channel, alarm_base + number);
@@ -41,8 +41,8 @@ Status program_alarm(BlockContext& m, const Statement& s, int number) {
   return fail(alarm(AlarmId::program_alarm, s.where, std::string_view(code), double(alarm_base + number), std::string_view(text)));
 }
 
-/// #3107 shows a question to the operator. The program reads the answer from #3107; an event of the set-up gives the answer; without such
-/// an event the answer is OK or Yes.
+/// Executes #3107: shows a question to the operator. The program reads the answer from #3107. An event of the set-up gives the answer;
+/// without it the answer is OK or Yes.
 Status question(Emitter& m, const Statement& s, int number) {
   if (number < 100 || number > 299) return fail(alarm(AlarmId::message_number, s.where, double(number)));
   auto text = embedded_values(m, text_of(m), s.where);

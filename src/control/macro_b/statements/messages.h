@@ -17,7 +17,7 @@ Status message(Emitter& m, const Statement& s);
 /// Finds the block with the number `number` in the file being read (23.2.8). alarms block_number_vacant, block_not_found (2125)
 Result<Position> block_numbered(Interpreter& m, double number, Span where);
 Status go_to_block(Interpreter& m, double number, Span where);
-/// Like go_to_block(), for M99 P of a main program: a jump back starts another pass of the program (14.4.4).
+/// Does the same as go_to_block(), but for M99 P of a main program: a jump back starts another pass of the program (14.4.4).
 Status go_to_block_again(Interpreter& m, double number, Span where);
 
 }  // namespace kadr::macro_b

@@ -1,4 +1,4 @@
-// Executes assignment, IF, GOTO, WHILE … DO … END (spec/nct/23 23.2).
+// Executes assignments and the statements IF, GOTO, WHILE … DO … END (spec/nct/23 23.2).
 
 #include <cmath>
 
@@ -16,7 +16,7 @@ namespace {
 
 Result<double> value_of(Emitter& m, Expression expression) { return evaluate(*m.block, expression, VariableReader{m}); }
 
-/// Returns the number of the variable that an assignment writes. The number is usually a constant of the program.
+/// Returns the number of the variable that an assignment writes. In most programs the number is a constant, which needs no evaluation.
 Result<double> target_of(Emitter& m, const Statement& s) {
   const Instruction& first = m.block->code[s.target.begin];
   if (s.target.end - s.target.begin == 1 && first.op == Op::number) return first.number;
@@ -44,7 +44,7 @@ Status assign(Emitter& m, const Statement& s) {
 
 Status faulty(const Loop& loop, Span where) { return fail(alarm(loop.fault, where, double(loop.number))); }
 
-/// Jumps to `target`, unless this is a jump back in a loop that would never end.
+/// Jumps to `target`, except for a jump back in a loop that would never end.
 Status jump_to(Interpreter& m, Position target, Span where) {
   if (target.offset <= m.block->position.offset) {
     switch (macro_b_of(m).endless.look(m, target, m.program().reader(), m.program().blocks())) {
@@ -57,18 +57,19 @@ Status jump_to(Interpreter& m, Position target, Span where) {
   return {};
 }
 
-/// Executes WHILE[…] DOm or DOm: continues with the first block of the loop, or after its END (23.2.11).
+/// Executes WHILE[…] DOm or DOm: continues with the first block of the loop if the condition holds, otherwise after the END of the loop
+/// (23.2.11).
 Status loop(Interpreter& m, const Statement& s, bool holds) {
   ProgramFile& file = m.flow.program_file();
   const Loop* const found = file.loop_from(m.block->position);
-  if (found == nullptr) return {};  // the file has more loops than Kadr records
+  if (found == nullptr) return {};  // no alarm, because the file has more loops than Kadr records
   if (found->fault != no_alarm) return faulty(*found, s.where);
   if (!holds) m.flow.jump(found->behind);
   return {};
 }
 
-/// Executes ENDm: jumps back to its DOm. The DOm is searched in the program text, because a GOTO may have entered the loop without
-/// executing the DOm.
+/// Executes ENDm: jumps back to the DOm of the loop. The DOm is searched in the program text, because a GOTO may have entered the loop
+/// without executing the DOm.
 Status loop_end(Interpreter& m, const Statement& s) {
   const Loop* const found = m.flow.program_file().loop_to(m.block->position);
   if (found == nullptr) return fail(alarm(AlarmId::end_without_do, s.where, double(s.loop)));
@@ -77,7 +78,7 @@ Status loop_end(Interpreter& m, const Statement& s) {
   return jump_to(m, found->begin, s.where);
 }
 
-/// True if all conditions of an IF or WHILE hold.
+/// Returns true if all conditions of an IF or WHILE are true.
 Result<bool> holds(Emitter& m, const Statement& s) {
   for (std::uint8_t i = 0; i < s.condition_count; ++i) {
     const auto value = value_of(m, s.conditions[i]);

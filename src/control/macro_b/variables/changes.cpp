@@ -10,7 +10,7 @@
 namespace kadr::macro_b {
 namespace {
 
-constexpr double cutting_step_ms = 1000;  // the cutting time is saved in steps of a second
+constexpr double cutting_step_ms = 1000;  // the cutting time is saved whenever it has increased by one second
 
 using Rows = std::map<std::pair<StateTable, std::string>, StateValue>;
 

@@ -13,7 +13,7 @@ class Emitter;
 
 namespace kadr::macro_b {
 
-/// Keeps the values that were saved last. A value has changed if it differs from the saved one.
+/// The values that were saved last. A value has changed if it differs from the saved value.
 class Changes {
  public:
   /// Returns the values that have changed since the last call. The first call returns all values, because the set-up may have replaced
@@ -24,7 +24,7 @@ class Changes {
   std::map<std::pair<StateTable, std::string>, StateValue> tables_;  // saved rows of all tables except the variables
   double parts_done_ = 0, parts_required_ = 0, cutting_ms_ = 0;
   std::uint64_t parameters_ = 0;
-  bool all_ = true;  // true until the first take()
+  bool all_ = true;  // all values are returned; true until the first take()
 };
 
 }  // namespace kadr::macro_b

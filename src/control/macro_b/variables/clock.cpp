@@ -1,4 +1,4 @@
-// Date and time as a program reads them (spec/nct/23 23.1.9): the set-up's clock plus virtual time. Used by
+// Date and time as a program reads them (spec/nct/23 23.1.9): the clock of the set-up plus virtual time. Used by
 // control/macro_b/variables/system_variables.
 
 #include "control/macro_b/variables/clock.h"

@@ -1,5 +1,5 @@
 #pragma once
-// Date and time as a program reads them (spec/nct/23 23.1.9): the set-up's clock plus virtual time.
+// Date and time as a program reads them (spec/nct/23 23.1.9): the clock of the set-up plus virtual time.
 
 #include <string>
 

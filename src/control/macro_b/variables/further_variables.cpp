@@ -18,7 +18,8 @@ constexpr double ms_of_second = 1000;
 /// The quantity that a timer variable measures; the values are those of the key `arg` in the control's file.
 enum class TimerOf { power_on = 20, cycle_start = 21, feed = 22, this_part = 23 };
 
-/// Values of the key `arg` for the operator switches that a set-up can set. All other switches (pallet, single block, dry run) are off.
+/// The values of the key `arg` for the operator's switches that a set-up can set. The other switches (pallet, single block, dry run) are
+/// always off.
 constexpr int block_delete = 32, stop_at_m1 = 33;
 
 }  // namespace
@@ -70,7 +71,7 @@ double cutting_unit(const ControlDef& def) {
   return 1;
 }
 
-/// INFERRED: a run is one machining cycle and one part, and no part was made before the run.
+/// Returns the value of a timer in seconds. INFERRED: a run is one machining cycle and one part, and no part was made before the run.
 double timer(const BlockContext& m, const VariableRow& row) {
   switch (static_cast<TimerOf>(row.arg)) {
     case TimerOf::power_on:

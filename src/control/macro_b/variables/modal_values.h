@@ -11,7 +11,8 @@ class BlockContext;
 
 namespace kadr::macro_b {
 
-/// Returns the G code in force of a modal group as 100·decimal + whole part; 0 if no code of the group is in force.
+/// Returns the G code in force of a modal group as 100·decimal + whole part (a code with a decimal is above 100); 0 if the group has no
+/// code in force.
 double modal_group(const BlockContext& m, int family, std::uint32_t group);
 /// Returns the value of a modal word. `arg` = 1000·family + character code of the word's letter (controls/nct.toml).
 double modal_word(const BlockContext& m, int arg);

@@ -1,4 +1,4 @@
-// The parameters of the control: the set-up gives their values, PRM reads them (nct 24.2), G10 L52 writes them (24.1). Used by
+// The parameters of the control. The set-up gives their values, PRM reads them (nct 24.2), G10 L52 writes them (24.1). Used by
 // control/macro_b/macro_b; tested by tests/control/macro_b/parameters_test.cpp.
 
 #include "control/macro_b/variables/parameters.h"
@@ -14,9 +14,9 @@ namespace {
 
 constexpr double max_number = 9999;  // 24
 constexpr int bits_with_number = 8;  // Q0 to Q7 (24.1)
-constexpr int whole_value = -1;      // used in place of a bit number for the whole value
+constexpr int whole_value = -1;      // stands in place of a bit number and means the whole value
 
-/// Returns the number of values of a parameter, by its scope: global, or per channel, axis or spindle (24.0).
+/// Returns the number of values that a parameter has, by its scope: one value, or one value per channel, axis or spindle (24.0).
 int count_of(ParameterScope scope) {
   switch (scope) {
     case ParameterScope::global: return 1;
@@ -33,7 +33,7 @@ bool is_whole(double value) { return value == std::floor(value); }
 
 bool is_name_character(char c) { return is_capital(c) || is_digit(c); }
 
-/// Returns the value as an int; nullopt if the value is not whole or is out of range.
+/// Returns the value as an int; nullopt if the value has a fraction or is out of range.
 std::optional<int> whole_within(double value, double least, double most) {
   if (!(value >= least && value <= most) || !is_whole(value)) return std::nullopt;
   return static_cast<int>(value);
@@ -44,7 +44,7 @@ std::optional<int> digits(std::string_view text) {
   return std::stoi(std::string(text));
 }
 
-/// True if the value is valid for the parameter of the row, or for one bit of the parameter.
+/// Returns true if the value is valid for the parameter of the row, or for one bit of it.
 bool fits(const ParameterRow& row, int bit, double value) {
   if (!std::isfinite(value)) return false;
   if (bit != whole_value) return value == 0 || value == 1;
@@ -96,7 +96,7 @@ void ParameterStore::take(const ParameterStore& from) {
   ++now_.version;
 }
 
-/// Records a value of the set-up if key and value are valid, else describes the error in error().
+/// Records a value of the set-up if key and value are valid; otherwise adds a description of the error to error().
 void ParameterStore::give(const ParameterKey& key, const ParameterValue& value) {
   const auto wrong = [&](const std::string& sentence) {
     error_ += (error_.empty() ? "" : "; ") + ("setup key 'parameters." + spelled(key) + "': " + sentence);
@@ -133,7 +133,7 @@ void ParameterStore::assign(const Given& given) {
 void ParameterStore::assign(std::size_t at, int bit, double value) {
   now_.texts.erase(at);
   if (bit == whole_value) {
-    now_.values[at] = value == 0 ? 0 : value;  // no -0
+    now_.values[at] = value == 0 ? 0 : value;  // -0 is stored as 0
     return;
   }
   const std::uint64_t one = std::uint64_t{1} << bit;
@@ -141,7 +141,8 @@ void ParameterStore::assign(std::size_t at, int bit, double value) {
   now_.values[at] = static_cast<double>(value != 0 ? others | one : others);
 }
 
-/// Converts an index of a set-up key, an axis name "X" or a number "4"; 0 for "", which means all channels, axes or spindles.
+/// Converts an index of a set-up key to a number: an axis name "X" or a number "4". Returns 0 for "", which means all channels, axes or
+/// spindles.
 std::optional<int> ParameterStore::index_of(const ParameterRow& of, const std::string& index) const {
   if (index.empty()) return 0;
   if (of.scope == ParameterScope::axis) {
@@ -213,16 +214,19 @@ Result<double> ParameterStore::read(double number, std::optional<double> bit, st
   const auto out_of_range = [&](char letter, double value) { return fail(alarm(AlarmId::value_out_of_range, where, letter, value)); };
   const auto whole = whole_within(number, 0, max_number);
   const ParameterId id = whole ? find(*whole) : ParameterId::none;
-  if (id == ParameterId::none) return fail(alarm(AlarmId::parameter_unknown, where, number));  // 24.2, inferred
+  // 24.2, inferred: an unknown parameter raises an alarm
+  if (id == ParameterId::none) return fail(alarm(AlarmId::parameter_unknown, where, number));
   const ParameterRow& of = row(id);
   const bool of_bits = of.type == ParameterType::bits;
   if (of_bits && !bit) return fail(alarm(AlarmId::parameter_argument, where, 2.0));
-  if (needs_index(of.scope) && !index) return fail(alarm(AlarmId::parameter_argument, where, 3.0));  // 24.2, inferred
+  // 24.2, inferred: a missing index raises an alarm
+  if (needs_index(of.scope) && !index) return fail(alarm(AlarmId::parameter_argument, where, 3.0));
   const auto nth_bit = whole_within(bit.value_or(0), 0, of_bits ? bits_with_number - 1 : -1);
-  if (bit && !nth_bit) return out_of_range('Q', *bit);  // our choice: the manual does not say
+  if (bit && !nth_bit) return out_of_range('Q', *bit);  // our choice, because the manual does not describe this case
   const auto nth = whole_within(index.value_or(1), 1, count_of(of.scope));
   const bool there = nth && (of.scope != ParameterScope::axis || has_axis(*nth));
-  if (index && (!there || of.scope == ParameterScope::global)) return out_of_range('P', *index);  // our choice: the manual does not say
+  // our choice, because the manual does not describe this case
+  if (index && (!there || of.scope == ParameterScope::global)) return out_of_range('P', *index);
   const int at = index ? *nth : 0;
   return of_bits ? static_cast<double>(this->bit(id, *nth_bit, at)) : value(id, at);
 }
@@ -237,18 +241,19 @@ Alarm beyond(char letter, const ParameterStore::Word& word) { return alarm(Alarm
 /// Returns the word P of the block as the index of a channel, axis or spindle; 0 if the parameter is global.
 Result<int> index_of(const Write& w, ParameterScope scope, int own_channel) {
   if (!w.p) {
-    if (needs_index(scope)) return fail(missing(w, 'P'));  // 24.1, inferred
+    if (needs_index(scope)) return fail(missing(w, 'P'));  // 24.1, inferred: a missing P raises an alarm
     return scope == ParameterScope::channel ? own_channel : 0;
   }
   const auto index = whole_within(w.p->value, 1, count_of(scope));
-  if (!index || scope == ParameterScope::global) return fail(beyond('P', *w.p));  // global: the manual does not say; our choice
+  // our choice for a global parameter, which the manual does not describe
+  if (!index || scope == ParameterScope::global) return fail(beyond('P', *w.p));
   return *index;
 }
 
-/// Returns the word Q of the block as a bit number; whole_value for a parameter without bits.
+/// Returns the word Q of the block as a bit number. For a parameter without bits, returns whole_value.
 Result<int> bit_of(const Write& w, ParameterType type) {
   if (type != ParameterType::bits) {
-    if (w.q) return fail(beyond('Q', *w.q));  // our choice: the manual does not say
+    if (w.q) return fail(beyond('Q', *w.q));  // our choice, because the manual does not describe this case
     return whole_value;
   }
   if (!w.q) return fail(missing(w, 'Q'));
@@ -294,7 +299,7 @@ void ParameterStore::undo_block(const Undo& write) {
   ++now_.version;
 }
 
-/// True if a program has overwritten, for its own channel, a value that the set-up gave for all channels.
+/// Returns true if a program has overwritten, for its own channel, a value that the set-up gave for all channels.
 bool ParameterStore::own_written(const Given& given) const {
   const Place& of = given.place;
   return std::any_of(now_.written.begin(), now_.written.end(), [&](const Place& place) {

@@ -1,6 +1,6 @@
 #pragma once
-// The parameters of the control: the set-up gives their values, a program reads them by PRM (nct 24.2) and writes them by G10 L52 (24.1). A
-// value is identified by a row of the control's parameter table and an index (channel, axis or spindle). Rows are found once, when the
+// The parameters of the control. The set-up gives their values, a program reads them by PRM (nct 24.2) and writes them by G10 L52 (24.1). A
+// value is identified by a row of the control's parameter table and an index (channel, axis or spindle). Rows are searched once, when the
 // control is loaded; later reads are array accesses.
 
 #include <cstdint>
@@ -19,14 +19,14 @@
 
 namespace kadr::macro_b {
 
-/// A row of the control's parameter table. `none` reads as 0, as a bit that is off, or as an empty text.
+/// A row of the control's parameter table. The row `none` reads as 0, as a bit that is off, or as an empty text.
 enum class ParameterId : std::int16_t { none = -1 };
 
 class ParameterStore {
  public:
   struct Context {
     std::vector<std::string> axes;  // names of the axes of all channels, starting with axis number 1
-    int channel = 1;                // the channel that this store belongs to
+    int channel = 1;                // number of the channel to which this store belongs
   };
 
   /// Reads the default values from the parameter table, then the values of the set-up. A set-up value without an index applies to all
@@ -42,21 +42,22 @@ class ParameterStore {
   ParameterId find(int number) const;
   /// Returns the row with a parameter name: "0107", "107", "CLRG".
   ParameterId named(std::string_view name) const;
-  /// The parameter that has a meaning known to Kadr by name: its row, and its bit or -1. Tables of controls other than the NCT give this
-  /// name in the key `as` of the row.
+  /// A parameter whose meaning Kadr knows by a name: the row of the parameter, and the bit or -1. In the tables of controls other than the
+  /// NCT, the key `as` of the row gives the name.
   struct Meaning {
     ParameterId row = ParameterId::none;
     int bit = -1;
   };
   Meaning meaning(std::string_view name) const;
-  /// Returns the number of the bit with that name, or -1. Bits are 0 to 7; bits that the manual names without a number count from 8 on.
+  /// Returns the number of the bit with this name, or -1. Bits with numbers are 0 to 7; bits that the manual names without a number count
+  /// from 8 on.
   int bit_named(ParameterId id, std::string_view name) const;
 
-  /// Returns the value in force; for a parameter of bits all bits as a whole number, for a text the code of its first character.
+  /// Returns the value in force. For a parameter of bits, returns all bits as a whole number; for a text, the code of its first character.
   ///   index  number of the channel, axis or spindle, from 1; 0: the store's own channel, or the only value of a global parameter
   double value(ParameterId id, int index = 0) const;
   bool bit(ParameterId id, int bit, int index = 0) const;
-  /// Returns the character or name that a text parameter contains; empty if the parameter is 0.
+  /// Returns the characters that a text parameter contains; empty if the parameter is 0.
   std::string text(ParameterId id, int index = 0) const;
 
   /// Reads PRM[number,bit]/[index]; an argument that is an empty variable counts as missing.
@@ -70,13 +71,13 @@ class ParameterStore {
     double value = 0;
     Span where;
   };
-  /// The words N P Q R of a block that writes a parameter; if `increment` is set (`RI`), R is added to the present value.
+  /// The words N P Q R of a block that writes a parameter. If `increment` is set (`RI`), R is added to the present value.
   struct Write {
     std::optional<Word> n, p, q, r;
     bool increment = false;
-    Span block;  // location reported for a missing word
+    Span block;  // location that an alarm reports for a missing word
   };
-  /// Executes one block between G10 L52 and G11; an alarm changes nothing.
+  /// Executes one block between G10 L52 and G11. A block that raises an alarm changes nothing.
   ///   alarms  word_missing: N, R; Q of bits; P of an axis or spindle (inferred)
   ///           parameter_unknown: N, no such parameter
   ///           value_out_of_range: P exceeds 8 channels, 32 axes, 16 spindles, or the parameter is global;
@@ -85,10 +86,10 @@ class ParameterStore {
   ///   manual  NCT 24.1
   Status write(const Write& w);
 
-  /// Increases with each change of a parameter; values derived from parameters must then be computed again.
+  /// Returns a number that increases with each change of a parameter. Values derived from parameters must then be computed again.
   std::uint64_t version() const { return now_.version; }
 
-  /// Copies the parameter values of another channel's store (24.1: one indexed set for all channels). Called between two blocks.
+  /// Copies the parameter values of another channel's store, because all channels share one indexed set (24.1). Called between two blocks.
   void take(const ParameterStore& from);
 
   /// Identifies a parameter value, or one bit of the value. Index 0 means all channels, axes or spindles; bit -1 means the whole value.
@@ -98,9 +99,9 @@ class ParameterStore {
     int bit = -1;
     friend auto operator<=>(const Place&, const Place&) = default;  // NOLINT(modernize-use-nullptr): none here
   };
-  /// The part of a snapshot that belongs to the parameters: the values in force, and which of the values were written.
+  /// The part of a snapshot that belongs to the parameters: the values in force, and a record of the values that were written.
   struct Memory {
-    std::vector<double> values;                // values by slot; slot() computes the slot from row and index
+    std::vector<double> values;                // values by slot, which slot() computes from row and index
     std::map<std::size_t, std::string> texts;  // text parameters of more than one character, by slot
     std::set<Place> written;
     std::uint64_t version = 0;
@@ -110,8 +111,8 @@ class ParameterStore {
   /// Connects the store to the journal, which undoes writes after an alarm. After this call the store must not be moved in memory.
   void keep_in(Journal& journal) { journal_.lead_to(journal); }
 
-  /// Returns the parameters in the form of a set-up: the parameters of the present set-up under their keys, and all other parameters that
-  /// were written under their numbers.
+  /// Returns the parameters in the form of a set-up: those of the present set-up under their keys, and all others that were written under
+  /// their numbers.
   ///   law  a store made from the result has the same values
   Parameters written() const;
 
@@ -124,10 +125,10 @@ class ParameterStore {
     std::size_t slot = 0;
     double value = 0;
     std::string text;
-    std::optional<Place> place;  // set if the write added this place to Memory::written
+    std::optional<Place> place;  // the place that this write added to Memory::written; nullopt if the place was there before
   };
 
-  /// True if an axis with that number exists in any channel.
+  /// Returns true if an axis with this number exists in any channel.
   bool has_axis(int number) const {
     const auto n = static_cast<std::size_t>(number);
     return n >= 1 && n <= context_.axes.size() && !context_.axes[n - 1].empty();
@@ -146,7 +147,7 @@ class ParameterStore {
 
   std::span<const ParameterRow> rows_;
   Context context_;
-  std::vector<std::size_t> first_;  // for each row, the slot in Memory::values of its first index
+  std::vector<std::size_t> first_;  // for each row, the slot in Memory::values of its value with the first index
   std::map<ParameterKey, Given> given_;
   Memory now_;
   JournalLink journal_;

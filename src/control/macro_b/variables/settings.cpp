@@ -34,7 +34,7 @@ ParameterSource source_of(const ParameterStore& store) {
 namespace {
 
 /// Adds codes that parameters bind to programs one by one: for k = 0 … count − 1, the value of parameter `from` + k is the code that calls
-/// program `program` + k. The value 0 means no code, 1000 means G0 (23.3.4).
+/// program `program` + k. The value 0 means that no code calls the program; 1000 means G0 (23.3.4).
 void single_codes(std::vector<CodeRun>& runs, const ParameterSource& p, int from, int count, int program) {
   for (int k = 0; k < count; ++k) {
     const double value = p.value(std::to_string(from + k).c_str(), 0);

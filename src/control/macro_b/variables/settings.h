@@ -1,6 +1,6 @@
 #pragma once
 // The settings of custom macros, derived from the parameters of the control (spec/nct/23, its parameter tables) in the form that the
-// interpreter uses. They are derived again after a parameter was written.
+// interpreter uses. A write to a parameter derives them again.
 
 #include <array>
 #include <functional>
@@ -16,15 +16,15 @@ struct CodeRun {
   double step = 1;
   int program = 0;
   int count = 0;
-  bool modal = false;  // the call is modal: the parameter of `start` is negative (23.3.4)
+  bool modal = false;  // the call is modal, because the parameter of `start` is negative (23.3.4)
 };
 
 struct Settings {
-  bool common_cleared = false;            // M2 and M30 empty #100 to #199: parameter 6001#6 is 0 (spec/fanuc 2.5)
-  int protect_low = 0, protect_high = 0;  // first and last write-protected variable: N1702, N1703
-  int shared_100 = 0, shared_500 = 0;     // how many variables from #100, #500 on the channels share: N1700, N1701
+  bool common_cleared = false;            // parameter 6001#6 is 0: M2 and M30 make #100 to #199 vacant (spec/fanuc 2.5)
+  int protect_low = 0, protect_high = 0;  // N1702, N1703: first and last write-protected variable
+  int shared_100 = 0, shared_500 = 0;     // N1700, N1701: number of variables from #100 and from #500 on that the channels share
   std::vector<CodeRun> g_macros, m_macros, m_programs;
-  bool binds_codes = false;                     // at least one G or M code or letter is bound to a program
+  bool binds_codes = false;                     // a program is bound to at least one G code, M code or letter
   std::array<bool, 5> letters_call{};           // N1746: A, B, C, S, T
   std::array<char, 4> ascii{};                  // N1747 …
   std::array<int, 4> ascii_programs{};          // N1751 …
@@ -37,17 +37,17 @@ struct Settings {
   int interrupt_on = 96, interrupt_off = 97;                                                                  // N1759, N1760
 };
 
-/// Functions that read parameters. `index`: number of the axis, spindle or channel, from 1; 0 for the channel of the store, or for a global
-/// parameter.
+/// Functions that read parameters. `index`: number of the axis, spindle or channel, from 1; 0 means the channel of the store, or the only
+/// value of a global parameter.
 struct ParameterSource {
   std::function<bool(const char* meaning)> has;  // true if the control has a parameter that Kadr knows by this name
   std::function<double(const char* name, int index)> value;
   std::function<bool(const char* name, const char* bit, int index)> bit;
-  std::function<char(const char* name, int index)> letter;  // value of a text parameter of one letter; 0 if it is empty
+  std::function<char(const char* name, int index)> letter;  // value of a text parameter of one letter; 0 if the parameter is empty
 };
 
-/// Returns a source that reads a ParameterStore. It finds a row by its name, or by Kadr's name for the parameter, which the tables of other
-/// controls give in the key `as`.
+/// Returns a source that reads a ParameterStore. The source finds a row by the name of the parameter, or by Kadr's name for the parameter,
+/// which the tables of other controls give in the key `as`.
 ParameterSource source_of(const ParameterStore& store);
 
 /// Converts a parameter value to an int; returns 0 if the value is out of range.

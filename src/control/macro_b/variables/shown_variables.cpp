@@ -1,4 +1,5 @@
-// The variables reported after a run, and the numbers of symbolic names. Used by control/macro_b/macro_b for the last line of a trace.
+// The variables that are reported after a run, and the numbers of symbolic names. Used by control/macro_b/macro_b for the last line of a
+// trace.
 
 #include <algorithm>
 #include <cstdlib>

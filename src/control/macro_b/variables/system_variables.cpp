@@ -62,7 +62,7 @@ double read_plain(const BlockContext& m, const FoundVariable& f) {
   }
 }
 
-/// Converts a value to a bit: 0 remains 0, any other value up to 1 becomes 1 (23.2.1).
+/// Converts a value to a bit: 0 remains 0, and any other value up to 1 becomes 1 (23.2.1). A greater or negative value raises an alarm.
 Result<bool> bit_value(double value, Span where) {
   if (!(value >= 0 && value <= 1)) return fail(alarm(AlarmId::value_limit, where, value));
   return value > 0;
@@ -164,7 +164,7 @@ Status write_variable(Emitter& m, double number, double value, Span where) {
     return {};
   }
   macros.endless.note_change();
-  if (is_vacant(value)) value = 0;  // only #1 … #999 can be empty
+  if (is_vacant(value)) value = 0;  // 0, because only #1 … #999 can be vacant
   const auto written = macros.write_table(m, *f, value, where);
   if (!written) return fail(written.error());
   return *written ? Status() : write_plain(m, *f, value, where);
