@@ -23,6 +23,7 @@ class Fanuc : public MacroB, public fanuc::Memory {
   ~Fanuc() override;
 
   // ---- start and end
+
   /// Sets the power-on state, then the state that the set-up describes.
   bool start(Interpreter& m, const Setup& setup) override;
   /// Reads variables, plane and diameter programming from the set-up, after the set-up's modal codes have been executed.
@@ -102,6 +103,7 @@ class Fanuc : public MacroB, public fanuc::Memory {
   Result<bool> write_table(Emitter& m, const FoundVariable& variable, double value, Span where) override;
 
   // ---- behaviour that only the NCT has
+
   /// Returns the offset number that an H or D word means. One special number means the offset of the tool in the spindle (12.5.1).
   virtual Result<std::uint32_t> offset_meant(char letter, std::uint32_t number) const = 0;
   /// open_tool_data() opens the tool tables for G10 L75 to L77; tool_line() reads one of the data lines that follow (12.4).

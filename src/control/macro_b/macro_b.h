@@ -32,6 +32,7 @@ class MacroB : public Dialect, public MachineInterface, public Memory {
   ~MacroB() override;
 
   // ---- parameters and the settings derived from them
+
   /// Derives the macro settings from the parameters again if a parameter has changed.
   void refresh_settings(BlockContext& m);
   Status parameter_line(BlockContext& m);
@@ -43,8 +44,7 @@ class MacroB : public Dialect, public MachineInterface, public Memory {
 
   // ---- state that an alarm restores
   void begin_block(Emitter& m) override;
-  /// Saves the macro state, so that an alarm in the block can restore it. The caller must call it before a block changes more than the
-  /// position.
+  /// Saves the macro state, so that an alarm in the block can restore it. Must be called before a block changes more than the position.
   virtual void keep_all();
   void keep(BlockContext&) override { keep_all(); }
   void undo_block(BlockContext& m) override;
@@ -85,6 +85,7 @@ class MacroB : public Dialect, public MachineInterface, public Memory {
   Result<double> control_value(BlockContext& m, double number, double bit, double index, Span where) const override;
 
   // ---- functions that the derived dialects provide
+
   /// Returns the tool's position after mirroring, scaling and rotation, in work coordinates. In polar interpolation, returns coordinates of
   /// the virtual plane.
   virtual Axes before_transform(const BlockContext& m) const = 0;

@@ -12,7 +12,7 @@
 
 namespace kadr::nct {
 
-using namespace fanuc;  // Nct is derived from Fanuc: its code uses the names of fanuc
+using namespace fanuc;  // unqualified names of fanuc are used because Nct is derived from Fanuc
 
 class Nct : public Fanuc, public nct::Memory {
  public:
@@ -85,7 +85,7 @@ struct NctState : FanucState {
   nct::Memory own;
 };
 
-/// Ends the coupling of the electronic gearbox, if it is in force (20.1).
+/// Ends the coupling of the electronic gearbox, if the gearbox is in force (20.1).
 void disengage(Emitter& m);
 /// Retracts the tool from the teeth of the workpiece, if the electronic gearbox is in force (20.1.4).
 Status withdraw(Emitter& m);

@@ -12,7 +12,7 @@
 namespace kadr::s2c42 {
 namespace {
 
-/// Returns the first code of the block that calls one of these functions, or nullptr.
+/// Returns the first code of the block that calls one of the given functions; nullptr if the block has no such code.
 const Word* code_of(const BlockContext& m, std::initializer_list<Function> functions) {
   for (std::uint32_t i = 0; i < m.block->word_count; ++i) {
     const Word& w = m.block->words[i];
@@ -48,7 +48,7 @@ void check_plane(Emitter& m, const Seen& seen, Plane before) {
   m.warn(warning(AlarmId::plane_without_stop, plane->where, m.block->text_of(plane->where)));
 }
 
-/// Warns if M17 is not the only word of its block. M2 may be in the same block, as it ends the section (6.3.5).
+/// Warns if M17 is not the only word of its block. M2 may be in the same block, because M2 ends the section (6.3.5).
 void check_return(Emitter& m) {
   const Word* const end = code_of(m, {Function::subprogram_end});
   if (end == nullptr) return;

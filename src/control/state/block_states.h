@@ -23,7 +23,8 @@ class BlockStates {
   std::shared_ptr<const ControlState> of(std::uint32_t block) const;
 
  private:
-  std::deque<std::pair<std::uint32_t, std::shared_ptr<const ControlState>>> states_;  // {first block with this state; state}
+  // pairs of the first block with a state, and this state
+  std::deque<std::pair<std::uint32_t, std::shared_ptr<const ControlState>>> states_;
 };
 
 }  // namespace kadr

@@ -92,10 +92,10 @@ struct Modal : MotionModal {
   double polar_radius = 0;
   double polar_angle = 0;
   std::array<double, 3> pole_of{};  // G10 of GOST: coordinates X, Y, Z of the pole, mm
-  Plane pole_plane = Plane::xy;     // plane of the pole and of its angle
+  Plane pole_plane = Plane::xy;     // plane in which the pole and the polar angle are given
   Plane pole_under = Plane::xy;     // plane in force when the program gave the pole
   CompensationPhase contour = CompensationPhase::off;
-  std::int8_t compensation_side = 0;         // Motion::side of the last compensated motion; 0 if there was none
+  std::int8_t compensation_side = 0;         // Motion::side of the last compensated motion; 0 if no motion was compensated
   CornerJoin corner_join = CornerJoin::arc;  // type of corner of a compensated contour: G36, G37
   Vec2 compensation_start;                   // end of the first motion of the compensated contour, programmed coordinates
   PlaneAxes compensation_axes;               // plane of the contour
@@ -133,7 +133,7 @@ struct Transform {
   double rotation = 0;                       // angle in degrees; positive from the first axis towards the second
   Vec2 rotation_center;                      // centre of the rotation, mm
   std::uint8_t first = 0, second = 1;        // indices of the axes of the rotation
-  bool turned_last = true;                   // true: scaled, then rotated; false: rotated, then scaled
+  bool turned_last = true;                   // true: a point is scaled, then rotated; false: rotated, then scaled
   bool scaling = false, turning = false;     // nct: G51 or G68 is in force, even if it changes no coordinate
   std::array<std::int8_t, max_axes> mirror;  // by axis: +1, or -1 if mirrored
 
@@ -145,6 +145,7 @@ struct Transform {
   AxisMask moved_with(AxisMask named) const;
 
   // ---- effect in a plane
+
   /// Returns true if a rotation in another plane moves points of this plane out of it.
   bool leaves(PlaneAxes plane) const;
   /// Returns true if the transformation mirrors the plane, so that a contour is traversed in the opposite sense (negative determinant).

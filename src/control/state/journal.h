@@ -36,13 +36,14 @@ class Journal {
     note({nullptr, undos_.size()});
     undos_.push_back(std::move(undo));
   }
-  /// Restores everything to its state at begin(), the last change first.
+  /// Restores all recorded values to those at begin(); the last change is undone first.
   void undo();
   /// Returns the number of the block, which increases with each block.
   std::uint64_t block() const { return block_; }
 
  private:
-  /// The record after the bytes of an old value. It comes after them so that undo(), which reads backwards, finds the last change first.
+  /// The record that follows the bytes of an old value. The record comes after the bytes because undo() reads backwards, so that it finds
+  /// the last change first.
   struct Change {
     void* cell;        // address of the changed cell; nullptr: undos_[size] undoes the change
     std::size_t size;  // size of the cell in bytes

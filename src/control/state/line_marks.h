@@ -16,7 +16,7 @@ class LineMarks {
     bits_[mark / 64] |= std::uint64_t{1} << mark % 64;
     ++blocks_;
   }
-  /// Returns false if the run has certainly not reached the line; true if it may have.
+  /// Returns false if the run has certainly not reached the line, and true if the run may have reached it.
   bool may_hold(std::uint16_t file, std::uint32_t line) const {
     const std::uint32_t mark = mark_of(file, line);
     return (bits_[mark / 64] >> mark % 64 & 1U) != 0;

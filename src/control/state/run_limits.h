@@ -21,11 +21,11 @@ struct RunLimits {
   std::string files = ".";    // folder of the program memory, outside of which nothing is written
   FileSet untouched{};        // files that the run itself uses; no program may write them
   StopToken stop{};           // checked at least once per block
-  const FileAccess* door = nullptr;  // opens the files that the program calls and the set-up names; must outlive the run
+  const FileAccess* door = nullptr;  // object that opens the files that the program calls and the set-up names; must outlive the run
 };
 
 struct Program {
-  std::string file;  // name of the program's file, for messages
+  std::string file;  // name of the program's file, as messages show it
   std::unique_ptr<ByteSource> source;
   std::optional<Encoding> encoding;
 };

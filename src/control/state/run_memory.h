@@ -34,7 +34,7 @@ struct RunMemory {
   AlarmReport report;               // the last alarm
   ProgramUse use;                   // which data of the set-up the program has used
   std::optional<Position> resumed;  // position of the block that an interrupt macro has delayed
-  std::uint64_t start_block = 0;    // number of the block with '%'; 0 if there is none
+  std::uint64_t start_block = 0;    // number of the block with '%'; 0 if the program has no such block
   std::uint64_t unsupported = 0;    // modal groups, one bit each, whose code at the start is not supported by Kadr
   bool needs_frames = true;         // the first batch must start with a FrameChange
   bool reads_clock = false;         // a block that may read a clock has been read

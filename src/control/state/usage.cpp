@@ -15,11 +15,11 @@ void ProgramUse::note(UseKind kind, std::uint32_t number, const Origin& origin, 
   if (origin.line == 0 || number > most) return;
   if (kind == UseKind::tool) called_ = number;
   const std::uint32_t tool = in_spindle_ != 0 ? in_spindle_ : called_;
-  // several tools may use one offset, so the first use by each tool is recorded
+  // true: the first use by each tool is recorded, because several tools may use one offset
   const bool of_tool = kind == UseKind::length || kind == UseKind::radius;
   const auto is_kept = [&](const Use& use) { return use.kind == kind && use.number == number && (!of_tool || use.tool == tool); };
   std::vector<bool>& seen = seen_[static_cast<std::size_t>(kind)];
-  constexpr std::size_t tabled = 65'536;  // smaller numbers have bits in seen_; greater ones are rare and are searched in the list
+  constexpr std::size_t tabled = 65'536;  // smaller numbers have bits in seen_; greater numbers are rare and are searched in the list
   if (number < tabled) {
     if (number < seen.size() && seen[number] && (!of_tool || std::any_of(all_.begin(), all_.end(), is_kept))) return;
     if (number >= seen.size()) seen.resize(number + 1);

@@ -58,7 +58,7 @@ Status Variables::set(double number, double value, Span where) {
 }
 
 void Variables::set_raw(std::uint32_t number, double value) {
-  if (number >= all_.values.size()) return;  // does nothing: a row of the control's file may name a number above the highest variable
+  if (number >= all_.values.size()) return;  // nothing is set: a row of the control's file may name a number above the highest variable
   journal_.keep(all_.values[number]);
   journal_.keep(all_.set[number]);
   all_.values[number] = value;

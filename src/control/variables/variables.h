@@ -17,8 +17,8 @@ class Variables {
   /// `journal`: records the old values that a block overwrites.
   Variables(const ControlDef& def, Journal& journal);
 
-  /// Returns the value of #number; 0 if it was never set (Mach3).
-  ///   alarms  variable_unknown, if there is no variable with this number
+  /// Returns the value of #number; 0 if the variable was never set (Mach3).
+  ///   alarms  variable_unknown: the control has no variable with this number
   Result<double> variable(double number, Span where) const;
   /// Returns the value of R`index`.
   ///   alarms  variable_not_set

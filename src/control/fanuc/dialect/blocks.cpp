@@ -35,7 +35,7 @@ Status take_bare_words(BlockContext& m) {
   return {};
 }
 
-/// Drops repeated words: of two words of one address, or two codes of one group, the last one counts (spec/fanuc 1.2, 2.1).
+/// Drops repeated words. Of two words with one address, or two codes of one group, only the last counts (spec/fanuc 1.2, 2.1).
 void drop_repeated(BlockContext& m) {
   const auto group_of = [&](const Word& w) {
     const std::int32_t row = w.code < 0 ? -1 : m.def.row_of(w.address, w.code);

@@ -140,7 +140,7 @@ bool Fanuc::start(Interpreter& m, const Setup& setup) {
     spindle_names[number] = spindle_setup.name;
   }
   if (settings.default_spindle > 0) state.current_spindle = state.main_spindle = settings.default_spindle;
-  m.modal.main_spindle = static_cast<std::uint8_t>(state.main_spindle);  // 11.4; INFERRED: at power-on this is the spindle of N0604
+  m.modal.main_spindle = static_cast<std::uint8_t>(state.main_spindle);  // 11.4; INFERRED: at power-on the main spindle is that of N0604
   spindle_part = setup.spindle_override / 100;
   state.surface_speed = settings.surface_speed;
   state.css_axis = settings.css_axis;

@@ -30,7 +30,7 @@ void note_code(Interpreter& m, const CodeRow& row, std::int32_t tenth);
 /// motion over the hole.
 ///   alarms  spindle_not_turning
 Status check_drilling(const Emitter& m);
-/// Checks the operator I (incremental value) of an R word: it is permitted only in a cycle (5.1). alarms increment_not_allowed
+/// Checks the operator I (incremental value) of an R word, which is permitted only in a cycle (5.1). alarms increment_not_allowed
 Status check_increment_of_r(const BlockContext& m);
 
 }  // namespace kadr::fanuc

@@ -36,7 +36,7 @@ bool is_there(const BlockContext& m, const Axes& to, AxisMask named) {
   return true;
 }
 
-/// Moves over the hole at rapid, with exact stop if setting 57 requests it (spec/haas 8.1).
+/// Moves over the hole at rapid. If setting 57 requests it, the motion ends with an exact stop (spec/haas 8.1).
 Status to_hole(Emitter& m, const Axes& to, AxisMask named) {
   const std::size_t before = m.batch->size();
   KADR_TRY(m.straight(MotionKind::rapid, to, named));

@@ -26,10 +26,10 @@ struct Needed {
   std::string_view group;
   std::string_view code;
 };
-constexpr Needed no_radius{"7", "G40"};  // G31 needs this code; G37 does not
+constexpr Needed no_radius{"7", "G40"};  // G31 needs G40 in force; G37 does not
 constexpr std::array<Needed, 5> always_needed{{{"17", "G15"}, {"11", "G50"}, {"22", "G50.1"}, {"16", "G69"}, {"5", "G94"}}};
 
-/// Returns the code in force of a group; empty if there is none.
+/// Returns the code in force of a modal group; empty if no code of the group is in force.
 std::string_view code_of(const BlockContext& m, std::string_view group) {
   for (std::size_t g = 1; g < m.def.groups.size(); ++g)
     if (m.def.groups[g].name == group && m.modal.rows[g] >= 0) return m.def.codes[static_cast<std::size_t>(m.modal.rows[g])].code;

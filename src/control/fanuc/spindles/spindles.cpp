@@ -55,7 +55,7 @@ Status own_spindle(const BlockContext& m, int number, Span where) {
   return fail(alarm(AlarmId::spindle_of_other_channel, where, std::string_view(name_of_spindle(m, number)), double(s.channel)));
 }
 
-/// Turns the spindle by `degrees`, with its position loop closed.
+/// Turns the spindle by `degrees` while its position loop is closed.
 void turn(Emitter& m, int number, double degrees, bool absolute) {
   SpindleState& s = fanuc_of(m).spindle(number);
   s.angle += degrees;
@@ -212,7 +212,8 @@ Status css_on(Emitter& m, const Call&) {
     const auto& numbers = m.def.axis_numbers;
     if (std::find(numbers.begin(), numbers.begin() + static_cast<std::ptrdiff_t>(m.axis_count), *axis) ==
         numbers.begin() + static_cast<std::ptrdiff_t>(m.axis_count))
-      return fail(alarm(AlarmId::axis_number_wrong, m.where('P'), double(*axis)));  // INFERRED: the same alarm as for AX[n] (23.2.12)
+      // INFERRED: an unknown axis number raises the same alarm as for AX[n] (23.2.12)
+      return fail(alarm(AlarmId::axis_number_wrong, m.where('P'), double(*axis)));
     fanuc_of(m).state.css_axis = static_cast<int>(*axis);
   }
   m.modal.surface_speed = true;

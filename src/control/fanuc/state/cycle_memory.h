@@ -54,7 +54,7 @@ struct Finishing {
   Origin origin;             // location of the block with G70.7
 };
 
-/// The purpose of the probe motion in progress; the probe's answer completes it.
+/// The purpose of the probe motion in progress. The measurement is complete when the probe's answer has come.
 struct Measurement {
   bool length = false;       // G37: the measurement corrects a length offset; false: G31
   std::size_t axis = 0;      // the measured axis

@@ -64,7 +64,8 @@ struct UndoableState : MotionMemory {
 
 inline constexpr std::size_t extended_systems = max_further_systems;  // number of work systems of G54.1 P
 inline constexpr std::size_t all_systems = 1 + macro_b::basic_systems + extended_systems;
-inline constexpr std::size_t dynamic_systems = 8;  // G54.2 P1 … P8: they are the last rows in the tables of work offsets and rotations
+// the offsets G54.2 P1 … P8 have the last rows in the tables of work offsets and rotations
+inline constexpr std::size_t dynamic_systems = 8;
 
 /// The data of canned cycles, saved at the start of an interrupt macro and restored at its end (23.4).
 struct InterruptedCycles {
@@ -89,7 +90,7 @@ struct Memory {
   // data of the block being executed
   bool holds_vector = false;     // the block has G38, which keeps the compensation vector
   bool uncompensated = false;    // the block has G53, G28 or G30, whose motions are not compensated
-  int spindle_by_p = 0;          // number of the spindle in a block such as S1500 P2; 0 if the block has no such P
+  int spindle_by_p = 0;          // number of the spindle, for a block such as S1500 P2; 0 if the block has no P for a spindle
   bool absolute_block = false;   // the block's axis words are absolute even with G91 (17.3)
   bool cartesian_block = false;  // the block's axis words are Cartesian even with G16 (5.4)
   AxisMask rolled = 0;           // rotary axes of the block that roll over (5.6); `travel` has their travels in degrees
@@ -106,7 +107,7 @@ struct Memory {
   Axes servo_lag{};                                               // following error in mm of each axis, as the set-up gives it
   // pairs of an axis index and the number of the spindle converted to this axis (11.8)
   std::vector<std::pair<std::size_t, int>> spindle_axes;
-  Axes probe_position{}, probe_length{};  // work coordinates at the probe's signal, and the tool length then in force as a vector, mm
+  Axes probe_position{}, probe_length{};  // work coordinates and tool length (as a vector) at the time of the probe's signal, mm
   Axes probe_machine{};
   Measurement measurement;  // purpose of the probe motion in progress
   // data for the state file: tables that have changed since that file was written

@@ -37,7 +37,7 @@ struct SpindleSettings {
   bool index_negative = false;          // N0607 #7 IDS: indexing turns in the negative direction
   int m_low = 0, m_high = 0;            // N0689, N0690: first and last optional M code of the spindle; 0: none
   int index_from = 0, index_count = 0;  // N0820, N0821: first indexing code, and number of indexing codes
-  double index_angle = 0;               // N0822: angle of one step, degrees
+  double index_angle = 0;               // N0822: angle in degrees of one indexing step
   int closing_code = 0;                 // N0823: M code that closes the position loop
 };
 

@@ -220,7 +220,7 @@ Status finish(Interpreter& m, const Call& call) {
 
 Result<bool> end_contour(Interpreter& m) {
   std::vector<Finishing>& all = fanuc_of(m).finishing;
-  // M99 or a restart has left the contour, so its G70.7 is over
+  // the program has left the contour by M99 or a restart, so the G70.7 of the contour is over
   while (!all.empty() && m.program().depth() < all.back().depth) all.pop_back();
   if (all.empty() || m.program().depth() != all.back().depth || m.program().position().offset < all.back().behind) return false;
   const Finishing ended = all.back();

@@ -13,7 +13,7 @@
 namespace kadr::fanuc {
 namespace {
 
-/// Adds a motion that is synchronised with the spindle. Feed override and feed hold do not act on it.
+/// Adds a motion that is synchronised with the spindle. Feed override and feed hold do not act on this motion.
 Status cut_thread(Emitter& m, Vec2 to, double lead, double angle) {
   const std::size_t before = m.batch->size();
   KADR_TRY(go(m, MotionKind::thread, to));

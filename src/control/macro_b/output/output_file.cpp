@@ -177,7 +177,7 @@ Status OutputFile::print(std::string_view line, PrintKind kind) {
   return writer_.write(line);
 }
 
-/// Opens the file of POPEN31 under the name in `line`, and writes its first `%`.
+/// Opens the file of POPEN31, whose name is in `line`, and writes the first `%` of the file.
 Status OutputFile::name_device_file(std::string_view line, PrintKind kind) {
   std::string name;
   for (const char c : line)

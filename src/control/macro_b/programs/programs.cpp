@@ -92,7 +92,7 @@ bool names_are_strict(const std::string& extension) { return alike(extension, ".
 /// The program number at the start of a file, after `O` or `:`. A line with % and empty lines may come before it.
 struct Heading {
   std::uint32_t number = 0;
-  Position start;  // start of the program; this is the second line if the first has `:`, which this control does not read
+  Position start;  // start of the program: the second line if the first line has `:`, which this control does not read
 };
 
 std::optional<Heading> heading_of(const fs::path& path, const FileAccess* door) {

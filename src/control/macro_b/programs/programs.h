@@ -25,7 +25,7 @@ struct ProgramLocation {
 /// The folder in which a called program is searched: the folder of the calling program, or the folder of the main program.
 enum class Beside : std::uint8_t { caller, main_program };
 
-/// Finds called programs and records where they were found, so that each program is searched only once.
+/// Finds called programs and records their locations, so that each program is searched only once.
 class Programs {
  public:
   /// Finds the program that M98 P, G65 P … call by number. First it tries a file `Onnnn` or `Onnnnnnnn` with the caller's extension in the

@@ -222,10 +222,10 @@ Result<double> ParameterStore::read(double number, std::optional<double> bit, st
   // 24.2, inferred: a missing index raises an alarm
   if (needs_index(of.scope) && !index) return fail(alarm(AlarmId::parameter_argument, where, 3.0));
   const auto nth_bit = whole_within(bit.value_or(0), 0, of_bits ? bits_with_number - 1 : -1);
-  if (bit && !nth_bit) return out_of_range('Q', *bit);  // our choice, because the manual does not describe this case
+  if (bit && !nth_bit) return out_of_range('Q', *bit);  // this alarm is our choice, because the manual does not describe the case
   const auto nth = whole_within(index.value_or(1), 1, count_of(of.scope));
   const bool there = nth && (of.scope != ParameterScope::axis || has_axis(*nth));
-  // our choice, because the manual does not describe this case
+  // this alarm is our choice, because the manual does not describe the case
   if (index && (!there || of.scope == ParameterScope::global)) return out_of_range('P', *index);
   const int at = index ? *nth : 0;
   return of_bits ? static_cast<double>(this->bit(id, *nth_bit, at)) : value(id, at);
@@ -253,7 +253,7 @@ Result<int> index_of(const Write& w, ParameterScope scope, int own_channel) {
 /// Returns the word Q of the block as a bit number. For a parameter without bits, returns whole_value.
 Result<int> bit_of(const Write& w, ParameterType type) {
   if (type != ParameterType::bits) {
-    if (w.q) return fail(beyond('Q', *w.q));  // our choice, because the manual does not describe this case
+    if (w.q) return fail(beyond('Q', *w.q));  // this alarm is our choice, because the manual does not describe the case
     return whole_value;
   }
   if (!w.q) return fail(missing(w, 'Q'));

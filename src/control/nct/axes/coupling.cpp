@@ -25,7 +25,8 @@ double master_number(const BlockContext& m, std::size_t axis) {
   return store.value(store.named("2101"), m.def.axis_numbers[axis]);
 }
 
-/// Returns the master of an axis: the axis whose number is in parameter N2101, if it is another axis of this channel.
+/// Returns the master of an axis, whose number is in parameter N2101. Returns nullopt if the number is not that of another axis of this
+/// channel.
 std::optional<std::size_t> master_of(const BlockContext& m, std::size_t axis) { return axis_numbered(m, master_number(m, axis), axis); }
 
 /// Returns true if the axis has a master, in this channel or in another one.
@@ -66,7 +67,7 @@ void add(BlockContext& m, std::size_t axis, std::size_t master, double sign) {
   follow_from_here(m);
 }
 
-/// Computes the new position of a follower whose master rolls over, and its signed travel.
+/// Computes the new position and the signed travel of a follower whose master rolls over.
 void roll(BlockContext& m, const Follower& follower, MotionDetail& detail) {
   const AxisSettings& settings = fanuc_of(m).settings.axes[follower.axis];
   const double way = follower.sign * detail.travel[follower.master];

@@ -17,8 +17,9 @@ class Emitter;
 
 namespace kadr::nct {
 
-/// The axes that follow a master at present. (fanuc::Memory::following has the mask of all followers, also of those whose master is in
-/// another channel.) The machine position of a follower is lead + sign · machine position of its master.
+/// The axes that follow a master at present. The machine position of a follower is lead + sign · machine position of its master, where
+/// `lead` and `sign` are constants of the follower. (fanuc::Memory::following has the mask of all followers, including those whose master
+/// is in another channel.)
 struct Couplings {
   std::vector<Follower> followers;    // the coupled axes of this channel, sorted so that each follower comes after its own master
   std::vector<CrossChannelAxis> far;  // axes that follow, or are exchanged with, axes of other channels

@@ -84,7 +84,8 @@ void unpark(BlockContext& m, std::size_t axis) {
   follow_from_here(m);
 }
 
-/// Exchanges, reverses or parks an axis, or ends this, as the machine's logic requests. Returns false if the request is impossible.
+/// Executes a request of the machine's logic: exchanges, reverses or parks an axis, or ends the exchange, reversal or parking. Returns
+/// false if the request is impossible.
 bool execute(BlockContext& m, const AxisRequest& asked) {
   Drives& d = nct_of(m).drives;
   if (asked.machine) {

@@ -235,7 +235,7 @@ tl::unexpected<Alarm> out_of_range(const DataWord& word) {
   return fail(alarm(AlarmId::value_out_of_range, word.where, word.letter, word.value));
 }
 
-/// Checks that the word is a whole number from `least` to `most`, and returns it.
+/// Returns the value of the word; raises an alarm if the value is not a whole number from `least` to `most`.
 Result<int> whole(const DataWord& word, double least, double most) {
   if (!(word.value >= least && word.value <= most) || word.value != std::floor(word.value)) return out_of_range(word);
   return static_cast<int>(word.value);

@@ -105,7 +105,7 @@ class JournaledTable {
 struct ToolLimits {
   int rows = 99'999'999;  // N2902: number of rows of the tool table
   int user_data = 20;     // N2903: number of user data columns, at most 20
-  int offsets = 999;      // N1400: greatest number of H, D, G, W
+  int offsets = 999;      // N1400: greatest offset number in the words H, D, G, W
 };
 
 /// The data that T and M6 emit for the machine.
