@@ -55,8 +55,8 @@ class Mach3 final : public Dialect {
     return {};
   }
 
-  /// Emits the return of the probe: "The probe is drawn straight back from the point at the end of the command." INFERRED: at rapid. The
-  /// motion is emitted before the first block that does more than assign variables.
+  /// Emits the return of the probe: "The probe is drawn straight back from the point at the end of the command." INFERRED: the return is at
+  /// rapid. The motion is emitted before the first block that does more than assign variables.
   void begin_block(Emitter& m) override {
     if (!back_ || sets_variables_only(*m.block)) return;
     const Back back = *std::exchange(back_, std::nullopt);

@@ -178,7 +178,7 @@ struct ProgramPosition {
 /// The tables that a program reads and, by G10, writes.
 struct Tables {
   std::vector<ToolOffset> offsets;                  // tool offsets by number; [0] is unused
-  std::vector<Axes> zeros = std::vector<Axes>(10);  // work offsets 1…; [0] is unused
+  std::vector<Axes> zeros = std::vector<Axes>(10);  // work offsets by number from 1 on; [0] is unused
   std::vector<Vec3> rotations;                      // basic rotations of the work offsets: angles in G17, G18, G19 (nct 10.2.3)
   Axes common{};                                    // common work offset
   std::vector<double> correctors;

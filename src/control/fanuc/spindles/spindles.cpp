@@ -123,7 +123,7 @@ namespace kadr::functions {
 /// Executes S, S1=…, SSB…, S… P: sets the speed of one spindle. With G96, plain S is the surface speed (11.1, 11.5.1).
 Status spindle_word(Emitter& m, const Call& call) {
   fanuc::Fanuc& fanuc = fanuc_of(m);
-  if (m.has_code({Function::new_system})) return {};  // 11.5.2: G92 S limits the speed
+  if (m.has_code({Function::new_system})) return {};  // 11.5.2: in a block with G92, S limits the speed and does not command it
   const double value = call.word->value;
   if (!(value >= 0)) return fail(alarm(AlarmId::value_out_of_range, call.where, call.word->address, value));
   const int named = m.def.address(call.word->address).number;

@@ -13,8 +13,8 @@ namespace {
 
 constexpr char rotation_letters[] = {'I', 'J', 'K'};  // letters of the rotation angles in the planes G17, G18, G19
 
-/// Sets a work offset by G10 L2, L20, L21. The values replace the old values; in G91 or with the operator I they are added to the old
-/// values.
+/// Sets a work offset by G10 L2, L20, L21. The new values replace the old values; in G91 or with the operator I, the new values are added
+/// to the old values.
 Status set_zero(Emitter& m, const Call& call, std::uint32_t index, bool common) {
   const bool adds = !m.modal.absolute;
   // On a control without a common work offset, the words L and P of the common offset set the shift of G52 (spec/haas 5.4).

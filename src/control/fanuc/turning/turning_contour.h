@@ -24,7 +24,7 @@ struct ContourPiece {
 };
 
 struct Contour {
-  std::vector<ContourPiece> pieces;  // in program order; the first piece starts at the tool's position
+  std::vector<ContourPiece> pieces;  // the pieces in program order; the first piece starts at the tool's position
   Position behind;                   // position in the program just after the contour's last block
   std::string_view uncompensated;    // G41 or G42 of the contour, which the cycle does not apply; empty if the contour has neither
   bool follows = false;              // the contour comes after the block of the cycle, so the program continues at `behind`

@@ -10,9 +10,9 @@
 namespace kadr::macro_b {
 namespace {
 
-constexpr int letter_programs = 9030;  // O9030 … O9034: A, B, C, S, T
-constexpr int letter_variables = 195;  // #195 … #199
-constexpr int ascii_variables = 191;   // #191 … #194
+constexpr int letter_programs = 9030;  // the words A, B, C, S, T call the programs O9030 … O9034
+constexpr int letter_variables = 195;  // the values of A, B, C, S, T are in #195 … #199
+constexpr int ascii_variables = 191;   // the values of the letters of N1747 … are in #191 … #194
 constexpr std::string_view letters_in_order = "ABCST";
 
 /// Returns the number of the program that parameters bind to a G or M code; -1 if no program is bound to the code. `value`: the number of

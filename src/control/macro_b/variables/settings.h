@@ -25,16 +25,16 @@ struct Settings {
   int shared_100 = 0, shared_500 = 0;     // N1700, N1701: number of variables from #100 and from #500 on that the channels share
   std::vector<CodeRun> g_macros, m_macros, m_programs;
   bool binds_codes = false;                     // a program is bound to at least one G code, M code or letter
-  std::array<bool, 5> letters_call{};           // N1746: A, B, C, S, T
-  std::array<char, 4> ascii{};                  // N1747 …
-  std::array<int, 4> ascii_programs{};          // N1751 …
+  std::array<bool, 5> letters_call{};           // N1746: which of the words A, B, C, S, T call a subprogram
+  std::array<char, 4> ascii{};                  // N1747 …: further letters that call a subprogram; 0: none
+  std::array<int, 4> ascii_programs{};          // N1751 …: number of the program that each further letter calls
   bool modal_each_block = false;                // N1755 #0 MEQ
   bool calls_inside_calls = false;              // N1755 #1 ENC
   bool lists_8000 = false, lists_9000 = false;  // N1756
   bool print_bare = false;                      // N1757 #0 PNT
   bool interrupts = false, interrupt_keeps_locals = false, interrupt_at_end = false, interrupt_edge = false;  // N1758 #0–#3
   bool interrupt_own_codes = false, interrupt_in_system = false;                                              // #4, #5
-  int interrupt_on = 96, interrupt_off = 97;                                                                  // N1759, N1760
+  int interrupt_on = 96, interrupt_off = 97;  // N1759, N1760: M codes that enable and disable the interrupt macro
 };
 
 /// Functions that read parameters. `index`: number of the axis, spindle or channel, from 1; 0 means the channel of the store, or the only

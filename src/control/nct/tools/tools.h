@@ -179,7 +179,8 @@ class ToolManagement {
   /// INFERRED: the counter is in seconds, with fractions. The caller checks that override, rotation and feed meet the conditions of 12.3.1.
   void add_time(double seconds, int spindle = main_spindle);
 
-  /// Returns true if the tool has status 1 to 3 and the remaining part of its life is at most the warning limit `warn` of its row (12.3.1).
+  /// Returns true if the life of the tool is nearly used up: the tool has status 1 to 3, and the remaining life is at most the limit `warn`
+  /// of its row (12.3.1).
   bool warning(int data) const;
 
   /// Returns the data number of the tool in a spindle or stand-by magazine; 0: no tool, or a tool that no table lists.
