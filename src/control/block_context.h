@@ -1,7 +1,7 @@
 #pragma once
-// BlockContext: the block that is being executed, the state of the control before it, and what its words mean in that state. A function
-// that only reads words, modes, tables or variables receives a BlockContext, through which it can neither emit an action nor change the
-// course of the program. Only src/control includes this file.
+// BlockContext: the block that is being executed, the state of the control before the block, and the meaning of the block's words in this
+// state. A function that only reads words, modes, tables or variables receives a BlockContext, through which it can neither emit an action
+// nor change the course of the program. Only src/control includes this file.
 
 #include <initializer_list>
 #include <memory>
@@ -138,7 +138,7 @@ class BlockContext : public ControlState, public RunMemory {
   ControlState before_;
   bool state_kept_ = false;
   std::optional<Flow::Place> flow_before_;  // position in the program before the block; set if the block has a function that follows a jump
-  ShapeFacts* shape_ = nullptr;             // facts about the shape of the current block
+  ShapeFacts* shape_ = nullptr;             // facts about the shape of the current block; nullptr if the block has no shape
 };
 
 }  // namespace kadr

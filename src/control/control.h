@@ -104,7 +104,8 @@ class Control {
   /// Returns true if run() returns the actions of each block separately. This is so either from the start of the run, or from the block on
   /// in which the program has reached a safety zone or has read a clock.
   bool returns_each_block() const;
-  /// Cancels the last block because the machine has refused one of its actions. The block then has no effect, as if it had raised an alarm.
+  /// Cancels the last block because the machine has refused one of its actions. Afterwards the block has no effect, as if it had raised an
+  /// alarm.
   void refused();
   using Waiting = WaitingMode;
   void set_waiting(Waiting waiting);
@@ -203,7 +204,8 @@ class Control {
   const ProgramUse& use() const;
   void watch_use();
 
-  /// Checks, after the run, the subprograms that were never called: reads them without executing them, and calls `on_fault` for each fault.
+  /// Checks, after the run, the subprograms that were never called. Their blocks are read without being executed, and `on_fault` is called
+  /// for each fault.
   void check_uncalled(const std::function<void(const AlarmReport&)>& on_fault);
 
   /// Returns lines of a file in UTF-8, by line number; lines that cannot be read are omitted. `file`: the number of the program or of a
@@ -238,7 +240,7 @@ class Control {
   /// far beyond that block. Snapshots do not include these calls, so the list is empty for actions that were emitted before restore().
   std::vector<AlarmReport::Call> calls_of(const Origin& origin) const;
   std::uint64_t blocks() const;      // number of blocks executed
-  std::uint64_t bytes_read() const;  // bytes of the program read so far, for progress
+  std::uint64_t bytes_read() const;  // bytes of the program read so far, for a display of progress
   std::uint64_t bytes() const;
   Encoding encoding() const;
   bool encoding_was_guessed() const;

@@ -117,7 +117,8 @@ class Emitter : public BlockContext {
   EllipseRun ellipse_run;
   std::unique_ptr<SteppedCycle> running;  // the dialect's canned cycle that is being executed; nullptr if no such cycle is being executed
   bool each_block = false;                // run() returns the actions of each block separately
-  std::function<void(const Origin&, bool)>* on_block = nullptr;  // called at the start and at the end of each block
+  // Called at the start and at the end of each block; nullptr if nothing observes the blocks.
+  std::function<void(const Origin&, bool)>* on_block = nullptr;
 
  protected:
   using BlockContext::BlockContext;

@@ -12,7 +12,7 @@
 
 namespace kadr {
 
-// NOLINTNEXTLINE(readability-function-size): what it is made of, called in one place
+// NOLINTNEXTLINE(readability-function-size): sets up all parts of the interpreter in one place
 Interpreter::Interpreter(const ControlDef& control, std::unique_ptr<ControlDef> own, const Setup& setup, Program program,
                          const RunLimits& limits, std::shared_ptr<Commons> commons)
     : Emitter(control, std::move(own), std::move(program), limits), stop_(limits.stop) {
@@ -365,7 +365,7 @@ Status Interpreter::plan() {
   plan_now_ = &plan_;
   if (!block->kept || block->codes_vary) return plan_block(def, letters, *block, motion_row, plan_);
   if (plans_.empty()) plans_.resize(kept_plans);
-  KeptPlan& kept = plans_[reinterpret_cast<std::uintptr_t>(block) / sizeof(Block) % kept_plans];  // NOLINT: a place, not a pointer
+  KeptPlan& kept = plans_[reinterpret_cast<std::uintptr_t>(block) / sizeof(Block) % kept_plans];  // NOLINT: the address is a hash key here
   plan_now_ = &kept.plan;
   if (kept.block == block && kept.letters == block->letters && kept.motion_row == motion_row) return {};
   kept.block = nullptr;

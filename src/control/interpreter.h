@@ -105,7 +105,7 @@ class Interpreter final : public Emitter {
 
   using BlockContext::flow;  // position in the program; public, because a function may change it
 
-  Block first_block;  // current block before the first block is read, or after a restore in the middle of a block
+  Block first_block;  // stands for the current block before the first block is read, and after a restore in the middle of a block
   std::function<void(const AlarmReport&)>* on_warning = nullptr;
   const std::function<bool(const Origin&)>* holds_before = nullptr;
   LineMarks* line_marks = nullptr;

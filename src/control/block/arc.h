@@ -17,7 +17,7 @@ struct PlaneArc {
   double turns = 0;  // swept angle in revolutions (degrees / 360), positive; 1 for a full circle
 };
 
-/// How a control reads the centre of an arc, and which inaccuracy it accepts.
+/// The rule by which a control reads the centre of an arc, and the inaccuracy that it accepts.
 struct ArcRule {
   bool by_words = false;        // the centre depends only on the words of the block and on the modes
   bool absolute = false;        // true: I, J, K are coordinates of the centre; false: distances from the start point

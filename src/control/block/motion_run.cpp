@@ -268,7 +268,7 @@ bool MotionRun::changes_radius(const BlockContext& m, const Axes& to, Vec2 cente
   return radius_changes({from[plane.first], from[plane.second]}, {to[plane.first], to[plane.second]}, center);
 }
 
-// NOLINTNEXTLINE(readability-function-size): in one piece, it is what a line costs
+// NOLINTNEXTLINE(readability-function-size): one function, because it runs once per line of a long program
 bool MotionRun::take(Interpreter& m) {
   const Block& block = *m.block;
   if (block.statement.kind != StatementKind::none) {
@@ -289,7 +289,8 @@ bool MotionRun::take(Interpreter& m) {
     return done;
   }
   if (!form.fits) return refused();
-  if (!block.shape && (!m.evaluate_words() || block.letters != form.letters)) return refused();  // execute_block() then reports the error
+  // Execute_block() repeats the step and reports the error.
+  if (!block.shape && (!m.evaluate_words() || block.letters != form.letters)) return refused();
   if (form.feed.word != no_word || !block.shape) m.dialect->count_words(m);
   if ((form.named & rolling_) != 0 || !holds(m, form)) return refused();
   const std::int16_t row = form.row >= 0 ? form.row : m.modal.motion_row;

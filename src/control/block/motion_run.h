@@ -1,9 +1,9 @@
 #pragma once
 // MotionRun: the fast path for a run, which here is a sequence of plain motions as CAM systems write them: `G1 X1.5 Z-2 F300`, `G17 G3 X2
 // Y0 I1 J0`, thousands of blocks long. The first block of a run is executed the general way, through evaluation, planning and execution
-// (Interpreter::execute_block). What was determined for this block remains valid for the whole run: the frames, the modes, and the motion
-// modes of each motion code that has occurred. Only the end point, the arc centre, the feed and the choice among these codes are new in
-// each block. Loops and macro calls between the blocks do not end a run. The fast path and the general way emit the same actions
+// (Interpreter::execute_block). The results for this block remain valid for the whole run: the frames, the modes, and the motion modes of
+// each motion code that has occurred. Only the end point, the arc centre, the feed and the choice among the motion codes are new in each
+// block. Loops and macro calls between the blocks do not end a run. The fast path and the general way emit the same actions
 // (tests/run_plain.py, tests/control/motion_run_test.cpp).
 
 #include <array>
@@ -54,10 +54,11 @@ class MotionRun {
   struct Form {
     BlockShape shape;
     const Block* kept = nullptr;
-    std::uint64_t letters = 0;    // the letters of the words of `kept`; a word with a vacant value does not count
-    bool fits = false;            // the blocks are plain motions, which the fast path executes
-    bool calls = false;           // the blocks only call a subprogram, or only return from one
-    std::uint8_t call = no_word;  // index of the calling word if the block needs no plan (see quick_call); else no_word
+    std::uint64_t letters = 0;  // letters of the words of `kept`, without the words whose value is vacant
+    bool fits = false;          // the blocks are plain motions, which the fast path executes
+    bool calls = false;         // the blocks only call a subprogram, or only return from a subprogram
+    // Index of the calling word if the block can be executed without a plan (see quick_call); no_word for other blocks.
+    std::uint8_t call = no_word;
     // Row of the block's motion code in ControlDef::codes; -1: the block has no motion code, and the modal one applies.
     std::int16_t row = -1;
     std::uint8_t axes = 0, codes = 0;  // numbers of elements in use: `axes` in `slots`, `codes` in `steady`
@@ -87,7 +88,7 @@ class MotionRun {
 
   bool on_ = false;
   std::uint8_t known_ = 0;     // motion codes that have occurred in this run, one bit per Kind
-  std::uint8_t old_feed_ = 0;  // motion codes, one bit per Kind, whose entry in modes_ has an outdated feed
+  std::uint8_t old_feed_ = 0;  // motion codes whose entry in modes_ has an outdated feed, one bit per Kind
   double feed_ = 0;            // value of Modal::feed after the last block
   bool absolute_ = true;
   AxisMask rolling_ = 0;  // the axes of Dialect::rolling_axes(); a block that has a word of one of them is executed the general way

@@ -14,7 +14,7 @@ namespace kadr {
 
 /// A function that the block calls.
 struct PlanItem {
-  std::uint8_t rank = 0;  // position in the order of execution
+  std::uint8_t rank = 0;  // position of the function in the order of execution
   std::uint8_t word = 0;  // index in Block::words of the word that calls the function; no_word: the motion code in force calls it
   std::int16_t row = -1;  // index of the code in ControlDef::codes; -1: the function belongs to `address`
   char address = 0;       // address that calls a function without a code: F, S, T, …

@@ -47,7 +47,7 @@ Status Interpreter::structure() {
       return {};
     default: break;
   }
-  constexpr std::uint8_t digits_of_label = 5;  // 2С42 6.3.5: N in a section of subprograms always has five digits
+  constexpr std::uint8_t digits_of_label = 5;  // N in a section of subprograms always has five digits (2С42 6.3.5)
   if (skipping_section && block->has_number && block->number_digits != digits_of_label)
     return fail(alarm(AlarmId::too_few_digits, block->number_where, 'N', double(block->number_digits), double(digits_of_label)));
   if (skipping_section) note_section();

@@ -48,8 +48,8 @@ Result<Named> read(const BlockContext& m, const Word& w) {
   return named;
 }
 
-/// Returns the tool radius in mm; 0 if it is unknown. The radius is the value of the corrector that T names: in T0915 corrector 15
-/// (spec/correctors 2).
+/// Returns the tool radius in mm; 0 if the radius is unknown. The radius is the value of the corrector (offset) that T names; T0915, for
+/// example, names corrector 15 (spec/correctors 2).
 double tool_radius(BlockContext& m) {
   const std::size_t number = m.modal.corrector;
   if (number == 0 || number >= m.tables.correctors.size()) return 0;

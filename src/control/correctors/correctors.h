@@ -26,7 +26,7 @@ struct Memory {
   PocketCycle pocket;
   std::vector<PocketCut> pockets_cut;
   std::vector<bool> is_set;     // by corrector: the set-up gives its value, or the missing value was reported (spec/correctors 1)
-  std::vector<double> applied;  // by corrector and axis: the value that the corrector added last, mm (spec/correctors 1)
+  std::vector<double> applied;  // value that each corrector added last to each axis, mm (spec/correctors 1)
 };
 
 class Correctors final : public Dialect, public Memory {

@@ -107,7 +107,7 @@ class Drilling {
   /// stored for the next drilled hole.
   void take_left_out() {
     taken_ = cycle_.left_out & cycle_.needs & ~memory_.known;
-    if ((cycle_.needs & ~memory_.known & letter_bit('Z')) != 0) return;  // resume_from() reports the missing Z
+    if ((cycle_.needs & ~memory_.known & letter_bit('Z')) != 0) return;  // resume_from() reports the missing word Z
     if ((taken_ & letter_bit('R')) != 0) {
       memory_.level = m_.modal.absolute ? m_.position.programmed[axes_.drill] : 0;
       warn_of('R', memory_.level);

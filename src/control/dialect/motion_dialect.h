@@ -42,7 +42,7 @@ class MotionDialect {
   /// Called before the numbers of a block for which lines_follow() holds are used. The function scales the numbers as read to the unit in
   /// which the control counts: F without a decimal point, values of expressions.
   virtual void count_words(BlockContext&) const {}
-  /// Called after a block for which lines_follow() holds has been executed.
+  /// Called after the execution of a block for which lines_follow() holds.
   virtual void note_line(BlockContext&) {}
   /// Checks that the program may move the axes `named`.
   virtual Status may_move(const BlockContext& m, AxisMask named) const;

@@ -83,7 +83,7 @@ class ProgramDialect {
   /// Leaves the innermost call if the end of its subprogram is missing. Returns true if the dialect has left the call, false if the
   /// interpreter must do so.
   virtual bool leave_call(Interpreter& m);
-  /// Replaces the text of a report by the control's own text, where no row of [alarms] in the control's file can give it.
+  /// Replaces the text of a report by the control's own text. Needed if no row of [alarms] in the control's file can give this text.
   virtual void reword(const BlockContext& m, AlarmReport& report) const;
 };
 

@@ -78,7 +78,7 @@ class FileWriter {
     std::string path;            // path of the open file, relative to the root
     std::uint64_t size = 0;      // size of the open file, bytes
     std::uint64_t written = 0;   // bytes written in the whole run
-    std::set<std::string> made;  // dry run: paths of the files that would exist
+    std::set<std::string> made;  // dry run: paths of the files that the program would have created
     std::map<std::string, std::uint64_t> files;
   };
   Memory memory() const;
@@ -98,7 +98,7 @@ class FileWriter {
   int file_ = -1;  // file descriptor; -1: no file is open, or the run is a dry run
   std::string path_;
   std::uint64_t written_ = 0;   // bytes written in the whole run
-  std::set<std::string> made_;  // dry run: paths of the files that would exist
+  std::set<std::string> made_;  // dry run: paths of the files that the program would have created
   std::map<std::string, std::uint64_t> files_;
 };
 

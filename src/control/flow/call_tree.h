@@ -23,7 +23,7 @@ class CallTree {
   /// One call of a chain, with the file that contains the calling block.
   struct Call {
     AlarmReport::Call call;
-    std::uint16_t file = 0;  // number of the file, as in Origin::file
+    std::uint16_t file = 0;  // number of the file with the calling block, as in Origin::file
   };
   /// Returns the calls of the chain with this number, outermost first.
   std::vector<Call> calls(std::uint16_t way) const;

@@ -11,7 +11,7 @@
 namespace kadr {
 namespace {
 
-constexpr std::size_t max_labels = 100'000;  // maximum number of subprograms in one file
+constexpr std::size_t max_labels = 100'000;  // greatest number of subprograms in one file
 
 /// Returns the grammar of the bodies of canned cycles, which have no block numbers, no sign % and no ПС (end-of-block character).
 Grammar grammar_of_bodies(const Grammar& program) {
@@ -256,7 +256,7 @@ void Flow::make_index() {
     if (got && *got == BlockReader::Got::end) break;
     std::optional<std::uint32_t> name;
     if (def_.has_sections()) {
-      constexpr std::uint8_t digits_of_label = 5;  // N02001: subprogram 02, block 001 (2С42 6.3.5)
+      constexpr std::uint8_t digits_of_label = 5;  // N02001 is subprogram 02, block 001 (2С42 6.3.5)
       if (block->marker == Marker::section) in_section = true;
       if (block->marker != Marker::none) current = -1;
       if (block->marker == Marker::program_start) in_section = false;

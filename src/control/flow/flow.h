@@ -27,7 +27,7 @@ struct CallFrame {
   std::uint32_t name = 0;  // subprogram number
   std::uint32_t left = 0;  // remaining passes, including the present one
   std::uint32_t done = 0;  // number of passes started
-  bool repeating = false;  // true from the second pass on
+  bool repeating = false;  // true from the second pass of the repetition on
   Origin caller;
   std::uint16_t work_zero = 0;  // work offset of the caller, which is restored on return (2С42)
   Axes zero_shift{};
@@ -185,7 +185,7 @@ class Flow {
   const std::string& file() const { return files_[now_.reader == 1 ? 0 : now_.reader]->path(); }
   /// Returns the file with this number (as in Origin::file and reader()).
   const ProgramFile& file(std::uint16_t reader) const { return *files_[reader]; }
-  /// Returns true if a file has this number; the number of the cycle bodies is not that of a file.
+  /// Returns true if a file has this number. The number of the cycle bodies is not the number of a file.
   bool has_file(std::uint32_t reader) const { return reader < files_.size() && files_[reader] != nullptr; }
   /// Returns the numbers of the files that the program has called (as in Origin::file), in the order of opening.
   std::vector<std::uint16_t> called_files() const;
@@ -228,7 +228,7 @@ class Flow {
 
   const ControlDef& def_;
   RunLimits limits_;
-  std::vector<std::unique_ptr<ProgramFile>> files_;  // [1] is reserved for the cycle bodies
+  std::vector<std::unique_ptr<ProgramFile>> files_;  // files by number; element [1] is reserved for the cycle bodies
   std::map<std::string, std::uint16_t> opened_, built_in_;
   std::unique_ptr<BlockReader> elsewhere_;  // a second reader of the program's file; the first one still has the text of the current block
   Grammar body_grammar_;

@@ -21,7 +21,7 @@ struct KeptBlock {
   Block block;
   std::string text;
   Position next;
-  KeptBlock* following = nullptr;  // the kept block at `next`
+  KeptBlock* following = nullptr;  // kept block at the position `next`
   KeptBlock* jumped = nullptr;     // kept block that was the target of the last jump from this block
   std::uint64_t jumped_to = 0;     // key_of() of the position of `jumped`
 };
@@ -146,7 +146,7 @@ class ProgramFile {
   std::optional<std::vector<NumberedProgram>> programs_;  // starts of the programs in the file (Grammar::programs_by_label)
   bool index_possible_ = true;
   StopToken stop_;
-  static constexpr std::uint32_t marked_line = 256;  // the offset of every 256th line is stored
+  static constexpr std::uint32_t marked_line = 256;  // the byte offset is stored for every line with a number 1 + a multiple of this value
   mutable std::vector<std::uint64_t> line_marks_;    // byte offsets of lines 1, 257, …
 };
 

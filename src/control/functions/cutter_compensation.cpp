@@ -117,7 +117,8 @@ void restart_contour_at_tool(Emitter& m) {
 void note_arc_end(BlockContext& m, const Motion& arc) {
   if (m.modal.contour != CompensationPhase::following || arc.side == 0) return;
   const Vec2 arm = in_plane(m, arc.to) - arc.center;
-  const double toward = (arc.kind == MotionKind::arc_ccw ? -1 : 1) * arc.side;  // a counter-clockwise arc has its centre on the left
+  // The centre of a counter-clockwise arc is on the left, that of a clockwise arc on the right.
+  const double toward = (arc.kind == MotionKind::arc_ccw ? -1 : 1) * arc.side;
   if (length(arm) > 0) m.modal.compensation_vector = toward * arc.tool_radius / length(arm) * arm;
 }
 

@@ -1,6 +1,6 @@
 #pragma once
-// Computes an arc from its words twice: exactly, and in 32-bit numbers as Grbl does (spec/grbl 5). Kadr executes Grbl's arc, and reports a
-// warning if the exact arc differs from it.
+// Computes an arc from its words twice: exactly, and in 32-bit numbers as Grbl does (spec/grbl 5). Kadr executes Grbl's arc, and warns if
+// the exact arc differs from Grbl's arc.
 
 #include <optional>
 
@@ -31,7 +31,7 @@ struct ArcReading {
   std::optional<Alarm> parted;   // warning that Grbl's arc differs from the exact arc
 };
 
-/// Returns the arc that Grbl executes. If it agrees with the exact arc within 0.01 mm, the result is the exact arc.
+/// Returns the arc that Grbl executes. If Grbl's arc agrees with the exact arc within 0.01 mm, the result is the exact arc.
 ///   alarms  full_circle_by_radius, radius_too_small, radius_mismatch; in ArcReading::refused
 ArcReading read_arc(const ArcWords& words);
 

@@ -127,7 +127,7 @@ BlockChanges Grbl::changes_of(const BlockContext&, const Plan&) const { return B
 /// Returns the row of the motion code in force; -1 after G80.
 std::int16_t Grbl::motion_row(const BlockContext& m) const { return checked.moves ? m.modal.motion_row : std::int16_t{-1}; }
 
-/// Executes M2 and M30. They put G1 in force, but axis words in the same block move nothing.
+/// Executes M2 and M30. These codes put G1 in force, but axis words in the same block move nothing.
 bool Grbl::end_program(Interpreter& m) {
   m.block_axes_taken = true;
   checked.motion = 1_g;

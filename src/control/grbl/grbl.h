@@ -13,12 +13,12 @@ namespace kadr::grbl {
 
 /// The settings $x of Grbl that change what a program does (spec/grbl 10).
 struct Settings {
-  bool soft_limits = false;         // $20: soft limits are checked
-  bool homing = false;              // $22: homing is enabled
-  double max_spindle_speed = 1000;  // $30: greatest spindle speed, rev/min
-  double min_spindle_speed = 0;     // $31: least spindle speed, rev/min
-  double arc_tolerance = 0.002;     // $12: arc tolerance, mm
-  Axes travel{};                    // $130 to $132: travel of the axes, mm
+  bool soft_limits = false;         // setting $20: soft limits are checked
+  bool homing = false;              // setting $22: homing is enabled
+  double max_spindle_speed = 1000;  // setting $30: greatest spindle speed, rev/min
+  double min_spindle_speed = 0;     // setting $31: least spindle speed, rev/min
+  double arc_tolerance = 0.002;     // setting $12: arc tolerance, mm
+  Axes travel{};                    // settings $130 to $132: travel of the axes, mm
 };
 
 /// The state that a block changes. An alarm in the block restores it.

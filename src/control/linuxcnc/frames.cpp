@@ -319,7 +319,7 @@ Status reference_move(Emitter& m, const Call& call) {
   return {};
 }
 
-/// G28.1, G30.1 (arg 1, 2): store the present position.
+/// G28.1, G30.1 (arg 1, 2): store the present machine position.
 Status reference_store(Emitter& m, const Call& call) {
   KADR_TRY(linuxcnc::not_compensating(m, call.where, "Cannot set reference point with cutter compensation in effect"));
   const std::uint32_t first = call.row->arg == 1 ? linuxcnc::first_home : linuxcnc::first_second_home;

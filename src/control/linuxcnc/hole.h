@@ -22,7 +22,7 @@ struct Hole {
   double peck = 0, dwell = 0, i = 0, j = 0, back = 0;
   std::uint32_t repeats = 1;
   bool up_first = false;  // the tool is below the R level, so the cycle first rises to R
-  bool polar = false;     // G91 with polar words @ ^: each repetition adds polar_radius and polar_angle
+  bool polar = false;     // in G91 with polar words @ ^ each repetition adds polar_radius and polar_angle
   double polar_radius = 0, polar_angle = 0;
   AlarmId fault = no_alarm;  // fault that LinuxCNC detects only when the tool is at the drilling position
   bool fault_above = false;  // the fault is detected at the R level, to which the tool may have to rise first

@@ -76,7 +76,7 @@ struct State {
   Axes system{};          // offset of the work system in force, machine coordinates, mm or degrees
   double rotation = 0;    // rotation of the work system about Z, degrees
   Axes shift{};           // shift by G92 or G52, mm or degrees, in coordinates that rotate with the work system
-  bool shift_on = false;  // #5210: the shift of G92 is in force
+  bool shift_on = false;  // value of #5210: the shift of G92 is in force
   Axes length{};          // tool lengths that G43 has applied, by axis, mm or degrees
   std::uint32_t system_number = 1;
   int active_spindle = 0;  // number of the spindle with which G33, G76 synchronise
@@ -95,7 +95,7 @@ struct State {
   double value = 0;                 // value that the last `O… return` or `O… endsub` has returned (spec/linuxcnc 6.3)
   bool value_returned = false;
   bool percent = false;  // the file starts with a % line
-  bool began = false;    // a line that is not blank has been read
+  bool began = false;    // a line that is not blank has been read, so the program has begun
 };
 
 class LinuxCnc final : public Dialect {
@@ -190,7 +190,7 @@ class LinuxCnc final : public Dialect {
   std::vector<Word> written_words;  // words of the block as written; not empty while X and Y replace the polar words @ and ^ in the block
   bool tools_changed = false;       // G10 has changed the tool table, so its file must be written
   bool table_is_known = false;      // a tool table is given; if not, every tool number is valid, but its tool has no data
-  std::vector<std::vector<KeptModes>> kept_modes{1};  // modes saved by M70 and M73, by call depth
+  std::vector<std::vector<KeptModes>> kept_modes{1};  // modes that M70 and M73 have saved, by depth of the calls
   Axes probed{};                                      // probed position, mm or degrees; read as #5061 …
   bool probe_tripped = false;
   int probe_kind = 2;  // digit n of the last G38.n

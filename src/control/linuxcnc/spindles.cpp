@@ -28,7 +28,7 @@ std::optional<int> spindle_word(const BlockContext& m) {
 
 bool is_spindle(const LinuxCnc& control, int number) { return number >= 0 && number < control.machine.spindles; }
 
-/// Calls `use` for each spindle that the number of a word `$` selects: one spindle, or all of them.
+/// Calls `use` for each spindle that the word `$` selects. `number`: value of the word, which means one spindle or all of them.
 template <class Use>
 void each_spindle(const LinuxCnc& control, int number, Use use) {
   for (int i = 0; i < control.machine.spindles; ++i)

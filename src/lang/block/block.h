@@ -106,7 +106,7 @@ struct Statement {
 
 /// An assignment: #n = expression, or R2+50, which sets R2 to 50.
 struct Assignment {
-  Expression target;  // number of the variable or parameter
+  Expression target;  // number of the variable or parameter to which the value is assigned
   Expression value;
   Span where;
 };
@@ -149,7 +149,7 @@ struct Block {
   std::uint8_t number_digits = 0;
   std::uint8_t skip = 0;     // number of the skip switch, 1..9; 0: the block has no slash
   std::uint32_t number = 0;  // block number, written after N or `:`
-  std::uint32_t label = 0;   // number written after O or '%'
+  std::uint32_t label = 0;   // number written after O or '%': the label of the block
   std::uint32_t word_count = 0;
   std::uint64_t letters = 0;                     // addresses of the block: the bit (address - 'A') is set for each of them
   std::array<std::uint8_t, max_addresses> at{};  // by address: index of the first word with the address; valid if the block has the address
@@ -158,10 +158,10 @@ struct Block {
   std::vector<Instruction> code;
   std::vector<Assignment> assignments;
   std::vector<Expression> arguments;  // arguments of `O100 call [1] [2] …`
-  std::vector<Span> comments;         // locations of the texts in comment brackets
+  std::vector<Span> comments;         // locations of the comments, without their brackets
   std::vector<Alarm> warnings;        // warnings about the block, for example about look-alike letters
   Statement statement;
-  Span file_name;               // location of the name between < and >
+  Span file_name;               // location of a file name between < and >
   std::optional<Alarm> broken;  // a fault after the words; faults of the words before it are reported first (spec/grbl 1.3)
   bool evaluates = false;       // the value of at least one word is an expression
   bool codes_vary = false;      // the number of at least one code is an expression

@@ -29,7 +29,7 @@ class BlockReader {
   void seek(Position position);
   /// Position of the next block.
   Position position() const { return position_; }
-  /// Returns the text of the last block in UTF-8, whatever the encoding of the file. `place` is converted to a location in the returned
+  /// Returns the text of the last block in UTF-8, whatever the encoding of the file. `place` is converted to the location in the returned
   /// text.
   std::string shown(std::string_view text, Span& place) const;
   /// The data that the reader has collected from the lines read so far. With these data and the position, a reader can continue.

@@ -167,7 +167,7 @@ inline constexpr std::uint32_t expression_depth = 64;    // greatest depth of ne
 inline constexpr std::uint32_t expression_steps = 1024;  // greatest number of instructions of all expressions in a block
 inline constexpr std::uint32_t block_assignments = 32;   // greatest number of assignments #n=… in one block
 inline constexpr std::uint32_t comment_bytes = 4096;     // number of bytes that are stored of a comment over several lines
-inline constexpr std::uint32_t long_comments = 64;       // maximum number of comments over several lines in one block
+inline constexpr std::uint32_t long_comments = 64;       // greatest number of comments over several lines in one block
 inline constexpr std::uint32_t conditions = 4;           // greatest number of conditions in a block: IF[…] IF[…] …
 inline constexpr std::uint32_t call_arguments = 30;  // greatest number of arguments of a call: O100 call [1] [2] … (spec/linuxcnc 6.2)
 }  // namespace limits

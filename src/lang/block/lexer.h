@@ -11,7 +11,7 @@ namespace kadr {
 
 struct Lexed {
   std::size_t next = 0;        // offset at which the text of the next block starts; text.size() at the end of the line
-  bool marked = false;         // the block ended with a literal ПС or LF
+  bool marked = false;         // the block ended with a literal ПС or LF, not with the end of the line
   bool open_comment = false;   // A comment continues in the next line. The caller must append that line and call again.
   std::size_t comment_at = 0;  // offset at which the open comment starts
   // The text has bytes above 127 outside comments and may not be UTF-8. The caller must decode the text and call again.

@@ -103,7 +103,7 @@ bool LineWordReader::word(std::size_t& at) {
 
 namespace {
 
-/// The digits of a number that Grbl uses, and the power of ten by which they are multiplied.
+/// The digits of a number that Grbl uses, and the power of ten by which the digits are multiplied.
 struct CountedDigits {
   std::uint32_t digits = 0;
   int exponent = 0;

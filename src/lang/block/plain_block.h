@@ -34,8 +34,8 @@ class PlainBlocks {
   const Grammar& grammar_;
   std::array<Kind, 256> kinds_{};           // by character
   std::array<bool, max_addresses> easy_{};  // by address: true if any number of digits is allowed
-  std::size_t most_digits_ = 0;             // maximum number of digits of a value
-  std::size_t most_number_digits_ = 0;      // maximum number of digits of a block number
+  std::size_t most_digits_ = 0;             // greatest number of digits of a value
+  std::size_t most_number_digits_ = 0;      // greatest number of digits of a block number
 };
 
 }  // namespace kadr

@@ -71,7 +71,8 @@ Status StatementReader::read(Keyword keyword) {
   }
 }
 
-/// Reads IF[…] GOTOn, IF[…] THEN statement or words, IF[…] statement or words (nct 23.2.9, 23.2.10). The lexer reads the words.
+/// Reads IF[…] GOTOn, and IF[…] with or without THEN and a statement or words (nct 23.2.9, 23.2.10). The words themselves are read by the
+/// lexer.
 Status StatementReader::branch() {
   block_.statement.with_if = true;
   KADR_TRY(condition());

@@ -171,7 +171,7 @@ Status WordReader::code_of(Word& w, std::size_t begin) const {
     return fail(alarm(AlarmId::code_unknown, span(begin, cursor_.at), cursor_.text.substr(begin, cursor_.at - begin)));
   w.code = static_cast<std::int32_t>(nearest);
   const WordFormat& format = grammar_.word(w.address);
-  // spec/gost 3: with the format 3G2 a code has two digits, such as G01.
+  // spec/gost 3: with the format 3G2 a code has two digits, such as G01; a code with fewer digits gives a warning.
   if (w.digits < format.code_digits && !w.has_point && block_.warnings.size() < limits::block_words)
     block_.warnings.push_back(
         warning(AlarmId::code_digits, span(begin, cursor_.at), cursor_.text.substr(begin, cursor_.at - begin), double(format.code_digits)));

@@ -106,7 +106,7 @@ inline bool compare(Op op, double a, double b) {
 /// cover; `increments()` returns the number of least increments in one unit of the program; `control_value(number, bit, index, Span)` and
 /// `element(symbol, index, Span)` return the results of the operations with these names.
 template <class Variables>
-// NOLINTNEXTLINE(readability-function-size): one switch over the steps
+// NOLINTNEXTLINE(readability-function-size): one switch over all operations
 Result<double> evaluate(const Block& block, Expression expression, Variables&& variables) {
   // The stack cannot overflow, because the compiler limits the number of its values.
   std::array<double, limits::expression_depth * 2> stack;

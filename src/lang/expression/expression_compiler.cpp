@@ -53,7 +53,7 @@ class Compiler : public StepWriter {
     return c == '-' ? step(Op::negate, 0, begin, 0) : Status();
   }
 
-  /// Compiles number | #value | [expression] | function operand | AXNUM[…] | PRM[…].
+  /// Compiles a number, #value, [expression], a function with its operand, AXNUM[…] or PRM[…].
   Status value() {
     cursor_.skip_blanks();
     return cursor_.peek() == '[' ? bracket() : of_numbers([this] { return number_here(); });

@@ -39,7 +39,7 @@ class ExpressionRows {
       if (row.of_two == operation) row.of_two = by;
     }
   }
-  /// Returns true if one of these operators is a comparison.
+  /// Returns true if at least one operator in the rows is a comparison.
   bool compare() const;
   const std::vector<ExpressionRow>& all() const { return rows_; }
   /// Returns the row whose text is at the beginning of `text`, in any letter case; nullptr if no row matches.

@@ -38,7 +38,8 @@ Result<double> logic(Op op, double a, double b, Span where) {
 
 Result<double> tangent(double deg, Span where) {
   const SinCos at = sincos_deg(deg);
-  if (at.cos == 0) return fail(alarm(AlarmId::tangent_of_right_angle, where, deg));  // the cosine is exactly 0 at (2n+1)·90°
+  // The cosine is exactly 0 at odd multiples of 90°, where the tangent is infinite.
+  if (at.cos == 0) return fail(alarm(AlarmId::tangent_of_right_angle, where, deg));
   return at.sin / at.cos;
 }
 

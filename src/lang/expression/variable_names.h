@@ -19,7 +19,7 @@ inline constexpr double first_named_variable = 1e9;
 /// functions may be called from any thread.
 class VariableNames {
  public:
-  static constexpr std::size_t most = 1'000'000;  // maximum number of names; a name is at most as long as a line of the program
+  static constexpr std::size_t most = 1'000'000;  // greatest number of names; a name is at most as long as a line of the program
 
   /// Returns the form in which the control compares names: in small letters, without blanks.
   static std::string plain(std::string_view written);

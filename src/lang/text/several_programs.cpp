@@ -125,7 +125,7 @@ class Contents {
   TapeContents contents_;
   std::vector<bool> has_words_;  // for each program: true if it has a block with words
   In in_ = In::nothing;
-  bool open_ = false;         // the end of a subprogram has not been reached yet
+  bool open_ = false;         // the end of the subprogram being read has not been reached yet
   bool after_start_ = false;  // the block processed last was the one with the sign %
 };
 

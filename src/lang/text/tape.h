@@ -45,10 +45,10 @@ struct TapeText {
 TapeText decode_tape(std::string_view rows, TapeCode code = TapeCode::iso);
 
 /// Converts UTF-8 text to rows, with a leader and trailer of blank tape. Each end of line, together with a literal ПС or LF before it,
-/// becomes one row LF; a last line without an end gets such a row too. Russian letters are put between SO and SI; in EIA code small letters
+/// becomes one row LF; a last line without an end also gets a row LF. Russian letters are put between SO and SI; in EIA code small letters
 /// become capitals.
 ///   alarms  bad_encoding for a character that the code does not have, with the location of the character in the text. Ё and Ъ have no
-///           code; NUL, DEL, SO, SI and CR within a line would be lost in reading; EIA has no ':' and no Russian letters
+///     code; NUL, DEL, SO, SI and CR within a line would be lost in reading; EIA has no ':' and no Russian letters
 ///   law     decode_tape(encode_tape(t)) == t for text of the code with one line end per block
 Result<std::string> encode_tape(std::string_view text, std::size_t leader_rows, TapeCode code = TapeCode::iso);
 

@@ -42,7 +42,7 @@ class TextSpool {
 
   std::size_t most_in_memory_;
   std::string kept_;                 // end of the text, which follows the part in the file
-  std::shared_ptr<SpoolFile> file_;  // nullptr: no file created yet
+  std::shared_ptr<SpoolFile> file_;  // temporary file with the first part of the text; nullptr: no file has been created yet
   std::uint64_t written_ = 0;        // bytes in the file
 };
 

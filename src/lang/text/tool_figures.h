@@ -27,12 +27,13 @@ enum class FigureIs : std::uint8_t {
 struct CommentPiece : CommentToken {
   ToolWordMeaning meaning;  // meaning of a word or sign
   FigureIs figure = FigureIs::open;
-  double unit = 0;           // mm per unit for a number with a unit next to it; 0 without a unit
-  double threads = 0;        // threads per inch of an inch_thread
-  bool braced = false;       // the number is in braces, {6 mm}; a Vectric library writes the size into tool names in this form
-  bool named = false;        // the number is a diameter after `=`, as CAM systems write it
-  std::uint32_t clause = 0;  // number of the clause; a clause is the part of the comment between two of | , ; : or free dashes
-  bool of_another = false;   // the piece comes after FOR or WITH, so it describes another thing than the tool
+  double unit = 0;      // mm per unit for a number with a unit next to it; 0 without a unit
+  double threads = 0;   // threads per inch of an inch_thread
+  bool braced = false;  // the number is in braces, {6 mm}; a Vectric library writes the size into tool names in this form
+  bool named = false;   // the number is a diameter after `=`, as CAM systems write it
+  // Number of the clause; clauses are the parts of the comment that a vertical bar, comma, semicolon, colon or free dash separates.
+  std::uint32_t clause = 0;
+  bool of_another = false;  // the piece comes after FOR or WITH, so it describes another thing than the tool
   bool is_word() const { return is == Is::word; }
   bool is_figure() const { return is == Is::figure; }
   bool is_sign(char c) const { return is == Is::sign && text[0] == c; }

@@ -144,7 +144,7 @@ bool ToolSize::is_of_part(std::size_t figure) const {
   return says(behind, of_part) && pieces_[behind].clause == pieces_[figure].clause;
 }
 
-/// Returns false for comments about something other than a tool, such as (.500 DIAMETER), (STOCK D50).
+/// Returns false for comments that are not about a tool, such as (.500 DIAMETER), (STOCK D50).
 bool ToolSize::speaks_of_tool(std::size_t figure) const {
   if (!names_.all().empty() || names_.any(of_tool)) return true;
   // A list of a tool library, such as 25 = name d=10.

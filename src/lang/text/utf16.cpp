@@ -111,7 +111,7 @@ class Utf16Source final : public ByteSource {
 
   std::unique_ptr<ByteSource> source_;
   ByteOrder order_;
-  std::vector<Mark> marks_;  // start of each piece; the last element is the end of the text
+  std::vector<Mark> marks_;  // start of each piece; the last element has the offsets of the end of the text
 };
 
 }  // namespace

@@ -30,9 +30,9 @@ class Ini {
 };
 
 struct MachineFile {
-  bool known = false;  // the set-up names an ini file
+  bool known = false;  // the set-up names an ini file, which has been read
   Ini ini;
-  std::string axes;                                   // [TRAJ]COORDINATES: letters of the axes; empty if not given
+  std::string axes;                                   // [TRAJ]COORDINATES: letters of the axes; empty if the file does not give them
   double unit = 1;                                    // [TRAJ]LINEAR_UNITS: unit of the lengths in tables and limits, in mm
   std::array<std::pair<double, double>, 9> limits{};  // [AXIS_…]MIN_LIMIT and MAX_LIMIT by axis, in mm or degrees; ±1e300: no limit
   int spindles = 1;
@@ -42,7 +42,7 @@ struct MachineFile {
   bool parameters_of_ini = true;         // INI_VARS: `#<_ini[section]name>` reads values of the ini file
   bool keeps_shift = true;               // G92 survives the end of a program, because DISABLE_G92_PERSISTENCE is not set
   bool fanuc_subprograms = true;         // M98 and M99 are available, because DISABLE_FANUC_STYLE_SUB is not set
-  bool random_changer = false;           // RANDOM_TOOLCHANGER: T0 is a tool like any other
+  bool random_changer = false;           // RANDOM_TOOLCHANGER: T0 is a real tool, not an empty spindle
   bool spindle_turns_in_change = false;  // TOOL_CHANGE_WITH_SPINDLE_ON: the spindle is not stopped for a tool change
   bool keeps_length = false;             // RETAIN_G43: after a tool change the new tool's length is applied
   std::array<bool, 3> wrapped{};  // by axis A, B, C: the axis counts one revolution, and the sign of its word is the direction of rotation
