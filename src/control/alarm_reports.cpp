@@ -15,8 +15,8 @@ std::uint32_t characters(std::string_view text) {
       std::count_if(text.begin(), text.end(), [](char c) { return (static_cast<unsigned char>(c) & 0xC0) != 0x80; }));
 }
 
-/// Limits the report to the one line that contains the fault, if the text of the block spans several lines. A block that begins after a
-/// comment over several lines is an example: the fault is in the last of these lines (nct 14.3).
+/// Limits the report to the one line that contains the fault, if the text of the block spans several lines. Example: a comment spans
+/// several lines, and the block with the fault begins after the comment in its last line (nct 14.3).
 void to_own_line(AlarmReport& r) {
   const std::string_view before = std::string_view(r.line_text).substr(0, r.alarm.where.begin);
   const std::size_t end = r.line_text.find('\n', r.alarm.where.begin);
@@ -63,7 +63,7 @@ AlarmReport Interpreter::plain_report_of(const Alarm& alarm, const Origin& at, s
   AlarmReport r{def.grammar.names.empty() && !def.grammar.comma_words ? alarm : with_names(alarm), flow.file(), {}, at, {}, {}};
   decode_arguments(r.alarm);
   const bool in_body = flow.in_body() && !line_text.empty();
-  if (in_body) r.alarm.where = call_where;  // a cycle's body is in no file: the report has the location of the call
+  if (in_body) r.alarm.where = call_where;  // the body of a canned cycle is in no file, so the report has the location of the call
   r.line_text = in_body ? call_text : flow.shown(line_text, r.alarm.where);
   if (r.alarm.where.begin <= r.line_text.size() && r.line_text.find('\n') != std::string::npos) to_own_line(r);
   if (r.alarm.where.begin <= r.line_text.size())
@@ -120,7 +120,7 @@ void Interpreter::check_uncalled(const std::function<void(const AlarmReport&)>& 
   auto plan = std::make_unique<Plan>();
   flow.each_uncalled([&](Result<BlockReader::Got> got, const Block& read) {
     Status status = got ? Status() : Status(fail(got.error()));
-    Block& looked_at = const_cast<Block&>(read);  // no expression has a value here: a block with a computed code number is not planned
+    Block& looked_at = const_cast<Block&>(read);  // an expression has no value here, so a block with a computed code number is not planned
     bool known = true;
     for (std::uint32_t i = 0; i < looked_at.word_count; ++i)
       known = known &&
@@ -184,7 +184,7 @@ FinalState Interpreter::ending() {
   return e;
 }
 
-/// True for the letter of an axis that machines of this control may have.
+/// Returns true for the letter of an axis that machines of this control may have.
 constexpr bool names_an_axis(char letter) { return (letter >= 'A' && letter <= 'C') || (letter >= 'U' && letter <= 'Z'); }
 
 /// Warns of words that no function of the block uses; the real control ignores such words without a report (spec/fanuc 1.2).

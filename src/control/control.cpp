@@ -1,4 +1,4 @@
-// The entrance to the interpreter: each call is passed to Interpreter, or to MachineInterface, the part of the dialect that serves the
+// The entrance to the interpreter. Each call is passed to Interpreter, or to MachineInterface, the part of the dialect that serves the
 // machine. Used by cli, control, session.
 
 #include "control/control.h"
@@ -87,7 +87,7 @@ const AlarmReport& Control::report() const { return interpreter_->report; }
 AlarmReport Control::report_for(const Alarm& alarm, const Origin& origin) const {
   const Block& last = *interpreter_->block;
   if (origin.line == last.position.line && origin.file == interpreter_->flow.reader() && !interpreter_->flow.in_body()) {
-    Alarm placed = alarm;  // the alarm's block is still the current one: its text is known
+    Alarm placed = alarm;  // the alarm's block is still the current one, so the text of the block is known
     placed.where = last.where;
     AlarmReport report = interpreter_->report_of(placed, origin, last.text);
     if (interpreter_->watches_calls()) report.calls = calls_of(origin);
@@ -104,7 +104,7 @@ AlarmReport Control::report_for(const Alarm& alarm, const Origin& origin) const 
 }
 AlarmReport::Line Control::line_at(const Origin& origin) const {
   AlarmReport::Line line{origin.line, interpreter_->flow.file(), {}, {}};
-  constexpr std::uint16_t bodies = 1;  // number that stands for the cycle bodies, which are in no file
+  constexpr std::uint16_t bodies = 1;  // file number of the bodies of canned cycles, which are in no file
   if (origin.file == bodies || origin.line == 0 || !interpreter_->flow.has_file(origin.file)) return line;
   line.file = file_name(origin.file);
   line.text = interpreter_->flow.file(origin.file).text_of(origin.line);

@@ -1,6 +1,6 @@
 #pragma once
-// Control: the interpreter. It turns blocks into actions and holds everything that a control remembers. All other rooms use this room
-// through this file.
+// Control: one numerical control with its interpreter. It turns blocks into actions and stores everything that a control remembers. All
+// other rooms use the room control through this file.
 
 #include <functional>
 #include <map>
@@ -29,7 +29,8 @@
 
 namespace kadr {
 
-/// The files that a program writes (nct 23.2.13): for each path, relative to the folder of the program memory, the number of bytes.
+/// The files that a program writes (nct 23.2.13). The key is the path, relative to the folder of the program memory; the value is the
+/// number of bytes.
 using WrittenFiles = std::map<std::string, std::uint64_t>;
 
 class Interpreter;       // control/interpreter.h
@@ -56,21 +57,21 @@ class Control {
   ///   ended        the program is at its end
   State run(ActionBatch& batch);
 
-  /// Called before each block that has been read. If the result is true, the block is not executed now, and the next run() reads it again.
-  /// In the meantime the control answers every query, except those that need the middle of a block.
+  /// Called before each block that has been read. If the result is true, the block is not executed now, and the next run() reads the block
+  /// again. In the meantime the control answers every query, except queries about a block that is being executed.
   std::function<bool(const Origin&)> holds_before;
-  /// Starts recording in `marks` the lines whose blocks are executed. run() then returns after `most` blocks at the latest. Read `marks`
-  /// only while run() is not being executed (RunAhead::settle). nullptr ends the recording.
+  /// Starts recording in `marks` the lines whose blocks are executed. From then on run() returns after `most` blocks at the latest, so that
+  /// the caller can read the marks. Read `marks` only while run() is not being executed (RunAhead::settle). nullptr ends the recording.
   void note_lines(LineMarks* marks, std::uint64_t most);
-  /// Returns true if a block is not finished, because its canned cycle has more motions to emit, or because functions of the block wait for
-  /// the end of the cycle.
+  /// Returns true if a block is not finished, either because its canned cycle has more motions to emit, or because functions of the block
+  /// wait for the end of the cycle.
   bool in_block() const;
-  /// Enters a line of the operator (MDI). The line is executed next, with the modes in force; then the program continues where it was.
+  /// Enters a line of the operator (MDI). The line is executed next, with the modes in force; then the program continues at its next block.
   ///   pre  !in_block()
   void enter(const std::string& line);
   /// Returns true while an entered line is not finished.
   bool in_entered() const;
-  /// Sets the machine position after the axes have been moved by hand.
+  /// Sets the machine position after the operator has moved the axes by hand.
   ///   pre  !in_block()
   void stand_at(const Axes& machine);
   /// Returns the present value of an expression in the program's notation: `#100+1`, `R2`.
@@ -88,22 +89,23 @@ class Control {
   BlockState state_now() const;
   std::vector<InForce> in_force() const;
 
-  /// Returns everything that decides how the run continues; nullopt while the control waits for a probe. Three things are not included:
-  /// what the program has read from standard input, what it has written into files, and the state before the last block, which refused()
-  /// would restore.
+  /// Returns everything that decides how the run continues; nullopt while the control waits for the result of a probe motion. Three things
+  /// are not included: the text that the program has read from standard input, the contents of the files that it has written, and the state
+  /// before the last block, which refused() would restore.
   std::optional<Snapshot> snapshot() const;
-  /// Restores a snapshot of a control with the same control file, set-up and program. The actions, alarms and notes that follow are those
-  /// that followed in that control. Tables that channels share get the values of this channel.
+  /// Restores a snapshot that was made with the same control file, set-up and program. The actions, alarms and notes that follow are the
+  /// same as in the control that made the snapshot. Tables that channels share get the values that this channel had.
   ///   alarms  file_missing, file_write: a file that the program had called or was writing is missing or has changed
   Status restore(const Snapshot& from);
 
   void answer(const ProbeAnswer& answer);
-  /// Makes run() return the actions of each block separately from now on, so that the machine can refuse a block.
+  /// From now on run() returns the actions of each block separately, so that the machine can refuse a block.
   void return_each_block();
-  /// Returns true if run() returns the actions of each block separately: from the start of the run, or since the program has reached a
-  /// safety zone or has read a clock.
+  /// Returns true if run() returns the actions of each block separately. This is so either from the start of the run, or from the block on
+  /// in which the program has reached a safety zone or has read a clock.
   bool returns_each_block() const;
-  /// Cancels the last block because the machine has refused one of its actions. The block then has no effect, as if it had raised an alarm.
+  /// Cancels the last block because the machine has refused one of its actions. Afterwards the block has no effect, as if it had raised an
+  /// alarm.
   void refused();
   using Waiting = WaitingMode;
   void set_waiting(Waiting waiting);
@@ -125,11 +127,12 @@ class Control {
   AlarmReport::Line line_at(const Origin& origin) const;
 
   /// Called before and after each executed block, so that the machine's logic can act (Control::set_signal, …). The call after a block
-  /// follows when the actions of the block have been passed on; it is omitted if the block failed.
+  /// follows when run() has returned the actions of the block; there is no such call if the block failed.
   std::function<void(const Origin&, bool at_end)> on_block;
   /// Called for each signal that the machine's logic sets.
   std::function<void(const std::string& name, bool on)> on_signal;
-  /// Inputs from the machine's logic and the operator (nct): a signal, a skip switch, the answer to a message box (#3107).
+  /// These functions are the inputs from the machine's logic and from the operator (nct): a signal, a skip switch, the switch for the
+  /// optional stop, the answer to a message box (#3107).
   void set_signal(const std::string& name, double value);
   void set_skip(int number, bool on);
   void set_optional_stop(bool on);
@@ -144,14 +147,14 @@ class Control {
   void take_common(const Control& from);
   /// Couples each of the axes to the master axis that its parameter N2101 names, or ends this coupling (nct 20.2).
   void couple_axes(const std::vector<std::string>& axes, AxisLink link, bool on);
-  /// Returns the axes of this channel that are coupled to, or exchanged with, axes of other channels at present (nct 20.2, 20.3).
+  /// Returns the axes of this channel that are coupled to axes of other channels at present, or exchanged with them (nct 20.2, 20.3).
   const std::vector<CrossChannelAxis>& cross_channel_axes() const;
-  /// Called when the machine's logic may have changed cross_channel_axes(), while the axes of both channels do not move.
+  /// Called when the machine's logic may have changed cross_channel_axes(). At this moment the axes of both channels do not move.
   std::function<void()> on_cross_channel_axes;
-  /// Ends a coupling or exchange that is impossible: the axis becomes independent again, and a warning is reported.
+  /// Ends a coupling or exchange of axes that is impossible. The axis becomes independent again, and a warning is reported.
   void drop_cross_channel(const CrossChannelAxis& axis);
-  /// Moves an axis of this channel to a machine coordinate, because it follows an axis of another channel that has moved. Axes of this
-  /// channel that follow the moved axis move too.
+  /// Moves an axis of this channel to a machine coordinate in mm or degrees, because the axis follows an axis of another channel that has
+  /// moved. Axes of this channel that follow `axis` move too.
   void lead_axis(std::size_t axis, double machine);
   /// Returns true if the axis of this channel may be exchanged with a linear axis.
   bool may_exchange(std::size_t axis) const;
@@ -168,15 +171,16 @@ class Control {
   /// Switches the power off and on: the program ends, and data that need power are cleared (nct 23.1.4, 23.5).
   void power_cycle();
   /// Sets the times that a program reads from its clocks (nct 23.1.9).
-  ///   now_ms      virtual time since the start of the run
-  ///   cutting_ms  time of motions at feed
+  ///   now_ms      virtual time since the start of the run, ms
+  ///   cutting_ms  total time of the motions at feed, ms
   void set_time(double now_ms, double cutting_ms);
-  /// Returns true once the program has a block that may read a clock. From then on set_time() has an effect, and run() returns the actions
-  /// of each block separately.
+  /// Returns true from the first block on that may read a clock. From then on set_time() has an effect, and run() returns the actions of
+  /// each block separately.
   bool reads_clock() const;
   /// Returns true if programs of this control can read a clock, so that the virtual time may influence the run.
   bool may_read_clock() const;
-  /// Returns the tables and switches after the run, in the form of a set-up; nullopt if the control has no tables that survive the run.
+  /// Returns the tables and switches after the run, in the form of a set-up; nullopt if the control has no tables that are stored after a
+  /// run.
   std::optional<RunState> run_state() const;
 
   /// Returns the present contents of the tables that a program can write (control/tables_now).
@@ -188,22 +192,24 @@ class Control {
   /// Called after each executed block that has changed data that survive power-off (nct).
   std::function<void(const StateChanges&)> on_changes;
 
-  /// Called before a contour that is read ahead (nct 19.A 5) is executed, to compute its corners: chamfers, roundings, calculated end
-  /// points. The function is in the room path, which control does not include. `from`: start of the contour, work coordinates.
+  /// Called before a contour that is read ahead (nct 19.A 5) is executed. The function computes the corners of the contour: chamfers,
+  /// roundings, calculated end points. It is in the room path, which control does not include. `from`: start of the contour, work
+  /// coordinates.
   std::function<std::optional<Alarm>(ActionBatch& contour, const Axes& from)> find_corners;
 
-  /// Called for every warning, such as that of a letter that looks like another letter.
+  /// Called for every warning. Example: a letter looks like another letter.
   std::function<void(const AlarmReport&)> on_warning;
 
   /// Returns which data of a set-up the program has used. Variables and lines are included if watch_use() was called before the run.
   const ProgramUse& use() const;
   void watch_use();
 
-  /// Checks, after the run, the subprograms that were never called: reads them without executing them, and calls `on_fault` for each fault.
+  /// Checks, after the run, the subprograms that were never called. Their blocks are read without being executed, and `on_fault` is called
+  /// for each fault.
   void check_uncalled(const std::function<void(const AlarmReport&)>& on_fault);
 
-  /// Returns lines of a file in UTF-8, by line number; unreadable lines are missing. `file`: the number Origin::file of the program or of a
-  /// called file. To be called after the run; reads through the file once.
+  /// Returns lines of a file in UTF-8, by line number; lines that cannot be read are omitted. `file`: the number of the program or of a
+  /// called file, as in Origin::file. To be called after the run, because the function reads through the file once.
   std::map<std::uint32_t, std::string> texts_of(const std::set<std::uint32_t>& lines, std::uint16_t file) const;
   /// Returns the bytes of the file with the number `file` (0: the program), as they were when the file was opened; nullopt if no file has
   /// this number.
@@ -231,23 +237,23 @@ class Control {
   /// Starts recording calls for calls_of(). The results of report_for() then include the calls that were open at the location of the alarm.
   void watch_calls();
   /// Returns the calls and repetitions through which the program reached the block of an action, outermost first. The control may have read
-  /// far beyond that block. Snapshots do not include these calls: for actions emitted before restore() the list is empty.
+  /// far beyond that block. Snapshots do not include these calls, so the list is empty for actions that were emitted before restore().
   std::vector<AlarmReport::Call> calls_of(const Origin& origin) const;
   std::uint64_t blocks() const;      // number of blocks executed
-  std::uint64_t bytes_read() const;  // bytes of the program read so far, for progress
+  std::uint64_t bytes_read() const;  // bytes of the program read so far, for a display of progress
   std::uint64_t bytes() const;
   Encoding encoding() const;
   bool encoding_was_guessed() const;
   const std::vector<std::string>& axes() const;
-  /// Returns the fault that the set-up names a thing which this control lacks, beyond the checks of the table of keys
-  /// (config/setup/setup_check); empty if there is no such fault.
+  /// Returns the fault that the set-up names an axis or table row which this control lacks; empty if there is no such fault. The check of
+  /// the table of keys (config/setup/setup_check) does not find this fault.
   const SetupFault& setup_fault() const;
   /// Returns true if parameters of the control describe the machine (nct 24).
   bool has_machine_parameters() const;
-  /// Returns true if the cutter compensation of this control is computed by path/compensation/queued_compensation.
+  /// Returns true if path/compensation/queued_compensation computes the cutter compensation of this control.
   bool queues_compensation() const;
   std::uint32_t rotary() const;
-  /// Returns the limits of an axis from a file of the machine, least first: see Dialect::limits_by_file().
+  /// Returns the least and the greatest machine coordinate of an axis that a file of the machine allows: see Dialect::limits_by_file().
   std::pair<double, double> limits_by_file(std::size_t axis) const;
 
  private:

@@ -1,4 +1,4 @@
-// The default behaviour of a control, ISO 6983. It applies to each function that the dialect of the control does not override.
+// The default behaviour of a control, by ISO 6983. It applies wherever the dialect of the control does not override a function.
 
 #include "control/dialect.h"
 

@@ -1,8 +1,8 @@
 #pragma once
 // Dialect: the behaviour of a control that no row of its file can describe (`dialect = "…"` in controls/*.toml). Each channel has one
-// object; the interpreter calls it per block or per motion, never per word. The default of each function is the behaviour of all controls,
-// ISO 6983; a control that its file describes completely has only defaults (make_iso_dialect()). The functions are grouped in five
-// interfaces, so that code can depend on the one interface that it needs.
+// object, which the interpreter calls per block or per motion, never per word. The default of each function is the behaviour of all
+// controls, by ISO 6983. A control that its file describes completely has only the defaults (make_iso_dialect()). The functions are grouped
+// in five interfaces, so that code can depend on the one interface that it needs.
 
 #include <memory>
 
@@ -19,7 +19,7 @@ struct RunLimits;
 
 class Dialect : public ProgramDialect, public BlockDialect, public MotionDialect, public FrameDialect, public VariableDialect {};
 
-// The folder of each dialect defines the function that creates the dialect.
+// These functions create dialects. Each of them is defined in the folder of its dialect.
 std::unique_ptr<Dialect> make_s2c42_dialect();
 std::unique_ptr<Dialect> make_correctors_dialect(const BlockContext& m, const Setup& setup);
 std::unique_ptr<Dialect> make_grbl_dialect(const Setup& setup);
@@ -30,7 +30,7 @@ std::unique_ptr<Dialect> make_nct_dialect(BlockContext& m, const Setup& setup, c
 /// Creates the dialect of a control that its file describes completely: every function has its default behaviour.
 std::unique_ptr<Dialect> make_iso_dialect();
 
-/// Creates the dialect that the control's file names. `commons`: variables that all channels of the machine share.
+/// Creates the dialect that the control's file names. `commons`: common variables, which all channels of the machine share.
 std::unique_ptr<Dialect> make_dialect(BlockContext& m, const Setup& setup, const RunLimits& limits, std::shared_ptr<Commons> commons);
 
 }  // namespace kadr

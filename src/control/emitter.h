@@ -1,7 +1,7 @@
 #pragma once
 // Emitter: what a block does to the machine. Motions, changes of the coordinate frames, functions and warnings leave the interpreter
-// through the Emitter as actions, and the Emitter updates the state accordingly. A function that moves or switches something receives an
-// Emitter; it cannot change the course of the program. Only src/control includes this file.
+// through the Emitter as actions, and the Emitter updates the state accordingly. A function that moves an axis or switches an output
+// receives an Emitter, which cannot change the course of the program. Only src/control includes this file.
 
 #include <functional>
 #include <memory>
@@ -18,8 +18,9 @@ class Interpreter;
 
 /// A code or an address of the block, as it is passed to the C++ function that executes it.
 struct Call {
-  const CodeRow* row = nullptr;  // row of the code in ControlDef; nullptr: an address that calls a function without a code
-  const Word* word = nullptr;    // nullptr: the block has no word for it; the motion code in force is executed
+  const CodeRow* row = nullptr;  // row of the code in ControlDef; nullptr: an address calls a function without a code
+  // Word that calls the function; nullptr: the motion code in force is executed, and the block has no word for it.
+  const Word* word = nullptr;
   Span where;
 };
 
@@ -33,10 +34,10 @@ class SteppedCycle {
   virtual std::unique_ptr<SteppedCycle> clone() const = 0;
   /// Emits the next few actions of the cycle. Returns false if the cycle is finished.
   virtual Result<bool> next(Emitter& m) = 0;
-  /// Called when the cycle is finished; may make the program continue at another block.
+  /// Called when the cycle is finished. The function may make the program continue at another block.
   virtual Status lead_on(Interpreter& m) const;
-  /// Returns true if the other functions of the block are executed before the cycle continues (drilling, nct 18.0); else the functions that
-  /// follow the motion wait until the cycle has ended.
+  /// Returns true if the other functions of the block are executed before the cycle continues (drilling, nct 18.0). If false, the functions
+  /// that follow the motion wait until the cycle has ended.
   virtual bool functions_first() const { return false; }
 };
 
@@ -67,12 +68,12 @@ class Emitter : public BlockContext {
   Status straight(MotionKind kind, const Axes& programmed, AxisMask named);
   /// Emits a straight motion to a machine position on the named axes.
   Status to_machine(MotionKind kind, const Axes& machine, AxisMask named, double feed, EndReference end = EndReference::by_machine);
-  /// Emits an arc as the tables of the control's file define it. A dialect may define arcs differently.
+  /// Emits an arc by the rules of the control's file. A dialect may have other rules for arcs.
   Status plain_arc(Turn turn, Span where);
-  /// Sets the machine position after the axes have been moved by hand.
+  /// Sets the machine position after the operator has moved the axes by hand.
   void stand_at(const Axes& machine);
-  /// Computes work and machine position on the named axes from `position.programmed`. Valid only if work coordinates equal the programmed
-  /// ones and the frame is not rotated.
+  /// Computes work and machine position on the axes `named` from `position.programmed`. Valid only if work coordinates equal the programmed
+  /// coordinates and the frame is not rotated.
   void set_plain_position(AxisMask named) {
     for (; named != 0; named &= named - 1) {
       const auto a = static_cast<std::size_t>(__builtin_ctz(named));
@@ -80,7 +81,7 @@ class Emitter : public BlockContext {
       position.machine[a] = position.work[a] + frames.origin[a] + frames.length[a];
     }
   }
-  /// Sets the position to the end of a motion; axes that are not named keep their coordinates.
+  /// Sets the position to the end of a motion. Axes that are not in `named` keep their coordinates.
   void move_to(const Axes& programmed, const Axes& work, AxisMask named);
   Motion& add_motion(MotionKind kind, AxisMask named);
   /// Adds a motion as add_motion() does, but with the given modes. The motion ends at the position that was computed last.
@@ -95,7 +96,7 @@ class Emitter : public BlockContext {
   /// Recomputes the origin and the tool length from the tables and the modal state.
   void refresh_frames();
   void frames_by_tables();
-  /// Recomputes the frames as refresh_frames() does, and converts the tool's coordinates to the new frame (the machine does not move).
+  /// Recomputes the frames as refresh_frames() does, and converts the tool's coordinates to the new frame. The machine does not move.
   void change_frames();
   /// Applies the mirror switches of the panel that are in force in the selected plane (2С42 6.8).
   void apply_mirror();
@@ -114,9 +115,10 @@ class Emitter : public BlockContext {
   ActionBatch* batch = nullptr;
   CannedCycleRun canned_cycle_run;
   EllipseRun ellipse_run;
-  std::unique_ptr<SteppedCycle> running;  // the canned cycle of the dialect that is being executed; nullptr if there is none
+  std::unique_ptr<SteppedCycle> running;  // the dialect's canned cycle that is being executed; nullptr if no such cycle is being executed
   bool each_block = false;                // run() returns the actions of each block separately
-  std::function<void(const Origin&, bool)>* on_block = nullptr;  // called at the start and at the end of each block
+  // Called at the start and at the end of each block; nullptr if nothing observes the blocks.
+  std::function<void(const Origin&, bool)>* on_block = nullptr;
 
  protected:
   using BlockContext::BlockContext;

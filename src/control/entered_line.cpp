@@ -4,8 +4,8 @@
 
 namespace kadr {
 
-/// Returns true if the block is a return of the entered line itself. Such a line has no caller: the return would close a call of the
-/// program.
+/// Returns true if the block is a return of the entered line itself. An entered line has no caller, so the return would end a call of the
+/// program, and is refused.
 bool Interpreter::returns_from_entered() const {
   if (!flow.in_entered() || flow.depth() > flow.entered_depth()) return false;
   for (std::uint32_t i = 0; i < block->word_count; ++i) {

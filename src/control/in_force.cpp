@@ -1,4 +1,4 @@
-// Lists the codes, offsets and modes in force, one item each. A restart in mid-program, the panels and the debugger show the list. Tested
+// Lists the codes, offsets and modes in force, one item each. A restart in mid-program, the panels and the debugger show this list. Tested
 // by tests/session/stepping_test.cpp.
 
 #include "action/in_force.h"

@@ -1,5 +1,4 @@
-// The path of a block through the interpreter: it is read, shown to the
-// machine's logic, evaluated, planned and executed. Used by the rest of control.
+// Executes a block: reads it, shows it to the machine's logic, evaluates, plans and executes it. Used by the rest of control.
 
 #include "control/interpreter.h"
 
@@ -13,7 +12,7 @@
 
 namespace kadr {
 
-// NOLINTNEXTLINE(readability-function-size): what it is made of, called in one place
+// NOLINTNEXTLINE(readability-function-size): sets up all parts of the interpreter in one place
 Interpreter::Interpreter(const ControlDef& control, std::unique_ptr<ControlDef> own, const Setup& setup, Program program,
                          const RunLimits& limits, std::shared_ptr<Commons> commons)
     : Emitter(control, std::move(own), std::move(program), limits), stop_(limits.stop) {
@@ -26,8 +25,8 @@ Interpreter::Interpreter(const ControlDef& control, std::unique_ptr<ControlDef> 
 
 namespace {
 
-/// Returns true if holds_before() holds the run at the block just read, which is then read again later. Else records the line of the block
-/// in line_marks.
+/// Returns true if holds_before() does not allow the block just read to be executed now; the block is then read again later. If the block
+/// may be executed, its line is recorded in line_marks.
 bool is_held(Interpreter& m, const std::optional<Flow::Mark>& before) {
   const bool asks = before && m.holds_before != nullptr && *m.holds_before && !m.program().in_body();
   if (asks && (*m.holds_before)(m.origin)) {
@@ -47,15 +46,15 @@ Status SteppedCycle::lead_on(Interpreter&) const { return {}; }
 void Interpreter::begin_batch(ActionBatch& to) {
   to.clear();
   batch = &to;
-  motion_run_.end();  // between two calls of run() any mode or table may have changed
+  motion_run_.end();  // between two calls of run() any mode or table may have changed, so the fast path ends
   if (!needs_frames) return;
   needs_frames = false;
   emit(frame_change());
   if (modal.surface_speed) emit(surface_speed());
 }
 
-/// Executes a step that must precede the next block: of a canned cycle, or of the end of an observed block. Returns false if there is no
-/// such step.
+/// Executes a step that must precede the next block: a step of a canned cycle, or of the end of an observed block. Returns false if there
+/// is no such step.
 bool Interpreter::continues_last() {
   if (cycling()) {
     if (const Status status = next_of_cycle(); !status) fail_with(status.error());
@@ -78,7 +77,7 @@ bool Interpreter::waits_for_dialect() {
   return !waits || *waits;
 }
 
-/// Handles the end of a file. `last`: the block before it, for reports. Returns nullopt if only an entered line (MDI) has ended.
+/// Handles the end of a file. `last`: the block before the end, for reports. Returns nullopt if only an entered line (MDI) has ended.
 std::optional<Control::State> Interpreter::close_file(Block* last) {
   block = last;
   if (flow.depth() <= flow.entered_depth() && flow.leave_entered()) return std::nullopt;
@@ -100,10 +99,10 @@ std::optional<Control::State> Interpreter::take_read(const Result<BlockReader::G
     }
     block->no_clock = true;
   }
-  if (!got && block->marker == Marker::program_start) flow.set_started(true);  // the block is damaged, but it has the sign %
+  if (!got && block->marker == Marker::program_start) flow.set_started(true);  // the block is damaged, but its sign % was read
   if (!block->warnings.empty()) [[unlikely]] {
     for (const Alarm& w : block->warnings) warn(w);
-    block->warnings.clear();  // a block that is kept for a loop must not report its warnings again
+    block->warnings.clear();  // a block that a loop executes again must not report its warnings again
   }
   if (got && block->skip != 0 && asks_to_skip()) return Control::State::running;
   if (!got && dialect->skips_unread() && block->skip != 0 && skip_switches[std::min<std::size_t>(block->skip, 9)]) return std::nullopt;
@@ -176,15 +175,15 @@ void Interpreter::take_block() {
     return watch_block();
   if (const Status status = execute_block(); !status) fail_with(status.error());
   else report_changes();
-  if (!is_stopped() && dialect->watches_blocks()) phase_ = RunPhase::end_of_block;  // M96 may just have switched the interrupt macro on
+  if (!is_stopped() && dialect->watches_blocks()) phase_ = RunPhase::end_of_block;  // M96 in this block may have begun the observation
 }
 
 /// Returns true if the machine's logic observes each block, or if an interrupt macro may be called.
 bool Interpreter::is_watched() const { return (on_block != nullptr && *on_block) || dialect->watches_blocks(); }
 
 /// Executes a block that is observed: the machine's logic and an interrupt macro act before it. end_block() follows when the actions of the
-/// block have been passed on (nct 23.4). A block that an interrupt macro has delayed is read again, and is then executed without another
-/// interrupt. INFERRED: else a signal that stays on would hold the block permanently.
+/// block have been passed to the caller (nct 23.4). A block that an interrupt macro has delayed is read again, and is then executed without
+/// another interrupt. INFERRED: without this rule a signal that stays on would delay the block permanently.
 void Interpreter::watch_block() {
   const bool skipped = is_skipped();
   in_interrupt = dialect->in_interrupt();
@@ -193,7 +192,7 @@ void Interpreter::watch_block() {
   Result<bool> instead = false;
   if (!put_off && !skipped) {
     if (on_block != nullptr && *on_block) (*on_block)(origin, false);
-    if (flow.ended()) return;  // the machine's logic has switched the power off
+    if (flow.ended()) return;  // the run ends if the machine's logic has switched the power off
     instead = dialect->interrupt(*this, BlockMoment::start);
   }
   if (instead && *instead) {
@@ -201,7 +200,7 @@ void Interpreter::watch_block() {
     return;
   }
   if (block->skip != 0 && !skipped) dialect->note_skip_mark(*this);
-  const std::uint8_t skip = skipped ? block->skip : std::exchange(block->skip, std::uint8_t{0});  // the skip switch was read above
+  const std::uint8_t skip = skipped ? block->skip : std::exchange(block->skip, std::uint8_t{0});  // the skip switch was evaluated above
   const Status status = instead ? execute_block() : Status(fail(instead.error()));
   if (!skipped) block->skip = skip;
   if (!status) fail_with(status.error());
@@ -231,12 +230,13 @@ void Interpreter::power_cycle() {
 
 /// Handles the end of the program's file, which also ends the program. Fails if a call or a repetition is open.
 Status Interpreter::end_of_file() {
-  origin.line = std::max<std::uint32_t>(origin.line, 1);  // an empty file has no line: the report is about line 1
+  origin.line = std::max<std::uint32_t>(origin.line, 1);  // an empty file has no line, so the report names line 1
   const auto done = dialect->end_of_file(*this);
   if (!done) return fail(done.error());
   if (*done) return {};
   if (flow.depth() == 0) {
-    const bool cut_off = !flow.started() || (def.grammar.percent_ignored && lacks_closing_sign(flow.file(0)));  // no block or closing %
+    // The file has no block, or lacks the closing sign %.
+    const bool cut_off = !flow.started() || (def.grammar.percent_ignored && lacks_closing_sign(flow.file(0)));
     if (def.behaviour.end_required || cut_off) warn(warning(AlarmId::end_missing, {}));
     return {};
   }
@@ -297,7 +297,7 @@ Status Interpreter::execute_block() {
   return attempt();
 }
 
-/// Checks that N and O are in their ranges (nct 1.1). O is the program number at the start of a program.
+/// Checks that N and O are in their ranges (nct 1.1). At the start of a program O is the program number.
 Status Interpreter::check_numbers() {
   const auto check = [&](char letter, std::uint32_t value, Span where) -> Status {
     const AddressRow& row = def.address(letter);
@@ -306,14 +306,14 @@ Status Interpreter::check_numbers() {
   };
   if (block->has_number) KADR_TRY(check('N', block->number, block->number_where));
   if (block->marker != Marker::label) return {};
-  if (block->label == 0 && def.address('O').least == 0) {  // CAM systems write O0, which the operator replaces (spec/fanuc 1.1)
+  if (block->label == 0 && def.address('O').least == 0) {  // CAM systems write O0, which is no alarm (spec/fanuc 1.1)
     warn(warning(AlarmId::program_number_zero, block->where));
     return {};
   }
   return check('O', block->label, block->where);
 }
 
-/// Executes all words of the block, or, after an alarm, undoes all of them.
+/// Executes all words of the block. After an alarm all of them are undone.
 Status Interpreter::attempt() {
   const std::size_t actions = batch->size();
   state_kept_ = false;
@@ -323,7 +323,7 @@ Status Interpreter::attempt() {
   shape_ = shapes_.of(def, *block);
   dialect->begin_block(*this);
   if (sets_variables_only(*block)) return assign_alone();
-  if (!block->code.empty() && macro_variables == nullptr) keep_state();  // an assignment among words can change any state
+  if (!block->code.empty() && macro_variables == nullptr) keep_state();  // an assignment among other words can change any state
   Status status = words();
   if (!status) undo_block(actions);
   return status;
@@ -350,7 +350,7 @@ Status Interpreter::words() {
 }
 
 /// Finds or makes the plan of the block. A plain block has the plan of its shape. A block that a loop executes again has the plan of its
-/// last pass, if nothing that the plan depends on has changed.
+/// last execution, if nothing that the plan depends on has changed.
 Status Interpreter::plan() {
   const std::int16_t motion_row = dialect->motion_row(*this);
   if (ShapeFacts* const facts = shape(); facts != nullptr) [[likely]] {
@@ -365,7 +365,7 @@ Status Interpreter::plan() {
   plan_now_ = &plan_;
   if (!block->kept || block->codes_vary) return plan_block(def, letters, *block, motion_row, plan_);
   if (plans_.empty()) plans_.resize(kept_plans);
-  KeptPlan& kept = plans_[reinterpret_cast<std::uintptr_t>(block) / sizeof(Block) % kept_plans];  // NOLINT: a place, not a pointer
+  KeptPlan& kept = plans_[reinterpret_cast<std::uintptr_t>(block) / sizeof(Block) % kept_plans];  // NOLINT: the address is a hash key here
   plan_now_ = &kept.plan;
   if (kept.block == block && kept.letters == block->letters && kept.motion_row == motion_row) return {};
   kept.block = nullptr;
@@ -381,17 +381,16 @@ BlockChanges BlockContext::changes_of_block(const Plan& plan) const {
   return modal.motion == MotionMode::cycle ? BlockChanges::cycle : BlockChanges::position;
 }
 
-/// Checks that shifts and factors have not moved the tool to a coordinate that the control cannot represent.
+/// Checks that shifts and scale factors have not moved the tool to a coordinate that the control cannot represent.
 Status Interpreter::check_place() const {
-  constexpr double most = 4 * farthest;  // origin, length and coordinate may each be large and cancel
+  constexpr double most = 4 * farthest;  // wider than `farthest`, because origin, length and coordinate may be large and cancel
   for (std::size_t a = 0; a < axis_count; ++a)
     for (const double v : {frames.origin[a], frames.length[a], position.programmed[a], position.work[a], position.machine[a]})
       if (!(std::fabs(v) <= most)) return fail(alarm(AlarmId::position_out_of_range, block->where, axis_names[a], v));
   return {};
 }
 
-/// Checks that the work offset does not move during cutter compensation
-/// (2С42 6.4.1, Mach3 10.7.18; INFERRED for every code that moves it).
+/// Checks that no code changes the work offset during cutter compensation (2С42 6.4.1, Mach3 10.7.18; INFERRED for every code).
 Status Interpreter::check_work_offset_kept() const {
   if (dialect->zero_may_move() || modal.radius_side == 0 || frames.origin == before_.frames.origin) return {};
   return fail(alarm(AlarmId::compensation_zero, block->where));

@@ -25,13 +25,14 @@ struct BlockMemory;  // control/snapshot_content.h
 
 class Interpreter final : public Emitter {
  public:
-  /// `own`: the control's definition, adapted to this machine; nullptr if `control` is used unchanged.
+  /// `own`: the control's definition, adapted to this machine; nullptr if `control` is used without changes.
   Interpreter(const ControlDef& control, std::unique_ptr<ControlDef> own, const Setup& setup, Program program, const RunLimits& limits,
               std::shared_ptr<Commons> commons);
   ~Interpreter();
 
   Control::State run(ActionBatch& batch);
-  /// Returns nullopt while the control waits for a probe. `cutting_seen_ms`: a value that Control needs after a restore; it is only stored.
+  /// Returns nullopt while the control waits for a probe. `cutting_seen_ms`: time in ms that Control needs after a restore; the interpreter
+  /// only stores the value.
   std::optional<Snapshot> snapshot(double cutting_seen_ms) const;
   Status restore(const Snapshot& from);
   void answer(const ProbeAnswer& answer);
@@ -71,43 +72,45 @@ class Interpreter final : public Emitter {
   /// Executes codes that a canned cycle sets by itself, so that their modes come into force.
   void run_modes(std::initializer_list<Function> functions);
   void warn(const Alarm& alarm) override;
-  /// M99, M47 of a main program: starts another pass, from its first block or from `from`. The run ends with a note, which is not a fault,
-  /// if all further passes would be like this one, or after RunLimits::restarts passes (control/functions/continuation.cpp).
+  /// M99, M47 of a main program: starts another pass, from the first block or from `from`. The run ends with a note, which is not a fault,
+  /// if all further passes would be like this pass, or after RunLimits::restarts passes (control/functions/continuation.cpp).
   Status begin_again(Span where, Position from = {});
 
   /// Saves the state, so that an alarm later in the block can restore it.
   void keep_state();
   /// Executes a block that is a statement (IF, GOTO, #1=…), while neither an interrupt macro nor the machine's logic observes the blocks. A
-  /// faulty block stops the run with an alarm.
+  /// faulty statement stops the run with an alarm.
   void execute_statement();
-  /// Executes again a block that only sets variables (sets_variables_only()). Returns false if the block is faulty; then no variable has
-  /// changed.
+  /// Executes again a block that only sets variables (sets_variables_only()). Returns false if the block is faulty; in this case no
+  /// variable has changed.
   bool assign_again();
-  /// To be called after anything but the words of a block has changed the modes or tables: ends the fast path.
+  /// To be called when anything except the words of a block has changed the modes or tables. Ends the fast path, whose copies of the modes
+  /// are outdated.
   void modes_changed() { motion_run_.end(); }
   /// Executes a block that is only a macro call or a return, while neither an interrupt macro nor the machine's logic observes the blocks.
   ///   word     index of the word that calls or returns
-  ///   returns  false if the block must be executed with a plan (execute_block()); nothing has changed
+  ///   returns  false if the block must be executed with a plan (execute_block()); in this case nothing has changed
   bool execute_call(std::uint8_t word);
   /// Saves the position in the program, so that an alarm later in the block can restore it.
   void keep_flow_place() { flow_before_ = flow.place(); }
   /// Ends the canned cycle or ellipse that is being executed, without its remaining motions.
   void stop_cycles();
 
-  // ---- functions that a dialect may override; these only use the control's file
+  // ---- functions that a dialect may override; the versions here use only the control's file
 
   /// Checks the ranges of the words and executes the assignments among them.
   Status take_words();
 
   // ---- data that the functions work on
 
-  using BlockContext::flow;  // position in the program; a function may change it
+  using BlockContext::flow;  // position in the program; public, because a function may change it
 
-  Block first_block;  // the current block before any block was read, or after a restore in the middle of a block
+  Block first_block;  // stands for the current block before the first block is read, and after a restore in the middle of a block
   std::function<void(const AlarmReport&)>* on_warning = nullptr;
   const std::function<bool(const Origin&)>* holds_before = nullptr;
   LineMarks* line_marks = nullptr;
-  std::uint64_t most_unseen = 0;  // number of blocks after which run() returns while `line_marks` is set, so that the marks can be read
+  // While `line_marks` is set, run() returns after this number of blocks, so that the caller can read the marks.
+  std::uint64_t most_unseen = 0;
   std::function<void(const StateChanges&)>* on_changes = nullptr;
   const std::function<std::optional<Alarm>(ActionBatch&, const Axes&)>* find_corners = nullptr;
 
@@ -173,14 +176,14 @@ class Interpreter final : public Emitter {
   std::shared_ptr<const BlockMemory> block_memory() const;
   void continue_in_block(const BlockMemory& then);
 
-  /// Cancels the actions at the end of an observed block (RunPhase::end_of_block), because that end is not reached.
+  /// Cancels the actions at the end of an observed block (RunPhase::end_of_block), because the run does not reach the end of the block.
   void close_block() {
     if (phase_ == RunPhase::end_of_block) phase_ = RunPhase::next_block;
   }
 
   RunPhase phase_ = RunPhase::next_block;
   Plan plan_;
-  /// The plan of a block that a loop executes again. It is found by the address of the block in memory.
+  /// The plan of a block that a loop executes again. The address of the block in memory identifies the plan.
   struct KeptPlan {
     const Block* block = nullptr;
     std::uint64_t letters = 0;
@@ -192,19 +195,21 @@ class Interpreter final : public Emitter {
   Plan* plan_now_ = &plan_;
   Shapes shapes_;
   MotionRun motion_run_;
-  std::array<std::uint8_t, limits::block_words> waiting_{};  // items of the plan that wait for the end of the canned cycle: stops and ends
+  // Items of the plan, such as stops and ends, that wait for the end of the canned cycle.
+  std::array<std::uint8_t, limits::block_words> waiting_{};
   std::size_t waiting_count_ = 0;
-  mutable std::shared_ptr<const Tables> last_tables_;  // tables of the last snapshot; the next snapshot shares them if they are equal
+  // Tables of the last snapshot; the next snapshot shares these tables if they have not changed.
+  mutable std::shared_ptr<const Tables> last_tables_;
   mutable std::shared_ptr<const Variables::Values> last_variables_;
-  std::unique_ptr<BlockStates> block_states_;  // nullptr: states are not recorded
-  std::unique_ptr<CallTree> call_tree_;        // nullptr: calls are not recorded
+  std::unique_ptr<BlockStates> block_states_;  // recorded states after blocks; nullptr: states are not recorded
+  std::unique_ptr<CallTree> call_tree_;        // recorded chains of calls; nullptr: calls are not recorded
   std::string first_text_;                     // text of first_block
   std::vector<double> assigned_;
   StopToken stop_;
   std::vector<std::string> watch_;
 };
 
-/// Returns true if the block has only assignments such as `#1=…`, and no mode or table depends on the variables that it sets.
+/// Returns true if the block has only assignments such as `#1=…`, and no mode or table depends on the assigned variables.
 bool sets_variables_only(const Block& block);
 
 /// Returns the C++ function that executes the function named in a code row (control/functions/functions.cpp).

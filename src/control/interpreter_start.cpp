@@ -18,7 +18,8 @@ Axes axes_of(const AxisValues& values, const std::vector<std::string>& names) {
   return axes;
 }
 
-/// Returns the row of the work offset `name` in the table of work offsets or fixtures: 0 for "common"; -1 if no work offset has this name.
+/// Returns the row of the work offset `name` in the table of work offsets or fixtures. The row of "common" is 0; the result is -1 if no
+/// work offset has this name.
 int zero_number(const std::vector<WorkSystem>& systems, const std::string& name) {
   if (name == "common") return 0;
   const auto found = std::find_if(systems.begin(), systems.end(), [&](const WorkSystem& system) { return system.name == name; });
@@ -27,8 +28,8 @@ int zero_number(const std::vector<WorkSystem>& systems, const std::string& name)
 
 }  // namespace
 
-/// Checks that the control has all axes and table rows that the set-up names. A set-up from a file was checked key by key before
-/// (config/setup/setup_check); this function is for a set-up that a client of the library has built.
+/// Checks that the control has all axes and table rows that the set-up names. A set-up from a file has been checked key by key before
+/// (config/setup/setup_check). This function is needed for a set-up that a client of the library has built.
 void Interpreter::check_setup(const Setup& setup) {
   const auto note = [&](const std::string& key) {
     if (start_fault.empty()) start_fault = start_fault_of(key, texts::control_start::no_such_thing, key, def.id);
@@ -65,7 +66,7 @@ void Interpreter::check_setup(const Setup& setup) {
     if (!plain) break;
     if (zero_number(work_systems(def), name) < 0) note("work_offsets." + name);
     AxisValues of_axes = zero;
-    if (def.has_parameter_file()) of_axes.erase("G17");  // the key G17 is the rotation R of G10 L2 (spec/linuxcnc 7.8)
+    if (def.has_parameter_file()) of_axes.erase("G17");  // the key G17 is not an axis, but the rotation R of G10 L2 (spec/linuxcnc 7.8)
     axes_known("work_offsets", of_axes);
   }
 }
@@ -113,7 +114,7 @@ void Interpreter::read_setup(const Setup& setup) {
   write(variables.first(VariableKind::home), tables.reference[1]);
   write(variables.first(VariableKind::home_second), tables.reference[2]);
   for (const auto& [name, value] : setup.variables) {
-    if (macro_variables != nullptr) break;  // Dialect::take_setup() sets these variables
+    if (macro_variables != nullptr) break;  // Dialect::take_setup() sets the variables of such a control
     if (!value || name.size() < 2) continue;
     if (const int parameter = variables.parameter_named(name); parameter >= 0) variables.set_parameter(parameter, *value);
     else if (const double n = std::strtod(name.c_str() + 1, nullptr); n >= 1 && n <= variables.highest())
@@ -122,7 +123,8 @@ void Interpreter::read_setup(const Setup& setup) {
   for (const int s : setup.skip)
     if (s >= 0 && s < 10) skip_switches[static_cast<std::size_t>(s)] = true;
   skip_answers = setup.skip_answers;
-  if (!skip_answers.empty()) each_block = true;  // the operator must answer before the next block is read
+  // The operator must answer before the next block is read, so run() returns the actions of each block separately.
+  if (!skip_answers.empty()) each_block = true;
   optional_stop_on = setup.optional_stop;
   for (const std::string& axis : setup.mirror)
     if (const auto found = std::find(axis_names.begin(), axis_names.end(), axis); found != axis_names.end())
@@ -130,8 +132,8 @@ void Interpreter::read_setup(const Setup& setup) {
   watch_ = setup.watch;
 }
 
-/// Puts in force a modal code of the set-up that this version of Kadr does not support. Only a block that cannot be executed with this mode
-/// raises an alarm (modes_served).
+/// Puts in force a modal code of the set-up that this version of Kadr does not support. An alarm is raised only by a block that cannot be
+/// executed with this mode (modes_served).
 bool Interpreter::note_unsupported() {
   for (std::uint32_t i = 0; i < block->word_count; ++i) {
     const Word& w = block->words[i];

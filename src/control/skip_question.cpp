@@ -1,5 +1,5 @@
-// Blocks that a skip switch skips, and whether the operator is asked first
-// (spec/gost 2). Used by control/interpreter; tested by tests/cases/gost/skip.cases.
+// Decides whether a skip switch skips a block, and whether the operator is asked first (spec/gost 2). Used by control/interpreter; tested
+// by tests/cases/gost/skip.cases.
 
 #include <algorithm>
 
@@ -8,7 +8,7 @@
 namespace kadr {
 
 /// Asks the operator whether the skip switch applies to the block, if the set-up has answers of an operator. The block is read again when
-/// the answer is known (spec/gost 2). INFERRED: the question is the text of the block.
+/// the answer is known (spec/gost 2). INFERRED: the question shown is the text of the block.
 bool Interpreter::asks_to_skip() {
   if (skip_answers.empty() || skips_it || !is_skipped()) return false;
   skips_it = skip_answers[std::min(skips_asked++, skip_answers.size() - 1)];

@@ -1,4 +1,5 @@
-// Control::snapshot() and restore(), for stepping back and for continuing in mid-program. Tested by tests/control/snapshot_test.cpp.
+// Control::snapshot() and restore(), for stepping back and for continuing in the middle of a program. Tested by
+// tests/control/snapshot_test.cpp.
 
 #include "control/state/snapshot.h"
 
@@ -8,7 +9,8 @@
 namespace kadr {
 namespace {
 
-/// Returns `last`, the copy in the previous snapshot, if the value is still equal to it; else a new copy.
+/// Returns `last`, the copy in the previous snapshot, if it still equals the value `now`. If not, makes a new copy of the value and returns
+/// it.
 template <class Value>
 std::shared_ptr<const Value> shared_with(std::shared_ptr<const Value>& last, const Value& now) {
   if (!last || !(*last == now)) last = std::make_shared<const Value>(now);
@@ -30,7 +32,7 @@ Flow::Memory Flow::memory() const {
 }
 
 Status Flow::resume_from(const Memory& memory) {
-  constexpr std::size_t own_files = 2;  // files that always have their numbers: the program, the cycle bodies
+  constexpr std::size_t own_files = 2;  // the program and the cycle bodies always have the same numbers
   std::vector<std::uint16_t> readers;
   for (std::size_t i = own_files; i < memory.files.size(); ++i) {
     const File& file = memory.files[i];
@@ -43,8 +45,8 @@ Status Flow::resume_from(const Memory& memory) {
     if (!reader) return fail(alarm(AlarmId::file_missing, {}, std::string_view(file.name)));
     readers.push_back(*reader);
   }
-  // Each file gets the number that it had at the snapshot, because calls and origins refer to files by number. Files opened since are
-  // closed.
+  // Each file gets the number that it had at the snapshot, because calls and origins refer to files by number. Files that were opened after
+  // the snapshot are closed.
   std::vector<std::unique_ptr<ProgramFile>> files(memory.files.size());
   files[0] = std::move(files_[0]);
   for (std::size_t i = 0; i < readers.size(); ++i) files[own_files + i] = std::move(files_[readers[i]]);
@@ -101,7 +103,7 @@ std::shared_ptr<const BlockMemory> Interpreter::block_memory() const {
 
 void Interpreter::continue_in_block(const BlockMemory& then) {
   first_block = then.block;
-  first_block.kept = false;  // no loop has this copy of the block in memory
+  first_block.kept = false;  // this copy of the block is not one that a loop keeps in memory
   first_text_ = then.text;
   first_block.text = first_text_;
   plan_ = then.plan;
@@ -129,15 +131,17 @@ Status Interpreter::restore(const Snapshot& from) {
   flow_before_.reset();
   journal.begin();
   first_block = Block();
-  block = &first_block;  // the current block may belong to a file that is now closed
+  block = &first_block;  // the block that was the current one may belong to a file that is now closed
   shape_ = nullptr;
   static_cast<ControlState&>(*this) = then.state;
   static_cast<RunMemory&>(*this) = then.run;
   each_block = each_block || then.each_block;
-  if (std::exchange(block_states_, nullptr)) watch_states();  // block numbers continue from an earlier number
+  // Recorded states are discarded, because the block numbers continue from an earlier number.
+  if (std::exchange(block_states_, nullptr)) watch_states();
   tables = *then.tables;
   variables.put(*then.variables);
-  variables.inch = modal.inch && !def.has_parameter_file();  // with a parameter file: in the machine's unit (spec/linuxcnc 1.1)
+  // With a parameter file the parameters are in the machine's unit (spec/linuxcnc 1.1).
+  variables.inch = modal.inch && !def.has_parameter_file();
   continue_in_block(*then.block);
   return then.dialect ? dialect->restore(*this, *then.dialect) : Status();
 }

@@ -13,14 +13,15 @@ struct BlockMemory {
   Block block;
   std::string text;  // text of the block
   Plan plan;
-  std::vector<std::uint8_t> waiting;  // items of the plan that wait for the end of the cycle
+  std::vector<std::uint8_t> waiting;  // items of the plan that wait for the end of the canned cycle
   CannedCycleRun canned_cycle_run;
   std::size_t cycle = 0;  // row of the cycle in ControlDef::cycles
   EllipseRun ellipse_run;
   std::shared_ptr<const SteppedCycle> running;
   RunPhase phase = RunPhase::next_block;
-  AlarmReport report;                                                   // the alarm that has stopped the control, if it is stopped
-  bool exact = false, machine_coordinates = false, axes_taken = false;  // as block_exact … of BlockContext
+  AlarmReport report;  // the alarm that has stopped the control, if it is stopped
+  // The values of block_exact, block_machine_coordinates and block_axes_taken of BlockContext.
+  bool exact = false, machine_coordinates = false, axes_taken = false;
 };
 
 struct Snapshot::Content {
@@ -29,10 +30,10 @@ struct Snapshot::Content {
   Flow::Memory flow;
   std::shared_ptr<const Tables> tables;
   std::shared_ptr<const Variables::Values> variables;
-  std::shared_ptr<const DialectState> dialect;  // nullptr: the dialect remembers nothing
+  std::shared_ptr<const DialectState> dialect;  // state of the dialect; nullptr: the dialect stores no data between blocks
   std::shared_ptr<const BlockMemory> block;
   bool each_block = false;
-  double cutting_seen_ms = 0;  // ms; time at feed, which Control has stored here
+  double cutting_seen_ms = 0;  // time of motions at feed in ms, a value of Control
 };
 
 }  // namespace kadr

@@ -1,6 +1,5 @@
 // Returns the tables of a control in the form of a set-up: the inverse of read_setup in control/interpreter_start. Used by
 // Control::tables_now; tested by tests/panel/panel_tables_test.cpp, tests/panel_tables.py.
-// Control::tables_now; tested by tests/panel/panel_tables_test.cpp, tests/panel_tables.py.
 
 #include "control/tables_now.h"
 
@@ -12,7 +11,7 @@
 namespace kadr {
 namespace {
 
-constexpr std::size_t max_stored = 6;  // maximum number of axes in the variables of a fixture
+constexpr std::size_t max_stored = 6;  // greatest number of axes that the variables of a fixture (work offset) store
 
 Axes stored_zero(const BlockContext& m, std::uint32_t row) {
   if (!m.has_fixtures) return row < m.tables.zeros.size() ? m.tables.zeros[row] : Axes{};
@@ -23,7 +22,7 @@ Axes stored_zero(const BlockContext& m, std::uint32_t row) {
 }
 
 void add_work_systems(const BlockContext& m, Setup& tables) {
-  std::set<std::uint32_t> named;  // names of work offsets that are in the result already: G54 is also G59 P1
+  std::set<std::uint32_t> named;  // names of the work offsets that are in the result already, because G54 is also G59 P1
   for (const WorkSystem& system : work_systems(m.def)) {
     const bool is_stored = system.row > 0 && (!m.has_fixtures || system.row <= m.def.behaviour.fixtures);
     if (!system.works || !is_stored || !named.insert(system.row).second) continue;

@@ -1,4 +1,5 @@
-// Geometry of one programmed arc: centre, sweep, checks. Used by the rest of control; tested by tests/control/arc_test.cpp.
+// Computes the geometry of one programmed arc: centre, swept angle, checks. Used by the rest of control; tested by
+// tests/control/arc_test.cpp.
 
 #include "control/block/arc.h"
 
@@ -9,7 +10,7 @@
 namespace kadr {
 namespace {
 
-/// Returns the angle from `a` to `b` in the direction of `turn`; degrees, (0, 360].
+/// Returns the angle from vector `a` to vector `b` in the direction of `turn`, in degrees, in the range (0, 360].
 double sweep_deg(Vec2 a, Vec2 b, Turn turn) {
   const double ccw = angle_deg({dot(a, b), cross(a, b)});
   const double sweep = turn == Turn::ccw ? ccw : -ccw;
@@ -37,10 +38,10 @@ Result<PlaneArc> arc_by_radius(Vec2 from, Vec2 to, double radius, Turn turn, dou
   double r = std::fabs(radius);
   if (r < half - max_difference || r <= tol::same_point) return fail(alarm(AlarmId::radius_too_small, {}, r, half));
   r = std::max(r, half);
-  const double rise = std::sqrt((r - half) * (r + half));    // r*r - half*half would lose digits near a half circle
-  const Vec2 left{-chord.y / distance, chord.x / distance};  // normal to the left of the chord
-  // A short counter-clockwise arc has its centre on the left of the chord, a long one on the right; for a clockwise arc the sides are
-  // exchanged.
+  const double rise = std::sqrt((r - half) * (r + half));    // the form r*r - half*half would lose digits near a half circle
+  const Vec2 left{-chord.y / distance, chord.x / distance};  // unit vector normal to the chord, to the left of its direction
+  // A counter-clockwise arc below 180° has its centre on the left of the chord, a longer one on the right; for a clockwise arc the sides
+  // are exchanged.
   const bool center_left = (turn == Turn::ccw) == (radius > 0);
   const Vec2 center = from + 0.5 * chord + (center_left ? rise : -rise) * left;
   return PlaneArc{center, sweep_deg(from - center, to - center, turn) / 360};

@@ -1,5 +1,6 @@
 #pragma once
-// Geometry of one programmed arc: centre, sweep, checks. The functions work on plain numbers in the plane, without words or state.
+// The geometry of one programmed arc: centre, swept angle, checks. The functions work on plain numbers in the plane, without words or
+// state.
 
 #include <cmath>
 
@@ -13,16 +14,17 @@ enum class Turn : std::uint8_t { cw, ccw };
 
 struct PlaneArc {
   Vec2 center;
-  double turns = 0;  // swept angle / 360, positive; 1 for a full circle
+  double turns = 0;  // swept angle in revolutions (degrees / 360), positive; 1 for a full circle
 };
 
-/// How a control reads the centre of an arc, and which inaccuracy it accepts.
+/// The rule by which a control reads the centre of an arc, and the inaccuracy that it accepts.
 struct ArcRule {
-  bool by_words = false;        // the centre depends on the block's words and the modes only
+  bool by_words = false;        // the centre depends only on the words of the block and on the modes
   bool absolute = false;        // true: I, J, K are coordinates of the centre; false: distances from the start point
-  bool lead_on_normal = false;  // the I, J or K of the axis normal to the plane is the lead of a helix (2С42 6.6.6)
-  double difference = 0;        // mm; greatest difference that is allowed between the radii at start and end
-  bool even_angle = false;      // for unequal radii, true: constant angular speed (nct 4.3); false: constant feed along the path
+  bool lead_on_normal = false;  // the I, J or K of the axis normal to the plane is the lead of a helix, mm per revolution (2С42 6.6.6)
+  double difference = 0;        // greatest allowed difference between the radii at the start and at the end, mm
+  // Speed on an arc with unequal radii: true: constant angular speed (nct 4.3); false: constant feed along the path.
+  bool even_angle = false;
 };
 
 /// Returns true if the radii at the start and at the end of the arc differ by more than the numerical tolerance.

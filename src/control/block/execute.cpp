@@ -42,7 +42,8 @@ Status Interpreter::execute(const Plan& plan) {
       KADR_TRY(contour_allows_motion(*this));
     }
     if (phase == Phase::flow && (each_block || i + 1 < plan.count) && !flow_before_) flow_before_ = flow.place();
-    if (row_of(item) != nullptr && ended_subprogram && ends(row_of(item))) break;  // `M17 M2`: M2 ends the section, not the program
+    // In `M17 M2` M17 has ended the subprogram; M2 ends only the section of subprograms, so it is not executed.
+    if (row_of(item) != nullptr && ended_subprogram && ends(row_of(item))) break;
     const bool called = calls_before < flow.depth();
     const bool waits = running != nullptr ? waits_for(*running, item) : cycling() && ends_or_stops(row_of(item));
     if (called && ends(row_of(item))) {
@@ -68,7 +69,8 @@ Status Interpreter::execute(const PlanItem& item) {
   const Word* const w = item.word == no_word ? nullptr : &block->words[item.word];
   const Function function = row != nullptr ? row->function : def.address(item.address).function;
   dialect->before_function(*this, function);
-  const std::int32_t code = w != nullptr ? w->code : -1;  // the code is read before the call: a jump may make another block the current one
+  // The code is stored before the call, because a jump may make another block the current one.
+  const std::int32_t code = w != nullptr ? w->code : -1;
   if (row != nullptr && row->told) report_to_machine(code);
   KADR_TRY(handler_of(function)(*this, {row, w, w != nullptr ? w->where : block->where}));
   if (row != nullptr && row->modal && row->group != 0) modal.rows[row->group] = item.row;
@@ -82,7 +84,8 @@ bool Interpreter::execute_call(std::uint8_t word) {
   if (row.function == Function::return_program) {
     const CallFrame* const top = flow.innermost();
     const bool plain = top != nullptr && (top->kind == CallFrame::Kind::macro || top->kind == CallFrame::Kind::subprogram);
-    if (!plain || top->return_to >= 0) return false;  // execute() handles M99 of a main program or of an interrupt macro, and M99 P
+    // Execute() handles the other cases: M99 of a main program or of an interrupt macro, and M99 P.
+    if (!plain || top->return_to >= 0) return false;
   }
   journal.begin();
   const std::size_t actions = batch->size();
@@ -104,8 +107,8 @@ void Emitter::report_to_machine(std::int32_t code) {
 }
 
 /// Returns true if a function of the block waits for the end of the block's canned cycle. In the block of a drilling cycle M0 acts after
-/// operation 1, and the end of the program after the last drilled hole; in the block of a turning cycle every function after the motion
-/// waits.
+/// operation 1, and the end of the program follows the last drilled hole. In the block of a turning cycle every function that follows the
+/// motion waits.
 bool Interpreter::waits_for(const SteppedCycle& cycle, const PlanItem& item) const {
   if (cycle.functions_first()) return ends(row_of(item));
   return def.order[static_cast<std::size_t>(phase_of(item))] > def.order[static_cast<std::size_t>(Phase::motion)];
@@ -117,8 +120,8 @@ bool Interpreter::is_call(const PlanItem& item) const {
   return traits_of(f).is(function_fact::calls);
 }
 
-/// Checks that an end of the program or subprogram that must wait will be possible later. If it will not, the block fails now, before it
-/// has had any effect.
+/// Checks that an end of the program or subprogram that must wait will be possible later. If the end will not be possible, the block fails
+/// now, before it has had any effect.
 ///   depth  number of open calls and repetitions around the block
 Status Interpreter::end_possible(const PlanItem& item, std::size_t depth) const {
   const Span at = block->words[item.word].where;
@@ -139,8 +142,8 @@ Status Interpreter::end_possible(const PlanItem& item, std::size_t depth) const 
   return in_repetition ? Status(fail(alarm(AlarmId::repeat_end_missing, at, double(around->caller.line)))) : Status();
 }
 
-/// Stores a code that ends the calling block, such as M17 in `L03 M17`: the call comes first, and the code is executed on return (2С42
-/// 6.3.4, 6.3.5).
+/// Stores a code that ends the calling block, such as M17 in `L03 M17`: the subprogram L03 is executed first, and M17 is executed on return
+/// (2С42 6.3.4, 6.3.5).
 void Interpreter::keep_for_return(const PlanItem& item) {
   for (std::int16_t& row : flow.frames().back().then)
     if (row < 0) {
@@ -149,8 +152,8 @@ void Interpreter::keep_for_return(const PlanItem& item) {
     }
 }
 
-/// Fails a motion while a mode is in force that Kadr does not support. A measuring motion passes: its own function checks the modes (nct
-/// 21.1).
+/// Fails a motion while a mode is in force that Kadr does not support. A measuring motion is allowed: its own function checks the modes
+/// (nct 21.1).
 Status Interpreter::modes_served(const PlanItem& item) const {
   const CodeRow* const moves = row_of(item);
   if (moves != nullptr && (moves->function == Function::measure || moves->function == Function::measure_length)) return {};
@@ -162,7 +165,7 @@ Status Interpreter::modes_served(const PlanItem& item) const {
   return {};
 }
 
-/// Executes the functions of the block that wait for the end of its canned cycle, such as M0 and M2: they follow the last drilled hole
+/// Executes the functions of the block that wait for the end of its canned cycle. M0 and M2, for example, follow the last drilled hole
 /// (order of execution: motion, stop, flow).
 Status Interpreter::after_cycle() {
   const std::size_t count = waiting_count_;
@@ -178,7 +181,8 @@ void Interpreter::keep_state() {
   dialect->keep(*this);
 }
 
-/// Saves less than keep_state(): enough for a block that has only motions and feeds, or only calls.
+/// Saves only the motion modes. This is enough to undo a block that has only motions and feeds, or only calls; keep_state() saves the whole
+/// state.
 void Interpreter::keep_simple_state() { journal.keep<MotionModal>(modal); }
 
 /// Undoes a faulty block completely (docs/architecture.md, "An alarm undoes its block").
@@ -190,10 +194,11 @@ void Interpreter::undo_block(std::size_t actions) {
   if (flow_before_) flow.back_to(*flow_before_);
   if (state_kept_) static_cast<ControlState&>(*this) = before_;
   dialect->undo_block(*this);
-  journal.undo();  // after the copies above have been restored: the journal has the older values
+  journal.undo();  // the journal has older values than the copies restored above, so it is undone after them
   if (state_kept_) {
     (void)variables.consume_frames_changed();
-    variables.inch = modal.inch && !def.has_parameter_file();  // with a parameter file: in the machine's unit (spec/linuxcnc 1.1)
+    // With a parameter file the parameters are in the machine's unit (spec/linuxcnc 1.1).
+    variables.inch = modal.inch && !def.has_parameter_file();
   }
   dialect->block_undone(*this);
 }

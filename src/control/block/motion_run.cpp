@@ -1,4 +1,4 @@
-// The fast path for a sequence of plain motions. Used by Interpreter::run().
+// The fast path for a sequence of plain motions. Used by Interpreter::run(). Described in motion_run.h.
 
 #include "control/block/motion_run.h"
 
@@ -11,11 +11,12 @@
 namespace kadr {
 namespace {
 
-/// Returns true if only the words and the modes determined the block's motion: no G53, no G9, no code that uses the axis words itself.
+/// Returns true if only the words and the modes determined the block's motion: the block had no G53, no G9, and no code that uses the axis
+/// words itself.
 bool was_plain(const BlockContext& m) { return !m.block_machine_coordinates && !m.block_axes_taken && !m.block_exact; }
 
-/// Returns true if the words of a motion alone determine the motion: neither cutter compensation nor a transformation, polar mode or inch
-/// mode is active, and neither an interrupt macro nor the machine's logic observes the blocks.
+/// Returns true if the words of a motion alone determine the motion. Then cutter compensation, transformations, polar mode and inch mode
+/// are off, and neither an interrupt macro nor the machine's logic observes the blocks.
 bool only_words_count(const Emitter& m) {
   const Modal& modal = m.modal;
   const bool plain_modes = !modal.inch && !modal.polar && modal.surface == PathSurface::plane && modal.diameter == 0 &&
@@ -28,8 +29,8 @@ bool only_words_count(const Emitter& m) {
          m.dialect->lines_follow(m);
 }
 
-/// Returns true if the run (see motion_run.h) remains valid after a subprogram call: no modal macro call comes into force again in the
-/// caller.
+/// Returns true if the run of plain motions (see motion_run.h) remains valid after a subprogram call, because no modal macro call comes
+/// into force again in the caller.
 bool stays_after_call(const BlockContext& m) { return !m.program().in_body() && !m.skipping_section && m.dialect->lines_follow(m); }
 
 constexpr MotionKind kind_made[] = {MotionKind::rapid, MotionKind::feed, MotionKind::arc_cw, MotionKind::arc_ccw};
@@ -41,7 +42,7 @@ bool keeps_modes(const Block& block) {
     case StatementKind::loop:
     case StatementKind::loop_end:
     case StatementKind::go_to:
-    case StatementKind::o_word: return true;  // restore_modes(), at the end of a subprogram, calls modes_changed() itself
+    case StatementKind::o_word: return true;  // the end of a subprogram that restores modes calls modes_changed() itself (restore_modes())
     case StatementKind::assign: {
       const Expression target = block.statement.target;
       const Instruction& number = block.code[target.begin];
@@ -66,13 +67,13 @@ bool only_calls(const BlockContext& m, const Block& block) {
   return calls && (takes_words || (block.letters & (m.letters.acting | m.letters.axes)) == 0);
 }
 
-/// Returns true if the block is nothing but a label, such as `O9010` at the start of a subprogram.
+/// Returns true if the block has only a label, such as `O9010` at the start of a subprogram.
 bool is_label(const Block& block) {
   return block.marker == Marker::label && block.word_count == 0 && block.assignments.empty() && block.comments.empty();
 }
 
-/// Returns the index of the word that calls a macro, or of a return that is the block's only word; else no_word. Such a block either fails
-/// before it has changed anything, or succeeds.
+/// Returns the index of the word that calls a macro, or of a return that is the block's only word; no_word for all other blocks. A block
+/// with such an index either fails before it has changed anything, or succeeds.
 std::uint8_t quick_call(const BlockContext& m, const Block& block) {
   std::uint8_t word = no_word;
   for (std::uint32_t i = 0; i < block.word_count; ++i) {
@@ -86,13 +87,13 @@ std::uint8_t quick_call(const BlockContext& m, const Block& block) {
   return quick ? word : no_word;
 }
 
-/// Returns true if the block is kept in memory for a loop and has only words: no skip mark, comment or warning.
+/// Returns true if the block is kept in memory for a loop and has only words: it has no skip mark, label, comment or warning.
 bool is_read_again(const Block& block) {
   return block.kept && block.no_clock && block.skip == 0 && block.marker == Marker::none && block.comments.empty() &&
          block.warnings.empty();
 }
 
-/// Returns true if is_read_again() and some words of the block are expressions.
+/// Returns true if is_read_again() holds for the block and some of its words are expressions.
 bool is_kept(const Block& block) { return block.evaluates && is_read_again(block) && !block.codes_vary && block.assignments.empty(); }
 
 AxisMask plane_of(const BlockContext& m) { return AxisMask{1} << m.modal.axes.first | AxisMask{1} << m.modal.axes.second; }
@@ -108,7 +109,7 @@ Motion& Emitter::add_motion_as(const MotionModes& modes, AxisMask named) {
 
 void MotionRun::note(const Emitter& m) {
   if (m.modal.radius_side != 0 || m.modal.contour != CompensationPhase::off)
-    return end();  // this cheap test comes first: cutter compensation mostly stays on for many blocks
+    return end();  // this test is cheap and comes first, because cutter compensation mostly stays on for many blocks
   const Block& block = *m.block;
   if (block.statement.kind != StatementKind::none) {
     if (!keeps_modes(block)) end();
@@ -142,7 +143,7 @@ void MotionRun::begin(const Emitter& m, const Form& form) {
   arcs_ = m.arc_rule();
   rolling_ = m.dialect->rolling_axes(m);
   const AddressRow& number = m.def.address('N');
-  const bool checks_numbers = m.def.machine_axes();  // nct 1.1
+  const bool checks_numbers = m.def.machine_axes();  // the range of the block number is checked as in nct 1.1
   number_least_ = checks_numbers ? static_cast<std::uint32_t>(std::clamp(number.least, 0.0, 4e9)) : 0;
   number_most_ = checks_numbers ? static_cast<std::uint32_t>(std::clamp(number.most, 0.0, 4e9)) : ~std::uint32_t{0};
 }
@@ -163,10 +164,10 @@ const MotionRun::Form& MotionRun::form_of(const BlockContext& m, const Block& bl
   return form;
 }
 
-/// Describes the block in `form`. Returns true if the block has only: axis words, each axis once; at most one motion code; codes that have
-/// no effect while they are in force; the words of an arc centre; a feed.
+/// Describes the block in `form`. Returns true if the block has only these words: axis words, each axis once; at most one motion code;
+/// codes that are in force already; words of an arc centre; a feed.
 bool MotionRun::make(const BlockContext& m, const Block& block, Form& form) const {
-  constexpr double max_value = 1e9;  // the limit of Interpreter::check_ranges
+  constexpr double max_value = 1e9;  // the greatest absolute value that Interpreter::check_ranges accepts
   for (std::uint32_t i = 0; i < block.word_count; ++i) {
     const Word& w = block.words[i];
     if (w.code >= 0) {
@@ -216,8 +217,8 @@ bool MotionRun::add_code(const BlockContext& m, const Word& word, Form& form) co
   return true;
 }
 
-/// Returns true if the block changes no mode: all its other codes are in force already, its block number and its feed are within their
-/// limits, and its feed needs no warning.
+/// Returns true if the block changes no mode: all its codes except the motion code are in force already, its block number and its feed are
+/// within their limits, and its feed needs no warning.
 bool MotionRun::holds(const BlockContext& m, const Form& form) const {
   const Block& block = *m.block;
   for (std::size_t i = 0; i < form.codes; ++i)
@@ -252,7 +253,7 @@ bool MotionRun::find_arc(const BlockContext& m, const Form& form, Kind kind, con
   return found.has_value();
 }
 
-/// Puts a new feed into force. The feed in `modes_` of each motion code is updated when the code is used next.
+/// Puts a new feed into force. The copies of the feed in `modes_`, one for each motion code, are updated when their code is used next.
 void MotionRun::take_feed(BlockContext& m, double feed) {
   if (m.modal.feed_known && feed == m.modal.feed) return;
   m.modal.feed = feed;
@@ -267,7 +268,7 @@ bool MotionRun::changes_radius(const BlockContext& m, const Axes& to, Vec2 cente
   return radius_changes({from[plane.first], from[plane.second]}, {to[plane.first], to[plane.second]}, center);
 }
 
-// NOLINTNEXTLINE(readability-function-size): in one piece, it is what a line costs
+// NOLINTNEXTLINE(readability-function-size): one function, because it runs once per line of a long program
 bool MotionRun::take(Interpreter& m) {
   const Block& block = *m.block;
   if (block.statement.kind != StatementKind::none) {
@@ -277,7 +278,8 @@ bool MotionRun::take(Interpreter& m) {
   }
   if (sets_variables_only(block)) return is_read_again(block) && number_fits(block) && m.assign_again();
   if (is_label(block))
-    return block.kept && m.program().depth() != 0 && !m.def.behaviour.label_is_number;  // the label was checked in the first pass
+    // The label of a kept block was checked when the block was executed the first time.
+    return block.kept && m.program().depth() != 0 && !m.def.behaviour.label_is_number;
   if (!block.shape && !is_kept(block)) return false;
   if (block.skip != 0 || block.marker != Marker::none || block.altered) return refused();
   const Form& form = form_of(m, block);
@@ -287,13 +289,15 @@ bool MotionRun::take(Interpreter& m) {
     return done;
   }
   if (!form.fits) return refused();
-  if (!block.shape && (!m.evaluate_words() || block.letters != form.letters)) return refused();  // execute_block() reports the error
+  // Execute_block() repeats the step and reports the error.
+  if (!block.shape && (!m.evaluate_words() || block.letters != form.letters)) return refused();
   if (form.feed.word != no_word || !block.shape) m.dialect->count_words(m);
   if ((form.named & rolling_) != 0 || !holds(m, form)) return refused();
   const std::int16_t row = form.row >= 0 ? form.row : m.modal.motion_row;
   std::size_t k = 0;
   while (k < kinds && !((known_ >> k & 1u) != 0 && rows_[k] == row)) ++k;
-  if (k == kinds) return on_ = false;  // Interpreter::execute_block() executes it; note() then adds the motion code
+  // Interpreter::execute_block() executes a block with a new motion code; note() then adds this code to the run.
+  if (k == kinds) return on_ = false;
   const auto kind = static_cast<Kind>(k);
   if (kind < arc_cw ? form.centered : !form.centered) return refused();
 

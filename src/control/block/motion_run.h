@@ -1,9 +1,9 @@
 #pragma once
 // MotionRun: the fast path for a run, which here is a sequence of plain motions as CAM systems write them: `G1 X1.5 Z-2 F300`, `G17 G3 X2
 // Y0 I1 J0`, thousands of blocks long. The first block of a run is executed the general way, through evaluation, planning and execution
-// (Interpreter::execute_block). What was determined for this block remains valid for the whole run: the frames, the modes, and the motion
-// modes of each motion code that has occurred. Only the end point, the arc centre, the feed and the choice among these codes are new in
-// each block. Loops and macro calls between the blocks do not end a run. The fast path and the general way emit the same actions
+// (Interpreter::execute_block). The results for this block remain valid for the whole run: the frames, the modes, and the motion modes of
+// each motion code that has occurred. Only the end point, the arc centre, the feed and the choice among the motion codes are new in each
+// block. Loops and macro calls between the blocks do not end a run. The fast path and the general way emit the same actions
 // (tests/run_plain.py, tests/control/motion_run_test.cpp).
 
 #include <array>
@@ -26,45 +26,48 @@ class MotionRun {
  public:
   bool is_on() const { return on_; }
   void end() { on_ = false, known_ = old_feed_ = 0; }
-  /// Called after the interpreter has executed a block the general way. The block may start a run, add its motion code to the run, leave
-  /// the run unchanged, or end the run.
+  /// Called after the interpreter has executed a block the general way. The block may start a run of plain motions, add its motion code to
+  /// the run, leave the run unchanged, or end the run.
   void note(const Emitter& m);
-  /// Executes the interpreter's current block on the fast path if the run covers such a block.
-  ///   returns  false if the block must be executed the general way; nothing has changed then
+  /// Executes the interpreter's current block on the fast path if the run of plain motions covers such a block.
+  ///   returns  false if the block must be executed the general way; then nothing has changed
   bool take(Interpreter& m);
 
  private:
-  /// Ends the run. The result is what take() returns for a block that the run does not cover.
+  /// Ends the run of plain motions. The result is what take() returns for a block that the run does not cover.
   bool refused() {
     end();
     return false;
   }
   static constexpr std::size_t max_words = 8, forms = 16, most_codes = 4;
-  /// The motion codes of a run; the values are indices of rows_ and modes_.
+  /// The motion codes of a run of plain motions; the values are indices of rows_ and modes_.
   enum Kind : std::uint8_t { rapid, linear, arc_cw, arc_ccw, kinds };
 
   /// One word of a block: an axis, an arc centre or the feed.
   struct Slot {
     std::uint8_t word = no_word;  // index in Block::words
     std::uint8_t axis = 0;
-    bool adds = false;  // a word of an incremental address (U, W): its value is added to the start coordinate
+    bool adds = false;  // the word has an incremental address (U, W), so its value is added to the start coordinate
     double scale = 1, least = 0, most = 0;
   };
-  /// The facts about all blocks of one shape (same addresses and codes), or about one block `kept` that a loop executes again.
+  /// The facts about all blocks of one shape (same addresses and codes), or about the one block `kept`, which a loop executes again.
   struct Form {
     BlockShape shape;
     const Block* kept = nullptr;
-    std::uint64_t letters = 0;    // the letters of the words of `kept`; a word with a vacant value does not count
-    bool fits = false;            // the blocks are plain motions, which a run may contain
-    bool calls = false;           // the blocks only call a subprogram, or only return from one
-    std::uint8_t call = no_word;  // index of the calling word if the block needs no plan (see quick_call); else no_word
-    std::int16_t row = -1;        // row of the block's motion code in ControlDef::codes; -1: the block has none, the modal code applies
-    std::uint8_t axes = 0, codes = 0;               // numbers of elements used: `axes` in `slots`, `codes` in `steady`
-    std::array<std::int16_t, most_codes> steady{};  // rows of the block's other codes; they have no effect while they are in force
+    std::uint64_t letters = 0;  // letters of the words of `kept`, without the words whose value is vacant
+    bool fits = false;          // the blocks are plain motions, which the fast path executes
+    bool calls = false;         // the blocks only call a subprogram, or only return from a subprogram
+    // Index of the calling word if the block can be executed without a plan (see quick_call); no_word for other blocks.
+    std::uint8_t call = no_word;
+    // Row of the block's motion code in ControlDef::codes; -1: the block has no motion code, and the modal one applies.
+    std::int16_t row = -1;
+    std::uint8_t axes = 0, codes = 0;  // numbers of elements in use: `axes` in `slots`, `codes` in `steady`
+    // Rows of the block's codes other than the motion code; a code that is in force already has no effect.
+    std::array<std::int16_t, most_codes> steady{};
     AxisMask named = 0;
     bool centered = false;
     Slot feed;
-    std::array<Slot, 3> center;  // words of the arc centre, by axis
+    std::array<Slot, 3> center;  // words of the arc centre, by axis of the plane
     std::array<Slot, max_words> slots;
   };
   void begin(const Emitter& m, const Form& form);
@@ -85,11 +88,11 @@ class MotionRun {
 
   bool on_ = false;
   std::uint8_t known_ = 0;     // motion codes that have occurred in this run, one bit per Kind
-  std::uint8_t old_feed_ = 0;  // motion codes, one bit per Kind, whose entry in modes_ has an outdated feed
-  double feed_ = 0;            // Modal::feed after the last block
+  std::uint8_t old_feed_ = 0;  // motion codes whose entry in modes_ has an outdated feed, one bit per Kind
+  double feed_ = 0;            // value of Modal::feed after the last block
   bool absolute_ = true;
-  AxisMask rolling_ = 0;                              // axes that roll over: a block that names one is executed the general way
-  std::uint32_t number_least_ = 0, number_most_ = 0;  // limits of the block number N
+  AxisMask rolling_ = 0;  // the axes of Dialect::rolling_axes(); a block that has a word of one of them is executed the general way
+  std::uint32_t number_least_ = 0, number_most_ = 0;  // least and greatest allowed block number N
   ArcRule arcs_;
   std::array<std::int16_t, kinds> rows_{};
   std::array<MotionModes, kinds> modes_;

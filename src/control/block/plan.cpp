@@ -1,4 +1,5 @@
-// Makes the plan of a block: the rows of the control's table for its words, in the order of execution. Used by the rest of control.
+// Makes the plan of a block: the functions that the block calls, as rows of the control's table in the order of execution. Used by the rest
+// of control.
 
 #include "control/block/plan.h"
 
@@ -45,7 +46,7 @@ class BlockPlanner {
   }
 
  private:
-  /// In a block with G65, G66, G66.1 all words are arguments of the macro, M words too, and nothing else is executed (nct 23.3).
+  /// In a block with G65, G66 or G66.1 all words, also M words, are arguments of the macro, so nothing else is planned (nct 23.3).
   bool macro_call() {
     if ((block_.letters & letter_bit('G')) == 0) return false;
     for (std::uint32_t i = 0; i < block_.word_count; ++i) {
@@ -78,7 +79,8 @@ class BlockPlanner {
     if (row.own_block) own_block_ = &word, own_takes_ = row.takes;
     plan_.taken |= row.takes;
     ++code_count_;
-    if (row.function == Function::macro_call || row.function == Function::macro_modal) {  // nct 23.3: all other words are arguments
+    // nct 23.3: all other words of the block are arguments of the macro.
+    if (row.function == Function::macro_call || row.function == Function::macro_modal) {
       calls_macro_ = true;
       plan_.taken = ~std::uint64_t{0};
       plan_.count = 0;
@@ -118,8 +120,8 @@ class BlockPlanner {
     return {};
   }
 
-  /// Records which code uses the axis words of the block; fails if a second code uses them. A motion code next to G28 or a similar code
-  /// does not use them: it only sets the mode.
+  /// Records which code uses the axis words of the block, and fails if a second code uses them. A motion code next to G28 or a similar code
+  /// does not use the axis words: the motion code only sets the mode.
   Status axes_taken(const CodeRow& row, const Word& word) {
     const bool is_mode = row.modal && (row.phase == Phase::motion || row.phase == Phase::positioning);
     if (is_mode) {
@@ -168,7 +170,7 @@ class BlockPlanner {
       plan_.taken |= row.takes;
       return {};
     }
-    if ((loose & row.takes) == 0) return {};  // words_used() reports the word
+    if ((loose & row.takes) == 0) return {};  // words_used() reports the loose word as unused
     plan_.taken |= row.takes;
     add(row.phase, no_word, motion_row, 0);
     return {};
@@ -186,13 +188,13 @@ class BlockPlanner {
     }
   }
 
-  /// Marks the words of the canned cycle in force (Q, E, P, …) as used in a block without an axis word, where they have no effect (nct
-  /// 18.2).
+  /// Marks the words of the canned cycle in force (Q, E, P, …) as used in a block without an axis word. They have no effect in such a block
+  /// (nct 18.2), but they are not an error.
   void ignored_in_cycle(std::int16_t motion_row) {
     if (motion_row < 0 || motion_coded_ || axes_taker_ != nullptr) return;
     const CodeRow& row = def_.codes[static_cast<std::size_t>(motion_row)];
     if (row.function == Function::drilling) plan_.taken |= row.takes;
-    if (row.function == Function::turning_simple && (block_.letters & letters_.axes) == 0) plan_.taken |= row.takes;  // nct 19.B
+    if (row.function == Function::turning_simple && (block_.letters & letters_.axes) == 0) plan_.taken |= row.takes;  // as above (nct 19.B)
   }
 
   const Word* first_of(std::uint64_t letters) const {
@@ -207,7 +209,8 @@ class BlockPlanner {
       plan_.passed_over = loose;
     } else if (loose != 0) {
       const Word& word = *first_of(loose);
-      const bool no_axis = def_.address(word.address).function == Function::argument_only;  // nct 5.1: W on a machine without an axis Z
+      // nct 5.1: example: W on a machine without an axis Z.
+      const bool no_axis = def_.address(word.address).function == Function::argument_only;
       return fail(alarm(no_axis ? AlarmId::illegal_address : AlarmId::word_unused, word.where, word.address));
     }
     const std::uint64_t own_words = own_block_ != nullptr ? letters_.codes | own_takes_ : 0;
@@ -240,11 +243,13 @@ class BlockPlanner {
   const Block& block_;
   Plan& plan_;
   std::uint64_t groups_seen_ = 0;
-  std::array<std::uint8_t, most_groups> first_of_group_{};  // by group: index of its first item in the plan, if groups_seen_ has the bit
+  // By modal group: index of the group's first item in the plan; valid if groups_seen_ has the group's bit.
+  std::array<std::uint8_t, most_groups> first_of_group_{};
   std::uint32_t code_count_ = 0;
   bool motion_coded_ = false;
   bool calls_macro_ = false;
-  bool motion_is_cycle_ = false;  // nct: the motion code is a canned cycle, which would use the words of the other code
+  // Nct: the motion code is a canned cycle, which cannot be combined with another code that uses the axis words.
+  bool motion_is_cycle_ = false;
   const Word* motion_word_ = nullptr;
   const Word* axes_taker_ = nullptr;
   Function axes_taker_function_ = Function::count;

@@ -1,4 +1,4 @@
-// Facts that all blocks of the same shape share, in a small hash table. Used by control/interpreter.
+// Stores facts that all blocks of the same shape share, in a small hash table. Used by control/interpreter.
 
 #include "control/block/shapes.h"
 
@@ -7,7 +7,7 @@ namespace kadr {
 ShapeFacts* Shapes::of(const ControlDef& def, const Block& block) {
   if (!block.shape) return nullptr;
   if (facts_.empty()) facts_.resize(most);
-  constexpr std::uint64_t golden_ratio = 0x9E3779B97F4A7C15;  // a product with this number has well-distributed high bits (Knuth 6.4)
+  constexpr std::uint64_t golden_ratio = 0x9E3779B97F4A7C15;  // a product with the golden ratio has well-distributed high bits (Knuth 6.4)
   constexpr unsigned shift = 64 - 6;
   static_assert(most == 1U << (64 - shift));
   ShapeFacts& facts = facts_[(block.shape.first ^ block.shape.second * 3) * golden_ratio >> shift];

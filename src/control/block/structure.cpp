@@ -5,8 +5,8 @@
 
 namespace kadr {
 
-/// Returns the location of the letter of the block's label (O). If the program writes the label with another letter, returns the location
-/// of the whole block.
+/// Returns the location of the letter O in the block's label. If the program writes the label with another letter, returns the location of
+/// the whole block.
 Span Interpreter::label_span() const {
   const std::size_t from = block->has_number ? block->number_where.end : block->where.begin;
   const std::size_t at = block->text.find(def.grammar.label_address, from);
@@ -26,7 +26,7 @@ Status Interpreter::structure() {
       }
       if (flow.started() && !skipping_section && flow.depth() == 0 && def.behaviour.ends_reading) {
         warn(warning(AlarmId::end_missing, block->where));
-        flow.end();  // what follows is the next program of the tape
+        flow.end();  // the blocks after this one are the next program of the tape
       }
       flow.set_started(true);
       skipping_section = false;
@@ -47,7 +47,7 @@ Status Interpreter::structure() {
       return {};
     default: break;
   }
-  constexpr std::uint8_t digits_of_label = 5;  // 2С42 6.3.5: N in a section of subprograms always has five digits
+  constexpr std::uint8_t digits_of_label = 5;  // N in a section of subprograms always has five digits (2С42 6.3.5)
   if (skipping_section && block->has_number && block->number_digits != digits_of_label)
     return fail(alarm(AlarmId::too_few_digits, block->number_where, 'N', double(block->number_digits), double(digits_of_label)));
   if (skipping_section) note_section();
@@ -57,7 +57,7 @@ Status Interpreter::structure() {
   return fail(alarm(AlarmId::program_start_missing, {block->where.begin, block->where.begin + 1}));
 }
 
-/// Handles a label O… in a file that contains several programs: the label is the end of the program that is being executed (spec/fanuc
+/// Handles a label O… in a file that contains several programs. The label is the end of the program that is being executed (spec/fanuc
 /// 1.1).
 Status Interpreter::next_program() {
   const CallFrame* const top = flow.innermost();
@@ -72,10 +72,10 @@ Status Interpreter::next_program() {
   return own ? Status() : fail(alarm(AlarmId::subprogram_end_missing, block->where, double(top->name)));
 }
 
-/// Warns at the first block of a subprogram whose number is also that of a canned cycle: a call of this number executes the cycle, so the
+/// Warns at the first block of a subprogram if a canned cycle has the same number. A call of this number executes the cycle, so the
 /// subprogram cannot be called (2С42 6.7.1).
 void Interpreter::note_section() {
-  constexpr std::uint32_t blocks_a_subprogram = 1000;  // N02001: subprogram 02, block 001 (2С42 6.3.5)
+  constexpr std::uint32_t blocks_a_subprogram = 1000;  // N02001 is subprogram 02, block 001 (2С42 6.3.5)
   const std::uint32_t number = block->number / blocks_a_subprogram;
   if (block->has_number && called_cycle(def, number) != nullptr) dialect->note_shadowed(*this, number, block->number_where);
 }

@@ -1,4 +1,4 @@
-// Handles the words of the block being executed: computes their values, and answers the queries of functions about them.
+// Computes the values of the words of the block being executed, and answers the queries of functions about these words.
 
 #include <fmt/core.h>
 
@@ -12,7 +12,7 @@
 
 namespace kadr {
 
-/// Computes the value of a word written as an expression; a word with a vacant value counts as not written (nct 23.1.6).
+/// Computes the value of a word written as an expression. A word with a vacant value counts as not written (nct 23.1.6).
 Status Interpreter::evaluate_word(Word& w) {
   const auto result = evaluate(*block, w.expression, VariableReader{*this});
   if (!result) return fail(result.error());
@@ -32,7 +32,8 @@ Status Interpreter::evaluate_word(Word& w) {
 }
 
 Result<double> Emitter::value_of(std::string_view expression) {
-  const bool brackets = !def.grammar.sums_without_brackets() && def.grammar.expressions;  // these controls allow sums only in brackets
+  // Controls with this grammar allow sums only in brackets.
+  const bool brackets = !def.grammar.sums_without_brackets() && def.grammar.expressions;
   const std::string text = brackets ? fmt::format("[{}]", expression) : std::string(expression);
   Cursor cursor{text};
   Block looked_at;
@@ -43,7 +44,7 @@ Result<double> Emitter::value_of(std::string_view expression) {
   };
   cursor.skip_blanks();
   if (cursor.at == text.size()) return wrong(0);
-  for (int i = 0; i < variables.parameter_count(); ++i)  // a parameter name such as R2 or QN15 needs no brackets
+  for (int i = 0; i < variables.parameter_count(); ++i)  // A parameter name such as R2 or QN15 is an expression without brackets
     if (!brackets && !def.grammar.sums_without_brackets() && variables.name_of_parameter(i) == text) return variables.parameter(i, {});
   if (!brackets && !def.grammar.sums_without_brackets() && def.grammar.variables == 0) return wrong(0);
   const auto compiled = def.grammar.sums_without_brackets() ? compile_macro_value(cursor, def.grammar, looked_at, MacroValue::sum)
@@ -54,7 +55,7 @@ Result<double> Emitter::value_of(std::string_view expression) {
   return kadr::evaluate(looked_at, *compiled, VariableReader{*this});
 }
 
-/// Resolves AX[n]=…: finds the axis of the channel that has this control-wide number (nct 23.2.12).
+/// Resolves AX[n]=…: finds the axis of the channel whose number across all channels is n (nct 23.2.12).
 Status Interpreter::find_axis(Word& w) {
   const auto number = evaluate(*block, w.axis, VariableReader{*this});
   if (!number) return fail(number.error());
@@ -92,8 +93,8 @@ void BlockContext::note_addresses() {
   }
 }
 
-/// Executes the assignments of the block. All values are computed before the first one is assigned: `#1=5 X#1` uses the old #1 (spec/mach3
-/// 1).
+/// Executes the assignments of the block. All values are computed before the first variable is assigned: `#1=5 X#1` uses the old #1
+/// (spec/mach3 1).
 Status Interpreter::assign() {
   assigned_.clear();
   for (const Assignment& a : block->assignments) {
@@ -113,7 +114,7 @@ Status Interpreter::assign() {
   return {};
 }
 
-/// Executes a block that only assigns variables. The journal records the old values; nothing else has to be restored after an alarm.
+/// Executes a block that only assigns variables. The journal records the old values, so nothing else has to be restored after an alarm.
 Status Interpreter::assign_alone() {
   pass_varies = true;
   Status done = assign();

@@ -1,5 +1,5 @@
-// The dialect of the generic Soviet ISO control: axis correctors (offsets of axes, spec/correctors 1), pockets (3). Used by
-// control/correctors/pocket.
+// The dialect of the generic Soviet ISO control: axis correctors, which are offsets of axes (spec/correctors 1), and pockets
+// (spec/correctors 3). Used by control/correctors/pocket.
 
 #include "control/correctors/correctors.h"
 
@@ -20,16 +20,16 @@ using correctors::PocketCycle;
 namespace {
 
 constexpr std::size_t corrected_axes = 3;  // X, Y, Z
-constexpr double max_rounds = 1e6;         // maximum number of rounds (closed paths) of a pocket; more is a mistake in K or I
+constexpr double max_rounds = 1e6;         // greatest number of closed paths in a pocket; a larger number is a mistake in K or I
 
-/// The result of reading an L word: the corrector that the word names, and the axes that the corrector shifts.
+/// The result of reading an L word: the corrector (offset row) that the word names, and the axes that the corrector shifts.
 struct Named {
   AxisMask axes = 0;
   std::size_t number = 0;
 };
 
-/// Reads an L word, which has two forms. `L2 15` names axes and corrector: 2 is the sum of 1 for X, 2 for Y and 4 for Z; 15 is the
-/// corrector. `L17` names corrector 17, for the only axis that has a word in the block.
+/// Reads an L word, which has two forms. In `L2 15` the first number names the axes (1 for X, 2 for Y, 4 for Z, or a sum of these), and 15
+/// is the number of the corrector. `L17` names corrector 17, which shifts the only axis that has a word in the block.
 Result<Named> read(const BlockContext& m, const Word& w) {
   Named named;
   const bool pair = !std::isnan(w.second);
@@ -48,8 +48,8 @@ Result<Named> read(const BlockContext& m, const Word& w) {
   return named;
 }
 
-/// Returns the tool radius in mm; 0 if it is unknown. The radius is the value of the corrector that T names: in T0915 corrector 15
-/// (spec/correctors 2).
+/// Returns the tool radius in mm; 0 if the radius is unknown. The radius is the value of the corrector (offset) that T names; T0915, for
+/// example, names corrector 15 (spec/correctors 2).
 double tool_radius(BlockContext& m) {
   const std::size_t number = m.modal.corrector;
   if (number == 0 || number >= m.tables.correctors.size()) return 0;
@@ -59,9 +59,9 @@ double tool_radius(BlockContext& m) {
   return radius;
 }
 
-/// Warns if the rapid motion down to the clearance of a pocket would enter the workpiece, as far as the program shows. This is so if the
-/// face of the pocket is below that of an earlier pocket, unless the pocket starts on the floor of a larger one, as in the manual's figure
-/// b (spec/correctors 3).
+/// Warns if the rapid motion down to the clearance of a pocket would enter the workpiece, as far as the program shows. The motion would do
+/// so if the face of the pocket is below the face of an earlier pocket. There is no warning if the pocket starts on the floor of a larger
+/// pocket, as in the manual's figure b (spec/correctors 3).
 void warn_above_solid(Emitter& m, Span where, const Axes& middle) {
   correctors::Correctors& own = correctors_of(m);
   constexpr std::size_t max_pockets = 1000;
@@ -129,7 +129,7 @@ Result<AxisMask> Correctors::add_to_motion(Emitter& m) {
     if (w.address != 'L') continue;
     const auto named = read(m, w);
     if (!named) return fail(named.error());
-    if (!is_set[named->number]) {  // the panel has no value for the corrector: the motion lacks this offset
+    if (!is_set[named->number]) {  // the panel has no value for the corrector, so the motion is not shifted, and a warning is reported once
       is_set[named->number] = true;
       m.warn(warning(AlarmId::corrector_not_set, w.where, double(named->number)));
     }
@@ -142,14 +142,14 @@ Result<AxisMask> Correctors::add_to_motion(Emitter& m) {
       double& added = m.transform.added[a];
       moved |= 1u << a;
       if (m.has_code({Function::corrector_cancel})) {
-        // Subtracts the value that this corrector added last to the axis. If it has added no value yet, its stored value is subtracted
-        // (spec/correctors 1).
+        // Subtracts from the axis the value that this corrector added last. If the corrector has added no value yet, its stored value is
+        // subtracted (spec/correctors 1).
         const double back = last != 0 ? last : stored;
         added = m.modal.absolute ? 0.0 : added - back;
         last = 0;
       } else {
-        // INFERRED: with G90 the corrector shifts the coordinate, so a second L does not add the value again; with G91 it lengthens each
-        // motion.
+        // INFERRED: in G90 the corrector shifts the coordinate, so a second word L does not add the value again. In G91 the corrector
+        // lengthens each motion.
         added = m.modal.absolute ? counted : added + counted;
         last = counted;
       }
@@ -181,7 +181,7 @@ Status corrector_cancel(Emitter& m, const Call& call) {
 Status pocket_define(Emitter& m, const Call& call) {
   for (const char letter : {'X', 'Y', 'Z', 'R', 'I', 'J', 'K'})
     if (!m.has(letter)) return fail(alarm(AlarmId::word_missing, call.where, letter, call.row->code));
-  constexpr double max_stepover = 40;  // % of the tool's diameter (spec/correctors 3)
+  constexpr double max_stepover = 40;  // % of the tool's diameter: greatest distance of two neighbouring paths (spec/correctors 3)
   PocketCycle p;
   p.defined = true;
   p.x = m.value('X');

@@ -1,6 +1,6 @@
 #pragma once
 // The dialect of the generic Soviet ISO control: axis correctors, which are offsets added to the motion of an axis (spec/correctors 1), and
-// milling of pockets (spec/correctors 3).
+// the milling of pockets (spec/correctors 3).
 
 #include <vector>
 
@@ -12,21 +12,21 @@ namespace kadr::correctors {
 struct PocketCycle {
   bool defined = false;
   double x = 0, y = 0, z = 0, clearance = 0, corner = 0, stepover = 0, direction = 0, pass = 0;
-  double feed = 0;  // mm/min; 0: the feed in force
+  double feed = 0;  // feed in mm/min; 0: the feed in force
 };
 
-/// A pocket that G79 has cut; programmed coordinates.
+/// A pocket that G79 has cut, in programmed coordinates (mm).
 struct PocketCut {
   Vec2 middle, half;
   double face = 0, floor = 0;
 };
 
-/// Everything that the dialect remembers.
+/// All data that the dialect stores between blocks.
 struct Memory {
   PocketCycle pocket;
   std::vector<PocketCut> pockets_cut;
-  std::vector<bool> is_set;     // by corrector: the set-up gives its value, or the lack was reported (spec/correctors 1)
-  std::vector<double> applied;  // by corrector and axis: the value that the corrector added last, mm (spec/correctors 1)
+  std::vector<bool> is_set;     // by corrector: the set-up gives its value, or the missing value was reported (spec/correctors 1)
+  std::vector<double> applied;  // value that each corrector added last to each axis, mm (spec/correctors 1)
 };
 
 class Correctors final : public Dialect, public Memory {
@@ -41,7 +41,7 @@ class Correctors final : public Dialect, public Memory {
   std::shared_ptr<const DialectState> snapshot() const override;
   Status restore(BlockContext& m, const DialectState& from) override;
 
-  /// Returns true if the block has a word L.
+  /// Returns true if the block has a word L, which adds a corrector (offset) to the motion.
   bool adds_to_motion(const BlockContext& m) const override;
   bool lines_follow(const BlockContext&) const override { return true; }
   /// Adds the correctors of the block's L words to its motion: sets Transform::added.

@@ -6,7 +6,7 @@
 namespace kadr {
 
 /// Sets the formal parameters from the words of the block, as the code's row in the control's file assigns them, and calls the subprogram.
-/// A parameter without a word keeps its value ("the actual path is set by them").
+/// A parameter without a word keeps its value (the manual: "the actual path is set by them").
 Status functions::permanent_subprogram(Interpreter& m, const Call& call) {
   const CycleRow& cycle = m.def.cycles[call.row->cycle - std::size_t{1}];
   m.call_where = call.where;

@@ -1,5 +1,5 @@
-// The rectangular pocket of G87, G79 (spec/correctors 3): closed paths (rounds) of the tool centre from the middle outwards, at each
-// depth. Used by control/correctors/correctors; tested by tests/control/correctors/pocket_test.cpp.
+// The rectangular pocket of G87, G79 (spec/correctors 3). The tool centre moves along closed paths, called rounds, from the middle
+// outwards, at each depth. Used by control/correctors/correctors; tested by tests/control/correctors/pocket_test.cpp.
 
 #include "control/correctors/pocket.h"
 
@@ -34,7 +34,7 @@ Result<PocketRounds> PocketRounds::of(const PocketCycle& pocket, double radius, 
 
 PocketRound PocketRounds::at(double index) const {
   if (index + 1 >= count_) return wall_;
-  const double inside = std::min(wall_.x, wall_.y) - (index + 1) * step_;  // distance from the last round, which is along the wall
+  const double inside = std::min(wall_.x, wall_.y) - (index + 1) * step_;  // distance from the last round, which runs along the wall
   return {wall_.x - inside, wall_.y - inside, std::max(wall_.corner - inside, 0.0)};
 }
 

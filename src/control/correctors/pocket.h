@@ -1,8 +1,8 @@
 #pragma once
-// The rectangular pocket of G87, G79 (spec/correctors 3). A round is one closed path of the tool centre around the pocket; the rounds go
-// from the middle outwards, and are repeated at each depth (pass).
+// The rectangular pocket of G87, G79 (spec/correctors 3). A round is one closed path of the tool centre around the pocket. The rounds
+// follow each other from the middle outwards, and are repeated at each depth (pass).
 //
-//   rapid to the clearance over the face ─▶ feed down by a pass ─▶ rounds, the last along the wall ─▶ back to the middle ─▶ the next pass …
+//   rapid to the clearance over the face ─▶ feed down by one pass ─▶ rounds, the last along the wall ─▶ back to the middle ─▶ next pass …
 
 #include <array>
 #include <cstddef>
@@ -19,15 +19,15 @@ struct PocketRound {
   double x = 0, y = 0, corner = 0;
 };
 
-/// A piece of a round: a line to `to`, or an arc around `center`; mm from the middle of the pocket.
+/// A segment of a round: a line to `to`, or an arc around `center`. Coordinates in mm from the middle of the pocket.
 struct PocketPiece {
   Vec2 to;
   Vec2 center;
   bool is_arc = false;
 };
 
-/// The rounds of one pass, from the middle outwards. They are parallel to the wall and `step` apart. The last round is the wall, offset by
-/// the tool radius.
+/// The rounds (closed paths) of one pass, from the middle outwards. They are parallel to the wall, at distances of `step` mm. The last
+/// round is the wall, offset by the tool radius.
 class PocketRounds {
  public:
   /// Computes the rounds of a pocket. `radius`: tool radius, mm.
@@ -45,17 +45,17 @@ class PocketRounds {
 };
 
 /// Divides a round into lines and arcs. The round starts at its point on the +X side; `direction` is +1 for counter-clockwise, -1 for
-/// clockwise. Some of the pieces may have length zero.
+/// clockwise. Some of the segments may have length zero.
 std::array<PocketPiece, 9> pieces_of(const PocketRound& round, double direction);
 
-/// Executes G79 one round at a time, so that a pocket of any size needs constant memory.
+/// Executes G79 one round (closed path) at a time, so that a pocket of any size needs constant memory.
 class PocketRun final : public SteppedCycleValue<PocketRun> {
  public:
-  /// `middle`: middle of the pocket, programmed coordinates; its Z is the face of the pocket.
+  /// `middle`: middle of the pocket in programmed coordinates, mm; its Z is the face of the pocket.
   PocketRun(const PocketCycle& pocket, const PocketRounds& rounds, const Axes& middle)
       : pocket_(pocket), rounds_(rounds), middle_(middle) {}
 
-  /// Returns the number of passes (depths); no pass is deeper than K.
+  /// Returns the number of passes, which are the depths of the pocket; no pass is deeper than K.
   static double passes(const PocketCycle& pocket);
   Result<bool> next(Emitter& m) override;
 

@@ -1,5 +1,5 @@
-// Executes a drilling cycle whose steps the control's file lists (CycleRow::steps), one drilled hole and one action at a time, so that a
-// cycle of any length needs constant memory. Used by control/interpreter.
+// Executes a drilling cycle whose steps the control's file lists (CycleRow::steps). Each call executes a part of one drilled hole, so that
+// a cycle of any length needs constant memory. Used by control/interpreter.
 
 #include "control/cycles/canned_cycle_run.h"
 
@@ -24,8 +24,8 @@ void CannedCycleRun::start(const BlockContext& m, const Job& job) {
            m.modal.contour == CompensationPhase::off && m.modal.feeds_of_axes == 0;
 }
 
-/// Executes a limited number of steps in each call, even if the steps emit nothing, because the interpreter polls for Ctrl-C between two
-/// calls.
+/// Executes a limited number of steps in each call, even if the steps emit no action. Between two calls the interpreter checks whether
+/// Ctrl-C has been pressed.
 Status CannedCycleRun::next(Emitter& m) {
   for (std::size_t i = 0; i < batch_size && active(); ++i) {
     KADR_TRY(go_on(m));
@@ -53,8 +53,8 @@ Status CannedCycleRun::go_on(Emitter& m) {
   return step(m);
 }
 
-/// Moves to the start of a drilled hole: up to R if the tool is below R (first drilled hole only), then over the hole, then down to R
-/// (spec/mach3 4, preliminary motion).
+/// Moves to the start of a drilled hole. The tool first rises to R if it is below R (first drilled hole only), moves over the hole, and
+/// descends to R (spec/mach3 4, preliminary motion).
 Status CannedCycleRun::begin_hole(Emitter& m) {
   in_hole_ = true;
   step_ = 0;
@@ -100,8 +100,8 @@ Status CannedCycleRun::step(Emitter& m) {
   }
 }
 
-/// Drills one peck. After it the drill retracts to R and returns to just above the bottom reached so far (`full`, G83), or retracts a
-/// little (G73).
+/// Drills one peck. After the peck the drill retracts to R and returns to just above the bottom reached so far (`full`, G83), or retracts
+/// by a short distance (G73).
 Status CannedCycleRun::peck(Emitter& m, bool full) {
   switch (part_) {
     case 0:

@@ -1,6 +1,7 @@
 #pragma once
-// CannedCycleRun: executes a drilling cycle whose steps the control's file lists (CycleRow::steps), one drilled hole and one action at a
-// time, so that a cycle of any length needs constant memory. All levels are checked before the first motion; no later motion can fail.
+// CannedCycleRun: executes a drilling cycle whose steps the control's file lists (CycleRow::steps). Each call executes a part of one
+// drilled hole, so that a cycle of any length needs constant memory. All levels are checked before the first motion, so no later motion can
+// fail.
 
 #include <cstdint>
 
@@ -19,7 +20,8 @@ class CannedCycleRun {
   bool active() const { return cycle_ != nullptr; }
   void stop() { cycle_ = nullptr; }
   const CycleRow* cycle() const { return cycle_; }
-  /// Replaces the row of the cycle by `same`: the same row in the table of another control that has the same definition.
+  /// Replaces the row of the cycle by `same`: the same row in another control object with the same definition. Needed when a snapshot is
+  /// restored in another control.
   void lead_to(const CycleRow* same) { cycle_ = job_.cycle = same; }
 
   /// The levels and positions of the drilled holes of one block. `first`, `second`, `drill`: indices of the two axes of the plane and of
@@ -30,12 +32,14 @@ class CannedCycleRun {
     double step_first = 0, step_second = 0;  // distances from one drilled hole to the next in the plane, mm
     Axes hole{};                             // position of the first drilled hole, programmed coordinates
     std::uint32_t holes = 1;
-    double level = 0, bottom = 0, clear = 0;  // coordinates of R, of the bottom (Z), and of the level to which the tool retracts, mm
+    // Coordinates on the drilling axis, mm: R, bottom (Z), and the level to which the tool retracts.
+    double level = 0, bottom = 0, clear = 0;
     double peck = 0, dwell = 0;
-    double shift_first = 0, shift_second = 0, back_face = 0;  // G87: shift in the plane, and level of the face cut from below; mm
-    double return_level = 0;                                  // L83: level to which the tool retracts between pecks, at rapid
-    bool preliminary = true;                                  // the tool first rises at rapid to R if it is below R
-    bool pass_from_level = false;                             // L83: a rapid motion leads to the level where each peck begins
+    // G87: shift in the plane, mm, and coordinate of the face that is cut from below, mm.
+    double shift_first = 0, shift_second = 0, back_face = 0;
+    double return_level = 0;       // L83: coordinate to which the tool retracts at rapid between pecks, mm
+    bool preliminary = true;       // the tool first rises at rapid to R if it is below R
+    bool pass_from_level = false;  // L83: the tool moves at rapid to the level where each peck begins
   };
   void start(const BlockContext& m, const Job& job);
 
@@ -58,11 +62,11 @@ class CannedCycleRun {
   std::uint32_t hole_ = 0;
   std::size_t step_ = 0;
   std::uint32_t part_ = 0;  // number of the motion within a peck
-  double depth_ = 0;        // coordinate that the pecks have reached, mm
+  double depth_ = 0;        // coordinate to which the pecks have drilled, mm
   bool in_hole_ = false;
   bool taps_ = false;
   HoleWork work_ = HoleWork::none;
-  bool plain_ = false;  // no transformation is active: a motion along one axis changes only the position
+  bool plain_ = false;  // no transformation is active, so a motion along one axis changes only the coordinate of this axis
 };
 
 }  // namespace kadr

@@ -33,7 +33,7 @@ class Drilling {
     const auto row = static_cast<std::int16_t>(call_.row - m_.def.codes.data());
     m_.modal.motion = MotionMode::cycle;
     m_.modal.motion_row = row;
-    if (memory_.row != row) {  // another cycle or motion was between: only R remains valid (Mach3 10.7.24)
+    if (memory_.row != row) {  // Another cycle or motion was between, so only R remains valid (Mach3 10.7.24)
       CycleMemory kept;
       kept.level = memory_.level;
       kept.known = memory_.known & letter_bit('R');
@@ -73,7 +73,7 @@ class Drilling {
     return {};
   }
 
-  /// Updates the sticky words, which remain valid while blocks of the same cycle follow. The word of the drilling axis, whatever its
+  /// Updates the stored words, which remain valid while blocks of the same cycle follow. The word of the drilling axis, whatever its
   /// letter, is stored as Z in memory_.bottom.
   Status resume_from() {
     const char drill = letter_of(axes_.drill);
@@ -102,12 +102,12 @@ class Drilling {
     return {};
   }
 
-  /// Replaces words that neither this block nor an earlier block has, as the manual's example G83 Z-0.6 requires (Mach3 10.7.6). INFERRED:
-  /// without R the cycle starts at the tool's position; without Q the drill reaches the bottom in one peck. Neither value is stored for the
-  /// next drilled hole.
+  /// Replaces words that neither this block nor an earlier block has; the manual's example G83 Z-0.6 needs this (Mach3 10.7.6). INFERRED:
+  /// without R the cycle starts at the tool's position; without Q the drill reaches the bottom in one peck. The replaced values are not
+  /// stored for the next drilled hole.
   void take_left_out() {
     taken_ = cycle_.left_out & cycle_.needs & ~memory_.known;
-    if ((cycle_.needs & ~memory_.known & letter_bit('Z')) != 0) return;  // resume_from() reports the missing Z
+    if ((cycle_.needs & ~memory_.known & letter_bit('Z')) != 0) return;  // resume_from() reports the missing word Z
     if ((taken_ & letter_bit('R')) != 0) {
       memory_.level = m_.modal.absolute ? m_.position.programmed[axes_.drill] : 0;
       warn_of('R', memory_.level);
@@ -121,7 +121,7 @@ class Drilling {
     m_.warn(warning(AlarmId::cycle_word_taken, call_.where, letter, call_.row->code, m_.modal.inch ? taken / mm_per_inch : taken));
   }
 
-  /// Computes the levels. In G90 R and Z are coordinates; in G91 R is the distance from the tool's position, and Z the distance from R.
+  /// Computes the levels. In G90 R and Z are coordinates. In G91 R is the distance from the tool's position, and Z is the distance from R.
   Status levels(CannedCycleRun::Job& job) const {
     const double here = m_.position.programmed[axes_.drill];
     job.level = m_.modal.absolute ? memory_.level : here + memory_.level;
@@ -140,8 +140,8 @@ class Drilling {
     return {};
   }
 
-  /// Checks each point that the tool reaches at a drilled hole, in programmed and work coordinates, because nothing may fail after the
-  /// first motion.
+  /// Checks each point that the tool reaches at a drilled hole, in programmed and work coordinates, because no motion may fail after the
+  /// first one.
   Status within_reach(const CannedCycleRun::Job& job, Axes hole) const {
     for (const double level : {job.level, job.bottom, job.clear, job.back_face}) {
       hole[axes_.drill] = level;

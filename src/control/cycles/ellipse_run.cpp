@@ -1,5 +1,5 @@
-// Executes an arc under unequal scale factors, which is part of an ellipse (Mach3 10.7.15). The arc becomes short straight motions, emitted
-// one at a time, so that an arc of any length needs constant memory. Used by control/interpreter.
+// Executes an arc under unequal scale factors, which is part of an ellipse (Mach3 10.7.15). The arc becomes short straight motions. They
+// are emitted one at a time, so that an arc of any length needs constant memory. Used by control/interpreter.
 
 #include "control/cycles/ellipse_run.h"
 
@@ -21,8 +21,8 @@ void EllipseRun::start(const Job& job) {
   done_ = 0;
   const Vec2 arm = Vec2{job.from[job.first], job.from[job.second]} - job.center;
   const double radius = length(arm) * job.greatest_scale;
-  // A chord over the angle a deviates from a circle of radius r by r·(1 − cos a/2). If r is the largest scaled radius, the chord deviates
-  // from the ellipse by no more than this.
+  // A chord over the angle a deviates from a circle of radius r by r·(1 − cos a/2). With the largest scaled radius as r, the chord deviates
+  // from the ellipse by at most this length.
   const double ratio = std::min(tol::ellipse_chord / std::max(radius, tol::ellipse_chord), 1.0);
   const double step_deg = 2 * std::acos(1 - ratio) / rad_per_deg;
   pieces_ = static_cast<std::uint32_t>(std::clamp(std::ceil(std::fabs(job.sweep_deg) / step_deg), 1.0, max_chords));

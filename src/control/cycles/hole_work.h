@@ -1,5 +1,5 @@
 #pragma once
-// Marks the motions of a drilling cycle with what they do to the drilled hole: HoleWork of action/action.h.
+// Marks each motion of a drilling cycle with its purpose in the drilled hole: HoleWork of action/action.h.
 
 #include <variant>
 

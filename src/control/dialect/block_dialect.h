@@ -20,11 +20,11 @@ struct Plan;
 /// The two moments of a block at which the machine's logic and an interrupt macro may act.
 enum class BlockMoment : std::uint8_t { start, end };
 
-/// The state that a block may change. Before the block only this state is saved, because an alarm must restore it.
+/// The state that a block may change. Only this state is saved before the block, so that an alarm can restore it.
 enum class BlockChanges : std::uint8_t {
-  position,  // only the position: a motion either fails before it starts, or is executed
-  little,    // position, motion code and feed
-  cycle,     // position, motion code, feed, and the words of a drilling cycle
+  position,  // only the position changes: a motion either fails before it starts, or is executed
+  little,    // position, motion code and feed change
+  cycle,     // position, motion code, feed, and the stored words of a drilling cycle change
   anything,
 };
 
@@ -36,7 +36,8 @@ class BlockDialect {
   virtual bool has_unfinished() const { return false; }
   /// Executes one step of the work that has_unfinished() reports. Returns true if the next block must still wait.
   virtual Result<bool> finish(Interpreter& m);
-  /// Returns true if the block's expressions read a clock: the block must then be executed at its real time.
+  /// Returns true if the block's expressions read a clock. The block must then be executed only when the machine reaches it, so that the
+  /// clock has the right time.
   virtual bool reads_clock(const Block& block) const;
   /// Called for each block with a skip mark `/`, whether the block is skipped or not.
   virtual void note_skip_mark(Emitter& m);
@@ -49,8 +50,8 @@ class BlockDialect {
   virtual Result<bool> interrupt(Interpreter& m, BlockMoment moment);
   /// Returns true while blocks with a block number are data lines of a G10: they are stored, not executed.
   virtual bool takes_data() const { return false; }
-  /// Executes a block that is a statement: IF, WHILE, GOTO, #1=…. Returns false if the condition of an IF … THEN is true, so that the words
-  /// after THEN must be executed.
+  /// Executes a block that is a statement: IF, WHILE, GOTO, #1=…. Returns false if the words of the block must still be executed: those
+  /// after THEN if the condition of an IF … THEN is true.
   virtual Result<bool> statement(Interpreter& m);
   virtual void begin_block(Emitter& m);
   /// Called when the words of the block have their values. Returns true if nothing else of the block is to be executed, because its words
@@ -59,8 +60,8 @@ class BlockDialect {
   /// Returns the row of the motion code for a block that has only axis words; -1 if no motion code is in force.
   virtual std::int16_t motion_row(const BlockContext& m) const;
   virtual BlockChanges changes_of(const BlockContext& m, const Plan& plan) const;
-  /// Called before each function of the block is executed; after_code() is called after each code. `code`: number of the word in tenths; -1
-  /// if there is no word.
+  /// Called before each function of the block is executed. after_code() is called after each code; its `code` is the number of the word in
+  /// tenths, -1 if there is no word.
   virtual void before_function(Emitter& m, Function function);
   virtual void after_code(Interpreter& m, const CodeRow& row, std::int32_t code);
   /// Executes an M code that the control passes to the machine.
@@ -68,13 +69,13 @@ class BlockDialect {
   virtual Status after_block(Interpreter& m);
   /// Saves the dialect's own data before a block that may change anything.
   virtual void keep(BlockContext& m);
-  /// Restores the dialect's own data after a faulty block. block_undone() follows when the interpreter's data are restored too.
+  /// Restores the dialect's own data after a faulty block. The call of block_undone() follows when the interpreter's data are restored too.
   virtual void undo_block(BlockContext& m);
   virtual void block_undone(Emitter& m);
   /// Executes comments that have an effect, before the block's words.
   virtual Status comments(Emitter& m);
-  /// Called if a subprogram of the program has the number of a canned cycle, so that a call executes the cycle instead. `where`: location
-  /// of the call, or of the first block of the subprogram.
+  /// Called if a subprogram of the program has the number of a canned cycle. A call of this number executes the cycle, not the subprogram.
+  /// `where`: location of the call, or of the first block of the subprogram.
   virtual void note_shadowed(Emitter& m, std::uint32_t number, Span where);
 };
 

@@ -1,5 +1,5 @@
 #pragma once
-// MachineInterface: the functions of a control that the machine, its logic and its operator call.
+// MachineInterface: the functions of a control for the machine, its logic and its operator.
 
 #include <string>
 #include <vector>
@@ -14,8 +14,8 @@ class BlockContext;
 class Emitter;
 struct SearchRules;
 
-/// The input that a control accepts from the machine, its logic and its operator, and their queries. Only the dialects that model these
-/// have an object of this class. NCT 11.7, 11.8, 20.2, 23.1, 23.4.
+/// The input that a control accepts from the machine, its logic and its operator, and their queries. Only dialects that model the machine's
+/// logic and operator have an object of this class (nct 11.7, 11.8, 20.2, 23.1, 23.4).
 class MachineInterface {
  public:
   virtual ~MachineInterface() = default;
@@ -25,7 +25,7 @@ class MachineInterface {
   /// Makes spindle `slave` follow spindle `master`. If `master` is 0, `slave` stops following; if `slave` is 0, all spindles are meant.
   virtual void synchronise(int slave, int master) = 0;
   virtual void couple_axis(Emitter& m, const std::string& name, AxisLink link, bool on) = 0;
-  // ---- axes coupled to axes of other channels: the functions of the same names in Control describe these
+  // ---- axes coupled to axes of other channels: Control has functions of the same names, with descriptions
   virtual const std::vector<CrossChannelAxis>& cross_channel_axes() const = 0;
   virtual void drop_cross_channel(Emitter& m, const CrossChannelAxis& axis) = 0;
   virtual void lead_axis(Emitter& m, std::size_t axis, double machine) = 0;
@@ -35,8 +35,8 @@ class MachineInterface {
   virtual bool rolls_over(std::size_t axis) const = 0;
   virtual void convert_spindle(int number, bool to_axis) = 0;
   /// Sets the times for the clocks of the program.
-  ///   now_ms  ms since the start of the run
-  ///   cut_ms  ms of motions at feed since the last call
+  ///   now_ms  time since the start of the run, ms
+  ///   cut_ms  time of motions at feed since the last call, ms
   virtual void set_time(double now_ms, double cut_ms) = 0;
   virtual RunState run_state(const Emitter& m) const = 0;
   virtual SearchRules search_rules() const = 0;

@@ -1,5 +1,5 @@
 #pragma once
-// ProgramDialect: how a control starts and ends a program, and what it remembers after the program's end. One of the interfaces of a
+// ProgramDialect: how a control starts and ends a program, and which data it stores after the program's end. One of the interfaces of a
 // Dialect (control/dialect.h).
 
 #include <cstdint>
@@ -22,7 +22,7 @@ class Emitter;
 class Interpreter;
 class Dialect;
 
-/// The part of a snapshot that belongs to a dialect: the data that the dialect remembers.
+/// The part of a snapshot that belongs to a dialect: the data that the dialect stores between two blocks.
 struct DialectState {
   virtual ~DialectState() = default;
 };
@@ -31,19 +31,20 @@ class ProgramDialect {
  public:
   virtual ~ProgramDialect() = default;
 
-  /// Returns everything that the dialect remembers between two blocks; nullptr if it remembers nothing.
+  /// Returns all data that the dialect stores between two blocks; nullptr if it stores none.
   virtual std::shared_ptr<const DialectState> snapshot() const { return nullptr; }
   /// Restores the data from a snapshot of the same dialect, after the interpreter has been restored.
   ///   alarms  file_write: a file that the program was writing cannot be continued
   virtual Status restore(BlockContext& m, const DialectState& from);
-  /// Returns the functions for the machine; nullptr if the control models no machine with logic, operator or parameters.
+  /// Returns the functions for the machine; nullptr if the control models no machine with logic, operator and parameters.
   virtual MachineInterface* machine_interface() { return nullptr; }
   /// Returns the files that the program has written: for each path, the size in bytes.
   virtual const WrittenFiles& files_written() const;
   /// Called at power-on. Returns true if the dialect has set the initial modes itself, in place of the power-on codes in the control's
   /// file.
   virtual bool start(Interpreter& m, const Setup& setup);
-  /// Returns true if the modal codes of a set-up are executed one by one, each as its own block; else they form one block.
+  /// Returns true if the modal codes of a set-up are executed one by one, each as its own block. If false, all codes together form one
+  /// block.
   virtual bool starts_code_by_code() const { return false; }
   /// Called after the modal codes of the set-up have been executed: reads the rest of the set-up.
   virtual void take_setup(Emitter& m, const Setup& setup);
@@ -51,17 +52,18 @@ class ProgramDialect {
   virtual std::string start_words() const { return {}; }
   /// Called at the end of the start-up, when the tool is at the start position of the set-up.
   virtual void started(Emitter& m);
-  /// Returns the limits of an axis from a file of the machine, in machine coordinates; ±1e300 if the file gives none. Limits of the
-  /// set-up and of a machine description have priority.
+  /// Returns the limits of an axis from a file of the machine, in machine coordinates (mm, degrees); ±1e300 if the file gives none. Limits
+  /// in the set-up and in a machine description have priority.
   virtual std::pair<double, double> limits_by_file(std::size_t axis) const;
   /// Called at M2, M30. Returns true if the dialect has ended the program itself, so that the end codes in the control's file are not
   /// executed.
   virtual bool end_program(Interpreter& m);
   /// Called when an alarm has stopped the run and the state before the faulty block is restored.
   virtual void failed(Emitter&) {}
-  /// Called when the power goes off and on: clears the data that need power. Returns false if the control does not model this.
+  /// Called when the power goes off and on; clears the data that are lost without power. Returns false if the control does not model this
+  /// loss.
   virtual bool lose_power(Interpreter& m);
-  /// Adds the tables of the dialect to a set-up (control/tables_now). Returns false if the interpreter's own tables are to be added.
+  /// Adds the tables of the dialect to a set-up (control/tables_now). Returns false if the caller must add the interpreter's own tables.
   virtual bool add_tables(const BlockContext&, Setup&) const { return false; }
   /// Returns the data that the block has changed and that survive power-off.
   virtual StateChanges take_changes(Interpreter& m);
@@ -70,16 +72,18 @@ class ProgramDialect {
   virtual std::uint64_t common_version() const { return 0; }
   /// Copies the shared data from another channel, whose dialect is of the same type. Called only between two blocks.
   virtual void take_common(BlockContext&, const Dialect&) {}
-  /// Handles a line that consists of `%` (Grammar::percent_encloses). Returns true if the interpreter has nothing else to do for the line.
+  /// Handles a line that consists of `%` (Grammar::percent_encloses). Returns true if the interpreter has nothing more to do for the line.
   virtual Result<bool> sign_of_file(Interpreter& m);
-  /// Handles the end of the program's file if no code has ended the program. Returns true if the interpreter has nothing else to do.
+  /// Handles the end of the program's file if no code has ended the program. Returns true if the interpreter has nothing more to do at this
+  /// end.
   virtual Result<bool> end_of_file(BlockContext& m);
   virtual void note_fault(Interpreter& m, bool may_have_steered);
-  /// Called when the main program starts again: discards what was recorded about its last pass.
+  /// Called when the main program starts again; discards the data that were recorded during its last pass.
   virtual void begin_again() {}
-  /// Leaves the innermost call although the end of its subprogram is missing. Returns true if the dialect has done this.
+  /// Leaves the innermost call if the end of its subprogram is missing. Returns true if the dialect has left the call, false if the
+  /// interpreter must do so.
   virtual bool leave_call(Interpreter& m);
-  /// Replaces the text of a report by the control's own text, where no row of [alarms] in the control's file can give it.
+  /// Replaces the text of a report by the control's own text. Needed if no row of [alarms] in the control's file can give this text.
   virtual void reword(const BlockContext& m, AlarmReport& report) const;
 };
 

@@ -15,15 +15,15 @@
 namespace kadr::files {
 namespace {
 
-/// Returns the name under which a folder has the file `name`: the same name; else the first name that differs only in letter case; else
-/// `name` itself.
+/// Returns the name under which a folder has the file `name`: `name` itself if the folder has it; if not, the first name that differs only
+/// in letter case; if there is none, `name` itself.
 std::string entry_like(int folder, const std::string& name) {
   struct stat there {};
   if (::fstatat(folder, name.c_str(), &there, AT_SYMLINK_NOFOLLOW) == 0) return name;
   Descriptor own(::openat(folder, ".", O_RDONLY | O_DIRECTORY | O_CLOEXEC));
   DIR* list = own.number() >= 0 ? ::fdopendir(own.number()) : nullptr;
   if (list == nullptr) return name;
-  own.release();  // closedir() closes it
+  own.release();  // closedir() closes the descriptor
   const std::string wanted = capitals(name);
   std::string found;
   while (const dirent* entry = ::readdir(list)) {
@@ -39,7 +39,8 @@ There what_is(int folder, const std::string& name) {
   if (::fstatat(folder, name.c_str(), &there, AT_SYMLINK_NOFOLLOW) != 0) return errno == ENOENT ? There::nothing : There::other;
   if (S_ISLNK(there.st_mode)) return There::outside;
   if (!S_ISREG(there.st_mode)) return There::other;
-  return there.st_nlink > 1 ? There::outside : There::file;  // the file has another name (hard link), which may be in any folder
+  // The file has a second name (hard link), which may be in any folder, so the file counts as outside.
+  return there.st_nlink > 1 ? There::outside : There::file;
 }
 
 }  // namespace
@@ -91,7 +92,7 @@ Result<int> open_regular(const Place& place, const FileMode& rule, std::string_v
   const auto bad = [&](AlarmId id) { return fail(alarm(id, {}, shown)); };
   constexpr int flags = O_WRONLY | O_NOFOLLOW | O_NONBLOCK | O_NOCTTY | O_CLOEXEC;
   const int makes = place.what == There::nothing ? O_CREAT | O_EXCL : 0;
-  constexpr mode_t rights = 0666;  // the system subtracts the umask
+  constexpr mode_t rights = 0666;  // rights of a new file; the system removes those in the umask
   Descriptor opened(::openat(place.folder.number(), place.file.c_str(), flags | makes, rights));
   if (opened.number() < 0) return bad(errno == ELOOP ? AlarmId::file_outside : AlarmId::file_write);
   struct stat there {};

@@ -42,13 +42,13 @@ enum class There : std::uint8_t { nothing, file, outside, other, no_folder };
 struct Place {
   Descriptor folder{-1};
   std::string file;
-  std::string path;  // path from the root, with the letter case on the disk
+  std::string path;  // path from the root folder, with the letter case that the names have on the disk
   There what = There::no_folder;
 };
 
 Place look_up(const std::string& root, const std::string& path);
 
-/// The rules for opening a file: whether it may be created, whether it may exist, and whether writing starts at its end.
+/// The rules for opening a file: whether the file may be created, whether it may exist, and whether writing starts at its end.
 struct FileMode {
   bool creates, takes_existing, appends;
 };

@@ -1,4 +1,4 @@
-// Opens, writes and closes a file for a program. For access to the disk see file_place.h.
+// Opens, writes and closes a file for a program. The access to the disk is in file_place.h.
 
 #include "control/files/file_writer.h"
 
@@ -73,7 +73,7 @@ Status FileWriter::write(std::string_view bytes) {
       if (count < 0 && errno == EINTR) continue;
       if (count <= 0) {
         const bool block_undone = before >= 0 && ::ftruncate(file_, before) == 0 && ::lseek(file_, before, SEEK_SET) == before;
-        static_cast<void>(block_undone);  // the alarm is the same if the file cannot be truncated back
+        static_cast<void>(block_undone);  // the alarm is the same whether the file can be truncated to its old size or not
         return bad();
       }
       rest.remove_prefix(static_cast<std::size_t>(count));
@@ -105,7 +105,7 @@ Status FileWriter::resume_from(const Memory& memory) {
     const auto bad = [&] { return fail(alarm(AlarmId::file_write, {}, std::string_view(memory.path))); };
     const Place place = look_up(options_.root, memory.path);
     if (place.what != There::file) return bad();
-    abort();  // closes the open file, which may be the file to be opened
+    abort();  // closes the open file first, because it may be the file to be opened
     const Result<int> opened = open_regular(place, goes_on, memory.path, options_.untouched);
     KADR_TRY(opened);
     const auto size = static_cast<off_t>(memory.size);

@@ -1,4 +1,5 @@
-// Builds and searches the index of block numbers: one pass through the file, sorted table rows, binary searches.
+// Builds and searches the index of block numbers: one pass through the file, sorted table rows, binary searches. Used by
+// control/flow/program_file.
 
 #include "control/flow/block_numbers.h"
 
@@ -44,9 +45,8 @@ bool BlockNumbers::make(BlockReader& reader, StopToken stop) {
   return true;
 }
 
-/// Returns true if N in this row of the index is a block number for a search that starts at `from`. N of a data line is none if the search
-/// passes the G10 that the line belongs to. A search that starts after this G10 has not read the G10, and counts N of the data line as a
-/// block number.
+/// Returns true if N in this row of the index is a block number for a search that starts at `from`. N of a data line is not a block number
+/// if the search reads the G10 that the line belongs to. If the search starts after this G10, N counts as a block number.
 bool BlockNumbers::counts_from(const Row& row, std::uint64_t from) const {
   if ((row.place & 1u) == 0) return true;
   const auto behind = std::lower_bound(openings_.begin(), openings_.end(), row.place & ~std::uint64_t{1});

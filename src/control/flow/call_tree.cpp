@@ -1,4 +1,4 @@
-// Chains of calls, each stored only once. Used by control/interpreter.
+// Stores chains of calls, each chain only once. Used by control/interpreter.
 
 #include "control/flow/call_tree.h"
 

@@ -1,6 +1,6 @@
 #pragma once
-// CallTree: numbers the chains of calls through which blocks are reached, so that an Origin can hold one as a number. Each chain is
-// stored once, however often the run uses it: memory grows with the text of the program, not with the length of the run.
+// CallTree: numbers the chains of calls through which blocks are reached, so that an Origin can hold a chain as a number. Each chain is
+// stored once, however often the run uses it, so memory grows with the text of the program, not with the length of the run.
 
 #include <cstdint>
 #include <map>
@@ -14,16 +14,16 @@ namespace kadr {
 
 class CallTree {
  public:
-  static constexpr std::size_t most = 65535;  // greatest number of chains; blocks reached through a further chain get the number 0
+  // Greatest number of chains. Blocks that are reached through any further chain get the number 0.
+  static constexpr std::size_t most = 65535;
 
-  /// Returns the number of the chain that the open calls form.
-  ///   returns  0 if no call is open
+  /// Returns the number of the chain that the open calls form; 0 if no call is open.
   std::uint16_t way_of(const ControlDef& def, const std::vector<CallFrame>& open);
 
   /// One call of a chain, with the file that contains the calling block.
   struct Call {
     AlarmReport::Call call;
-    std::uint16_t file = 0;  // number of the file, as in Origin::file
+    std::uint16_t file = 0;  // number of the file with the calling block, as in Origin::file
   };
   /// Returns the calls of the chain with this number, outermost first.
   std::vector<Call> calls(std::uint16_t way) const;
@@ -33,14 +33,14 @@ class CallTree {
     std::uint16_t outer = 0;  // number of the caller's chain
     Call call;
   };
-  /// What identifies a chain: the number of the caller's chain; the line and the file of the call; the kind, the name and the file of what
-  /// is called.
+  /// The data that identify a chain: the number of the caller's chain; the line and the file of the call; the kind, the name and the file
+  /// of the called subprogram.
   using Key = std::tuple<std::uint16_t, std::uint32_t, std::uint16_t, std::uint8_t, std::uint32_t, std::uint16_t>;
 
   std::vector<Way> ways_;  // element [0] is the chain with the number 1
   std::map<Key, std::uint16_t> known_;
-  // The result of the last way_of(), which is returned again while the innermost call is the same; the block with the call identifies the
-  // call.
+  // The result of the last way_of(), which is returned again while the innermost call is the same. The call is identified by the number of
+  // its block.
   std::size_t last_depth_ = 0;
   std::uint32_t last_block_ = 0;
   Key last_key_;

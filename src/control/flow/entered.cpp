@@ -1,5 +1,5 @@
-// What an operator may change in the course of the program: a line is entered (MDI), or a block that was read is returned, so that it is
-// read again. Used by control/interpreter; tested by tests/control/stepping_test.cpp.
+// The operator's changes to the course of the program: a line is entered (MDI), or a block that was read is returned, so that it is read
+// again. Used by control/interpreter; tested by tests/control/stepping_test.cpp.
 
 #include <utility>
 
@@ -32,7 +32,7 @@ void Flow::enter(std::string line) {
   files_[entered.reader] = std::move(file);
   entered = {true, now_.ended, now_.started, entered.reader, now_.reader, position(), now_.frames.size(), std::move(line)};
   now_.ended = false;
-  now_.started = true;  // an entered line needs no sign % before it
+  now_.started = true;  // an entered line does not need a sign % before it
   go_to(entered.reader, {});
 }
 

@@ -1,4 +1,4 @@
-// Detects a file that was cut off before its end. Used by control/interpreter.
+// Detects a file whose end is missing. Used by control/interpreter.
 
 #include "control/flow/file_end.h"
 
@@ -10,7 +10,7 @@
 namespace kadr {
 namespace {
 
-constexpr std::size_t end_bytes = 4096;  // number of bytes that are read at each end of the file
+constexpr std::size_t end_bytes = 4096;  // number of bytes that are read at the start and at the end of the file
 
 std::string bytes_at(const ProgramFile& file, std::uint64_t from) {
   std::string bytes(end_bytes, '\0');

@@ -11,9 +11,9 @@
 namespace kadr {
 namespace {
 
-constexpr std::size_t max_labels = 100'000;  // maximum number of subprograms in one file
+constexpr std::size_t max_labels = 100'000;  // greatest number of subprograms in one file
 
-/// Returns the grammar of the bodies of canned cycles, which have no block numbers, no sign %, and no ПС (end-of-block character).
+/// Returns the grammar of the bodies of canned cycles, which have no block numbers, no sign % and no ПС (end-of-block character).
 Grammar grammar_of_bodies(const Grammar& program) {
   Grammar g = program;
   g.block_number_required = false;
@@ -55,7 +55,8 @@ Result<BlockReader::Got> Flow::next(Block*& block) {
   return bodies_->next(body_block_);
 }
 
-/// Counts a block that is executed again, and fails if there are too many. `last`: the block before it, which is still the current block.
+/// Counts a block that is executed again, and fails if the number exceeds the limit. `last`: the block before the repeated one; it is still
+/// the current block.
 Status Flow::count_repeated(const Block& last) {
   if (++now_.repeated <= limits_.repeated_blocks) return {};
   now_.ended = true;
@@ -248,14 +249,14 @@ void Flow::make_index() {
   reader.seek({});
   auto block = std::make_unique<Block>();
   bool in_section = false;
-  std::int64_t current = -1;  // number of the subprogram that is being read; -1: none
+  std::int64_t current = -1;  // number of the subprogram that is being read; -1: no subprogram
   for (;;) {
     const Position at = reader.position();
     const auto got = reader.next(*block);
     if (got && *got == BlockReader::Got::end) break;
     std::optional<std::uint32_t> name;
     if (def_.has_sections()) {
-      constexpr std::uint8_t digits_of_label = 5;  // N02001: subprogram 02, block 001 (2С42 6.3.5)
+      constexpr std::uint8_t digits_of_label = 5;  // N02001 is subprogram 02, block 001 (2С42 6.3.5)
       if (block->marker == Marker::section) in_section = true;
       if (block->marker != Marker::none) current = -1;
       if (block->marker == Marker::program_start) in_section = false;

@@ -1,5 +1,5 @@
 #pragma once
-// Flow: the course of the program: readers, call stack, repetitions, jumps, and the limit for a program that never ends.
+// Flow: the course of the program. It has the readers, the call stack, repetitions, jumps, and the limit for a program that never ends.
 
 #include <map>
 #include <memory>
@@ -20,25 +20,25 @@ namespace kadr {
 struct CallFrame {
   enum class Kind : std::uint8_t { subprogram, cycle_body, repetition, macro, interrupt };
   Kind kind = Kind::subprogram;
-  Position start;            // first block of what is called or repeated
-  Position back;             // block at which the caller continues
-  std::uint16_t reader = 0;  // file that contains `start`: 0 the program, 1 the cycle bodies, 2 and more other files
+  Position start;            // position of the first block that is called or repeated
+  Position back;             // position of the block at which the caller continues
+  std::uint16_t reader = 0;  // number of the file that contains `start`: 0 the program, 1 the cycle bodies, 2 and more other files
   std::uint16_t back_reader = 0;
   std::uint32_t name = 0;  // subprogram number
-  std::uint32_t left = 0;  // remaining passes, including this one
-  std::uint32_t done = 0;  // passes started
-  bool repeating = false;  // true from the second pass on
+  std::uint32_t left = 0;  // remaining passes, including the present one
+  std::uint32_t done = 0;  // number of passes started
+  bool repeating = false;  // true from the second pass of the repetition on
   Origin caller;
-  std::uint16_t work_zero = 0;  // work offset of the caller (2С42: it is restored on return)
+  std::uint16_t work_zero = 0;  // work offset of the caller, which is restored on return (2С42)
   Axes zero_shift{};
   std::int16_t work_offset_row = -1;
   std::array<std::int16_t, 3> then{-1, -1, -1};  // code rows of the calling block that are executed on return: M17, M20, M2; -1: none
   // nct
-  std::uint8_t modal_calls = 0;   // number of modal macro calls in force in the caller (nct 23.3.2)
-  bool opened_level = false;      // true: an interrupt macro that has its own local variables
-  std::int32_t return_to = -1;    // M99 P: number of the caller's block at which the caller continues; -1: `back`
-  char called_by = 0;             // address of the word that called: inside the call this address calls nothing (nct 23.3.4–23.3.8)
-  std::int32_t called_code = -1;  // number of that word's code, in tenths
+  std::uint8_t modal_calls = 0;   // number of modal macro calls that are in force in the caller (nct 23.3.2)
+  bool opened_level = false;      // the call is an interrupt macro that has its own local variables
+  std::int32_t return_to = -1;    // M99 P: number of the caller's block at which the caller continues; -1: the caller continues at `back`
+  char called_by = 0;             // address of the word that called; inside the call this address calls no macro (nct 23.3.4–23.3.8)
+  std::int32_t called_code = -1;  // code number of the word that called, in tenths
 };
 
 class Flow {
@@ -57,11 +57,11 @@ class Flow {
     bool ended = false;
   };
   Mark mark() const;
-  /// Restores the state of reading `before` a block, so that the block is read again.
+  /// Restores the state of reading that was saved before a block (`before`), so that the block is read again.
   void unread(const Mark& before);
 
   // ---- a line entered by the operator (MDI)
-  /// Makes this line the next block; after it the program continues where it was.
+  /// Makes this line the next block. After it the program continues at the block that would have been next.
   void enter(std::string line);
   /// Returns true while the entered line is being executed.
   bool in_entered() const { return now_.entered.on; }
@@ -80,11 +80,11 @@ class Flow {
     std::size_t depth = 0;
     std::string line;
   };
-  /// The part of the state that is kept from one block to the next.
+  /// The part of the state that is valid from one block to the next.
   struct Counts {
     std::uint16_t reader = 0;
     std::vector<CallFrame> frames;
-    CallFrame left;  // the call or repetition that was closed last
+    CallFrame left;  // call or repetition that was closed last
     std::set<std::uint32_t> passed;
     bool ended = false;
     bool jumped_back = false;
@@ -95,23 +95,23 @@ class Flow {
     Entered entered;
   };
   struct File {
-    std::string name;  // path of the file; for a built-in program, its name
+    std::string name;  // path of the file; for a built-in program, the name of the program
     bool built_in = false;
     ProgramFile::Memory memory;
   };
   struct Memory {
     Counts now;
     Position position;
-    std::vector<File> files;            // [0] the program; the others by their numbers; [1] is unused
+    std::vector<File> files;            // open files by number; [0] is the program; [1] is unused
     std::vector<std::uint32_t> called;  // numbers of those subprograms in the program's file that were called
   };
   Memory memory() const;
   /// Restores the state stored in `memory`.
-  ///   alarms  file_missing: a file that had been called is missing now; then nothing has changed
+  ///   alarms  file_missing: a file that the program had called is missing; then nothing has changed
   Status resume_from(const Memory& memory);
 
   // ---- jumps
-  /// What a faulty block may have changed in the course of the program: the open calls and the position.
+  /// The state of the course that a faulty block may have changed: the open calls and the position.
   struct Place {
     std::vector<CallFrame> frames;
     Position position;
@@ -126,8 +126,8 @@ class Flow {
   Status call(std::uint32_t subprogram, std::uint32_t times, const Origin& caller, Span where);
   Status call_body(const CycleRow& cycle, std::uint32_t times, const Origin& caller, Span where);
   Status repeat(std::uint32_t times, const Origin& caller, Span where);
-  /// Calls the subprogram that starts at `start` in the file with the number `reader` (from open_program). `frame` has the other facts
-  /// about the call: kind, left, caller, …
+  /// Calls the subprogram that starts at `start` in the file with the number `reader` (from open_program). `frame` has the other data of
+  /// the call: kind, left, caller, …
   ///   alarms  call_too_deep
   Status call_at(std::uint16_t reader, Position start, const CallFrame& frame, Span where);
   /// Returns the position of the label `Onnnn` in the main file; nullopt if the label is missing or not unique.
@@ -137,41 +137,42 @@ class Flow {
     if (!indexed_) make_index();
     return labels_.contains(number);
   }
-  /// Opens the file with this path in the program memory, unless it is open already, and returns its number; nullopt if the file cannot be
-  /// read.
+  /// Opens the file with this path in the program memory, unless the file is open already, and returns the number of the file; nullopt if
+  /// the file cannot be read.
   std::optional<std::uint16_t> open_program(const std::string& path);
-  /// Opens a built-in program of the control (macros/), and returns its number as a file; nullopt if there is no built-in program with this
+  /// Opens a built-in program of the control (macros/), and returns its file number; nullopt if there is no built-in program with this
   /// name.
   std::optional<std::uint16_t> open_built_in(const std::string& name);
   /// Returns the file being read.
   ProgramFile& program_file() { return *files_[now_.reader]; }
   std::uint16_t reader() const { return now_.reader; }
-  /// Continues at another block of the file being read. A jump back may be a loop: from then on the blocks of the file are kept in memory.
+  /// Continues at another block of the file being read. A jump back may be a loop, so from then on the blocks of the file are kept in
+  /// memory.
   void jump(Position position);
   /// Returns the innermost open call or repetition; nullptr if there is none.
   CallFrame* innermost() { return now_.frames.empty() ? nullptr : &now_.frames.back(); }
-  /// Returns true if M99 P finds its block: the file that made the innermost call has a block with this number (nct).
+  /// Returns true if the block number of M99 P exists: the file that made the innermost call has a block with this number (nct).
   bool caller_has(std::uint32_t number) {
     const CallFrame& top = now_.frames.back();
     return files_[top.back_reader] && files_[top.back_reader]->find_number(number, top.back).has_value();
   }
-  /// Ends a pass of the innermost subprogram. Returns nullptr if it is repeated; else the call that was closed, as a pointer that is valid
-  /// until the next call of this function.
+  /// Ends a pass of the innermost subprogram. Returns nullptr if another pass follows. If not, returns the call that was closed, as a
+  /// pointer that is valid until the next call of this function.
   ///   alarms  return_without_call, repeat_end_missing
   Result<const CallFrame*> end_subprogram(Span where);
   Status end_repetition(Span where);
   /// Starts another pass of the main program at the block `from`. Returns false if no further pass is allowed (RunLimits::restarts).
   bool restart(Position from);
-  std::uint32_t passes() const { return now_.restarts + 1; }  // passes started so far
+  std::uint32_t passes() const { return now_.restarts + 1; }  // number of passes of the main program that were started
   void end() { now_.ended = true; }
-  /// Records that the main program itself has passed this label (its own name, or the start of a subprogram): the label then counts as
-  /// called.
+  /// Records that the main program itself has executed the block with this label, which is its own name or the start of a subprogram. The
+  /// label then counts as called.
   void pass_label(std::uint32_t label) {
     if (now_.passed.size() < 1000) now_.passed.insert(label);
   }
 
   bool ended() const { return now_.ended; }
-  /// Closes the innermost call or repetition, whose end was not found. A repetition continues at `again`.
+  /// Closes the innermost call or repetition, whose end was not found. If a repetition is closed, the program continues at `again`.
   void abandon(std::optional<Position> again);
   std::string shown(std::string_view text, Span& place) const {
     return visiting_ ? elsewhere_->shown(text, place) : now_.reader != 1 ? files_[now_.reader]->shown(text, place) : std::string(text);
@@ -184,7 +185,7 @@ class Flow {
   const std::string& file() const { return files_[now_.reader == 1 ? 0 : now_.reader]->path(); }
   /// Returns the file with this number (as in Origin::file and reader()).
   const ProgramFile& file(std::uint16_t reader) const { return *files_[reader]; }
-  /// Returns true if a file has this number; the number of the cycle bodies is not that of a file.
+  /// Returns true if a file has this number. The number of the cycle bodies is not the number of a file.
   bool has_file(std::uint32_t reader) const { return reader < files_.size() && files_[reader] != nullptr; }
   /// Returns the numbers of the files that the program has called (as in Origin::file), in the order of opening.
   std::vector<std::uint16_t> called_files() const;
@@ -200,11 +201,12 @@ class Flow {
     if (now_.reader != 1) files_[now_.reader]->note_warned(block);
   }
   std::uint64_t blocks() const { return now_.blocks; }
-  std::uint64_t repeated() const { return now_.repeated; }  // blocks executed again: after a jump back, in a further call or pass
+  // Number of blocks that were executed again: after a jump back, or in a further call or pass.
+  std::uint64_t repeated() const { return now_.repeated; }
   std::uint64_t bytes_read() const { return program().offset(); }
   std::uint64_t bytes() const { return program().size(); }
   const BlockReader& program() const { return files_[0]->reader(); }
-  /// Returns the position after the block that was read last.
+  /// Returns the position directly after the block that was read last.
   Position position() const { return now_.reader == 1 ? bodies_->position() : files_[now_.reader]->position(); }
 
   /// Reads the subprograms that were never called, in the order of their numbers, and calls `visit` for each block.
@@ -226,9 +228,9 @@ class Flow {
 
   const ControlDef& def_;
   RunLimits limits_;
-  std::vector<std::unique_ptr<ProgramFile>> files_;  // [1] is reserved for the cycle bodies
+  std::vector<std::unique_ptr<ProgramFile>> files_;  // files by number; element [1] is reserved for the cycle bodies
   std::map<std::string, std::uint16_t> opened_, built_in_;
-  std::unique_ptr<BlockReader> elsewhere_;  // a second reader of the program's file: the current block keeps its text
+  std::unique_ptr<BlockReader> elsewhere_;  // a second reader of the program's file; the first one still has the text of the current block
   Grammar body_grammar_;
   std::unique_ptr<BlockReader> bodies_;
   Block body_block_;
@@ -236,7 +238,7 @@ class Flow {
   Counts now_;
   std::map<std::uint32_t, Label> labels_;
   bool indexed_ = false;
-  bool visiting_ = false;  // each_uncalled() is being executed
+  bool visiting_ = false;  // each_uncalled() is being executed, and `elsewhere_` is the reader
 };
 
 }  // namespace kadr

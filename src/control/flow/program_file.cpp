@@ -13,7 +13,7 @@
 namespace kadr {
 namespace {
 
-/// Finds DO, END or WHILE in a line that cannot be read, so that the END or DO that matches it is not reported as a second fault.
+/// Finds DO, END or WHILE in a line that cannot be read. Then the END or DO that matches it is not reported as a second fault.
 std::pair<StatementKind, std::uint8_t> damaged_loop(std::string_view text) {
   std::string capitals(text.substr(0, text.find('(')));
   for (char& c : capitals) c = to_upper(c);
@@ -70,7 +70,7 @@ KeptBlock* ProgramFile::kept_at(Position place) {
   return found->second.get();
 }
 
-/// Stores the block in memory. Its text is copied, because the next line overwrites the buffer of the text.
+/// Stores the block in memory. The text of the block is copied, because the next line overwrites the buffer of the text.
 Block* ProgramFile::keep(Position at) {
   auto entry = std::make_unique<KeptBlock>();
   entry->block = in_hand_;
@@ -100,7 +100,7 @@ std::optional<Position> ProgramFile::find_number(std::uint32_t number, Position 
   return found;
 }
 
-/// Searches a block number by reading the blocks; from max_searched blocks on, by an index of the file.
+/// Searches a block number by reading the blocks. When max_searched blocks have been read, an index of the file is used instead.
 std::optional<Position> ProgramFile::search(std::uint32_t number, Position from, const Extent& in) {
   auto found = scan(number, from, in.end);
   if (!found) found = scan(number, in.begin, from);
@@ -124,8 +124,8 @@ std::optional<Position> ProgramFile::in_index(std::uint32_t number, Position fro
   return std::nullopt;
 }
 
-/// Returns the extent of the program that contains the block before `place`. The extent is the whole file if the control does not
-/// distinguish programs in a file.
+/// Returns the extent of the program that contains the block before `place`. If the control does not distinguish programs in a file, the
+/// extent is the whole file.
 ProgramFile::Extent ProgramFile::extent_of(Position place) {
   Extent extent{{}, {~std::uint64_t{0}, 0, 0}};
   if (!grammar_.programs_by_label) return extent;
@@ -135,7 +135,7 @@ ProgramFile::Extent ProgramFile::extent_of(Position place) {
   };
   auto next = std::lower_bound(programs_->begin(), programs_->end(), place, before);
   const bool at_first = next == programs_->begin() && next != programs_->end() && next->begin == place;
-  if (at_first && first_block().offset == place.offset) ++next;  // `place` is the start of the first program, in the first block
+  if (at_first && first_block().offset == place.offset) ++next;  // the first program starts at `place`, in the first block of the file
   if (next != programs_->end()) extent.end = next->begin;
   if (next != programs_->begin()) extent.begin = std::prev(next)->begin;
   return extent;
@@ -206,8 +206,7 @@ const Loop* ProgramFile::loop_to(Position position) {
   return last_loop_ = found == loops_by_end_.end() ? nullptr : &loops_[found->second];
 }
 
-/// Pairs DOm and ENDm by their order in the text. The order of execution is of no use for this, because a jump may enter a loop (nct
-/// 23.2.11).
+/// Pairs DOm and ENDm by their order in the text. The order of execution cannot be used, because a jump may enter a loop (nct 23.2.11).
 void ProgramFile::find_loops() {
   loops_found_ = true;
   BlockReader& reader = scanner();
@@ -224,7 +223,7 @@ void ProgramFile::find_loops() {
     const auto same = [&](std::size_t i) { return loops_[i].number == m || loops_[i].number == 0; };
     const auto nearest = std::find_if(open.rbegin(), open.rend(), same);
     if (kind == StatementKind::loop) {
-      if (nearest != open.rend()) loops_[*nearest].fault = AlarmId::do_without_end;  // DO1 DO1: the first DO1 has no END
+      if (nearest != open.rend()) loops_[*nearest].fault = AlarmId::do_without_end;  // in DO1 DO1 the first DO1 has no END
       Loop loop;
       loop.number = m;
       loop.begin = block->position;
@@ -235,7 +234,7 @@ void ProgramFile::find_loops() {
       loops_.push_back(loop);
       continue;
     }
-    if (nearest == open.rend()) continue;  // END without DO: loop_to() finds no loop here
+    if (nearest == open.rend()) continue;  // for an END without DO no loop is stored, so loop_to() finds none
     const bool overlaps = nearest != open.rbegin();
     for (auto i = open.rbegin(); i != nearest; ++i) loops_[*i].fault = AlarmId::loops_overlap;
     Loop& loop = loops_[*nearest];

@@ -1,5 +1,6 @@
 #pragma once
-// Emits the motion of an arc that has been computed, while no transformation is active. For the dialects that read arcs by their own rules.
+// Emits the motion of an arc that has been computed, while no transformation is active. Used by dialects that have their own rules for
+// reading arcs.
 
 #include "control/block/arc.h"
 #include "control/emitter.h"

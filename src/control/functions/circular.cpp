@@ -15,7 +15,8 @@ namespace {
 
 Vec2 in_plane(const Axes& point, PlaneAxes p) { return {point[p.first], point[p.second]}; }
 
-/// Checks that the rotation in force moves the circle only within its plane: a rotation in XY (G68) would tilt a circle in another plane.
+/// Checks that the rotation in force moves the circle only within its plane. A rotation in XY (G68) would tilt a circle in another plane,
+/// which is an alarm.
 Status turned_in_plane(const BlockContext& m, PlaneAxes axes, Span where, std::string_view code) {
   if (m.transform.leaves(axes)) return fail(alarm(AlarmId::plane_wrong, where, code));
   return {};
@@ -40,7 +41,7 @@ class Circular {
     const bool corrected = m_.dialect->adds_to_motion(m_);
     const std::uint64_t used =
         m_.letters.axes | m_.letters.centers | (m_.def.behaviour.reads_arc_radius() ? letter_bit('R') : std::uint64_t{0});
-    if ((m_.block->letters & used) == 0 && !corrected) return {};  // a block with the code alone only sets the mode
+    if ((m_.block->letters & used) == 0 && !corrected) return {};  // a block that has only the code sets the mode, and moves nothing
     if (corrected) KADR_TRY(correct(named));
     KADR_TRY(check_arc_at_compensation_ends(m_, where, turn_ == Turn::cw ? "G2" : "G3"));
     KADR_TRY(m_.feed_known(where));
@@ -49,7 +50,7 @@ class Circular {
     if (!arc) return fail(arc.error());
     KADR_TRY(helix(start, end, *arc));
     KADR_TRY(turned_in_plane(m_, axes_, where, turn_ == Turn::cw ? "G2" : "G3"));
-    // Unequal scale factors make an ellipse of a circle (Mach3 10.7.15).
+    // Under unequal scale factors the path is an ellipse, not a circle (Mach3 10.7.15).
     if (m_.transform.distorts(axes_)) return start_ellipse(*arc, end, named);
     emit_arc_motion(*arc, end, named);
     return {};
@@ -89,15 +90,16 @@ class Circular {
 
   bool has_center(std::size_t axis) const { return m_.letters.center_letter[axis] != 0 && m_.has(m_.letters.center_letter[axis]); }
 
-  /// Returns a coordinate of the centre. If the coordinate has no word, it is that of the start point (INFERRED for absolute centres).
+  /// Returns a coordinate of the centre. If the coordinate has no word, the result is the coordinate of the start point (INFERRED for
+  /// absolute centres).
   double center(std::size_t axis, double start) const {
     if (!has_center(axis)) return start;
     const double v = m_.length_value(m_.letters.center_letter[axis]);
     return rule_.absolute ? v : start + v;
   }
 
-  /// Reads the helix of the 2С42 (6.6.6): if the arc also moves along the normal axis, K is the lead, and Z/K must be a whole number of
-  /// revolutions.
+  /// Reads the helix of the 2С42 (6.6.6). If the arc also moves along the normal axis, K is the lead in mm per revolution, and Z/K must be
+  /// a whole number of revolutions.
   Status helix(const Axes& start, const Axes& end, PlaneArc& arc) {
     if (!rule_.lead_on_normal) return {};
     const double rise = std::fabs(end[axes_.normal] - start[axes_.normal]);
@@ -112,11 +114,11 @@ class Circular {
     const double whole = std::round(turns);
     if (!(lead > 0) || whole < 1 || std::fabs(turns - whole) > tol::whole_turns)
       return fail(alarm(AlarmId::turns_not_whole, m_.where(letter), rise, lead));
-    arc.turns += whole - 1;  // INFERRED: the revolutions are the arc and whole circles after it
+    arc.turns += whole - 1;  // INFERRED: the helix is the arc, followed by whole circles
     return {};
   }
 
-  /// Starts an ellipse, after checking that all of it is within reach before the first straight motion.
+  /// Starts an ellipse, after checking that the whole ellipse is within reach.
   Status start_ellipse(const PlaneArc& arc, const Axes& end, AxisMask named) {
     EllipseRun::Job job;
     job.first = axes_.first;
@@ -185,8 +187,8 @@ Status Emitter::plain_arc(Turn turn, Span where) { return Circular(*this, turn).
 Status functions::arc_cw(Emitter& m, const Call& call) { return circular(m, call, Turn::cw, MotionMode::arc_cw); }
 Status functions::arc_ccw(Emitter& m, const Call& call) { return circular(m, call, Turn::ccw, MotionMode::arc_ccw); }
 
-/// G12, G13 (Mach3): moves from the centre along +X by I, along the full circle, and back to the centre. arg: 2 clockwise, 3
-/// counter-clockwise.
+/// G12, G13 (Mach3): the tool moves from the centre by I in the direction +X, along the full circle, and back to the centre. arg: 2
+/// clockwise, 3 counter-clockwise.
 Status functions::circular_pocket(Emitter& m, const Call& call) {
   if (m.modal.radius_side != 0) return fail(alarm(AlarmId::compensation_active, call.where, call.row->code));
   KADR_TRY(m.feed_known(call.where));

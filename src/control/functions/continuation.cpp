@@ -1,4 +1,4 @@
-// How a run continues: at the end of a main program with its next pass, and, in `kadr check`, after a faulty block.
+// Decides how a run continues: at the end of a main program with its next pass, and, in `kadr check`, after a faulty block.
 
 #include <algorithm>
 #include <span>
@@ -7,8 +7,8 @@
 
 namespace kadr {
 
-/// Returns true if an expression of the block reads a variable, a parameter R or a parameter of the control, or if the block writes one
-/// of these.
+/// Returns true if an expression of the block reads a variable, a parameter R or a parameter of the control, or if the block assigns a
+/// value to a variable or parameter.
 bool Interpreter::reads_variables() const {
   return !block->assignments.empty() || std::any_of(block->code.begin(), block->code.end(), [](const Instruction& i) {
     return i.op == Op::variable || i.op == Op::variable_at || i.op == Op::parameter || i.op == Op::element || i.op == Op::control_value;
@@ -29,8 +29,8 @@ Status Interpreter::begin_again(Span where, Position from) {
   return {};
 }
 
-/// Returns true if the faulty block could have written a variable, called a subprogram or jumped. If the block could not be read, this is
-/// judged by words in its text.
+/// Returns true if the faulty block could have written a variable, called a subprogram or jumped. If the block could not be read, words in
+/// its text decide.
 bool Interpreter::may_have_steered() const {
   if (block->statement.kind != StatementKind::none) return true;
   if (!damaged) return has_code({Function::macro_call, Function::macro_modal, Function::call_program});
@@ -38,8 +38,8 @@ bool Interpreter::may_have_steered() const {
   return (holds("#") && holds("=")) || holds("IF") || holds("GOTO") || holds("WHILE") || holds("G65") || holds("M98");
 }
 
-/// Continues after an alarm. If the alarm was that the end of a subprogram or repetition is missing, the open call or repetition is closed,
-/// so that the same fault is not reported again and again.
+/// Continues after an alarm. If the end of a subprogram or repetition was missing, the open call or repetition is closed, so that the same
+/// fault is not reported again.
 void Interpreter::go_on() {
   phase_ = RunPhase::next_block;
   motion_run_.end();
@@ -52,8 +52,8 @@ void Interpreter::go_on() {
   flow.abandon(at_end_of_file ? std::optional<Position>() : block->position);
 }
 
-/// Returns true if the alarm probably follows from an earlier fault: a motion was refused, so that the tool is not where the block expects
-/// it.
+/// Returns true if the alarm probably is a consequence of an earlier fault: a motion was refused, so the tool is not where the block
+/// expects it.
 bool Interpreter::follows_refused_motion(AlarmId id) const {
   if (unknown_position == 0) return false;
   switch (id) {
@@ -70,8 +70,7 @@ bool Interpreter::follows_refused_motion(AlarmId id) const {
   }
 }
 
-/// Puts in force those codes of a faulty block on which the meaning of the next blocks depends: plane, unit, G90 or G91, and the motion
-/// code.
+/// Puts in force those codes of a faulty block on which the meaning of the next blocks depends: plane, unit, G90 or G91, motion code.
 void Interpreter::keep_modes_of_faulty_block() {
   if (damaged || block->statement.kind != StatementKind::none) return;
   for (std::uint32_t i = 0; i < block->word_count; ++i) {
@@ -94,9 +93,9 @@ void Interpreter::keep_modes_of_faulty_block() {
   }
 }
 
-/// Moves the position to the end point of a refused motion, because the following blocks were written for this point. The end point is
-/// unknown if the block could not be read, or if its axis words belong to another code. Then the axes that the block names are added to
-/// unknown_position, until a block gives them a coordinate.
+/// Sets the position to the end point of a refused motion, because the following blocks were written for this point. The end point is
+/// unknown if the block could not be read, or if its axis words belong to another code. In this case the axes that the block names are
+/// added to unknown_position, and remain there until a block gives them a coordinate.
 void Interpreter::assume_meant_position() {
   if (block->statement.kind != StatementKind::none || flow.in_body()) return;
   const bool unread = damaged || block->broken;
@@ -125,7 +124,7 @@ void Interpreter::assume_meant_position() {
   if (modal.absolute) unknown_position &= ~by_words;
 }
 
-/// Called after an executed block: the axes to which the block gives an absolute coordinate are removed from unknown_position.
+/// Called after an executed block. The axes to which the block gives an absolute coordinate are removed from unknown_position.
 void Interpreter::note_placed() {
   if (is_stopped() || !modal.absolute || block->statement.kind != StatementKind::none) return;
   for (std::size_t a = 0; a < axis_count; ++a) {
@@ -134,15 +133,16 @@ void Interpreter::note_placed() {
   }
 }
 
-/// Keeps those effects of a faulty block that the following blocks rely on, so that one fault gives one alarm: a feed, the modes, the end
-/// point of the motion, the end of a subprogram or repetition.
+/// Executes those effects of a faulty block that the following blocks need: a feed, the modes, the end point of the motion, the end of a
+/// subprogram or repetition. So one fault gives one alarm.
 void Interpreter::keep_from_faulty_block() {
   if (block->position.line != report.origin.line) return;
   const AlarmId id = report.alarm.id;
   const bool of_flow = id == AlarmId::return_without_call || id == AlarmId::repeat_end_alone || id == AlarmId::repeat_end_missing ||
                        id == AlarmId::subprogram_end_missing || id == AlarmId::endless_program;
   const Word* const f = block->find('F');
-  const bool is_missed = id == AlarmId::feed_missing && modal.feed_mode != FeedMode::inverse_time;  // inverse time: each block needs an F
+  // In inverse time each block needs its own F.
+  const bool is_missed = id == AlarmId::feed_missing && modal.feed_mode != FeedMode::inverse_time;
   if ((f != nullptr || is_missed) && !(modal.feed_known && modal.feed > 0)) {
     modal.feed_known = true;
     modal.feed = f != nullptr && f->value > 0 ? f->value : 1;

@@ -1,5 +1,5 @@
 // Cutter compensation in the interpreter, for the controls other than NCT: the order of the blocks around G41, G42, G40, and the data that
-// each motion passes to the room path. 2С42 6.4.7, 6.6.7, 6.8. Used by the rest of control.
+// each motion carries for the room path. 2С42 6.4.7, 6.6.7, 6.8. Used by the rest of control.
 
 #include "control/functions/cutter_compensation.h"
 
@@ -14,7 +14,7 @@ Vec2 in_plane(const BlockContext& m, const Axes& axes) { return {axes[m.modal.ax
 AxisMask mask_of(PlaneAxes plane) { return AxisMask{1} << plane.first | AxisMask{1} << plane.second; }
 AxisMask plane_mask(const BlockContext& m) { return mask_of(m.modal.axes); }
 
-/// Returns true after G41 or G42, until the second block of the contour.
+/// Returns true from G41 or G42 on until the second block of the contour.
 bool only_begun(const BlockContext& m) {
   return m.modal.contour == CompensationPhase::on || m.modal.contour == CompensationPhase::approached;
 }
@@ -23,8 +23,8 @@ bool is_contour(MotionKind kind) { return kind == MotionKind::rapid || kind == M
 
 double beside(const Modal& modal) { return modal.compensation_side == 0 ? 0 : length(modal.compensation_vector); }
 
-/// Warns, once per contour, of a motion along another axis after G40, while the tool is still offset from the contour: a drilled hole or a
-/// step at this position is rarely intended. In the block with G40 of the 2С42 Z gives no warning, because it is a word of G40 (6.4.7).
+/// Warns, once per contour, of a motion along another axis after G40 while the tool is still offset from the contour. A drilled hole or a
+/// step at this position is rarely intended. In the block with G40 of the 2С42 Z gives no warning, because this Z is a word of G40 (6.4.7).
 void warn_off_contour(Emitter& m, const Motion& motion, const Axes& from) {
   if (m.modal.off_contour_reported || beside(m.modal) <= tol::same_point || !is_contour(motion.kind)) return;
   if (m.has_code({Function::compensation_off})) return;
@@ -35,7 +35,7 @@ void warn_off_contour(Emitter& m, const Motion& motion, const Axes& from) {
   m.warn(warning(AlarmId::beside_contour, m.block->where, beside(m.modal)));
 }
 
-/// Handles the first motion after G40. If it moves in the plane of the contour, the tool leaves the contour; else the tool stays offset
+/// Handles the first motion after G40. If it moves in the plane of the contour, the tool leaves the contour. If not, the tool stays offset
 /// from the contour. A plane that is selected after G40 has no influence.
 void lead_off(Emitter& m, Motion& motion, const Axes& from) {
   Modal& modal = m.modal;
@@ -51,8 +51,9 @@ void lead_off(Emitter& m, Motion& motion, const Axes& from) {
   modal.compensation_side = 0;
 }
 
-/// Returns the vector from the end of a straight motion to the tool. It is normal to the motion; at the first motion in RS274/NGC it is
-/// normal to the path of the tool centre, which is tangent to the circle of the tool radius around the end.
+/// Returns the vector from the end of a straight motion to the tool centre. The vector is normal to the motion. At the first motion in
+/// RS274/NGC the vector is normal to the path of the tool centre; this path is tangent to the circle with the tool radius around the end
+/// point.
 Vec2 vector_at_end(const Motion& motion, Vec2 way) {
   const double distance = length(way), radius = motion.tool_radius;
   const Vec2 ahead = 1 / distance * way, left{-ahead.y, ahead.x};
@@ -62,7 +63,7 @@ Vec2 vector_at_end(const Motion& motion, Vec2 way) {
   return motion.side * radius * (along * left - motion.side * across * ahead);
 }
 
-/// Handles a motion on a control that queues compensated motions (LinuxCNC). A motion along any axis starts or continues the contour, and a
+/// Handles a motion on a control that queues compensated motions (LinuxCNC). A motion along any axis starts or continues the contour. A
 /// motion after G40 moves straight to its programmed end point (spec/linuxcnc 7.5).
 void note_queued(BlockContext& m, Motion& motion, const Axes& from) {
   Modal& modal = m.modal;
@@ -77,7 +78,8 @@ void note_queued(BlockContext& m, Motion& motion, const Axes& from) {
   modal.contour = CompensationPhase::following;
   modal.compensation_axes = modal.axes;
   const Vec2 way = in_plane(m, motion.to) - in_plane(m, from);
-  if (!is_arc(motion.kind) && !(way == Vec2{})) modal.compensation_vector = vector_at_end(motion, way);  // for arcs see note_arc_end()
+  // Note_arc_end() sets the vector for arcs.
+  if (!is_arc(motion.kind) && !(way == Vec2{})) modal.compensation_vector = vector_at_end(motion, way);
 }
 
 }  // namespace
@@ -115,7 +117,8 @@ void restart_contour_at_tool(Emitter& m) {
 void note_arc_end(BlockContext& m, const Motion& arc) {
   if (m.modal.contour != CompensationPhase::following || arc.side == 0) return;
   const Vec2 arm = in_plane(m, arc.to) - arc.center;
-  const double toward = (arc.kind == MotionKind::arc_ccw ? -1 : 1) * arc.side;  // a counter-clockwise arc has its centre on the left
+  // The centre of a counter-clockwise arc is on the left, that of a clockwise arc on the right.
+  const double toward = (arc.kind == MotionKind::arc_ccw ? -1 : 1) * arc.side;
   if (length(arm) > 0) m.modal.compensation_vector = toward * arc.tool_radius / length(arm) * arm;
 }
 
@@ -158,7 +161,8 @@ Status contour_allows_motion(const BlockContext& m) {
   if ((named & plane_mask(m)) == 0) return contour_allows_infeed(m, m.block->where);
   const bool cancels = m.modal.contour == CompensationPhase::leaving && m.has_code({Function::compensation_off});
   if (!cancels || length(in_plane(m, to) - m.modal.compensation_start) > tol::same_point) return {};
-  if (length(in_plane(m, to) - in_plane(m, m.position.programmed)) <= tol::same_point) return {};  // the contour was closed before
+  // The contour was closed by an earlier block, so this block may have G40.
+  if (length(in_plane(m, to) - in_plane(m, m.position.programmed)) <= tol::same_point) return {};
   return fail(alarm(AlarmId::compensation_closing, m.block->where));
 }
 
@@ -181,7 +185,7 @@ void note_compensation(Emitter& m, Motion& motion, const Axes& from) {
   if (modal.contour == CompensationPhase::on && !moves) return;
   const double radius = m.radius_in_force();
   if (modal.radius_by_word < 0 && modal.offset_number != 0) m.use.note(UseKind::radius, modal.offset_number, m.origin, radius == 0);
-  if (radius != 0 || modal.compensation_side != 0) {  // with radius 0 the tool follows the contour itself
+  if (radius != 0 || modal.compensation_side != 0) {  // with radius 0 the tool centre moves along the contour itself
     const double side = -modal.radius_side * (radius < 0 ? -1 : 1) * (m.transform.reverses(modal.axes) ? -1 : 1);
     motion.side = modal.compensation_side = static_cast<std::int8_t>(side);
     motion.tool_radius = std::fabs(radius);
@@ -197,7 +201,7 @@ void note_compensation(Emitter& m, Motion& motion, const Axes& from) {
     modal.contour = CompensationPhase::following;
   }
   const Vec2 way = in_plane(m, motion.to) - in_plane(m, from);
-  if (!is_arc(motion.kind)) modal.compensation_vector = vector_at_end(motion, way);  // for arcs see note_arc_end()
+  if (!is_arc(motion.kind)) modal.compensation_vector = vector_at_end(motion, way);  // note_arc_end() sets the vector for arcs
 }
 
 }  // namespace kadr

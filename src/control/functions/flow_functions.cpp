@@ -1,4 +1,4 @@
-// Functions for ends, calls, returns and repetitions.
+// The functions for ends, calls, returns and repetitions.
 
 #include "control/functions/after_fault.h"
 #include "control/functions/functions.h"
@@ -7,7 +7,7 @@
 namespace kadr {
 namespace {
 
-/// Ends the program and puts the control's end-of-program codes in force. Fails if a call or repetition is open.
+/// Ends the program and puts the control's end-of-program codes in force. Fails if a call or a repetition is open.
 Status end_program(Interpreter& m, Span where) {
   if (m.program().depth() != 0) {
     const CallFrame& top = m.flow.frames().back();
@@ -20,10 +20,11 @@ Status end_program(Interpreter& m, Span where) {
     const CodeRow& row = m.def.codes[static_cast<std::size_t>(row_index)];
     const bool switches_off = (row.function == Function::spindle_stop && m.modal.spindle != SpindleDir::stop) ||
                               (row.function == Function::coolant_off && (m.modal.flood || m.modal.mist));
-    const bool told = m.def.has_lines_alone() && switches_off;  // the stops are emitted: lines sent later run with both off
+    // The stops of spindle and coolant are emitted, because lines that are sent later run with both switched off.
+    const bool told = m.def.has_lines_alone() && switches_off;
     const std::size_t silent = m.batch->size();
     (void)handler_of(row.function)(m, {&row, nullptr, where});
-    if (row.letter == 'M' && !told) m.batch->cut(silent);  // M2 is one action, without actions of its own for spindle and coolant
+    if (row.letter == 'M' && !told) m.batch->cut(silent);  // M2 is one action: the actions of its own for spindle and coolant are removed
     if (row.group != 0 && row.modal) m.modal.rows[row.group] = static_cast<std::int16_t>(row_index);
   }
   return {};
@@ -35,12 +36,12 @@ Status leave_subprogram(Interpreter& m, Span where) {
   if (!left) return fail(left.error());
   if (!*left) return {};
   restore_work_offset(m, **left);
-  const auto then = (*left)->then;  // the rest of the calling block, which may end a subprogram too
+  const auto then = (*left)->then;  // codes of the calling block that are still to be executed; they may end a subprogram too
   for (const std::int16_t row : then) {
     if (row < 0) break;
     const CodeRow& code = m.def.codes[static_cast<std::size_t>(row)];
     KADR_TRY(handler_of(code.function)(m, {&code, nullptr, where}));
-    if (code.function == Function::subprogram_end) break;  // in `M17 M2`, M2 only ends the section
+    if (code.function == Function::subprogram_end) break;  // in `M17 M2` the M2 only ends the section of subprograms
   }
   return {};
 }
@@ -70,16 +71,16 @@ Status call_subprogram(Interpreter& m, const Call& call) {
   return m.flow.call(*name, times, m.origin, call.where);
 }
 
-/// M99: returns to the caller; in the main program, starts the main program again (spec/mach3 1).
+/// M99: returns to the caller. In the main program M99 starts the main program again (spec/mach3 1).
 Status subprogram_return(Interpreter& m, const Call& call) {
   if (m.program().depth() == 0) return m.begin_again(call.where);
   return leave_subprogram(m, call.where);
 }
 
-/// M17: ends a pass of a subprogram (2С42 6.3.6).
+/// M17: ends one pass of a subprogram (2С42 6.3.6).
 Status subprogram_end(Interpreter& m, const Call& call) { return leave_subprogram(m, call.where); }
 
-/// H: executes the blocks from the next one up to M20 the given number of times (2С42 6.4.6).
+/// H: executes the blocks after this one, up to M20, the given number of times (2С42 6.4.6).
 Status repeat_word(Interpreter& m, const Call& call) {
   const auto times = m.whole('H', 1, 9999);
   if (!times) return fail(times.error());

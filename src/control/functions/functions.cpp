@@ -1,4 +1,4 @@
-// The table of the C++ function for each function name of a control's file, and the functions that only set a mode.
+// The table that maps each function name of a control's file to a C++ function, and the functions that only set a mode.
 
 #include "control/functions/functions.h"
 
@@ -10,7 +10,7 @@
 namespace kadr {
 namespace {
 
-/// Adapts a C++ function that receives an Emitter to the table, whose functions receive the Interpreter.
+/// Adapts a C++ function with an Emitter parameter to the table, whose functions have an Interpreter parameter.
 template <Status (*function)(Emitter&, const Call&)>
 Status entry(Interpreter& m, const Call& call) {
   return function(m, call);
@@ -37,17 +37,18 @@ Status set_plane(Emitter& m, Plane plane) {
 
 Status set_feed_mode(BlockContext& m, FeedMode mode) {
   Modal& modal = m.modal;
-  if (modal.feed_mode != mode && m.dialect->keeps_both_feeds()) {  // the dialect stores a feed for each unit (nct 6.2.1)
+  // The dialect stores a feed for each unit (nct 6.2.1), so the two feeds are exchanged.
+  if (modal.feed_mode != mode && m.dialect->keeps_both_feeds()) {
     std::swap(modal.feed, modal.other_feed);
     std::swap(modal.feed_known, modal.other_feed_known);
   } else if (modal.feed_mode != mode) {
-    modal.feed_known = false;  // a number in the old unit has no meaning in the new one
+    modal.feed_known = false;  // a feed in the old unit has no meaning in the new unit
   }
   modal.feed_mode = mode;
   return {};
 }
 
-/// Sets the unit. G20 and G21 are an alarm during cutter compensation (RS274/NGC), unless the dialect allows them.
+/// Sets the unit of length. G20 and G21 are an alarm during cutter compensation (RS274/NGC), unless the dialect allows them.
 Status set_unit(BlockContext& m, const Call& call, bool inch) {
   const bool may_change = m.dialect->units_may_change();
   if (!may_change && compensates(m.modal) && m.modal.inch != inch)
@@ -62,7 +63,7 @@ Handler handler_of(Function function) { return handlers[static_cast<std::size_t>
 
 namespace functions {
 
-// Functions of addresses that have an effect only where other functions read them.
+// The functions of addresses whose words have no effect of their own: other functions read these words.
 Status block_number(Emitter&, const Call&) { return {}; }
 Status axis(Emitter&, const Call&) { return {}; }
 Status center(Emitter&, const Call&) { return {}; }
@@ -101,7 +102,7 @@ Status surface_speed(Emitter& m, const Call&) {
   m.emit(m.surface_speed());
   return {};
 }
-/// G97: the spindle continues at the speed that it has at the tool's position.
+/// G97: the spindle continues at the speed that G96 gives at the tool's position.
 Status spindle_rpm(Emitter& m, const Call&) {
   if (m.modal.surface_speed) m.modal.rpm = m.surface_speed().rpm(m.position.work, m.modal.rpm);
   m.modal.surface_speed = false;
@@ -117,7 +118,7 @@ Status exact_stop_mode(Emitter& m, const Call&) {
   m.modal.blend_tolerance = 0;
   return {};
 }
-/// G64; its word P is the path tolerance (RS274/NGC; the manual of Mach3 has no P).
+/// G64. The word P is the path tolerance (RS274/NGC; the manual of Mach3 has no P).
 Status constant_velocity(Emitter& m, const Call&) {
   const double tolerance = m.length_value('P');
   if (tolerance < 0) return fail(alarm(AlarmId::value_out_of_range, m.where('P'), 'P', tolerance));

@@ -1,6 +1,6 @@
 #pragma once
 // The functions of the interpreter: one for each row of config/control/function.h that has an effect. A row of a control's file names the
-// function that it calls.
+// function that executes it.
 
 #include <type_traits>
 

@@ -13,7 +13,7 @@ namespace {
 constexpr std::uint64_t x_bit = letter_bit('X');
 constexpr std::uint64_t y_bit = letter_bit('Y');
 
-/// Reads polar words: X is the radius and Y the angle from the pole (Mach3 10.7.6). A radius or angle without a word keeps its last value.
+/// Reads polar words. X is the radius and Y the angle about the pole (Mach3 10.7.6). A radius or angle without a word keeps its last value.
 void polar_target(BlockContext& m, Axes& to, AxisMask& named) {
   if ((m.block->letters & (x_bit | y_bit)) == 0) return;
   Modal& modal = m.modal;
@@ -58,7 +58,7 @@ Status straight(Emitter& m, const Call& call, MotionKind kind, MotionMode mode) 
     if (!added) return fail(added.error());
     named |= *added;
   }
-  if (named == 0 && !leads_without_words(m)) return {};  // a block with the code alone only sets the mode
+  if (named == 0 && !leads_without_words(m)) return {};  // a block that has only the code sets the mode, and moves nothing
   if (kind == MotionKind::feed) KADR_TRY(m.feed_known(call.where));
   if (m.block_machine_coordinates) return machine_motion(m, kind);
   if (m.dialect->only_shifts(m)) {
@@ -84,7 +84,7 @@ Status no_compensation(const BlockContext& m, const Call& call) {
   return fail(alarm(AlarmId::compensation_active, call.where, call.row->code));
 }
 
-/// Returns the axes that have a word, whatever its value; all axes if no axis has a word.
+/// Returns the axes that have a word in the block, whatever its value; all axes if no axis has a word.
 AxisMask named_axes(const BlockContext& m) {
   AxisMask named = 0;
   for (std::size_t a = 0; a < m.axis_count; ++a)
@@ -125,7 +125,7 @@ Status machine_coordinates(Emitter& m, const Call& call) {
 }
 
 /// G28, G30 (Mach3 10.7.10): moves at rapid through the programmed point to the home position. arg: 1 home, 2 second home. INFERRED: only
-/// the axes that have a word go home; without axis words all axes go home, in one motion.
+/// the axes that have a word move to the home position; without axis words all axes do so, in one motion.
 Status home_through(Emitter& m, const Call& call) {
   KADR_TRY(no_compensation(m, call));
   const std::uint32_t first = m.variables.first(call.row->arg == 2 ? VariableKind::home_second : VariableKind::home);
@@ -140,7 +140,7 @@ Status home_through(Emitter& m, const Call& call) {
   return m.to_machine(MotionKind::home, home, named_axes(m), 0, call.row->arg == 2 ? EndReference::reference_2 : EndReference::reference_1);
 }
 
-/// G28.1 (Mach3 10.7.11): the axes move at feed to their switches. The end point of the emitted Motion is the reference point.
+/// G28.1 (Mach3 10.7.11): the axes move at feed to their reference switches. The end point of the emitted Motion is the reference point.
 Status home_axes(Emitter& m, const Call& call) {
   KADR_TRY(no_compensation(m, call));
   KADR_TRY(m.feed_known(call.where));
@@ -179,7 +179,7 @@ Status probe(Emitter& m, const Call& call) {
   }
   if (std::sqrt(distance) < m.def.behaviour.probe_least_distance)
     return fail(alarm(AlarmId::probe_too_close, call.where, std::sqrt(distance), m.def.behaviour.probe_least_distance));
-  if (call.row->modal) {  // G38.2 leaves no motion code in force: G0 could hit the part
+  if (call.row->modal) {  // no motion code is in force after G38.2, because G0 could hit the part
     m.modal.motion = MotionMode::none;
     m.modal.motion_row = -1;
   }

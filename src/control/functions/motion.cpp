@@ -43,7 +43,7 @@ Motion& Emitter::next_motion() {
   Motion* const reused = motion_of(action);
   Motion& motion = reused != nullptr ? *reused : action.what.emplace<Motion>();
   motion.detail.reset();
-  for (std::size_t a = 0; a < axis_count; ++a) {  // the coordinates of axes that the control lacks stay 0
+  for (std::size_t a = 0; a < axis_count; ++a) {  // the coordinates of axes that the control lacks remain 0
     motion.to[a] = position.work[a];
     motion.machine[a] = position.machine[a];
   }
@@ -51,7 +51,7 @@ Motion& Emitter::next_motion() {
 }
 
 std::uint16_t BlockContext::length_row() const {
-  const bool ends_with_its_number = def.grammar.o_words;  // LinuxCNC: G49 clears length_number, and length_sign is not used
+  const bool ends_with_its_number = def.grammar.o_words;  // LinuxCNC: G49 sets length_number to 0, and length_sign is not used
   if (modal.length_sign == 0 && !ends_with_its_number) return 0;
   return static_cast<std::uint16_t>(modal.length_number != 0 ? modal.length_number : modal.offset_number);
 }
@@ -85,7 +85,8 @@ void Emitter::move_to(const Axes& programmed, const Axes& work, AxisMask named) 
     const AxisMask moved = frames.moved_with(named);
     for (std::size_t a = 0; a < axis_count; ++a)
       if ((moved >> a & 1u) != 0) position.machine[a] = machine[a];
-    if (frames.space && frames.space->changes_work(named)) {  // nct N3212 FOS: the axes keep their positions, the work coordinates change
+    // nct N3212 FOS: the axes keep their positions, so the work coordinates are computed from the axes.
+    if (frames.space && frames.space->changes_work(named)) {
       position.work = frames.work_of(position.machine);
       position.programmed = transform.to_programmed(position.work);
       return;
@@ -119,7 +120,7 @@ Status Emitter::straight(MotionKind kind, const Axes& programmed, AxisMask named
 }
 
 /// Returns the feed along a straight motion on which at least one axis has its own feed (GOST 20999-83). INFERRED: the path remains
-/// straight, and the slowest motion decides: that of an axis with its own feed, or the common motion of all other axes.
+/// straight, and the slowest component decides: that of an axis with its own feed, or that of all other axes together.
 double BlockContext::feed_by_axes(const Motion& motion) const {
   double time = 0, rest = 0, all = 0;
   for (std::size_t a = 0; a < axis_count; ++a) {
@@ -153,7 +154,7 @@ Status Emitter::to_machine(MotionKind kind, const Axes& machine, AxisMask named,
   motion.end_reference = end;
   if (feed > 0) motion.feed = feed;
   else if (kind == MotionKind::feed) set_feed(motion);
-  if (frames.space && frames.space->controls_tip()) {  // the axes move linearly: the end is not a point of the tool tip
+  if (frames.space && frames.space->controls_tip()) {  // the axes move linearly, so the end is not a programmed point of the tool tip
     auto detail = motion.detail ? std::make_shared<MotionDetail>(*motion.detail) : std::make_shared<MotionDetail>();
     detail->evenly = true;
     motion.detail = std::move(detail);
@@ -193,7 +194,7 @@ bool BlockContext::axes_have_feeds() const {
 
 double BlockContext::feed_limited(double feed) const {
   const double most = def.behaviour.feed_most;
-  return most > 0 && feed > most ? most : feed;  // 2С42 6.5.2: at most 5 m/min
+  return most > 0 && feed > most ? most : feed;  // 2С42 6.5.2: the feed is at most 5 m/min
 }
 
 double feed_in_inches(const BlockContext& m, const Motion& motion, const Axes& from) {
@@ -283,8 +284,8 @@ void Emitter::change_frames() {
     return;
   }
   for (std::size_t a = 0; a < axis_count; ++a) {
-    // With LengthOffset::next_motion a new length takes effect in the next motion of its axis: until then the tool's coordinate remains as
-    // programmed.
+    // With LengthOffset::next_motion a new length takes effect in the next motion along its axis. Until then the tool's coordinate remains
+    // as programmed.
     const double length = def.behaviour.length_offset == LengthOffset::at_once ? frames.length[a] - before.length[a] : 0.0;
     const double shift = frames.origin[a] - before.origin[a] + length;
     if (shift != 0) position.work[a] -= shift;
@@ -297,8 +298,8 @@ void Emitter::change_frames() {
 void Emitter::apply_mirror() {
   for (std::size_t a = 0; a < axis_count; ++a) {
     bool on = mirror_switches[a];
-    if (a == 1 && modal.plane == Plane::zx) on = false;  // 2С42 6.8: Y is not mirrored in G18
-    if (a == 0 && modal.plane == Plane::yz) on = false;  // X is not mirrored in G19
+    if (a == 1 && modal.plane == Plane::zx) on = false;  // 2С42 6.8: in G18 the coordinate Y is not mirrored
+    if (a == 0 && modal.plane == Plane::yz) on = false;  // in G19 the coordinate X is not mirrored
     transform.mirror[a] = on ? std::int8_t{-1} : std::int8_t{1};
   }
   transform.refresh();

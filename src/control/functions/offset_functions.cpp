@@ -9,14 +9,14 @@
 namespace kadr {
 namespace {
 
-/// Returns the value of the word `letter` as an offset number; `otherwise` if the block has no such word.
+/// Returns the value of the word with this letter as an offset number; `otherwise` if the block has no such word.
 Result<std::uint32_t> offset_number(const BlockContext& m, char letter, std::uint32_t otherwise) {
   if (!m.has(letter)) return otherwise;
   return m.whole(letter, 0, m.def.behaviour.offsets);
 }
 
 /// G41, G42. On Mach3 (10.7.13) they are allowed only in the XY plane and only while compensation is off. The offset number is D, or the
-/// number of the tool in the spindle; the radius P replaces that of the table.
+/// number of the tool in the spindle; a word P replaces the radius of the table.
 Status radius_comp(BlockContext& m, const Call& call, std::int8_t side) {
   if (m.def.behaviour.reads_arc_radius()) {
     if (m.modal.plane != Plane::xy) return fail(alarm(AlarmId::plane_wrong, call.where, call.row->code));
@@ -36,14 +36,14 @@ Status length(Emitter& m, const Call& call, std::int8_t sign) {
     const auto number = offset_number(m, 'H', 0);
     if (!number) return fail(number.error());
     m.modal.length_number = *number;
-    // Without H, Mach3 uses H0. On a control where T0404 names a corrector (offset), the corrector in force applies (spec/gost 4).
+    // Without H, Mach3 uses H0. On a control where T0404 also names a corrector (offset), the corrector in force applies (spec/gost 4).
     if (*number == 0 && !(m.def.behaviour.tool_and_corrector && !m.has('H'))) m.modal.length_sign = 0;
   }
   m.change_frames();
   return {};
 }
 
-/// Checks the rule of the 2С42 that the work offset changes only in a block with a straight motion, G90 and G40 (note to 6.4.1).
+/// Checks the rule of the 2С42 that the work offset may change only in a block with a straight motion, G90 and G40 (note to 6.4.1).
 Status check_work_offset_change(const BlockContext& m, Span where) {
   if (!m.def.gives(AlarmId::zero_change)) return {};
   const bool in_force = m.modal.motion == MotionMode::rapid || m.modal.motion == MotionMode::linear;
@@ -59,14 +59,16 @@ void transform_changed(BlockContext& m) {
   m.position.programmed = m.transform.to_programmed(m.position.work);
 }
 
-/// Calls `use` for each axis word, with the axis and the word's value in mm or degrees as written, whether absolute or incremental.
+/// Calls `use` for each axis word, with the axis and the word's value in mm or degrees. The value is as written, whether absolute or
+/// incremental.
 template <class Use>
 void each_axis_word(const BlockContext& m, Use use) {
   for (std::size_t a = 0; a < m.axis_count; ++a) {
     const char letter = m.letters.axis_letter[a];
     if (letter == 0 || !m.has(letter)) continue;
     const bool is_length = m.def.address(letter).unit == WordUnit::length;
-    const double diameter = (m.modal.diameter >> a & 1u) != 0 ? 0.5 : 1.0;  // X of a turning machine is a diameter (spec/gost 5)
+    // The word X of a turning machine is a diameter, of which the value is halved (spec/gost 5).
+    const double diameter = (m.modal.diameter >> a & 1u) != 0 ? 0.5 : 1.0;
     use(a, m.value(letter) * (is_length ? m.unit_scale() : 1.0) * diameter);
   }
 }
@@ -89,7 +91,7 @@ void set_axes(Axes& axes, AxisMask which, const Axes& values) {
     if ((which >> a & 1u) != 0) axes[a] = values[a];
 }
 
-/// Reports words in a block with G10 that this type of data does not use. L1 accepts X (spec/mach3 5), although a milling tool has no
+/// Reports words that this kind of data does not use, in a block with G10. L1 accepts X (spec/mach3 5), although a milling tool has no
 /// offset along X.
 Status data_words_used(Emitter& m, bool of_tool) {
   for (const char letter : {'X', 'Y', 'Z', 'A', 'B', 'C', 'R'}) {
@@ -108,7 +110,7 @@ Status radius_comp_left(Emitter& m, const Call& call) { return radius_comp(m, ca
 Status radius_comp_right(Emitter& m, const Call& call) { return radius_comp(m, call, +1); }
 Status radius_comp_off(Emitter& m, const Call& call) { return end_contour(m, call); }
 
-/// G40 of the 2С42: ends the radius compensation. If the block has a motion along Z, it ends the length compensation too (6.4.7; INFERRED
+/// G40 of the 2С42: ends the radius compensation. If the block has a motion along Z, G40 ends the length compensation too (6.4.7; INFERRED
 /// for blocks without Z).
 Status compensation_off(Emitter& m, const Call& call) {
   KADR_TRY(end_contour(m, call));
@@ -153,7 +155,7 @@ Status work_zero(Emitter& m, const Call& call) {
   return {};
 }
 
-/// G54–G59, and G59 P (Mach3 10.7.18): selects a fixture. Its number is P, or arg if there is no P.
+/// G54–G59, and G59 P (Mach3 10.7.18): selects a fixture (work offset). Its number is the word P, or arg if there is no P.
 Status fixture(Emitter& m, const Call& call) {
   if (m.modal.radius_side != 0) return fail(alarm(AlarmId::compensation_active, call.where, call.row->code));
   auto number = static_cast<std::uint32_t>(call.row->arg);
@@ -170,7 +172,7 @@ Status fixture(Emitter& m, const Call& call) {
   return {};
 }
 
-/// G92 of the 2С42's turning machines: A selects a permanent work offset; X and Z add a temporary one.
+/// G92 of the 2С42's turning machines: A selects a permanent work offset; X and Z add a temporary work offset.
 Status zero_shift(Emitter& m, const Call& call) {
   if (!m.has('A') && !m.has_axis_words()) return fail(alarm(AlarmId::no_axis_word, call.where, call.row->code));
   if (m.has('A')) {
@@ -185,7 +187,7 @@ Status zero_shift(Emitter& m, const Call& call) {
   return {};
 }
 
-/// G92 of GOST (turning example, N5): moves the origin by the given amounts, from the machine's origin M to the workpiece's origin W.
+/// G92 of GOST (turning example, N5): moves the origin by the values of the words, from the machine's origin M to the workpiece's origin W.
 Status part_zero(Emitter& m, const Call& call) {
   if (!m.has_axis_words()) return fail(alarm(AlarmId::no_axis_word, call.where, call.row->code));
   each_axis_word(m, [&](std::size_t a, double v) { m.zero_shift[a] = v; });
@@ -193,8 +195,8 @@ Status part_zero(Emitter& m, const Call& call) {
   return {};
 }
 
-/// G52 (Mach3 10.7.16): moves the origin of the work system by the given amounts. G52 and G92 store the shift in the same variable. The
-/// amounts are scaled and rotated like other words: if the tool is at X4, its position after `G52 X7` is X-3.
+/// G52 (Mach3 10.7.16): moves the origin of the work system by the values of the words. G52 and G92 store the shift in the same variable.
+/// The values are scaled and rotated like other words: if the tool is at X4, its position after `G52 X7` is X-3.
 Status temporary_shift(Emitter& m, const Call& call) {
   if (!m.has_axis_words()) return fail(alarm(AlarmId::no_axis_word, call.where, call.row->code));
   if (any_nonzero(m.set_position) && !m.set_position_by_g52) return fail(alarm(AlarmId::not_together, call.where, "G52", "G92"));
@@ -210,8 +212,8 @@ Status temporary_shift(Emitter& m, const Call& call) {
   return {};
 }
 
-/// G92 (Mach3 10.7.27): moves the origin so that the current point has the given programmed coordinates, with the rotation of G68 and the
-/// scale of G51 included. After G40 the current point is the tool's actual position.
+/// G92 (Mach3 10.7.27): moves the origin so that the current point has the programmed coordinates of the words, with the rotation of G68
+/// and the scale of G51 included. After G40 the current point is the tool's actual position.
 Status set_position(Emitter& m, const Call& call) {
   if (!m.has_axis_words()) return fail(alarm(AlarmId::no_axis_word, call.where, call.row->code));
   if (any_nonzero(m.set_position) && m.set_position_by_g52) return fail(alarm(AlarmId::not_together, call.where, "G92", "G52"));
@@ -300,7 +302,8 @@ Status scale_off(Emitter& m, const Call&) {
   return {};
 }
 
-/// G68 A B R I (Mach3 10.7.20): rotates by the angle R about the point (A, B). If the block has I, R is added to the angle in force.
+/// G68 A B R I (Mach3 10.7.20): rotates by the angle R in degrees about the point (A, B). If the block has I, R is added to the angle in
+/// force.
 Status rotation_on(Emitter& m, const Call& call) {
   if (m.modal.plane != Plane::xy) return fail(alarm(AlarmId::plane_wrong, call.where, call.row->code));
   if (!m.has('R')) return fail(alarm(AlarmId::word_missing, call.where, 'R', call.row->code));

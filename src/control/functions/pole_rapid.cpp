@@ -1,5 +1,5 @@
 // G10 of GOST: rapid motion to a point in polar coordinates (spec/gost 6). The pole, its plane, the radius B and the angle A stay in force,
-// so that a block may contain only B or only A (N11, N12 of the turning example in GOST 20999-83).
+// so a block may have only B or only A (N11, N12 of the turning example in GOST 20999-83).
 
 #include "control/functions/functions.h"
 
@@ -19,8 +19,8 @@ AxisMask pole_words(const BlockContext& m) {
 }
 
 /// Determines the plane of the pole from the axes that give its coordinates. Two axes define the plane: Z84 X0 is a turning plane, also in
-/// G17. One axis keeps the plane in force if that plane contains the axis; Z alone in G17 means a turned workpiece (INFERRED). Without axis
-/// words the plane is that of the pole in force, or that of a G17, G18 or G19 programmed after the pole (INFERRED).
+/// G17. One axis keeps the plane in force if that plane contains the axis. INFERRED: Z alone in G17 means a turned workpiece. INFERRED:
+/// without axis words the plane is that of the pole in force, or the plane of a G17, G18 or G19 programmed after the pole.
 Plane plane_of_pole(const Modal& modal, AxisMask words) {
   constexpr AxisMask x = 1, y = 2, z = 4;
   if (words == (x | y | z)) return modal.plane;
@@ -47,7 +47,8 @@ Status functions::pole_rapid(Emitter& m, const Call& call) {
   const AxisMask words = pole_words(m);
   const Plane plane = plane_of_pole(modal, words);
   const PlaneAxes axes = axes_of(plane);
-  if (const char third = m.letters.axis_letter[axes.normal]; (words >> axes.normal & 1u) != 0)  // a third coordinate is an alarm
+  // The axis normal to the plane may not have a coordinate.
+  if (const char third = m.letters.axis_letter[axes.normal]; (words >> axes.normal & 1u) != 0)
     return fail(alarm(AlarmId::word_unused, m.where(third), third));
   if (!m.has('B') && !m.has('A')) return fail(alarm(AlarmId::word_missing, call.where, 'B', call.row->code));
   if (!m.has('B') && !modal.polar_radius_given) return fail(alarm(AlarmId::word_missing, call.where, 'B', call.row->code));
@@ -55,7 +56,7 @@ Status functions::pole_rapid(Emitter& m, const Call& call) {
   const auto base = [&](double old) { return modal.absolute ? 0.0 : old; };
   for (std::size_t a = 0; a < linear_axes; ++a)
     if ((words >> a & 1u) != 0) {
-      const double half = (modal.diameter >> a & 1u) != 0 ? 0.5 : 1;  // the word of a diameter axis is a diameter
+      const double half = (modal.diameter >> a & 1u) != 0 ? 0.5 : 1;  // the word of a diameter axis is a diameter, so the value is halved
       modal.pole_of[a] = base(modal.pole_of[a]) + half * m.length_value(m.letters.axis_letter[a]);
     }
   if (m.has('B')) modal.polar_radius = base(modal.polar_radius) + m.length_value('B');
@@ -68,7 +69,8 @@ Status functions::pole_rapid(Emitter& m, const Call& call) {
   to[axes.first] = modal.pole_of[axes.first] + modal.polar_radius * turn.cos;
   to[axes.second] = modal.pole_of[axes.second] + modal.polar_radius * turn.sin;
   Status moved = m.straight(MotionKind::rapid, to, AxisMask{1} << axes.first | AxisMask{1} << axes.second);
-  if (!moved) modal = before;  // an alarm in such a block restores only the position
+  // If the motion fails, the modes are restored here, because an alarm restores only the position for such a block.
+  if (!moved) modal = before;
   return moved;
 }
 

@@ -12,12 +12,12 @@ namespace kadr {
 namespace {
 
 constexpr double mm_per_increment = 0.001;  // 2С42 6.5.1
-constexpr double pass_dwell = 0.3;          // s: `G4 E3` in the body of L83 (2С42 table 9)
+constexpr double pass_dwell = 0.3;          // duration in s: `G4 E3` in the body of L83 (2С42 table 9)
 constexpr double max_passes = 100'000;
 
 /// Starts L83 of the 2С42, deep drilling. Its parameters: R1 depth, R2 retract level, R3 depth of one peck, R0 feed. In G91 R1 and R2 are
-/// increments (6.7.2); INFERRED: R1 counts from the tool's position, R2 from the bottom. R1 gives the direction of drilling; the sign of R3
-/// is ignored.
+/// increments (6.7.2). INFERRED: R1 is measured from the tool's position, R2 from the bottom. The sign of R1 gives the direction of
+/// drilling; the sign of R3 is ignored.
 Status start_deep_drilling(Emitter& m, const CycleRow& cycle, Span where) {
   double r[4];
   for (const int i : {0, 1, 2, 3}) {

@@ -5,7 +5,7 @@
 
 namespace kadr {
 
-/// Executes a word Lnnmm: calls subprogram or cycle nn, mm times; once if L has only two digits (2С42 6.3.3).
+/// Executes a word Lnnmm: calls the subprogram or cycle nn, mm times. If L has only two digits, it is called once (2С42 6.3.3).
 ///   alarms  too_few_digits, subprogram_missing, cycle_override, cycle_peck, variable_not_set
 Status call_section(Interpreter& m, const Call& call);
 

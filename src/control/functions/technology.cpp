@@ -14,14 +14,15 @@ bool turns_spindle(const BlockContext& m) {
   return m.has_code({Function::spindle_cw, Function::spindle_ccw, Function::spindle_cw_coolant, Function::spindle_ccw_coolant});
 }
 
-/// Returns true if the spindle code is for spindles other than the first one; then the dialect has executed it.
+/// Returns true if the spindle code is for spindles other than the first one. In this case the dialect has executed the code.
 Result<bool> is_for_others(Emitter& m, SpindleDir dir, Span where) { return m.dialect->turns_spindle(m, dir, where); }
 
 Status turn_spindle(Emitter& m, SpindleDir dir, Span where) {
   const auto others = is_for_others(m, dir, where);
   if (!others) return fail(others.error());
   if (*others) return {};
-  if (dir != SpindleDir::orient && m.modal.rpm_waiting >= 0) m.modal.rpm = std::exchange(m.modal.rpm_waiting, -1);  // 2С42 6.4.3
+  // S before M3, M4 comes into force with the spindle (2С42 6.4.3).
+  if (dir != SpindleDir::orient && m.modal.rpm_waiting >= 0) m.modal.rpm = std::exchange(m.modal.rpm_waiting, -1);
   if (dir != SpindleDir::orient && m.modal.rpm == 0 && !m.has('S')) m.warn(warning(AlarmId::speed_missing, where));
   m.modal.spindle = dir;
   m.emit(Spindle{dir, m.modal.surface_speed ? m.surface_speed().rpm(m.position.work, m.modal.rpm) : m.modal.rpm});
@@ -34,8 +35,8 @@ Status flood(Emitter& m) {
   return {};
 }
 
-/// Returns the feed or speed that F or S means. If the set-up has a table of codes, the number is a code in it (spec/gost 3: `F28`), and
-/// the result is -1 if the table lacks the code. Without a table the number itself is returned.
+/// Returns the feed or speed that F or S means. If the set-up has a table of codes, the number is a code in the table (spec/gost 3: `F28`),
+/// and the result is -1 if the table lacks the code. Without a table the result is the number itself.
 double coded(const std::map<std::int32_t, double>& table, double value) {
   if (table.empty()) return value;
   const auto found = table.find(static_cast<std::int32_t>(value));
@@ -49,12 +50,13 @@ Status dwell_for(Emitter& m, char letter) {
   return {};
 }
 
-/// Sets the feed of the axis whose word is before F.
+/// Sets the feed of the axis whose word is directly before F.
 Status feed_of_axis(BlockContext& m, const Call& call, std::size_t axis, double feed) {
   const bool arc =
       m.has_code({Function::arc_cw, Function::arc_ccw}) ||
       (!m.has_code({Function::rapid, Function::linear}) && (m.modal.motion == MotionMode::arc_cw || m.modal.motion == MotionMode::arc_ccw));
-  if (arc) return fail(alarm(AlarmId::not_together, call.where, m.block->text_of(call.where), "G2, G3"));  // INFERRED: not on an arc
+  // INFERRED: an axis has no feed of its own on an arc.
+  if (arc) return fail(alarm(AlarmId::not_together, call.where, m.block->text_of(call.where), "G2, G3"));
   if (!(feed > 0)) return fail(alarm(AlarmId::value_out_of_range, call.where, 'F', feed));
   m.modal.axis_feed[axis] = feed;
   m.modal.feeds_of_axes |= 1u << axis;
@@ -88,8 +90,8 @@ Status common_feed(Emitter& m, Span where, double value) {
   return {};
 }
 
-/// Executes F on a control where F may be the feed of one axis. The feed of an axis stays in force until the axis gets another feed, or
-/// until a block has a single F for all axes.
+/// Executes F on a control where F may be the feed of one axis. Such a feed stays in force until the axis gets another feed, or until a
+/// block has a single F for all axes.
 Status gost_feed(Emitter& m, const Call& call) {
   const double value = call.word->value * m.def.address('F').scale;
   const auto index = static_cast<std::uint32_t>(call.word - m.block->words.data());
@@ -111,7 +113,7 @@ Status feed_word(Emitter& m, const Call& call) {
 Status speed_word(Emitter& m, const Call& call) {
   const double rpm = coded(m.def.speed_codes, m.value('S'));
   if (!(rpm >= 0)) return fail(alarm(AlarmId::value_out_of_range, call.where, 'S', m.value('S')));
-  if (m.def.behaviour.speed_needs_direction && !turns_spindle(m)) {  // S waits for M3, M4 (2С42 6.4.3)
+  if (m.def.behaviour.speed_needs_direction && !turns_spindle(m)) {  // S is stored until M3 or M4 starts the spindle (2С42 6.4.3)
     m.warn(warning(AlarmId::speed_without_direction, call.where));
     m.modal.rpm_waiting = rpm;
     return {};
@@ -124,13 +126,15 @@ Status speed_word(Emitter& m, const Call& call) {
   return {};
 }
 
-/// T: selects a tool, which is a pocket of the magazine. On a control where T also has the offset number, T0404 is tool 04 with offset 04
+/// T: selects a tool, which is a pocket of the magazine. On a control where T also gives the offset number, T0404 is tool 04 with offset 04
 /// (spec/gost 4).
 Status tool_word(Emitter& m, const Call& call) {
   const auto number = m.whole('T', 0, 99'999'999);
   if (!number) return fail(number.error());
   constexpr std::uint32_t marked =
-      100;  // T112 of the 2С42: tool 12, and 1 means that it is in the spindle; INFERRED: for another tool the digit is an error
+      // T112 of the 2С42 means tool 12; the 1 means that the tool is in the spindle. INFERRED: the digit 1 is an error if tool 12 is not in
+      // the spindle.
+      100;
   if (m.def.grammar.word('T').one_more && *number >= marked) {
     if (m.modal.tool != *number % marked) return fail(alarm(AlarmId::too_many_digits, call.where, 'T', 3.0, 2.0));
     m.modal.tool_selected = m.modal.tool;
@@ -196,7 +200,7 @@ Status dwell(Emitter& m, const Call& call) {
   return fail(alarm(AlarmId::word_missing, call.where, 'P', call.row->code));
 }
 
-/// Executes a dwell word in a block with a motion; the dwell follows the motion (2С42 6.4.5).
+/// Executes a dwell word in a block with a motion. The dwell begins when the motion has ended (2С42 6.4.5).
 Status dwell_word(Emitter& m, const Call& call) { return dwell_for(m, call.word->address); }
 
 Status machine_function(Interpreter& m, const Call& call) { return m.dialect->machine_code(m, call); }
@@ -211,7 +215,8 @@ Status program_stop(Emitter& m, const Call&) {
 Status optional_stop(Emitter& m, const Call& call) {
   stop_off_contour(m);
   m.use.note(UseKind::optional_stop, 1, m.origin);
-  const bool always_reported = call.row->arg == 1;  // arg 1: the stop is always emitted, the machine's logic reads the switch
+  // Arg 1: the stop is emitted in every case, because the machine's logic reads the switch.
+  const bool always_reported = call.row->arg == 1;
   if (m.optional_stop_on || always_reported) m.emit(Stop{true});
   return {};
 }

@@ -12,11 +12,12 @@
 namespace kadr::grbl {
 namespace {
 
-constexpr double parts_at = 0.01;  // mm: distance of the two arcs above which a warning is reported
-constexpr double arc_error = 0.005, arc_error_most = 0.5, arc_error_of_radius = 0.001;  // mm, mm, fraction of the radius (5.2)
-constexpr double any_difference = 1e7;  // mm: no limit, because the radii have been checked already
+constexpr double parts_at = 0.01;  // mm; greatest distance of the two arcs without a warning
+// Least and greatest allowed difference of the radii, mm; allowed fraction of the radius (spec/grbl 5.2).
+constexpr double arc_error = 0.005, arc_error_most = 0.5, arc_error_of_radius = 0.001;
+constexpr double any_difference = 1e7;  // mm; no limit is needed, because the radii have been checked already
 
-/// The result of computing an arc from its words: an alarm, or an arc. If neither is set, Grbl moves on a straight line.
+/// The result of computing an arc from its words: an alarm, or an arc. If both are empty, Grbl moves on a straight line.
 struct Reading {
   std::optional<Alarm> refused;
   std::optional<PlaneArc> arc;
@@ -31,14 +32,16 @@ Reading exact_reading(const ArcWords& w) {
   if (w.by_radius) {
     const double half = length(w.to - w.from) / 2;
     if (w.same_point) return {alarm(AlarmId::full_circle_by_radius, w.where), {}};
-    if (w.from == w.to) return {};  // the circle has no plane chord: Grbl divides by 0 and moves straight
+    // The start and the end are equal in the plane, but not on the third axis: Grbl divides by 0 and moves straight.
+    if (w.from == w.to) return {};
     if (std::fabs(w.radius) < half) return {alarm(AlarmId::radius_too_small, w.radius_where, std::fabs(w.radius), half), {}};
     return of_arc(arc_by_radius(w.from, w.to, w.radius, w.turn, any_difference));
   }
   const double radius = length(w.offset), end_radius = length(w.to - w.from - w.offset), error = std::fabs(end_radius - radius);
   if (error > arc_error && (error > arc_error_most || error > arc_error_of_radius * radius))
     return {alarm(AlarmId::radius_mismatch, w.where, radius, end_radius), {}};
-  if (2 * radius <= double{w.tolerance}) return {};  // Grbl moves straight if the circle's diameter is at most the arc tolerance $12 (5.4)
+  // Grbl moves straight if the circle's diameter is at most the arc tolerance $12 (spec/grbl 5.4).
+  if (2 * radius <= double{w.tolerance}) return {};
   return of_arc(arc_around(w.from, w.to, w.from + w.offset, w.turn, any_difference));
 }
 
@@ -74,7 +77,8 @@ Vec2 point(const ArcWords& w, const Reading& reading, double part) {
   return reading.arc->center + rotated(w.from - reading.arc->center, whole * reading.arc->turns * part);
 }
 
-/// Returns the exact arc in the form in which Grbl would execute it: a straight line if the arc is too short to be divided into segments.
+/// Returns the exact arc in the form in which Grbl would execute it. If the arc is too short to be divided into segments, Grbl executes a
+/// straight line.
 Reading in_segments(const ArcWords& w, Reading exact) {
   if (!exact.arc) return exact;
   const double tolerance = double{w.tolerance}, radius = length(w.from - exact.arc->center), turn = 2 * std::numbers::pi;

@@ -1,6 +1,6 @@
 #pragma once
-// Computes an arc from its words twice: exactly, and in 32-bit numbers as Grbl does (spec/grbl 5). Kadr executes Grbl's arc, and reports a
-// warning if the exact arc differs from it.
+// Computes an arc from its words twice: exactly, and in 32-bit numbers as Grbl does (spec/grbl 5). Kadr executes Grbl's arc, and warns if
+// the exact arc differs from Grbl's arc.
 
 #include <optional>
 
@@ -9,11 +9,11 @@
 
 namespace kadr::grbl {
 
-/// The words of an arc in the active plane, mm. Members whose names begin with `single` are Grbl's 32-bit values.
+/// The words of an arc in the active plane, in mm. Members whose names begin with `single` are Grbl's 32-bit values.
 struct ArcWords {
-  Vec2 from, to;                                       // exact start and end, programmed coordinates
-  Float32Pair single_from{}, single_to{};              // start and end in Grbl, machine coordinates
-  bool same_point = false, single_same_point = false;  // start and end are equal on all three axes: exactly, and in 32 bits
+  Vec2 from, to;                                       // exact start and end in programmed coordinates
+  Float32Pair single_from{}, single_to{};              // start and end as Grbl computes them, in machine coordinates
+  bool same_point = false, single_same_point = false;  // start and end are equal on all three axes, by exact numbers and by 32-bit numbers
   bool by_radius = false;
   double radius = 0;
   float single_radius = 0;
@@ -26,12 +26,12 @@ struct ArcWords {
 
 struct ArcReading {
   std::optional<Alarm> refused;  // the alarm with which Grbl refuses the arc
-  std::optional<PlaneArc> arc;   // nullopt: Grbl moves on a straight line
+  std::optional<PlaneArc> arc;   // arc that Grbl executes; nullopt: Grbl moves on a straight line
   int segments = 0;              // number of straight segments into which Grbl divides the arc
-  std::optional<Alarm> parted;   // warning that the exact arc differs from Grbl's arc
+  std::optional<Alarm> parted;   // warning that Grbl's arc differs from the exact arc
 };
 
-/// Returns the arc that Grbl executes. If it agrees with the exact arc within 0.01 mm, the result is the exact arc.
+/// Returns the arc that Grbl executes. If Grbl's arc agrees with the exact arc within 0.01 mm, the result is the exact arc.
 ///   alarms  full_circle_by_radius, radius_too_small, radius_mismatch; in ArcReading::refused
 ArcReading read_arc(const ArcWords& words);
 

@@ -26,11 +26,11 @@ constexpr std::uint64_t bits(std::string_view letters) {
   return all;
 }
 
-/// A code number in the form in which gcode.c stores it: int_value and mantissa. The whole part has one byte; what exceeds it counts as a
-/// fraction, so that G257 gives error:23.
+/// A code number in the form in which gcode.c stores it: int_value and mantissa. The whole part has one byte. What exceeds one byte counts
+/// as a fraction, so that G257 gives error:23.
 struct CodeNumber {
   std::int32_t whole = 0;
-  std::int32_t hundredths = 0;  // the fraction in hundredths, 0 to 65535
+  std::int32_t hundredths = 0;  // fraction of the number in hundredths, 0 to 65535
 };
 CodeNumber code_number(double value) {
   const double near = std::clamp(value, -1e6, 1e6);
@@ -91,7 +91,7 @@ class BlockCheck {
   }
 
   /// Records that a code uses the axis words. G10, G28 and similar codes conflict with motion codes, because both need axis words; G28.1
-  /// needs none.
+  /// does not need axis words.
   Status takes_axes(const Word& w, AxisCommand command) {
     if (all_.axis_command != AxisCommand::none) return two_commands(w);
     all_.axis_command = command;
@@ -164,7 +164,7 @@ class BlockCheck {
     return one_of_group(w);
   }
 
-  /// Checks an M code. M7 is an alarm, because it needs a special build of Grbl; M6 is one, because Grbl has no M6 (3).
+  /// Checks an M code. M7 is an alarm, because it needs a special build of Grbl; M6 is an alarm, because Grbl has no M6 (spec/grbl 3).
   Status m_code(const Word& w) {
     if (code_number(w.value).hundredths != 0) return fail(alarm(AlarmId::word_not_integer, w.where, 'M', w.value));
     return one_of_group(w);
@@ -186,7 +186,7 @@ class BlockCheck {
     return {};
   }
 
-  /// Returns the code that is earlier in the block than the word and belongs to the same modal group.
+  /// Returns the code that is before the word in the block and belongs to the same modal group.
   std::string code_of_group(const Word& w) const {
     const auto group = [&](const Word& of) {
       const std::int32_t row = of.code < 0 ? -1 : m_.def.row_of(of.address, of.code);
@@ -203,7 +203,7 @@ class BlockCheck {
   void use(std::string_view letters) { values_ &= ~bits(letters); }
   double value(char letter) const { return m_.has(letter) ? m_.word(letter)->value : 0; }
   double unit() const { return all_.inch ? mm_per_inch : 1; }
-  /// Returns the value of a word in mm, as Grbl's 32-bit number.
+  /// Returns the value of a word in mm, as a 32-bit number as in Grbl.
   float single_value(char letter) const {
     constexpr auto mm = static_cast<float>(mm_per_inch);
     if (!m_.has(letter)) return 0;
@@ -214,7 +214,8 @@ class BlockCheck {
   bool is_probe() const { return all_.motion > 38_g && all_.motion < 39_g; }
   tl::unexpected<Alarm> no_feed() const { return fail(alarm(AlarmId::feed_missing, block_.where)); }
 
-  /// Determines the feed. In G93 each block with a motion needs an F word, and so does the first such block after the return to G94 (4.2).
+  /// Determines the feed. In G93 each block with a motion needs a word F, and so does the first block with a motion after the return to G94
+  /// (spec/grbl 4.2).
   Status feed() {
     if (is_jog_) {
       if (!has("F")) return no_feed();
@@ -260,7 +261,7 @@ class BlockCheck {
     return {};
   }
 
-  /// Checks G10 (4.13).
+  /// Checks G10 (spec/grbl 4.13).
   Status offsets() {
     if (!all_.has_axis) return fail(alarm(AlarmId::no_axis_word, block_.where, "G10"));
     if (!has("LP")) return fail(alarm(AlarmId::word_missing, block_.where, 'L', "G10"));
@@ -355,7 +356,7 @@ class BlockCheck {
 
   // ---- the end of the check
 
-  /// Refuses words that no code of the block uses (4.10). A code that uses axis words uses all of them.
+  /// Refuses words that no code of the block uses (spec/grbl 4.10). A code that uses axis words uses all axis words of the block.
   Status words_used() {
     use(is_jog_ ? "FN" : "FNST");
     if (all_.axis_command != AxisCommand::none) use("XYZ");
@@ -365,7 +366,7 @@ class BlockCheck {
     return {};
   }
 
-  /// Refuses codes that a jog may not have: only G20 G21 G90 G91 G53 are allowed (9).
+  /// Refuses codes that are not allowed in a jog: only G20 G21 G90 G91 G53 are allowed (spec/grbl 9).
   Status jog_codes() const {
     if (jog_fault_ != nullptr) return fail(alarm(AlarmId::jog_code, jog_fault_->where, block_.text_of(jog_fault_->where)));
     return {};

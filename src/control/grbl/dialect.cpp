@@ -1,4 +1,4 @@
-// The functions of the Grbl dialect that the interpreter calls (control/dialect.h).
+// The functions of Grbl's dialect that the interpreter calls (control/dialect.h).
 
 #include <algorithm>
 #include <cmath>
@@ -34,7 +34,7 @@ AxisMask named_in(const BlockContext& m) {
 
 Grbl& grbl_of(const BlockContext& m) { return static_cast<Grbl&>(*m.dialect); }
 
-/// Reads Grbl's settings from the set-up. A setting that is missing in the set-up has the value of Grbl's generic build (10).
+/// Reads Grbl's settings from the set-up. A setting that the set-up does not give has the value of Grbl's generic build (spec/grbl 10).
 Grbl::Grbl(const Setup& setup) {
   constexpr double usual_travel = 200;
   for (std::size_t a = 0; a < axes; ++a) state.settings.travel[a] = usual_travel;
@@ -53,7 +53,7 @@ Status Grbl::restore(BlockContext&, const DialectState& from) {
   return {};
 }
 
-/// Puts the power-on codes in force one by one. One block cannot have all of them, because G49 and G0 both use the axis words.
+/// Puts the power-on codes in force one by one. One block cannot have all these codes, because G49 and G0 both use the axis words.
 bool Grbl::start(Interpreter& m, const Setup&) {
   for (std::size_t g = 0; g < m.def.groups.size(); ++g)
     if (m.def.groups[g].power_on >= 0) m.modal.rows[g] = static_cast<std::int16_t>(m.def.groups[g].power_on);
@@ -65,9 +65,9 @@ bool Grbl::start(Interpreter& m, const Setup&) {
 
 void Grbl::started(Emitter&) { before_ = state; }
 
-/// Executes a jog, `$J=`: a straight motion at its own F, in mm/min. A jog does not change the modes (9).
+/// Executes a jog, `$J=`: a straight motion with the F of its line, in mm/min. A jog does not change the modes (spec/grbl 9).
 Status Grbl::jog(Emitter& m) {
-  std::optional<Alarm> parted;  // unused: a jog is never an arc
+  std::optional<Alarm> parted;  // stays empty, because a jog is never an arc
   state.float32_state.follow(m, state.length);
   const auto jog = check(m, *this, true, parted);
   if (!jog) return fail(jog.error());
@@ -76,7 +76,7 @@ Status Grbl::jog(Emitter& m) {
   m.modal.inch = jog->inch;
   m.modal.feed = m.length_value('F');
   m.modal.feed_known = true;
-  if (!jog->has_axis) {  // a jog without axis words: gcode.c then moves to machine zero
+  if (!jog->has_axis) {  // in a jog without axis words gcode.c moves to machine zero
     const Status moved = m.to_machine(MotionKind::feed, Axes{}, (AxisMask{1} << axes) - 1, m.modal.feed);
     m.modal = before;
     return moved;
@@ -96,7 +96,7 @@ Result<bool> Grbl::takes_block(Interpreter& m) {
   if (parted) m.warn(*parted);
   if (!all) return fail(all.error());
   checked = *all;
-  if (m.has('T')) {  // Grbl stores the tool number in one byte (1.3)
+  if (m.has('T')) {  // Grbl stores the tool number in one byte (spec/grbl 1.3)
     double& tool = m.block->words[m.block->at['T' - 'A']].value;
     tool = byte_of(tool);
   }
@@ -105,7 +105,8 @@ Result<bool> Grbl::takes_block(Interpreter& m) {
   return false;
 }
 
-/// Warns, once per speed, if S is outside the spindle's speed range $31 to $30 (4.17). The value of S is not changed.
+/// Warns, once per speed, if S is outside the spindle's speed range from $31 to $30 in rev/min (spec/grbl 4.17). The value of S is not
+/// changed.
 void Grbl::watch_speed(Emitter& m) {
   const Settings& s = state.settings;
   const double speed = m.value('S'), turned = std::clamp(speed, std::min(s.min_spindle_speed, s.max_spindle_speed), s.max_spindle_speed);
@@ -126,7 +127,7 @@ BlockChanges Grbl::changes_of(const BlockContext&, const Plan&) const { return B
 /// Returns the row of the motion code in force; -1 after G80.
 std::int16_t Grbl::motion_row(const BlockContext& m) const { return checked.moves ? m.modal.motion_row : std::int16_t{-1}; }
 
-/// Executes M2 and M30. They put G1 in force, but axis words in the same block move nothing.
+/// Executes M2 and M30. These codes put G1 in force, but axis words in the same block move nothing.
 bool Grbl::end_program(Interpreter& m) {
   m.block_axes_taken = true;
   checked.motion = 1_g;
@@ -135,14 +136,15 @@ bool Grbl::end_program(Interpreter& m) {
 }
 
 Status Grbl::after_block(Interpreter& m) {
-  if (feed_at_end_ >= 0) {  // F remains in force after M2, M30, whatever the feed mode (7)
+  if (feed_at_end_ >= 0) {  // F remains in force after M2 and M30, whatever the feed mode (spec/grbl 7)
     m.modal.feed = std::exchange(feed_at_end_, -1);
     m.modal.feed_known = m.modal.feed > 0;
   }
   state.float32_state.note(m, checked, state.length);
   const bool probes = checked.motion > 38_g && checked.motion < 39_g;
-  if (probes) m.modal.motion_row = static_cast<std::int16_t>(m.def.row_of('G', checked.motion));  // G38.n is a modal motion code (3)
-  if (m.modal.feed_mode == FeedMode::inverse_time) {                                              // 4.2: F is valid for its block only
+  // G38.n is a modal motion code, so it stays in force (spec/grbl 3).
+  if (probes) m.modal.motion_row = static_cast<std::int16_t>(m.def.row_of('G', checked.motion));
+  if (m.modal.feed_mode == FeedMode::inverse_time) {  // in G93 the feed F is valid only in its own block (spec/grbl 4.2)
     m.modal.feed = 0;
     m.modal.feed_known = false;
   }
@@ -155,7 +157,7 @@ bool Grbl::lines_follow(const BlockContext& m) const {
 
 void Grbl::note_line(BlockContext& m) { state.float32_state.note_line(m); }
 
-/// Returns the arc rule of the control's file, changed so that each arc is checked on its own, as Grbl does.
+/// Returns the arc rule of the control's file with one change: each arc is checked separately, as in Grbl.
 ArcRule Grbl::arc_rule(const BlockContext& m) const {
   ArcRule rule = m.plain_arc_rule();
   rule.by_words = false;
@@ -178,7 +180,7 @@ void Grbl::refresh_frames(Emitter& m) {
   m.frames.length[2] = state.length;
 }
 
-/// Records the answer to a probe motion. A missing contact is an alarm only for G38.2 and G38.4 (4.16).
+/// Records the answer to a probe motion. A missing contact is an alarm only for G38.2 and G38.4 (spec/grbl 4.16).
 Status Grbl::accept_answer(Emitter& m, const ProbeAnswer& answer) {
   const Status noted = m.note_answer(answer);
   const bool must = m.modal.motion_row == m.def.row_of('G', 38.2_g) || m.modal.motion_row == m.def.row_of('G', 38.4_g);
@@ -186,7 +188,7 @@ Status Grbl::accept_answer(Emitter& m, const ProbeAnswer& answer) {
   return {};
 }
 
-/// Ignores M1 (7).
+/// Ignores M1 (spec/grbl 7).
 Status Grbl::machine_code(Interpreter&, const kadr::Call&) { return {}; }
 
 }  // namespace grbl

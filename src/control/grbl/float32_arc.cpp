@@ -1,4 +1,4 @@
-// Computes Grbl's arcs in 32-bit arithmetic. Used by control/grbl/arc_readings; tested by tests/grbl_arcs.py, which makes the same
+// Computes Grbl's arcs in 32-bit arithmetic. Used by control/grbl/arc_readings. Tested by tests/grbl_arcs.py, which makes the same
 // computation in Python, and by dev/grbl_oracle, which compares with Grbl's own source.
 
 #include "control/grbl/float32_arc.h"
@@ -9,18 +9,19 @@
 namespace kadr::grbl {
 namespace {
 
-constexpr float travel_epsilon = 5e-7F;  // rad; ARC_ANGULAR_TRAVEL_EPSILON of Grbl's source
+constexpr float travel_epsilon = 5e-7F;  // angle in rad; ARC_ANGULAR_TRAVEL_EPSILON of Grbl's source
 constexpr float whole_turn = 2 * std::numbers::pi_v<float>;
-constexpr float error_least = 0.005F, error_most = 0.5F, error_of_radius = 0.001F;  // mm, mm, fraction of the radius (5.2)
+// Least and greatest allowed difference of the radii, mm; allowed fraction of the radius (spec/grbl 5.2).
+constexpr float error_least = 0.005F, error_most = 0.5F, error_of_radius = 0.001F;
 
 float length_of(float x, float y) { return std::sqrt(x * x + y * y); }
 
-/// Returns the angle of a vector. The arc tangent is computed as a double and then converted to a float, so that it is the same with every
-/// library.
+/// Returns the angle of a vector in rad. The arc tangent is computed as a double and then converted to a float, so that the result is the
+/// same with every library.
 float angle_of(float y, float x) { return static_cast<float>(std::atan2(double{y}, double{x})); }
 
-/// Returns the number of straight segments into which Grbl divides the arc. Grbl counts them in 16 bits: after 65535 the count continues at
-/// 0.
+/// Returns the number of straight segments into which Grbl divides the arc. Grbl counts the segments in 16 bits, so the count after 65535
+/// is 0.
 int segments_of(float angle, float radius, float tolerance) {
   constexpr float counts = 65536;
   const float chord = std::sqrt(tolerance * (2 * radius - tolerance));
@@ -28,7 +29,7 @@ int segments_of(float angle, float radius, float tolerance) {
   return std::isfinite(count) ? static_cast<int>(std::fmod(count, counts)) : 0;
 }
 
-/// Computes angle and segments of an arc, as mc_arc of Grbl's source does.
+/// Computes the swept angle and the number of segments of an arc, as mc_arc of Grbl's source does.
 Float32Arc led(Float32Pair from, Float32Pair to, Float32Pair offset, float radius, Turn turn, float tolerance) {
   const Float32Pair center{from[0] + offset[0], from[1] + offset[1]};
   const Float32Pair first{-offset[0], -offset[1]}, last{to[0] - center[0], to[1] - center[1]};

@@ -15,24 +15,25 @@
 
 namespace kadr::grbl {
 
-/// A point of the active plane in machine coordinates, mm.
+/// A point in the active plane, machine coordinates in mm.
 using Float32Pair = std::array<float, 2>;
 
 struct Float32Arc {
-  enum class Answer : std::uint8_t { moves, radius_small, radius_wrong };  // radius_small is Grbl's error:34, radius_wrong its error:33
+  // Error:33 and error:34 of Grbl are radius_wrong and radius_small.
+  enum class Answer : std::uint8_t { moves, radius_small, radius_wrong };
   Answer answer = Answer::moves;
-  Vec2 offset;       // mm; from the start to the centre, as a 32-bit value
-  double turns = 0;  // swept angle / 360, positive
-  int segments = 0;  // number of straight segments; 0: one straight line to the end point
-  float radius = 0;  // mm; the radius that determines the number of segments
-  float other = 0;   // mm, for the alarm: radius at the end (radius_wrong), or half the chord (radius_small)
+  Vec2 offset;       // vector from the start to the centre in mm, as 32-bit values
+  double turns = 0;  // swept angle in revolutions, positive
+  int segments = 0;  // number of straight segments; 0: one straight motion to the end point
+  float radius = 0;  // radius in mm that determines the number of segments
+  float other = 0;   // second length of the alarm, mm: radius at the end (radius_wrong), or half the chord (radius_small)
 };
 
-/// Computes the arc whose centre I, J, K give. `tolerance`: setting $12, mm.
+/// Computes the arc whose centre the words I, J, K give. `tolerance`: setting $12 (arc tolerance), mm.
 Float32Arc float32_arc_by_center(Float32Pair from, Float32Pair to, Float32Pair offset, Turn turn, float tolerance);
 
-/// Computes the arc whose radius R gives. If R is negative, the result is the longer of the two possible arcs. `tolerance`: setting $12,
-/// mm.
+/// Computes the arc whose radius the word R gives. If R is negative, the result is the longer of the two possible arcs. `tolerance`:
+/// setting $12 (arc tolerance), mm.
 Float32Arc float32_arc_by_radius(Float32Pair from, Float32Pair to, float radius, Turn turn, float tolerance);
 
 }  // namespace kadr::grbl

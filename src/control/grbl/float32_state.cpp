@@ -30,8 +30,7 @@ void Float32Point::take(std::size_t axis, double now, float by_words) {
   single[axis] = by_words;
 }
 
-/// Converts the text of a word, which usually is a letter and a number, to a 32-bit value. Blanks and comments inside the word are removed
-/// first.
+/// Converts the text of a word, usually a letter and a number, to a 32-bit value. Blanks and comments inside the word are removed first.
 float single_of(const Block& block, const Word& word) {
   const std::string_view text = block.text_of(word.where).substr(1);
   if (size_of_number(text) == text.size()) return float32_of_digits(text);

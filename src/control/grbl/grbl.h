@@ -1,6 +1,6 @@
 #pragma once
 // The dialect of Grbl 1.1 (spec/grbl; gcode.c, protocol.c, jog.c of Grbl's source). A block is first checked as a whole, in the order of
-// Grbl's source; then it is executed completely, or not at all.
+// Grbl's source. Then all of the block is executed, or nothing.
 
 #include <array>
 #include <cstdint>
@@ -11,17 +11,17 @@
 
 namespace kadr::grbl {
 
-/// Those settings $x of Grbl that change what a program does (10).
+/// The settings $x of Grbl that change what a program does (spec/grbl 10).
 struct Settings {
-  bool soft_limits = false;         // $20: soft limits are checked
-  bool homing = false;              // $22: homing is enabled
-  double max_spindle_speed = 1000;  // $30: greatest spindle speed, rev/min
-  double min_spindle_speed = 0;     // $31: least spindle speed, rev/min
-  double arc_tolerance = 0.002;     // $12: arc tolerance, mm
-  Axes travel{};                    // $130 to $132: travel of the axes, mm
+  bool soft_limits = false;         // setting $20: soft limits are checked
+  bool homing = false;              // setting $22: homing is enabled
+  double max_spindle_speed = 1000;  // setting $30: greatest spindle speed, rev/min
+  double min_spindle_speed = 0;     // setting $31: least spindle speed, rev/min
+  double arc_tolerance = 0.002;     // setting $12: arc tolerance, mm
+  Axes travel{};                    // settings $130 to $132: travel of the axes, mm
 };
 
-/// The state that a block changes, and that an alarm in the block restores.
+/// The state that a block changes. An alarm in the block restores it.
 struct State {
   double length = 0;  // tool length set by G43.1, mm
   Settings settings;
@@ -60,15 +60,15 @@ class Grbl final : public Dialect {
   Status jog(Emitter& m);
   void watch_speed(Emitter& m);
   State before_;
-  double speed_reported_ = 0;  // rev/min; speed in the last warning of watch_speed()
-  double feed_at_end_ = -1;    // feed that remains in force after a block with M2 or M30; -1: the block has neither
+  double speed_reported_ = 0;  // speed in the last warning of watch_speed(), rev/min
+  double feed_at_end_ = -1;    // feed that remains in force after a block with M2 or M30; -1: the block has neither of them
 };
 
 Grbl& grbl_of(const BlockContext& m);
 
-/// Executes a line `$x=v` of the program, which changes a setting (10).
+/// Executes a line `$x=v` of the program, which changes a setting (spec/grbl 10).
 ///   returns  false if Kadr does not use this setting
-///   alarms  value_below_zero, step_pulse_short, soft_limits_need_homing
+///   alarms   value_below_zero, step_pulse_short, soft_limits_need_homing
 Result<bool> set(Settings& settings, int number, double value, Span where);
 
 }  // namespace kadr::grbl

@@ -8,7 +8,7 @@
 namespace kadr {
 namespace {
 
-/// Returns `row` for writing, after its old values have been recorded for an alarm to restore.
+/// Returns `row` for writing. The old values of the row are recorded first, so that an alarm can restore them.
 Axes& to_write(BlockContext& m, Axes& row) {
   m.journal.on_undo([&row, before = row] { row = before; });
   return row;
@@ -29,13 +29,14 @@ void take_length(Emitter& m, double length) {
 
 namespace functions {
 
-/// G53: the axis words of the block's G0 or G1 are machine coordinates. Without axis words G53 has no effect.
+/// G53: the axis words of the block's G0 or G1 are machine coordinates. G53 without axis words has no effect.
 Status machine_block(Emitter& m, const Call&) {
   m.block_machine_coordinates = true;
   return {};
 }
 
-/// G10 L2, L20: sets a work offset. L2 gives it in machine coordinates; L20 sets it so that the present position has the given coordinates.
+/// G10 L2, L20: sets a work offset. The words of L2 give the offset in machine coordinates. L20 sets the offset so that the present
+/// position has the coordinates of the words.
 Status stored_offsets(Emitter& m, const Call&) {
   const auto number = static_cast<std::size_t>(grbl::byte_of(m.value('P')));
   Axes& zero = to_write(m, m.tables.zeros[number == 0 ? m.modal.work_zero : number]);
@@ -47,7 +48,7 @@ Status stored_offsets(Emitter& m, const Call&) {
 }
 
 /// G28, G30 (arg 1, 2): moves the axes that have a word first to the point of the words, then to the stored position. Without axis words
-/// all axes move straight to the stored position.
+/// all axes move directly to the stored position.
 Status stored_move(Emitter& m, const Call& call) {
   const Axes stored = m.tables.reference[static_cast<std::size_t>(call.row->arg)];
   AxisMask named = 0;
@@ -64,13 +65,13 @@ Status stored_position(Emitter& m, const Call& call) {
   return {};
 }
 
-/// G43.1: Z is the tool length.
+/// G43.1: the word Z is the tool length.
 Status length_by_word(Emitter& m, const Call&) {
   take_length(m, m.length_value('Z'));
   return {};
 }
 
-/// G49; axis words in its block have no effect.
+/// G49: the tool length is 0. Axis words in a block with G49 have no effect.
 Status length_by_word_off(Emitter& m, const Call&) {
   take_length(m, 0);
   return {};

@@ -1,4 +1,4 @@
-// Checks the soft limits, if setting $20 is on (spec/grbl 8; limits_soft_check of limits.c, which mc_line calls for each segment of
+// Checks the soft limits if the setting $20 is on (spec/grbl 8; limits_soft_check of limits.c, which mc_line calls for each segment of
 // mc_arc).
 
 #include <algorithm>
@@ -26,7 +26,7 @@ Status point_within(const BlockContext& m, const Grbl& control, const Axes& mach
 }  // namespace
 
 Status within_travel(const BlockContext& m, const Grbl& control, const CheckedBlock& block, bool is_jog) {
-  const bool by_stored = block.non_modal == 280 || block.non_modal == 300;  // G28, G30: to the stored position
+  const bool by_stored = block.non_modal == 280 || block.non_modal == 300;  // G28 and G30 end at the stored position
   if (!control.state.settings.soft_limits || !(block.moves || by_stored || (is_jog && block.has_axis))) return {};
   const auto system = block.system < 0 ? std::size_t{m.modal.work_zero} : static_cast<std::size_t>((block.system - 530) / 10);
   Axes zero{}, end{};

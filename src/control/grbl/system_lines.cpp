@@ -61,7 +61,7 @@ bool is_command(const std::string& line) {
 
 Result<bool> set(Settings& settings, int number, double value, Span where) {
   constexpr int first_travel = 130;
-  constexpr std::int32_t least_pulse = 3;  // µs; least length of a step pulse
+  constexpr std::int32_t least_pulse = 3;  // least length of a step pulse, µs
   if (value < 0) return fail(alarm(AlarmId::value_below_zero, where, '$' + std::to_string(number) + '=', value));
   switch (number) {
     case 0:
@@ -85,7 +85,7 @@ Result<bool> set(Settings& settings, int number, double value, Span where) {
   }
 }
 
-/// Executes a `$` line that jogs, homes, or changes a setting that Kadr uses. Any other `$` line is skipped with a note.
+/// Executes a `$` line that jogs, homes, or changes a setting that Kadr uses. Any other `$` line has no effect, and a note reports it.
 Result<bool> Grbl::statement(Interpreter& m) {
   std::vector<std::uint32_t> place;
   const std::string line = filtered(m.block->text_of(m.block->statement.text), place);

@@ -72,8 +72,8 @@ class Checker {
     return {};
   }
 
-  /// Refuses the letter of an axis that the machine lacks (1.1), such as U, V or W if neither the set-up nor the ini file names these axes.
-  /// Blocks of a turning profile may have A, C, U and W; there U and W are increments (interp_g7x: switch_settings).
+  /// Refuses the letter of an axis that the machine lacks (spec/linuxcnc 1.1), such as U, V or W if neither the set-up nor the ini file
+  /// names these axes. Blocks of a turning profile may have A, C, U and W; their U and W are increments (interp_g7x: switch_settings).
   Status axis_there(const Word& w) const {
     const std::size_t axis = axis_letters.find(w.address);
     if (axis == std::string_view::npos || (control_.axes >> axis & 1U) != 0) return {};
@@ -100,7 +100,7 @@ class Checker {
     return {};
   }
 
-  /// Checks the value of a word as LinuxCNC does when it has just read the word (2.3).
+  /// Checks the value of a word by the rules that LinuxCNC applies directly after reading the word (spec/linuxcnc 2.3).
   Status value(const Word& w) const {
     const auto negative = [&](const char* text) -> Status {
       return w.value < 0 ? Status(wrong(AlarmId::rs274_words, w.where, text)) : Status();
@@ -120,7 +120,7 @@ class Checker {
     return wrong(AlarmId::rs274_words, w.where, "Non integer value for integer");
   }
 
-  /// Checks the polar words @ and ^. The plane that was in force before the block applies.
+  /// Checks the polar words @ and ^. The plane that was in force before the block is used.
   Status polar() const {
     if (!codes_.has_polar) return {};
     const auto no = [&](const char* text) { return wrong(AlarmId::rs274_motion, m_.block->where, text); };
@@ -163,7 +163,7 @@ class Checker {
         if (lengths) return {};
         return wrong(AlarmId::rs274_motion, at, "Cannot use axis values without a g code that uses them");
       }
-      if (codes_.g[8] != 43.1_g) codes_.motion = in_force;  // the words of G43.1 are tool lengths: nothing moves
+      if (codes_.g[8] != 43.1_g) codes_.motion = in_force;  // the words of G43.1 are tool lengths, so no axis moves
     } else if ((in_force == 2_g || in_force == 3_g) && (m_.has('I') || m_.has('J') || m_.has('K'))) {
       codes_.motion = in_force;
     }
@@ -189,7 +189,7 @@ class Checker {
     return {};
   }
 
-  /// Checks the words of G10 (7.8).
+  /// Checks the words of G10 (spec/linuxcnc 7.8).
   Status data() const {
     const Span at = m_.block->where;
     const int l = m_.has('L') ? static_cast<int>(std::round(m_.word('L')->value)) : -1;
@@ -197,7 +197,7 @@ class Checker {
       return wrong(AlarmId::rs274_data, at, "Line with G10 does not have L0, L1, L10, L11, L2, or L20");
     if (l == 0) return {};
     const double p = m_.has('P') ? m_.word('P')->value : -1;
-    const bool broken = p + 0.0001 - std::round(p) > 0.0002;  // as in LinuxCNC's source: P1.5 to P1.99 are accepted as P2
+    const bool broken = p + 0.0001 - std::round(p) > 0.0002;  // as in LinuxCNC's source, P1.5 to P1.99 are accepted as P2
     if (l == 2 || l == 20) {
       if (broken) return wrong(AlarmId::rs274_data, at, "P value not an integer with G10");
       if (std::round(p) < 0 || std::round(p) > 9)
@@ -269,7 +269,7 @@ Status Checker::letters_of_cycles() const {
   return {};
 }
 
-/// Refuses words that no code of the block uses. The texts and the order of the checks are LinuxCNC's.
+/// Refuses words that no code of the block uses. The alarm texts and the order of the checks are LinuxCNC's.
 Status Checker::words() const {
   KADR_TRY(letters_of_cycles());
   const bool thread = moves({33_g, 33.1_g});

@@ -17,11 +17,11 @@ namespace kadr::linuxcnc {
 
 class LinuxCnc;
 
-/// The codes of a block, in tenths: G38.2 is 382; -1: the block has no such code.
+/// The codes of a block, in tenths: G38.2 is 382. The value -1 means that the block has no such code.
 struct BlockCodes {
-  std::array<std::int32_t, g_groups> g{};  // by modal group: the block's G code
+  std::array<std::int32_t, g_groups> g{};  // G code of the block in each modal group, by group number
   std::array<std::int32_t, m_groups> m{};
-  std::int32_t motion = -1;  // motion code of the block, else the one in force; -1: nothing moves
+  std::int32_t motion = -1;  // motion code of the block, or the one in force if the block has none; -1: no axis moves
   bool has_axis = false;     // the block has an axis word: X Y Z A B C U V W
   bool has_polar = false;    // the block has a polar word, @ or ^
   bool axes_for_group0 = false;

@@ -25,7 +25,7 @@ Status leave_sub(Interpreter& m, Span where) {
   LinuxCnc& control = linuxcnc_of(m);
   const auto left = m.flow.end_subprogram(where);
   if (!left) return fail(left.error());
-  if (*left == nullptr) return {};  // the subprogram is repeated
+  if (*left == nullptr) return {};  // the subprogram is executed once more, so the call is still open
   if (!control.flow.by_m98.back() && control.levels().size() > 1) control.levels().pop_back();
   control.flow.calls.pop_back();
   control.flow.by_m98.pop_back();
@@ -40,7 +40,7 @@ namespace kadr::functions {
 
 using linuxcnc::linuxcnc_of;
 
-/// M98 P L (6.5): calls the subprogram that starts at a later line `On` of the file, L times.
+/// M98 P L (spec/linuxcnc 6.5): calls the subprogram that starts at a later line `On` of the file, L times.
 Status call_numbered(Interpreter& m, const Call& call) {
   const linuxcnc::LinuxCnc& control = linuxcnc_of(m);
   if (!control.machine.fanuc_subprograms)
@@ -54,7 +54,7 @@ Status call_numbered(Interpreter& m, const Call& call) {
   const linuxcnc::OFile& file = linuxcnc_of(m).flow.of(m);
   for (const linuxcnc::OLine& line : file.lines) {
     if (line.at.offset < m.block->position.offset || line.label != label) continue;
-    if (line.word == OWord::sub) {  // the report is about the `sub` line
+    if (line.word == OWord::sub) {  // the report is about the line with `sub`, not about the call
       linuxcnc_of(m).flow.refused = "'O.... sub' subroutine must be called with 'O.... call'";
       m.flow.jump(line.at);
       return {};
@@ -77,7 +77,7 @@ Status call_numbered(Interpreter& m, const Call& call) {
                        fmt::format("EOF in file:{} seeking o-word: o<{}> from line: {}", m.program().file(), text, m.block->position.line));
 }
 
-/// M99 (6.5): returns from a subprogram; in the main program, starts the program again at its first line.
+/// M99 (spec/linuxcnc 6.5): returns from a subprogram; in the main program, starts the program again at its first line.
 Status return_numbered(Interpreter& m, const Call& call) {
   const linuxcnc::LinuxCnc& control = linuxcnc_of(m);
   if (!control.machine.fanuc_subprograms)

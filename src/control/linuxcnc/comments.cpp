@@ -1,4 +1,5 @@
-// Executes comments that have an effect: messages, the log, the file of probed points (spec/linuxcnc 2.4; convert_comment of the source).
+// Executes comments that have an effect: messages, the log, the file of probed points (spec/linuxcnc 2.4; convert_comment of LinuxCNC's
+// source).
 
 #include <fmt/format.h>
 
@@ -15,7 +16,7 @@ namespace {
 
 constexpr double shown_as_zero = 1e-4;
 
-/// Returns the last comment of the block in parentheses; nullopt if there is none. A comment after `;` never has an effect.
+/// Returns the last comment of the block that is in parentheses; nullopt if the block has none. A comment after `;` never has an effect.
 std::optional<std::string_view> last_comment(const Block& block) {
   std::optional<std::string_view> last;
   for (const Span comment : block.comments)
@@ -23,7 +24,7 @@ std::optional<std::string_view> last_comment(const Block& block) {
   return last;
 }
 
-/// Returns true if the comment starts with `word`, apart from case and leading blanks; `rest` is then the text after the word.
+/// Returns true if the comment starts with `word`, in any letter case and after any blanks. `rest` receives the text after the word.
 bool takes(std::string_view text, std::string_view word, std::string_view& rest) {
   const std::size_t from = std::min(text.find_first_not_of(" \t"), text.size());
   text.remove_prefix(from);
@@ -34,7 +35,7 @@ bool takes(std::string_view text, std::string_view word, std::string_view& rest)
   return true;
 }
 
-/// Replaces each parameter in the text of a comment by its value (convert_param_comment of the source).
+/// Replaces each parameter in the text of a comment by its value (convert_param_comment of LinuxCNC's source).
 class Filled {
  public:
   Filled(Emitter& m, std::string_view text) : m_(m), text_(text) {}
@@ -53,7 +54,7 @@ class Filled {
   }
 
  private:
-  /// Reads a format %d, %f or %.2f. It applies to all parameters after it in the comment.
+  /// Reads a format %d, %f or %.2f. The format applies to all parameters that follow in the comment.
   bool format() {
     const std::string_view rest = text_.substr(at_ + 1);
     if (rest.starts_with('d')) {
@@ -74,8 +75,8 @@ class Filled {
     return false;
   }
 
-  /// Under cutter compensation, returns the number of #<_x> for the number of #5420, and so on for the other axes. In an expression #5420 …
-  /// are then an alarm, but a comment shows the values of #<_x> … (LinuxCNC's source reads the parameter table directly).
+  /// Under cutter compensation, returns the number of #<_x> for the number of #5420, and so on for the other axes. An expression with #5420
+  /// … is an alarm under compensation, but a comment shows the values of #<_x> … (LinuxCNC's source reads the parameter table directly).
   double beside_contour(double number) const {
     constexpr std::string_view letters = "xyzabcuvw";
     constexpr double first = 5420;
@@ -116,7 +117,7 @@ class Filled {
   int decimals_ = 6;
 };
 
-/// Sets the location of an alarm that the writer of a file raised to that of the block.
+/// Sets the location of an alarm from the file writer to the location of the block.
 Status placed_at(const Status& status, Span where) {
   if (status) return {};
   Alarm alarm = status.error();

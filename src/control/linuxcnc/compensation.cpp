@@ -1,4 +1,5 @@
-// G41, G42, G41.1, G42.1 (spec/linuxcnc 7.5; convert_cutter_compensation_on of the source). The room path computes the corners.
+// G41, G42, G41.1, G42.1 (spec/linuxcnc 7.5; convert_cutter_compensation_on of LinuxCNC's source). The corners of the path are computed in
+// the room path.
 
 #include <fmt/format.h>
 
@@ -13,7 +14,8 @@ namespace kadr::functions {
 namespace {
 
 constexpr std::uint8_t unknown_nose =
-    10;  // an orientation outside the table: the path is that of the nose centre, and its entry before an arc is different
+    // An orientation that the table of orientations lacks. The path is that of the nose centre, and its entry before an arc is different.
+    10;
 
 }  // namespace
 

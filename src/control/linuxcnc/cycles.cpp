@@ -1,5 +1,5 @@
-// Canned cycles G73, G74, G81 to G89: reads and checks their words (spec/linuxcnc 7.6; convert_cycle, convert_cycle_xy, CYCLE_MACRO of the
-// source).
+// Canned cycles G73, G74, G81 to G89: reads and checks their words (spec/linuxcnc 7.6; convert_cycle, convert_cycle_xy, CYCLE_MACRO of
+// LinuxCNC's source).
 
 #include <fmt/format.h>
 
@@ -60,7 +60,7 @@ class Reader {
  private:
   tl::unexpected<Alarm> wrong(std::string text) const { return control_.fault(AlarmId::rs274_cycle, call_.where, std::move(text)); }
 
-  /// Returns the letter of the drilling axis in the case that LinuxCNC's alarm texts have: `z` in plane `xy`, but `W` in plane `UV`.
+  /// Returns the letter of the drilling axis in the letter case of LinuxCNC's alarm texts: `z` in plane `xy`, but `W` in plane `UV`.
   char drill_letter() const {
     const char letter = m_.letters.axis_letter[hole_.drill];
     return of_uvw_ ? letter : static_cast<char>(letter | 0x20);
@@ -73,7 +73,8 @@ class Reader {
     }
   }
 
-  /// Refuses words of U, V, W in a plane of X, Y, Z and vice versa, and drilling along an axis that the machine lacks.
+  /// Refuses words of U, V, W in a plane of X, Y, Z and words of X, Y, Z in a plane of U, V, W, and drilling along an axis that the machine
+  /// lacks.
   Status axes_of_plane(bool same) const {
     constexpr std::string_view xyz = "XYZ", uvw = "UVW", planes_of_xyz[] = {"XY", "XZ", "YZ"};
     for (const char letter : of_uvw_ ? xyz : uvw)
@@ -104,7 +105,7 @@ class Reader {
     return axes_of_plane(same);
   }
 
-  /// Stores a fault that the cycle reports only after the tool has moved to the drilling position.
+  /// Stores a fault that is reported only after the tool has moved to the drilling position, as in LinuxCNC.
   void at_hole(AlarmId id, std::string text) {
     if (hole_.fault != no_alarm) return;
     hole_.fault = id;
@@ -112,8 +113,7 @@ class Reader {
     hole_.where = call_.where;
   }
 
-  /// Reads the spindle number `$`, at the point of the cycle where LinuxCNC's source reads it. The alarm text, with its mistakes, is
-  /// LinuxCNC's.
+  /// Reads the spindle number `$` at the same step of the cycle as LinuxCNC's source. The alarm text, with its mistakes, is LinuxCNC's.
   void choose_spindle() {
     const bool taps = hole_.code == 84_g || hole_.code == 74_g;
     const bool in_uw = of_uvw_ && hole_.plane == Plane::zx;
@@ -147,7 +147,8 @@ class Reader {
   void resume_from() {
     CycleMemory& memory = m_.cycle_memory;
     if (const char drill = m_.letters.axis_letter[hole_.drill]; m_.has(drill)) {
-      const bool is_diameter = (m_.modal.diameter >> hole_.drill & 1u) != 0;  // G7 in the plane of G19; R stays a radius (2.9, #2948)
+      // The drilling axis is the diameter axis X (G7 in the plane of G19); R remains a radius (LinuxCNC 2.9, #2948).
+      const bool is_diameter = (m_.modal.diameter >> hole_.drill & 1u) != 0;
       memory.bottom = m_.length_value(drill) / (is_diameter ? 2 : 1);
     }
     if (m_.has('R')) memory.level = m_.length_value('R');
@@ -170,15 +171,15 @@ class Reader {
     hole_.clear = m_.modal.retract_initial ? old_z : hole_.level;
     hole_.peck = memory.peck;
     hole_.dwell = memory.dwell;
-    const double of_xyz[] = {memory.i, memory.j, memory.k};  // I, J, K are increments along X, Y, Z, or along U, V, W
+    const double of_xyz[] = {memory.i, memory.j, memory.k};  // the words I, J, K are increments along X, Y, Z, or along U, V, W
     const auto along = [&](std::size_t axis) { return of_xyz[axis % 3]; };
     hole_.i = along(hole_.first);
     hole_.j = along(hole_.second);
     hole_.back = along(hole_.drill) + (m_.modal.absolute ? 0 : hole_.bottom);
   }
 
-  /// Checks that each word which the cycle needs is in the block or kept from an earlier block. A fault is reported after the tool has
-  /// risen to R. P and Q with the value -1 count as missing (2.2).
+  /// Checks that each word which the cycle needs is in the block or was stored by an earlier block. A fault is reported after the tool has
+  /// risen to R. P and Q with the value -1 count as missing (spec/linuxcnc 2.2).
   Status of_code(bool same) {
     const auto wants = [&](char letter, const char* text) {
       const bool there = m_.has(letter) && !((letter == 'P' || letter == 'Q') && m_.value(letter) == -1);
@@ -208,7 +209,7 @@ class Reader {
     KADR_TRY(m_.target(to, named));
     hole_.at_first = to[hole_.first];
     hole_.at_second = to[hole_.second];
-    if (!m_.modal.absolute) {  // in G91 each repetition, the first one too, advances by the axis words
+    if (!m_.modal.absolute) {  // in G91 each repetition, also the first one, advances by the axis words
       hole_.step_first = to[hole_.first] - m_.position.programmed[hole_.first];
       hole_.step_second = to[hole_.second] - m_.position.programmed[hole_.second];
       hole_.at_first = m_.position.programmed[hole_.first];
@@ -238,7 +239,7 @@ class Reader {
   const kadr::Call& call_;
   LinuxCnc& control_;
   Hole hole_;
-  bool of_uvw_ = false;  // the plane is that of G17.1, G18.1 or G19.1
+  bool of_uvw_ = false;  // the plane in force is that of G17.1, G18.1 or G19.1
 };
 
 }  // namespace

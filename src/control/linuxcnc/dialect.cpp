@@ -1,4 +1,4 @@
-// The functions of the LinuxCNC dialect that the interpreter calls (control/dialect.h).
+// The functions of LinuxCNC's dialect that the interpreter calls (control/dialect.h).
 
 #include <algorithm>
 #include <cmath>
@@ -51,7 +51,7 @@ struct LinuxCnc::Remembered : DialectState {
   ProgramFiles::Memory outputs;
 };
 
-/// Reads the tools from tool.tbl in the program memory, or from the set-up if this file is missing (1.1).
+/// Reads the tools from tool.tbl in the program memory, or from the set-up if this file is missing (spec/linuxcnc 1.1).
 LinuxCnc::LinuxCnc(BlockContext& m, const Setup& setup, const RunLimits& limits)
     : groups(m.def),
       outputs({.root = limits.files,
@@ -74,8 +74,8 @@ LinuxCnc::LinuxCnc(BlockContext& m, const Setup& setup, const RunLimits& limits)
   read_tool_file(limits);
 }
 
-/// Sets which axes the machine has (1.1): the set-up or its ini file names them. INFERRED: if U, V or W is among them the control has all
-/// nine axes, so that parameter numbers stay valid; a word of an axis that is not named is still an alarm.
+/// Determines which axes the machine has (spec/linuxcnc 1.1): the set-up or its ini file names them. INFERRED: if U, V or W is one of these
+/// axes, the control has all nine axes, so that parameter numbers stay valid; a word of an axis that is not named is still an alarm.
 bool LinuxCnc::start(Interpreter& m, const Setup& setup) {
   std::string named;
   for (const std::string& axis : setup.axes) named += axis;
@@ -92,10 +92,11 @@ std::pair<double, double> LinuxCnc::limits_by_file(std::size_t axis) const {
   return machine.known && axis < machine.limits.size() ? machine.limits[axis] : Dialect::limits_by_file(axis);
 }
 
-/// Sets in a motion the axes to which the feed applies: X Y Z if they move, else U V W, else A B C (7.2).
+/// Records in a motion to which axes the feed applies: X Y Z if one of them moves; if not, U V W; if these do not move either, A B C
+/// (spec/linuxcnc 7.2).
 void LinuxCnc::note_motion(Emitter& m, Motion& motion) {
   motion.along = FeedAlong::xyz;
-  if (m.modal.axes.first >= axis_u) {  // in a plane of U, V, W there are no arcs and no compensation
+  if (m.modal.axes.first >= axis_u) {  // in a plane of U, V, W arcs and cutter compensation are not allowed
     const PlaneAxes of_xyz = axes_of(m.modal.plane);
     motion.first = static_cast<std::uint8_t>(of_xyz.first);
     motion.second = static_cast<std::uint8_t>(of_xyz.second);
@@ -135,7 +136,7 @@ void LinuxCnc::forget_shift(Emitter& m) {
   m.change_frames();
 }
 
-/// Ends the program at M2, M30 (7.9). The control's file lists the modes that M2 and M30 reset.
+/// Ends the program at M2, M30 (spec/linuxcnc 7.9). The control's file lists the modes that M2 and M30 reset.
 bool LinuxCnc::end_program(Interpreter& m) {
   m.modal.feed = 0;
   m.modal.feed_known = false;
@@ -152,7 +153,8 @@ bool LinuxCnc::end_program(Interpreter& m) {
   return false;
 }
 
-/// Saves the parameter file and the tool table after an alarm, as LinuxCNC does (Interp::synch). The parameters keep their values.
+/// Saves the parameter file and the tool table after an alarm, as LinuxCNC does (Interp::synch). The parameters in memory keep their
+/// values.
 void LinuxCnc::failed(Emitter& m) {
   save_parameters(m, false);
   save_tools(m);
@@ -194,8 +196,8 @@ Status LinuxCnc::restore(BlockContext&, const DialectState& from) {
 
 namespace {
 
-/// Refuses a file with a byte order mark. LinuxCNC reads the mark as three characters and reports the first; Kadr's line reader has skipped
-/// the mark.
+/// Refuses a file with a byte order mark. LinuxCNC reads the mark as three characters, and reports the first one. Kadr's line reader has
+/// skipped the mark, so the position of the first block shows it.
 Status no_byte_order_mark(const BlockContext& m) {
   constexpr std::uint64_t size_of_mark = 3;
   if (m.block->position.line != 1 || m.block->position.offset != size_of_mark) return {};
@@ -211,8 +213,8 @@ Result<bool> LinuxCnc::statement(Interpreter& m) {
   return true;
 }
 
-/// Handles a line with only `%` (2.1). If it is the first line that is not blank, it starts the program; the next such line ends the
-/// program.
+/// Handles a line with only `%` (spec/linuxcnc 2.1). If this is the first line that is not blank, the program starts; the next line with
+/// only `%` ends the program.
 Result<bool> LinuxCnc::sign_of_file(Interpreter& m) {
   KADR_TRY(no_byte_order_mark(m));
   if (!state.began && !state.percent) {
@@ -235,7 +237,7 @@ Result<bool> LinuxCnc::end_of_file(BlockContext& m) {
                state.percent ? "File ended with no percent sign" : "File ended with no percent sign or program end");
 }
 
-/// Ends the run after a fault at the end of the file, so that the fault is reported once.
+/// Ends the run after a fault at the end of the file, so that the fault is not reported a second time.
 void LinuxCnc::note_fault(Interpreter& m, bool) {
   const Alarm& fault = m.report.alarm;
   const bool of_the_end = fault.id == AlarmId::rs274_flow || fault.id == AlarmId::rs274_program;
@@ -249,7 +251,8 @@ void LinuxCnc::begin_block(Emitter&) {
 
 namespace {
 
-/// Checks that the feed is not 0. As in LinuxCNC, the check follows the block's F and feed mode (7.2).
+/// Checks that the feed is not 0. As in LinuxCNC, the check is made after the block's F and feed mode have come into force (spec/linuxcnc
+/// 7.2).
 Status feed_known(const BlockContext& m, const LinuxCnc& control) {
   const std::int32_t motion = control.codes.motion;
   if (motion != 1_g) return {};
@@ -268,7 +271,7 @@ Status feed_known(const BlockContext& m, const LinuxCnc& control) {
   return {};
 }
 
-/// Refuses codes and words that are not allowed while cutter compensation is on (7.5).
+/// Refuses codes and words that are not allowed while cutter compensation is on (spec/linuxcnc 7.5).
 Status compensation_allows(const BlockContext& m, const LinuxCnc& control) {
   if (m.modal.radius_side == 0) return {};
   const BlockCodes& codes = control.codes;
@@ -324,15 +327,15 @@ BlockChanges LinuxCnc::changes_of(const BlockContext&, const Plan&) const { retu
 void LinuxCnc::after_code(Interpreter& m, const CodeRow& row, std::int32_t) {
   if (row.letter != 'G' || row.group == 0) return;
   const auto is_of = [&](std::size_t group) { return row.group == groups.index_of_g(group); };
-  if (is_of(5)) {  // G93, G94, G95 set F to 0, also if they are in force already (7.2)
+  if (is_of(5)) {  // G93, G94 and G95 set F to 0, even if the same code is in force already (spec/linuxcnc 7.2)
     m.modal.feed = 0;
     m.modal.feed_known = false;
     return;
   }
-  if (is_of(2) && row.tenth % 10 == 1 && m.axis_count > axis_u)  // G17.1, G18.1, G19.1: G17, G18, G19 with U, V, W
+  if (is_of(2) && row.tenth % 10 == 1 && m.axis_count > axis_u)  // G17.1, G18.1 and G19.1 are G17, G18 and G19 with the axes U, V, W
     m.modal.axes = {m.modal.axes.first + axis_u, m.modal.axes.second + axis_u, m.modal.axes.normal + axis_u};
   if (is_of(7) && m.modal.contour == CompensationPhase::leaving) state.arc_not_allowed = true;
-  if (is_of(6)) m.variables.inch = false;  // tables and parameters are in the machine's unit (1.1)
+  if (is_of(6)) m.variables.inch = false;  // tables and parameters are in the machine's unit, also in G20 and G21 (spec/linuxcnc 1.1)
   if (!is_of(1) || !row.modal) return;
   state.motion = row.tenth;
   if (!codes.is_cycle()) state.cycle_began = false;
@@ -359,7 +362,7 @@ void LinuxCnc::note_line(BlockContext& m) {
   state.cycle_began = state.arc_not_allowed = false;
 }
 
-/// Returns the arc rule of the control's file, changed so that each arc is checked on its own, as LinuxCNC does.
+/// Returns the arc rule of the control's file with one change: each arc is checked separately, as in LinuxCNC.
 ArcRule LinuxCnc::arc_rule(const BlockContext& m) const {
   ArcRule rule = m.plain_arc_rule();
   rule.by_words = false;

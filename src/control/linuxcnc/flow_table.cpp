@@ -13,7 +13,7 @@ std::string label_of_number(double number) { return fmt::format("{:.0f}", number
 
 namespace {
 
-/// Returns the label of an O line as written; an empty text if the label is an expression.
+/// Returns the label of an O line as written; an empty text if an expression gives the label.
 std::string written_label(const Block& block) {
   const Statement& s = block.statement;
   if (s.text.end > s.text.begin) return VariableNames::plain(block.text_of(s.text));
@@ -23,7 +23,7 @@ std::string written_label(const Block& block) {
 
 }  // namespace
 
-/// Reads the O lines of a file, and links each of them to the next O line with the same label in the same subprogram.
+/// Reads the O lines of a file. Each O line is linked to the next O line with the same label in the same subprogram.
 OFile FlowTable::read_o_lines(const ProgramFile& file) {
   OFile all;
   BlockReader reader(file.source(), file.grammar(), file.reader().encoding());
@@ -52,7 +52,7 @@ OFile FlowTable::read_o_lines(const ProgramFile& file) {
     row.label = label_or_none(written_label(*block));
     if (row.label == no_label) {
       const auto written = block->text_of(block->statement.label_where);
-      if (written.empty()) continue;  // a faulty line, whose label could not be read
+      if (written.empty()) continue;  // the line is faulty: its label could not be read
       row.expression = written.substr(1);
     }
     const auto index = static_cast<std::int32_t>(all.lines.size());
@@ -75,7 +75,8 @@ OFile& FlowTable::of(BlockContext& m) { return of(m, m.program().reader()); }
 
 OFile& FlowTable::of(BlockContext& m, std::uint16_t reader) {
   if (files_.size() <= reader) files_.resize(reader + 1U);
-  if (!files_[reader] || (m.program().in_entered() && reader == m.program().reader()))  // the operator has entered a new line
+  // The operator has entered a new line (MDI), so the table of the previous one is outdated.
+  if (!files_[reader] || (m.program().in_entered() && reader == m.program().reader()))
     files_[reader] = std::make_unique<OFile>(read_o_lines(m.program().file(reader)));
   return *files_[reader];
 }

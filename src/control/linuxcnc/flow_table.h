@@ -1,6 +1,6 @@
 #pragma once
 // The O lines (flow control and calls, such as `o10 call`) of the files of a run, and the labels in use (spec/linuxcnc 6). Each file is
-// read once. Each text of a label gets a number, so that later only numbers are compared.
+// read once. Each label gets a number, so that later only numbers are compared, not texts.
 
 #include <cstdint>
 #include <map>
@@ -22,44 +22,45 @@ class ProgramFile;
 
 namespace kadr::linuxcnc {
 
-/// The number of a label. Labels are numbered in the order in which their texts first occur.
+/// The number of a label. Labels are numbered in the order in which they first occur.
 using Label = std::int32_t;
 inline constexpr Label no_label = -1;
 
-/// Returns the label text that a number means, such as the value of the expression in O[#1+1].
+/// Returns the label that a number means, as text. The number is, for example, the value of the expression in O[#1+1].
 std::string label_of_number(double number);
 
-/// An O line of a file.
+/// One O line of a file.
 struct OLine {
-  Position at, behind;     // position of the O line; position of the line after it
-  Label label = no_label;  // no_label if the label is computed from `expression`
-  std::string expression;  // text of a computed label, O[…] or O#…
+  Position at, behind;     // position of the O line, and position of the line after the O line
+  Label label = no_label;  // number of the label; no_label if `expression` gives the label
+  std::string expression;  // text of the expression that gives the label: O[…] or O#…
   OWord word = OWord::label;
-  std::int32_t sub = -1;   // index of the O line that starts the enclosing subprogram; -1: none
-  std::int32_t next = -1;  // index of the next O line with the same label in the same subprogram; -1: none
-  Label mark_of = -2;      // label of the subprogram for which `mark` is valid; -2: `mark` is not determined yet
-  std::uint32_t mark = 0;  // index of this line's Mark, valid if `mark_of` is determined
+  std::int32_t sub = -1;   // index of the O line that starts the subprogram around this line; -1: the line is in the main program
+  std::int32_t next = -1;  // index of the next O line with the same label in the same subprogram; -1: there is no such line
+  Label mark_of = -2;      // label of the subprogram for which `mark` is valid; -2: `mark` has not been determined yet
+  std::uint32_t mark = 0;  // index of the Mark of this line's label; valid if `mark_of` is not -2
 };
 
 /// The O lines of one file.
 struct OFile {
   std::vector<OLine> lines;
   std::unordered_map<std::uint64_t, std::int32_t> by_offset;
-  bool all = true;      // false: the file has more O lines than max_lines
-  bool closed = false;  // a second line with only % ends the file (2.1)
+  bool all = true;      // false: the file has more than max_lines O lines, and the rest is missing here
+  bool closed = false;  // the file ends before its last line, at a second line with only % (spec/linuxcnc 2.1)
 };
 
-/// The state of a label that is in use: the line where its loop or branch starts, and how far the loop or branch has been executed.
+/// The state of a label that is in use: the line where its loop or branch starts, and the progress of the loop or branch.
 struct Mark {
   bool used = false;
   OWord word = OWord::label;
   Position at;  // position of the O line that starts the loop or branch
   std::uint16_t reader = 0;
   double left = 0;     // remaining passes of a repeat loop
-  bool taken = false;  // one of the branches of the `if` has been executed
+  bool taken = false;  // one of the branches of the `if` has been executed, so no other branch is executed
 };
 
-/// Where a subprogram is defined. Known when the run has passed the definition or a call has found it.
+/// The place in the files where a subprogram is defined. The place is known when the run has passed the definition, or when a call has
+/// found it.
 struct PassedSub {
   bool known = false;
   std::uint16_t reader = 0;
@@ -68,7 +69,7 @@ struct PassedSub {
 
 class FlowTable {
  public:
-  static constexpr std::size_t max_lines = 200'000;  // greatest number of O lines that are stored per file
+  static constexpr std::size_t max_lines = 200'000;  // greatest number of O lines that are stored for a file
 
   /// Returns the O lines of the file being read. The first call for a file reads the whole file.
   OFile& of(BlockContext& m);
@@ -83,19 +84,19 @@ class FlowTable {
   Mark& mark(std::uint32_t place) { return marks_[place]; }
   PassedSub& passed(Label label) { return passed_[static_cast<std::size_t>(label)]; }
 
-  Label defining = no_label;  // label of the subprogram whose definition is being skipped; no_label: none
-  std::string refused;        // text of a fault at the line to which a call has jumped; reported there
+  Label defining = no_label;  // label of the subprogram whose definition is being skipped; no_label: no definition is being skipped
+  std::string refused;        // text of a fault that is reported at the line to which a call has jumped
   std::vector<Label> calls;   // labels of the open subprograms
-  std::vector<bool> by_m98;   // by open subprogram: M98 has called it
+  std::vector<bool> by_m98;   // by open subprogram: true if M98 has called it
 
-  // Set by `continue` in a do loop and `break` in a while loop, and not cleared by that loop: the next loop that ends acts as if it had
-  // executed the statement itself. This is a fault of LinuxCNC 2.9 (doing_continue and doing_break of the source).
+  // `continue` in a do loop and `break` in a while loop set these flags, but the loop does not clear them. The next loop that ends acts as
+  // if it had executed the statement itself. This is a fault of LinuxCNC 2.9 (doing_continue and doing_break of LinuxCNC's source).
   bool continue_left = false, break_left = false;
-  bool warned_again = false, warned_early = false;  // the warning about the flags above has been reported
+  bool warned_again = false, warned_early = false;  // the warning about continue_left or break_left has been reported
 
-  // ---- the part of a snapshot; it has the texts of labels, because another run numbers labels differently
+  // ---- the part of a snapshot; it has labels as texts, because another run numbers labels differently
   struct Memory {
-    std::map<std::pair<std::string, std::string>, Mark> marks;  // {subprogram, label}
+    std::map<std::pair<std::string, std::string>, Mark> marks;  // key: {subprogram, label}, as texts
     std::map<std::string, PassedSub> passed;
     std::string defining;
     std::string refused;
@@ -111,12 +112,12 @@ class FlowTable {
   std::string text_or_none(Label label) const { return label == no_label ? std::string() : text_of(label); }
   Label label_or_none(const std::string& text) { return text.empty() ? no_label : label_of(text); }
 
-  std::vector<std::unique_ptr<OFile>> files_;  // by number of the file
+  std::vector<std::unique_ptr<OFile>> files_;  // O lines of each file, by file number
   std::vector<std::string> texts_;             // by label
   std::map<std::string, Label, std::less<>> labels_;
   std::vector<PassedSub> passed_;  // by label of the subprogram
   std::vector<Mark> marks_;
-  std::map<std::pair<Label, Label>, std::uint32_t> places_;  // {label of the subprogram, label} → index in marks_
+  std::map<std::pair<Label, Label>, std::uint32_t> places_;  // key: {label of the subprogram, label}; value: index in marks_
 };
 
 }  // namespace kadr::linuxcnc

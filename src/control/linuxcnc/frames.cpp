@@ -22,7 +22,7 @@ constexpr std::uint32_t first_home = 5161, first_second_home = 5181;
 
 std::uint32_t system_at(std::uint32_t number) { return first_system + (number - 1) * numbers_of_system; }
 
-/// Calls `use` for each axis word, with the axis and the word's value in mm or degrees; a diameter X as a radius.
+/// Calls `use` for each axis word, with the axis and the word's value in mm or degrees. The value of a diameter X is halved.
 template <class Use>
 void each_word(const BlockContext& m, Use use) {
   for (std::size_t a = 0; a < m.axis_count; ++a) {
@@ -52,13 +52,13 @@ Axes sum(const Axes& a, const Axes& b, double sign = 1) {
   return c;
 }
 
-/// Refuses a code that is not allowed under cutter compensation (7.5). `text`: text of the alarm.
+/// Refuses a code that is not allowed under cutter compensation (spec/linuxcnc 7.5). `text`: text of the alarm.
 Status not_compensating(const BlockContext& m, Span where, const char* text) {
   if (m.modal.radius_side == 0) return {};
   return linuxcnc_of(m).fault(AlarmId::rs274_compensation, where, text);
 }
 
-/// G10 L2, L20: writes the offset of a work system. `by_position`: L20, so that the present position has the given coordinates.
+/// G10 L2, L20: writes the offset of a work system. `by_position` is true for L20: the present position gets the coordinates of the words.
 Status write_system(Emitter& m, const kadr::Call& call, bool by_position) {
   LinuxCnc& control = linuxcnc_of(m);
   const double p = m.has('P') ? std::round(m.value('P')) : 0;
@@ -68,7 +68,7 @@ Status write_system(Emitter& m, const kadr::Call& call, bool by_position) {
   const std::uint32_t first = system_at(number);
   if (m.has('R')) set(m, first + place_of_rotation, m.value('R'));
   const double rotation = m.variables.raw(first + place_of_rotation);
-  if (by_position) {  // machine position = R·(value + shift) + offset + length
+  if (by_position) {  // by this equation: machine position = R·(value + shift) + offset + length
     Axes reads = turned_by(sum(m.position.machine, sum(control.system_offset(m, number), control.state.length), -1), -rotation);
     reads = sum(reads, control.state.shift, -1);
     each_word(m, [&](std::size_t a, double v) { reads[a] = v; });
@@ -85,7 +85,7 @@ Status write_system(Emitter& m, const kadr::Call& call, bool by_position) {
   return {};
 }
 
-/// G10 L1, L10, L11 (`kind`): writes a tool of the tool table.
+/// G10 L1, L10, L11 (`kind`): writes a row of the tool table.
 Status write_tool(BlockContext& m, int kind) {
   LinuxCnc& control = linuxcnc_of(m);
   const int number = static_cast<int>(std::round(m.value('P')));
@@ -100,7 +100,7 @@ Status write_tool(BlockContext& m, int kind) {
     each_word(m, [&](std::size_t a, double v) { tool.offset[a] = v; });
     return {};
   }
-  constexpr std::uint32_t fixture = 9;  // L11: the position is that in G59.3
+  constexpr std::uint32_t fixture = 9;  // L11: the present position is taken in the work system G59.3
   const Axes origin = kind == 10 ? control.state.system : control.system_offset(m, fixture);
   const double rotation = kind == 10 ? control.state.rotation : m.variables.raw(system_at(fixture) + place_of_rotation);
   const Axes shift = kind == 10 ? control.state.shift : Axes{};
@@ -116,7 +116,7 @@ void take_length(Emitter& m, const Axes& length) {
   m.change_frames();
 }
 
-/// Returns the tool lengths for G43 or G43.2: those of tool H; without H, those of the tool in the spindle.
+/// Returns the tool lengths for G43 or G43.2. They are the lengths of tool H; without H, those of the tool in the spindle.
 Result<Axes> length_of_tool(BlockContext& m, Span where) {
   LinuxCnc& control = linuxcnc_of(m);
   const double number = m.has('H') && std::round(m.value('H')) != 0 ? std::round(m.value('H')) : m.modal.tool;
@@ -132,7 +132,7 @@ constexpr const char* no_length_change = "Cannot change tool offset with cutter 
 
 }  // namespace
 
-/// Applies the new tool's length after a tool change, while G43 is in force (RETAIN_G43). With an empty spindle the length is 0.
+/// Applies the new tool's length after a tool change while G43 is in force (RETAIN_G43). If the spindle is empty, the length is 0.
 void LinuxCnc::retain_length(Emitter& m) {
   const bool by_table = std::any_of(m.modal.rows.begin(), m.modal.rows.end(), [&](std::int16_t row) {
     return row >= 0 && m.def.codes[static_cast<std::size_t>(row)].letter == 'G' && m.def.codes[static_cast<std::size_t>(row)].tenth == 43_g;
@@ -169,7 +169,8 @@ void LinuxCnc::store_axis(BlockContext& m, std::uint32_t first, std::size_t axis
   m.variables.set_raw(first + static_cast<std::uint32_t>(axis), value / table_unit(axis));
 }
 
-/// Copies work offsets with their rotations, and reference points, from the set-up (mm, degrees) to parameters (in the machine's unit).
+/// Copies work offsets with their rotations, and reference points, from the set-up (in mm and degrees) to parameters (in the machine's
+/// unit).
 void LinuxCnc::take_tables(BlockContext& m, const Setup& setup) {
   const auto store = [&](std::uint32_t first, const AxisValues& values) {
     for (std::size_t a = 0; a < m.axis_count; ++a)
@@ -186,7 +187,7 @@ void LinuxCnc::take_tables(BlockContext& m, const Setup& setup) {
     if (number == 1 || number == 2) store(number == 1 ? first_home : first_second_home, point);
 }
 
-/// Adds the tools and the work offsets to a set-up, as take_tables() would read them. Tool lengths include wear here.
+/// Adds the tools and the work offsets to a set-up, in the form that take_tables() reads. The tool lengths added here include wear.
 bool LinuxCnc::add_tables(const BlockContext& m, Setup& tables) const {
   for (const auto& [number, tool] : tools) {
     ToolOffset& offset = tables.offsets[number];
@@ -220,7 +221,7 @@ void LinuxCnc::store_shift(BlockContext& m) {
 }
 
 /// Computes the frames: machine position = R·(work position + shift of G92) + work offset + tool length. R is the rotation of the work
-/// system about Z (7.8).
+/// system about Z (spec/linuxcnc 7.8).
 void LinuxCnc::refresh_frames(Emitter& m) {
   m.frames.length = state.length;
   if (state.rotation == 0) {
@@ -243,11 +244,11 @@ namespace kadr::functions {
 
 using linuxcnc::linuxcnc_of;
 
-/// G10: writes a table (7.8).
+/// G10: writes a table (spec/linuxcnc 7.8).
 Status table_data(Emitter& m, const Call& call) {
   const int kind = static_cast<int>(std::round(m.value('L')));
   if (kind == 2 || kind == 20) return linuxcnc::write_system(m, call, kind == 20);
-  if (kind == 0) return {};  // G10 L0 reads the tool table again, which is still that of the set-up
+  if (kind == 0) return {};  // G10 L0 reads the tool table file again; the table is still that of the set-up, so nothing changes
   return linuxcnc::write_tool(m, kind);
 }
 
@@ -305,7 +306,7 @@ Status reference_move(Emitter& m, const Call& call) {
     KADR_TRY(m.target(through, named));
     KADR_TRY(m.straight(MotionKind::rapid, through, named));
   }
-  if (named == 0) {  // LinuxCNC makes a motion of length zero first
+  if (named == 0) {  // LinuxCNC first makes a motion of length zero
     named = (AxisMask{1} << m.axis_count) - 1;
     KADR_TRY(m.straight(MotionKind::rapid, m.position.programmed, named));
   }
@@ -318,7 +319,7 @@ Status reference_move(Emitter& m, const Call& call) {
   return {};
 }
 
-/// G28.1, G30.1 (arg 1, 2): store the present position.
+/// G28.1, G30.1 (arg 1, 2): store the present machine position.
 Status reference_store(Emitter& m, const Call& call) {
   KADR_TRY(linuxcnc::not_compensating(m, call.where, "Cannot set reference point with cutter compensation in effect"));
   const std::uint32_t first = call.row->arg == 1 ? linuxcnc::first_home : linuxcnc::first_second_home;
@@ -327,7 +328,7 @@ Status reference_store(Emitter& m, const Call& call) {
   return {};
 }
 
-/// G43 (arg 0), G43.2 (arg 1): apply the lengths of a tool in the table. G43.2 adds them to the lengths in force.
+/// G43 (arg 0), G43.2 (arg 1): apply the lengths of a tool in the tool table. G43.2 adds these lengths to the lengths in force.
 Status tool_length(Emitter& m, const Call& call) {
   linuxcnc::LinuxCnc& control = linuxcnc_of(m);
   KADR_TRY(linuxcnc::not_compensating(m, call.where, linuxcnc::no_length_change));
@@ -336,7 +337,7 @@ Status tool_length(Emitter& m, const Call& call) {
     if (m.has('H') && m.has_axis_words())
       return control.fault(AlarmId::rs274_tool, call.where, "G43.2: Can not have both H and axis words");
     if (!m.has('H') && !words) return control.fault(AlarmId::rs274_tool, call.where, "G43.2: No axes specified and H word missing");
-    if (words) {  // axis words are added to the lengths in force (2.9.3)
+    if (words) {  // G43.2 adds the values of its axis words to the lengths in force (LinuxCNC 2.9.3)
       Axes more{};
       linuxcnc::each_word(m, [&](std::size_t a, double v) { more[a] = v; });
       linuxcnc::take_length(m, linuxcnc::sum(control.state.length, more));

@@ -1,4 +1,4 @@
-// Executes the motions of canned cycles (spec/linuxcnc 7.6; convert_cycle_g81 … convert_cycle_g89, CYCLE_MACRO of the source).
+// Executes the motions of canned cycles (spec/linuxcnc 7.6; convert_cycle_g81 … convert_cycle_g89, CYCLE_MACRO of LinuxCNC's source).
 
 #include "control/linuxcnc/hole.h"
 
@@ -12,7 +12,8 @@
 namespace kadr::linuxcnc {
 namespace {
 
-constexpr double above_bottom = 0.254;  // mm; distance from the last depth at which the rapid down ends (G83), or of the retract (G73)
+// Distance in mm from the last depth at which the rapid down ends (G83), and length of the retract (G73).
+constexpr double above_bottom = 0.254;
 constexpr double same_height = 1e-9;
 
 /// Executes a canned cycle, a few actions at a time.
@@ -24,7 +25,7 @@ class Drilling final : public SteppedCycleValue<Drilling> {
     for (std::size_t i = 0; i < batch_size / 8; ++i) {
       if (done_ == h_.repeats) return false;
       KADR_TRY(emit_of_cycle(*m.batch, [&] { return go_on(m); }));
-      if (m.each_block) break;  // the caller of run() needs the state after each drilled hole
+      if (m.each_block) break;  // the caller of run() needs the state after each drilled hole, so only one is executed
     }
     return done_ < h_.repeats;
   }
@@ -94,7 +95,7 @@ class Drilling final : public SteppedCycleValue<Drilling> {
         turn_spindle(m, SpindleDir::stop);
         m.emit(Stop{false});
         turn_spindle(m, h_.spindle);
-        // LinuxCNC stops here until the operator has withdrawn the tool by hand, so the position continues at the retract level.
+        // In LinuxCNC the run waits here until the operator has withdrawn the tool by hand. Kadr continues from the retract level.
         m.position.programmed[h_.drill] = h_.clear;
         m.set_plain_position(AxisMask{1} << h_.drill);
         return {};
@@ -109,8 +110,8 @@ class Drilling final : public SteppedCycleValue<Drilling> {
     }
   }
 
-  /// Taps: in, reversal of the spindle, out. In G18 and G19 LinuxCNC moves the wrong axes, which is a fault of LinuxCNC; Kadr moves the
-  /// same axes, after a warning.
+  /// Taps: feeds in, reverses the spindle, and feeds out. In G18 and G19 LinuxCNC moves the wrong axes, which is a fault of LinuxCNC. Kadr
+  /// moves the same wrong axes, after a warning.
   Status tap(Emitter& m) {
     const SpindleDir in = h_.code == 84_g ? SpindleDir::cw : SpindleDir::ccw;
     KADR_TRY(emit_in_hole(*m.batch, HoleWork::taps, [&] { return stroke(m, h_.bottom); }));
@@ -124,7 +125,7 @@ class Drilling final : public SteppedCycleValue<Drilling> {
     return {};
   }
 
-  /// Sets the position after tapping along the wrong axes: LinuxCNC assumes that the tool is where the cycle should have ended.
+  /// Sets the position after tapping along the wrong axes. LinuxCNC assumes that the tool is where the cycle should have ended.
   void stand(Emitter& m) const {
     Axes to = m.position.programmed;
     to[h_.first] = h_.at_first;
@@ -157,7 +158,7 @@ class Drilling final : public SteppedCycleValue<Drilling> {
     return {};
   }
 
-  /// Back boring (G87): moves the oriented tool down next to the hole's centre line, then to the centre line.
+  /// Back boring (G87): moves the oriented tool down at a distance from the hole's centre line, then to the centre line.
   Status enter(Emitter& m) {
     KADR_TRY(drill(m, MotionKind::rapid, h_.bottom));
     return place(m, h_.at_first, h_.at_second, h_.bottom);
@@ -187,7 +188,7 @@ class Drilling final : public SteppedCycleValue<Drilling> {
   AxisMask axes() const { return AxisMask{1} << h_.first | AxisMask{1} << h_.second | AxisMask{1} << h_.drill; }
 
   void dwell(Emitter& m) const {
-    m.emit(Dwell{h_.dwell});  // a dwell of 0 is emitted too, as in LinuxCNC
+    m.emit(Dwell{h_.dwell});  // an action is emitted also for a dwell of 0 s, as in LinuxCNC
   }
   void turn_spindle(Emitter& m, SpindleDir dir) const {
     const bool turns = dir == SpindleDir::cw || dir == SpindleDir::ccw;

@@ -31,37 +31,37 @@ struct Call;
 
 namespace kadr::linuxcnc {
 
-/// Numbers of parameters (spec/linuxcnc 4.1). shift_on_number: whether the shift of G92 is in force; first_shift: the shift, in a parameter
-/// per axis from 5211 on; system_number: the number of the work system.
+/// Numbers of parameters (spec/linuxcnc 4.1). shift_on_number: 1 while the shift of G92 is in force; first_shift: first of the parameters
+/// with the shift, one per axis; system_number: the number of the work system.
 inline constexpr std::uint32_t shift_on_number = 5210, first_shift = 5211, system_number = 5220;
 
-inline constexpr std::size_t max_arguments = 30;  // arguments of a call: #1 … #30
+inline constexpr std::size_t max_arguments = 30;  // greatest number of arguments of a call: #1 … #30
 inline constexpr std::size_t max_spindles = 8;
-inline constexpr double whole_within = 1e-4;                   // tolerance of a value that must be a whole number (2.3)
+inline constexpr double whole_within = 1e-4;  // tolerance within which a value counts as a whole number (spec/linuxcnc 2.3)
 inline constexpr std::string_view axis_letters = "XYZABCUVW";  // axis letters, in the order of tables and of the control's axes
 inline constexpr std::size_t axes_of_tables = axis_letters.size(), usual_axes = 6, axis_u = 6;
-inline bool is_rotary_place(std::size_t axis) { return axis >= 3 && axis < axis_u; }  // A, B or C
+inline bool is_rotary_place(std::size_t axis) { return axis >= 3 && axis < axis_u; }  // true for A, B and C
 
-/// A tool of the tool table (9); mm and degrees.
+/// A tool of the tool table (spec/linuxcnc 9). Lengths are in mm, angles in degrees.
 struct Tool {
   Axes offset{};
   double diameter = 0;
-  double front = 0, back = 0;  // front and back angle of a lathe tool, words I and J of the table
+  double front = 0, back = 0;  // front and back angle of a lathe tool, degrees; words I and J of the table
   double orientation = 0;      // orientation of a lathe tool, word Q of the table
   int pocket = 0;
   std::string remark;  // text after `;` in the tool table file
 };
 
-/// The parameters of one call: #1 … #30, and the named ones.
+/// The parameters of one call: the numbered ones #1 … #30, and the named ones.
 struct Level {
   std::array<double, max_arguments + 1> arguments{};
   std::map<double, double> named;
 };
 
-/// Modes that M70 or M73 has saved (8).
+/// Modes that M70 or M73 has saved (spec/linuxcnc 8).
 struct KeptModes {
   Modal modal;
-  bool restore_at_end = false;  // M73 saved the modes: they are restored when the subprogram ends
+  bool restore_at_end = false;  // M73 has saved the modes, so they are restored when the subprogram ends
 };
 
 /// A spindle other than the first one.
@@ -71,30 +71,31 @@ struct OtherSpindle {
   bool surface = false;  // constant surface speed (G96) is on
 };
 
-/// The state that a block changes, and that an alarm in the block restores.
+/// The state that a block changes. An alarm in the block restores it.
 struct State {
-  Axes system{};          // offset of the work system in force, machine coordinates
+  Axes system{};          // offset of the work system in force, machine coordinates, mm or degrees
   double rotation = 0;    // rotation of the work system about Z, degrees
-  Axes shift{};           // shift by G92 or G52, in coordinates that rotate with the work system
-  bool shift_on = false;  // #5210: the shift of G92 is in force
-  Axes length{};          // tool length offsets of G43
+  Axes shift{};           // shift by G92 or G52, mm or degrees, in coordinates that rotate with the work system
+  bool shift_on = false;  // value of #5210: the shift of G92 is in force
+  Axes length{};          // tool lengths that G43 has applied, by axis, mm or degrees
   std::uint32_t system_number = 1;
-  int active_spindle = 0;                           // number of the spindle with which G33, G76 synchronise
-  std::array<OtherSpindle, max_spindles> others{};  // by spindle number; entry 0 is unused: Modal has the first spindle
-  double max_css_speed = 0;                         // rev/min; word D of G96: greatest speed; 0: no limit
-  bool cycle_began = false;                         // a canned cycle was executed, and the next block may continue it
-  double old_z = 0;                                 // initial level of a canned cycle (7.6)
-  std::int32_t motion = 80_g;                       // motion code in force, in tenths; -1: none, after G5.3
-  bool polar_step = false;                          // the block has @ or ^ in G91: each repetition of a canned cycle adds the polar words
+  int active_spindle = 0;  // number of the spindle with which G33, G76 synchronise
+  // Spindles by number; entry 0 is unused, because Modal has the data of the first spindle.
+  std::array<OtherSpindle, max_spindles> others{};
+  double max_css_speed = 0;    // word D of G96: greatest spindle speed, rev/min; 0: no limit
+  bool cycle_began = false;    // a canned cycle was executed, so the next block may continue it
+  double old_z = 0;            // initial level of a canned cycle, mm (spec/linuxcnc 7.6)
+  std::int32_t motion = 80_g;  // motion code in force, in tenths; -1: none is in force, because G5.3 was executed
+  bool polar_step = false;     // the block has @ or ^ in G91, so each repetition of a canned cycle adds the polar words
   double polar_radius = 0, polar_angle = 0;
-  bool arc_not_allowed = false;  // cutter compensation has ended: the next motion must be straight (7.3)
+  bool arc_not_allowed = false;  // cutter compensation has ended, so the next motion must be straight (spec/linuxcnc 7.3)
   std::array<bool, 2> spindle_known{};
-  std::vector<ControlPoint> nurbs;  // control points of G5.2, until G5.3
+  std::vector<ControlPoint> nurbs;  // control points of G5.2, collected until G5.3
   std::size_t nurbs_order = 3;      // order of the spline of G5.2, its degree + 1
-  double value = 0;                 // value that the last `O… return` or `endsub` has returned (6.3)
+  double value = 0;                 // value that the last `O… return` or `O… endsub` has returned (spec/linuxcnc 6.3)
   bool value_returned = false;
   bool percent = false;  // the file starts with a % line
-  bool began = false;    // a line that is not blank has been read
+  bool began = false;    // a line that is not blank has been read, so the program has begun
 };
 
 class LinuxCnc final : public Dialect {
@@ -126,7 +127,8 @@ class LinuxCnc final : public Dialect {
   Status after_block(Interpreter& m) override;
   void undo_block(BlockContext& m) override;
   bool lines_follow(const BlockContext& m) const override;
-  AxisMask rolling_axes(const BlockContext&) const override { return ~axes; }  // a word of an axis that the machine lacks is an alarm
+  // Words of axes that the machine lacks are an alarm, so their blocks are executed with all checks.
+  AxisMask rolling_axes(const BlockContext&) const override { return ~axes; }
   void note_line(BlockContext& m) override;
   ArcRule arc_rule(const BlockContext& m) const override;
   Status arc(Emitter& m, const Call& call, Turn turn) override;
@@ -150,17 +152,17 @@ class LinuxCnc final : public Dialect {
   Result<double> number_of_element(const BlockContext& m, double symbol, double index, Span where) const override;
 
   // ---- faults
-  /// Returns an alarm with the control's own text, and stores the text for the report.
+  /// Returns an alarm with LinuxCNC's own text, and stores the text for the report.
   tl::unexpected<Alarm> fault(AlarmId id, Span where, std::string text) const;
 
   // ---- tables
   const Tool* tool(double number) const;
-  /// Returns the table row of a tool for writing, after its old values have been recorded for an alarm to restore.
+  /// Returns the table row of a tool for writing. The old values of the row are recorded first, so that an alarm can restore them.
   Tool& tool_to_write(BlockContext& m, int number);
   void retain_length(Emitter& m);
   Axes system_offset(const BlockContext& m, std::uint32_t number) const;
-  /// Returns a position in mm and degrees that parameters store: the one with number `first` and those after it, one per axis. The
-  /// parameters are in the machine's unit (1.1).
+  /// Returns a position that parameters store, in mm and degrees. The parameter with the number `first` has the coordinate of the first
+  /// axis; the next parameters have those of the other axes. The parameters are in the machine's unit (spec/linuxcnc 1.1).
   Axes stored_axes(const BlockContext& m, std::uint32_t first) const;
   void store_axis(BlockContext& m, std::uint32_t first, std::size_t axis, double value) const;
   double table_unit(std::size_t axis) const { return is_rotary_place(axis) ? 1 : machine.unit; }
@@ -180,18 +182,18 @@ class LinuxCnc final : public Dialect {
   BlockCodes codes;  // codes of the block being executed
   FlowTable flow;
   MachineFile machine;                  // contents of the ini file
-  std::optional<TurningCycle> turning;  // the cycle G70 to G72 whose profile is being read; nullopt: none
+  std::optional<TurningCycle> turning;  // cycle G70 to G72 whose profile is being read; nullopt: no profile is being read
   ProgramFiles outputs;
-  char spindle_address = 0;  // one-letter code of `$` in the block reader
-  AxisMask axes = 0;         // axes that the machine has (1.1)
+  char spindle_address = 0;  // the block reader's one-letter code of the address `$`
+  AxisMask axes = 0;         // axes that the machine has (spec/linuxcnc 1.1)
   std::map<int, Tool> tools;
-  std::vector<Word> written_words;                    // words of the block as written, if X and Y replace the polar words @ and ^ now
-  bool tools_changed = false;                         // G10 has changed the tool table, whose file must then be written
-  bool table_is_known = false;                        // a tool table is given; false: every tool number is valid, without data
-  std::vector<std::vector<KeptModes>> kept_modes{1};  // modes saved by M70 and M73, by call depth
-  Axes probed{};                                      // mm; the probed position, #5061 …
+  std::vector<Word> written_words;  // words of the block as written; not empty while X and Y replace the polar words @ and ^ in the block
+  bool tools_changed = false;       // G10 has changed the tool table, so its file must be written
+  bool table_is_known = false;      // a tool table is given; if not, every tool number is valid, but its tool has no data
+  std::vector<std::vector<KeptModes>> kept_modes{1};  // modes that M70 and M73 have saved, by depth of the calls
+  Axes probed{};                                      // probed position, mm or degrees; read as #5061 …
   bool probe_tripped = false;
-  int probe_kind = 2;  // n of the last G38.n
+  int probe_kind = 2;  // digit n of the last G38.n
 
  private:
   void forget_shift(Emitter& m);
@@ -206,16 +208,17 @@ class LinuxCnc final : public Dialect {
   void read_tool_file(const RunLimits& limits);
   void read_machine_file(BlockContext& m, const Setup& setup, const RunLimits& limits);
   struct Remembered;
-  /// Kinds of named parameters. own: predefined by LinuxCNC (4.3); common: #<_name>, for all calls; local: #<name>, for one call.
+  /// Kinds of named parameters. own: parameters that LinuxCNC defines (spec/linuxcnc 4.3); common: #<_name>, valid in all calls; local:
+  /// #<name>, valid in one call.
   enum class NameKind : std::uint8_t { unknown, own, common, local };
   NameKind kind_of(const BlockContext& m, double number) const;
-  std::string parameters_before_, tools_before_;  // contents of the two files when they were read
+  std::string parameters_before_, tools_before_;  // contents of the parameter file and of the tool table file when they were read
   StoredParameters stored_;
   bool writes_parameters_ = false, writes_tools_ = false;
   std::vector<Level> levels_{1};
-  std::map<double, double> globals_;  // {number of the name; value} of the common parameters #<_name>
+  std::map<double, double> globals_;  // common parameters #<_name>: {number of the name; value}
   State before_;
-  mutable std::vector<NameKind> name_kinds_;  // by number of the name: kind of the named parameter
+  mutable std::vector<NameKind> name_kinds_;  // kind of each named parameter, by number of the name
   mutable std::string fault_text_;
   friend class Parameters;
 

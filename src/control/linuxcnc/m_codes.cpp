@@ -1,4 +1,4 @@
-// M codes: tools, outputs and inputs, orientation, saved and restored modes; G7, G8 (spec/linuxcnc 8; convert_m of the source).
+// M codes: tools, outputs and inputs, orientation, saved and restored modes; G7, G8 (spec/linuxcnc 8; convert_m of LinuxCNC's source).
 
 #include <fmt/format.h>
 
@@ -29,8 +29,8 @@ tl::unexpected<Alarm> wrong_word(const BlockContext& m, Span where, std::string 
 
 namespace {
 
-/// Restores the coolant by M7, M8 or M9, but only if mist or flood changes (write_m_codes, gen_m_codes). Mist or flood alone cannot be
-/// switched off while both are on. `mist`, `flood`: the present state.
+/// Restores the coolant by M7, M8 or M9, but only if mist or flood changes (write_m_codes, gen_m_codes). While both are on, one of them
+/// alone cannot be switched off. `mist`, `flood`: the present state.
 void restore_coolant(Emitter& m, bool mist, bool flood) {
   Modal& modal = m.modal;
   if (!modal.mist && !modal.flood) {
@@ -43,8 +43,8 @@ void restore_coolant(Emitter& m, bool mist, bool flood) {
   modal.flood = modal.flood || flood;
 }
 
-/// Restores saved modes (8): puts the codes of the modal groups in force, and emits an action for each change. LinuxCNC executes a block of
-/// codes instead, in which F has one decimal and S none.
+/// Restores saved modes (spec/linuxcnc 8): puts the codes of the modal groups in force, and emits an action for each change. LinuxCNC
+/// executes a block of codes instead; in this block F has one decimal and S has none.
 Status restore_modes(Interpreter& m, const Modal& to) {
   Modal& modal = m.modal;
   const Modal before = modal;
@@ -58,7 +58,7 @@ Status restore_modes(Interpreter& m, const Modal& to) {
   for (std::size_t g = 1; g < m.def.groups.size(); ++g)
     if (g != linuxcnc_of(m).groups.index_of_g(1)) next.rows[g] = to.rows[g];
   next.feed_known = to.feed_known;
-  next.feed = std::round(to.feed * 10) / 10;  // in LinuxCNC's block of codes F has one decimal
+  next.feed = std::round(to.feed * 10) / 10;  // LinuxCNC writes F with one decimal into its block of codes
   if (to.inch) next.feed = std::round(to.feed / mm_per_inch * 10) / 10 * mm_per_inch;
   next.tool = before.tool;
   next.tool_selected = before.tool_selected;
@@ -67,7 +67,7 @@ Status restore_modes(Interpreter& m, const Modal& to) {
   next.contour = before.contour;
   next.rpm = std::round(to.rpm);
   modal = next;
-  m.variables.inch = false;  // parameters are in the machine's unit (1.1)
+  m.variables.inch = false;  // parameters are in the machine's unit, whatever the saved unit (spec/linuxcnc 1.1)
   if (speed_changes && !spindle_changes) m.emit(Speed{modal.rpm, modal.surface_speed});
   if (spindle_changes) m.emit(Spindle{modal.spindle, modal.spindle == SpindleDir::stop ? 0 : modal.rpm});
   restore_coolant(m, mist, flood);
@@ -92,7 +92,7 @@ Status restore_at_end(Interpreter& m) {
 
 namespace kadr::linuxcnc {
 
-/// Refuses M100 to M199, which run programs of the machine's computer; Kadr starts no programs.
+/// Refuses M100 to M199. In LinuxCNC these codes start programs on the machine's computer; Kadr starts no programs.
 Status LinuxCnc::machine_code(Interpreter&, const Call& call) {
   return fault(AlarmId::rs274_codes, call.where, fmt::format("Unknown m code used: M{}", call.word->code / 10));
 }
@@ -114,7 +114,7 @@ void emit_output(Emitter& m, int code, double number, std::optional<double> valu
 
 }  // namespace
 
-/// T: selects the next tool to be loaded, which must be in the tool table.
+/// T: selects the tool to be loaded next, which must be in the tool table.
 Status tool_of_table(Emitter& m, const Call& call) {
   const double number = std::round(m.value('T'));
   if ((number != 0 || linuxcnc_of(m).machine.random_changer) && linuxcnc_of(m).tool(number) == nullptr)
@@ -125,7 +125,7 @@ Status tool_of_table(Emitter& m, const Call& call) {
   return {};
 }
 
-/// M6: stops the spindle and loads the tool of the last T; without a T before it, M6 empties the spindle.
+/// M6: stops the spindle and loads the tool of the last T. If there was no T, M6 empties the spindle.
 Status load_tool(Emitter& m, const Call& call) {
   KADR_TRY(linuxcnc::compensation_forbids(m, call.where, "Cannot change tools with cutter radius compensation on"));
   const bool turns = m.modal.spindle == SpindleDir::cw || m.modal.spindle == SpindleDir::ccw;
@@ -140,7 +140,7 @@ Status load_tool(Emitter& m, const Call& call) {
   return {};
 }
 
-/// M61 Q: sets the number of the tool that is in the spindle.
+/// M61 Q: sets the number of the tool in the spindle, without a tool change.
 Status tool_in_spindle(Emitter& m, const Call& call) {
   const double number = m.has('Q') ? std::round(m.value('Q')) : -1;
   if (number < 0) return linuxcnc_of(m).fault(AlarmId::rs274_tool, call.where, "Need non-negative Q-word to specify tool number with M61");
@@ -172,11 +172,11 @@ Status analog_output(Emitter& m, const Call& call) {
                                                      : "Cannot set auxiliary analog output with cutter radius compensation on"));
   if (!m.has('E') || std::round(m.value('E')) < 0)
     return linuxcnc::wrong_word(m, call.where, fmt::format("Invalid analog index with M{}", code));
-  emit_output(m, code, m.value('E'), m.has('Q') ? m.value('Q') : -1);  // in LinuxCNC's source a missing Q is -1
+  emit_output(m, code, m.value('E'), m.has('Q') ? m.value('Q') : -1);  // a missing Q has the value -1, as in LinuxCNC's source
   return {};
 }
 
-/// M66: waits for an input. Kadr does not know the input, so #5399 becomes 0, or -1 for a wait that may time out (INFERRED).
+/// M66: waits for an input. Kadr does not know the state of the input, so #5399 becomes 0, or -1 for a wait that may time out (INFERRED).
 Status wait_for_input(Emitter& m, const Call& call) {
   const double kind = m.has('L') ? std::round(m.value('L')) : 0;
   const bool digital = m.has('P'), analog = m.has('E');
@@ -212,7 +212,7 @@ Status orient_to(Emitter& m, const Call& call) {
   return {};
 }
 
-/// M50 to M53 P: switch the overrides on or off. In M51 the word `$` can only select a spindle other than the first one: by mistake
+/// M50 to M53 P: switch the overrides on or off. In M51 the word `$` can only select a spindle other than the first one, because by mistake
 /// LinuxCNC refuses the number of the first spindle.
 Status override_switch(Emitter& m, const Call& call) {
   const bool on = !m.has('P') || m.value('P') != 0;
@@ -252,7 +252,7 @@ Status modes_kept(Interpreter& m, const Call& call) {
   }
 }
 
-/// G7 (arg 1), G8 (arg 0): X is a diameter, or a radius.
+/// G7 (arg 1): the word X is a diameter. G8 (arg 0): the word X is a radius.
 Status diameter_mode(Emitter& m, const Call& call) {
   m.modal.diameter = call.row->arg == 1 ? AxisMask{1} : AxisMask{0};
   return {};

@@ -1,4 +1,4 @@
-// Maps the names of [groups] to numbers. Used by control/linuxcnc; tested by tests/control/modal_groups_test.cpp.
+// Maps the names of modal groups in [groups] to numbers. Used by control/linuxcnc; tested by tests/control/modal_groups_test.cpp.
 
 #include "control/linuxcnc/modal_groups.h"
 

@@ -13,17 +13,17 @@ struct ControlDef;
 
 namespace kadr::linuxcnc {
 
-inline constexpr std::size_t g_groups = 17, m_groups = 11;  // G codes: groups 0 to 16; M codes: 0 to 10 (spec/linuxcnc 3)
+inline constexpr std::size_t g_groups = 17, m_groups = 11;  // numbers of modal groups: G codes 0 to 16, M codes 0 to 10 (spec/linuxcnc 3)
 
 class ModalGroups {
  public:
   explicit ModalGroups(const ControlDef& def);
 
-  /// Returns the number of a modal group, given its index in ControlDef::groups: 12 for the name "12", 7 for "M7". Other names, which only
-  /// a user's own control file can have, give 0.
+  /// Returns the number of a modal group from its index in ControlDef::groups: 12 for the name "12", 7 for "M7". Other names, which only a
+  /// user's own control file can have, have the number 0.
   std::size_t number(std::size_t index) const { return numbers_[index]; }
-  /// Returns the index in ControlDef::groups of the group of G codes `number`; 0, which is not the index of a group, if the control lacks
-  /// the group.
+  /// Returns the index in ControlDef::groups of the group of G codes with this number. If the control lacks the group, returns 0, which is
+  /// not the index of any group.
   std::size_t index_of_g(std::size_t number) const { return of_g_[number]; }
 
  private:

@@ -1,4 +1,4 @@
-// Arcs, threads, probing (spec/linuxcnc 7.2, 7.3, 7.7; convert_arc, convert_probe, convert_straight of the source).
+// Arcs, threads, probing (spec/linuxcnc 7.2, 7.3, 7.7; convert_arc, convert_probe, convert_straight of LinuxCNC's source).
 
 #include "control/linuxcnc/motions.h"
 
@@ -19,7 +19,7 @@ namespace kadr::linuxcnc {
 namespace {
 
 constexpr double least_radius = 0.00127;       // mm
-constexpr double spiral_absolute = 0.0282843;  // mm: 2 · 0.01 · √2
+constexpr double spiral_absolute = 0.0282843;  // greatest allowed difference of the radii of an arc, mm: 2 · 0.01 · √2
 constexpr double spiral_relative = 0.001;
 
 class Arc {
@@ -56,7 +56,7 @@ class Arc {
     return about(from, to, center, end, named);
   }
 
-  /// Moves along an arc whose end point and centre are known: a canned cycle has computed them.
+  /// Moves along an arc whose end point and centre a canned cycle has computed.
   Status through(const Axes& end, Vec2 center, AxisMask named) {
     KADR_TRY(feed());
     return about({m_.position.programmed[axes_.first], m_.position.programmed[axes_.second]}, {end[axes_.first], end[axes_.second]}, center,
@@ -84,7 +84,7 @@ class Arc {
 
   bool enters() const { return m_.modal.contour == CompensationPhase::on && m_.radius_in_force() != 0; }
 
-  /// Checks an arc that enters cutter compensation before it is emitted (convert_arc_comp1); the room path checks it again.
+  /// Checks an arc that starts cutter compensation before the arc is emitted (convert_arc_comp1). The room path checks the arc again.
   Status may_enter(Vec2 from, Vec2 to) const {
     if (!enters() || std::hypot(to.x - from.x, to.y - from.y) > m_.radius_in_force()) return {};
     return fail(alarm(AlarmId::entry_arc_within_tool, call_.where));
@@ -161,7 +161,7 @@ Status arc_to(Emitter& m, Span where, Turn turn, const Axes& to, Vec2 center, Ax
 Status LinuxCnc::arc(Emitter& m, const kadr::Call& call, Turn turn) { return Arc(m, call, turn).run(); }
 
 /// Writes a probed position to the file of probed points: X Y Z A B C U V W in the unit of the program. The coordinate of an axis that the
-/// machine lacks is 0 (2.4).
+/// machine lacks is 0 (spec/linuxcnc 2.4).
 Status LinuxCnc::write_probed(const BlockContext& m) {
   std::string line;
   for (std::size_t a = 0; a < axes_of_tables; ++a) {
@@ -214,11 +214,12 @@ Status probe_move(Emitter& m, const Call& call) {
   return m.straight(MotionKind::probe, to, named);
 }
 
-/// G33 K: moves to the programmed point in synchronism with the spindle. G33.1 (arg 1): taps to the point and returns.
+/// G33 K: moves to the programmed point in synchronism with the spindle. G33.1 (arg 1): taps to the point and returns to the start.
 Status thread_by_spindle(Emitter& m, const Call& call) {
   linuxcnc::LinuxCnc& control = linuxcnc_of(m);
   const bool back = call.row->arg == 1;
-  if (m.modal.radius_side != 0 && m.radius_in_force() != 0) {  // the room path makes a line of the thread, or raises an alarm (7.5)
+  // The room path converts the threading motion to a straight one, or raises an alarm (spec/linuxcnc 7.5).
+  if (m.modal.radius_side != 0 && m.radius_in_force() != 0) {
     AxisMask moved = 0;
     Axes end;
     KADR_TRY(m.target(end, moved));

@@ -1,4 +1,4 @@
-// O lines: labels and subprograms (spec/linuxcnc 6; interp_o_word.cc of the source). Loops and branches: o_line_loops.cpp.
+// O lines: labels and subprograms (spec/linuxcnc 6; interp_o_word.cc of LinuxCNC's source). Loops and branches are in o_line_loops.cpp.
 
 #include "control/linuxcnc/o_line_flow.h"
 
@@ -127,7 +127,7 @@ Status OLines::define() {
 }
 
 Status OLines::begin_sub() {
-  if (!flow_.calls.empty()) {  // inside a call `sub` defines nothing: its lines are executed, and its `endsub` returns
+  if (!flow_.calls.empty()) {  // Inside a call `sub` defines no subprogram: its lines are executed, and its `endsub` returns from the call
     if (flow_.by_m98.back()) return wrong("'O.... sub' subroutine must be called with 'O.... call'");
     m_.warn(warning(AlarmId::sub_in_sub, s_.where, std::string_view(text())));
     return {};

@@ -18,15 +18,16 @@ namespace kadr::linuxcnc {
 ///   alarms  rs274_flow, and the alarms of the line's expressions
 Status run_o_line(Interpreter& m);
 
-inline constexpr std::size_t max_calls_of_program = 9;  // greatest depth of calls (6.2)
+inline constexpr std::size_t max_calls_of_program = 9;  // greatest depth of calls (spec/linuxcnc 6.2)
 
-/// Records that a subprogram has been called. `level`: arguments of the call; nullopt: the subprogram uses the caller's arguments (M98).
+/// Records that a subprogram has been called. `level`: arguments of the call; nullopt for M98, whose subprogram uses the arguments of the
+/// caller.
 void enter_sub(BlockContext& m, Label label, std::optional<Level> level, bool by_m98);
 /// Calls a subprogram without arguments, as `O… call` does.
 Status call_sub(Interpreter& m, const std::string& label, Span where);
-/// Ends a pass of a subprogram: the next pass follows, or the caller continues.
+/// Ends one execution of a subprogram. Either its next execution follows, or the caller continues.
 Status leave_sub(Interpreter& m, Span where);
-/// Restores, at the end of a subprogram, the modes that M73 has saved in this subprogram (8).
+/// Restores, at the end of a subprogram, the modes that M73 has saved in this subprogram (spec/linuxcnc 8).
 Status restore_at_end(Interpreter& m);
 
 }  // namespace kadr::linuxcnc

@@ -46,7 +46,7 @@ Status OLines::repeat() {
   return {};
 }
 
-/// Jumps to the line after the end of the loop or branch. `ends`: the O words that may end it.
+/// Jumps to the line after the end of the loop or branch. `ends`: the O words by which it may end.
 Status OLines::behind_end(std::initializer_list<OWord> ends) {
   const std::int32_t end = next_of(ends);
   if (end < 0) return end_of_file_seeking();

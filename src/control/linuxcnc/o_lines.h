@@ -1,6 +1,6 @@
 #pragma once
-// OLines executes one O line, a block of flow control (spec/linuxcnc 6; interp_o_word.cc of LinuxCNC's source). o_line_flow.cpp has the
-// subprograms, o_line_loops.cpp the loops and branches.
+// OLines: executes one O line, which is a block of flow control (spec/linuxcnc 6; interp_o_word.cc of LinuxCNC's source). o_line_flow.cpp
+// has the subprograms, o_line_loops.cpp the loops and branches.
 
 #include <fmt/format.h>
 
@@ -22,7 +22,7 @@ class OLines {
   explicit OLines(Interpreter& m) : m_(m), control_(linuxcnc_of(m)), flow_(control_.flow), s_(m.block->statement) {}
 
   Status run();
-  /// Calls a subprogram by its label, without an O line.
+  /// Calls a subprogram by its label; used by codes that are not O lines.
   Status call_labelled(const std::string& label);
 
  private:
@@ -51,7 +51,7 @@ class OLines {
   /// there is no such line.
   std::int32_t next_of(std::initializer_list<OWord> words);
 
-  /// Returns the fault that the file ends before a searched line (2.1; read_text and read of the source).
+  /// Returns the fault that the file ends before the line that is searched (spec/linuxcnc 2.1; read_text and read of LinuxCNC's source).
   ///   sought  true: a call searches its subprogram; false: lines are skipped up to an O line
   ///   of_all  the text names the label without its subprogram
   tl::unexpected<Alarm> end_of_file_seeking(bool sought = false, bool of_all = false) const;
@@ -65,8 +65,8 @@ class OLines {
   Mark* mark() { return place().used ? &place() : nullptr; }
   void forget_mark() { place() = {}; }
 
-  /// Marks the label as the start of a loop or branch at this line. While the mark exists, the label may start no loop or branch at another
-  /// line.
+  /// Marks the label as the start of a loop or branch at this line. While the Mark exists, no loop or branch with the same label may start
+  /// at another line.
   Result<Mark*> take_mark(OWord word, bool of_branch = false);
 
   tl::unexpected<Alarm> undefined() const { return wrong(fmt::format("{}: undefined O-word label: '{}'", line(), line_text())); }
@@ -74,8 +74,8 @@ class OLines {
 
   // ---- subprograms
 
-  /// Handles an O line while the definition of a subprogram is skipped. Only the end of the definition has an effect; a definition within a
-  /// definition is a fault.
+  /// Handles an O line inside a definition of a subprogram that is skipped. Only the end of the definition has an effect. A definition
+  /// inside a definition is a fault.
   Status define();
 
   /// Starts skipping the definition of a subprogram, and records where the subprogram is defined.
@@ -89,8 +89,8 @@ class OLines {
     bool fanuc = false;
   };
 
-  /// Finds the subprogram of a call (6.2). The order of the search: a definition that the run has passed, a file with the name of the
-  /// label, a later definition in this file.
+  /// Finds the subprogram of a call (spec/linuxcnc 6.2). The search has this order: a definition that the run has passed, a file with the
+  /// name of the label, a later definition in this file.
   Result<Place> find_sub();
 
   /// Records the definition of a subprogram, and returns the location of its first block.
@@ -105,7 +105,7 @@ class OLines {
   Status begin_do();
   Status while_loop();
   Status repeat();
-  /// Jumps to the line after the end of the loop or branch. `ends`: the O words that may end it.
+  /// Jumps to the line after the end of the loop or branch. `ends`: the O words by which it may end.
   Status behind_end(std::initializer_list<OWord> ends);
   Position behind(const Mark& of);
   Status end_loop(OWord of);

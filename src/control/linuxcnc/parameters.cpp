@@ -20,13 +20,13 @@ constexpr int last_parameter = 5601;
 
 double per_unit(const BlockContext& m) { return m.modal.inch ? mm_per_inch : 1; }
 
-/// Returns the coordinate of the position `of` on one axis, in the unit of the program: the value of #5420 ….
+/// Returns the coordinate of the position `of` on one axis, in the unit of the program. #5420 … have these values.
 double position(const BlockContext& m, const Axes& of, std::size_t axis) {
   if (axis >= m.axis_count) return 0;
   return is_rotary_place(axis) ? of[axis] : of[axis] / per_unit(m);
 }
 
-/// Returns the value of a parameter #5400 … #5413, which are data of the tool in the spindle. `n`: 0 for #5400.
+/// Returns the value of a parameter #5400 … #5413, which have the data of the tool in the spindle. `n`: number of the parameter minus 5400.
 double of_tool(const BlockContext& m, const LinuxCnc& control, int n) {
   if (n == 0) return m.modal.tool;
   const Tool* const tool = control.tool(m.modal.tool);
@@ -49,7 +49,8 @@ Result<double> LinuxCnc::read_variable(Emitter& m, double number, Span where) co
     if (const auto found = of.find(number); found != of.end()) return found->second;
     const std::string name = m.def.grammar.named_variables->name_of(number);
     if (kind == NameKind::own) return predefined(m, *this, name).value_or(0);
-    for (const Assignment& a : m.block->assignments)  // a name exists from an earlier assignment of the block on (4.2)
+    // A name exists from its assignment on, even within the same block (spec/linuxcnc 4.2).
+    for (const Assignment& a : m.block->assignments)
       if (a.where.begin < where.begin && m.block->code[a.target.begin].number == number) return 0.0;
     return fault(AlarmId::rs274_parameter, where, fmt::format("Named parameter #<{}> not defined", name));
   }
@@ -92,11 +93,11 @@ Status LinuxCnc::write_variable(BlockContext& m, double number, double value, Sp
     return {};
   }
   m.variables.set_raw(static_cast<std::uint32_t>(n), value);
-  (void)m.variables.consume_frames_changed();  // a written work offset comes into force only with its code
+  (void)m.variables.consume_frames_changed();  // a work offset that a parameter has changed comes into force only with its code G54 …
   return {};
 }
 
-/// Returns the kind of a named parameter. The result is stored for each name, because the comparison of texts takes time.
+/// Returns the kind of a named parameter. The result is stored for each name, because comparing texts takes time.
 LinuxCnc::NameKind LinuxCnc::kind_of(const BlockContext& m, double number) const {
   const auto index = static_cast<std::size_t>(number - first_named_variable);
   if (index >= name_kinds_.size()) name_kinds_.resize(index + 1, NameKind::unknown);
@@ -106,7 +107,7 @@ LinuxCnc::NameKind LinuxCnc::kind_of(const BlockContext& m, double number) const
   return kind = predefined(m, *this, name) ? NameKind::own : name.starts_with('_') ? NameKind::common : NameKind::local;
 }
 
-/// EXISTS: true for a named parameter that is defined, and for a numbered parameter whose number is in range.
+/// EXISTS: the result is true for a named parameter that is defined, and for a numbered parameter whose number is in range.
 Result<double> LinuxCnc::number_of_element(const BlockContext& m, double symbol, double index, Span where) const {
   if (symbol == symbol_own_number && VariableNames::is_named(index)) return fault(AlarmId::rs274_parameter, where, out_of_range);
   if (symbol == symbol_own_number) return index;
@@ -117,7 +118,8 @@ Result<double> LinuxCnc::number_of_element(const BlockContext& m, double symbol,
 
 namespace {
 
-/// Returns the value of a predefined named parameter that reports a mode (4.3); nullopt if `name` is not such a parameter.
+/// Returns the value of a named parameter that LinuxCNC defines and that shows a mode (spec/linuxcnc 4.3); nullopt if `name` is not such a
+/// parameter.
 // NOLINTNEXTLINE(readability-function-size): a table
 std::optional<double> mode_named(const BlockContext& m, const LinuxCnc& control, std::string_view name) {
   const Modal& modal = m.modal;
@@ -152,8 +154,8 @@ std::optional<double> mode_named(const BlockContext& m, const LinuxCnc& control,
   return std::nullopt;
 }
 
-/// Returns the position that LinuxCNC reports. Under cutter compensation it is the tool's position, not the programmed point (current_x of
-/// the source).
+/// Returns the position that LinuxCNC reports. Under cutter compensation this is the tool's position, not the programmed point (current_x
+/// of LinuxCNC's source).
 Axes current_point(const BlockContext& m, Axes at) {
   if (m.modal.contour == CompensationPhase::following) {
     at[m.modal.compensation_axes.first] += m.modal.compensation_vector.x;
@@ -166,7 +168,7 @@ std::optional<double> place_named(const BlockContext& m, const LinuxCnc& control
   constexpr std::string_view letters = "xyzabcuvw";
   if (name.size() == 2 && letters.find(name[1]) != std::string_view::npos)
     return position(m, current_point(m, m.position.programmed), letters.find(name[1]));
-  if (name.starts_with("_abs_") && name.size() == 6 && letters.find(name[5]) < axis_u)  // U, V, W have no such parameter
+  if (name.starts_with("_abs_") && name.size() == 6 && letters.find(name[5]) < axis_u)  // for U, V, W such a parameter does not exist
     return position(m, current_point(m, m.position.machine), letters.find(name[5]));
   if (name == "_tool_offset")
     return std::any_of(control.state.length.begin(), control.state.length.end(), [](double v) { return v != 0; }) ? 1 : 0;
@@ -181,14 +183,14 @@ std::optional<double> place_named(const BlockContext& m, const LinuxCnc& control
   return std::nullopt;
 }
 
-/// Returns the value of the parameter `_ini[section]key`, which is that of a key in the ini file. The case of the name is lost when it is
-/// read, so section and key are searched in capitals.
+/// Returns the value of the parameter `_ini[section]key`, which is the value of a key in the ini file. The letter case of the name is lost
+/// when the name is read, so section and key are searched in capitals.
 std::optional<double> of_ini(const Ini& ini, std::string_view name) {
   const std::size_t close = name.find(']');
   if (close == std::string_view::npos) return std::nullopt;
   std::string capitals(name);
   for (char& c : capitals) c = to_upper(c);
-  constexpr std::size_t begin = 5;  // after _INI[
+  constexpr std::size_t begin = 5;  // offset of the section name, after `_INI[`
   return ini.number(capitals.substr(begin, close - begin), capitals.substr(close + 1));
 }
 

@@ -1,4 +1,4 @@
-// Converts the polar words @ ^ (spec/linuxcnc 7.1; find_ends of the source).
+// Converts the polar words @ and ^ (spec/linuxcnc 7.1; find_ends of LinuxCNC's source).
 
 #include <algorithm>
 
@@ -10,7 +10,7 @@
 
 namespace kadr::linuxcnc {
 
-/// Replaces the polar words @ and ^ of the block by words X and Y (7.1), so that each motion function can read them.
+/// Replaces the polar words @ and ^ of the block by words X and Y (spec/linuxcnc 7.1), so that each motion function can read them.
 Status LinuxCnc::take_polar_words(BlockContext& m) {
   char radius_sign = 0, angle_sign = 0;
   for (const AddressName& name : m.def.grammar.names) {
@@ -44,8 +44,8 @@ Status LinuxCnc::take_polar_words(BlockContext& m) {
   state.polar_step = !absolute;
   state.polar_radius = radius == nullptr ? 0 : radius->value * unit;
   state.polar_angle = angle == nullptr ? 0 : angle->value;
-  // The words @ and ^ of the block become X and Y; if only one of them is given, a word is added, because both X and Y are needed. The
-  // words as written are saved: forget_polar_words() restores them, since a loop may execute the block again.
+  // The words @ and ^ of the block become X and Y. If the block has only one of them, a word is added, because both X and Y are needed. The
+  // words as written are saved, because a loop may execute the block again; forget_polar_words() restores them.
   written_words.assign(m.block->words.begin(), m.block->words.begin() + m.block->word_count);
   Word* const first = radius != nullptr ? radius : angle;
   first->address = first->written = 'X';

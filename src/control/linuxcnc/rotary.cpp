@@ -1,4 +1,5 @@
-// Rotary axes that are wrapped (count one revolution), and indexers (spec/linuxcnc 10.2; unwrap_rotary, convert_motion of the source).
+// Rotary axes that are wrapped (they count one revolution), and indexers (spec/linuxcnc 10.2; unwrap_rotary, convert_motion of LinuxCNC's
+// source).
 
 #include "control/linuxcnc/rotary.h"
 
@@ -17,8 +18,8 @@ namespace {
 constexpr char rotary_letters[] = {'A', 'B', 'C'};
 constexpr double one_turn = 360;
 
-/// Returns the position to which a wrapped axis moves from the position `here`. |value| is the angle; the sign of `value` is the direction,
-/// in which -0 is negative.
+/// Returns the position to which a wrapped axis moves from the position `here`, degrees. The absolute value of `value` is the angle, and
+/// its sign is the direction; -0 counts as negative.
 double unwrapped(double value, double here) {
   double to = std::fabs(value) + std::floor(here / one_turn) * one_turn;
   const bool backwards = std::signbit(value);
@@ -27,8 +28,8 @@ double unwrapped(double value, double here) {
   return to;
 }
 
-/// Returns true if G53 does not cancel the tool offset of a rotary axis. This is so for every axis that is not wrapped, by a fault of
-/// LinuxCNC up to 2.9.10 (find_ends).
+/// Returns true if G53 does not cancel the tool offset of a rotary axis. By a fault of LinuxCNC up to 2.9.10 (find_ends), this is so for
+/// every axis that is not wrapped.
 bool keeps_offset(const BlockContext& m, std::size_t axis) {
   const LinuxCnc& control = linuxcnc_of(m);
   for (std::size_t i = 0; i < control.machine.wrapped.size(); ++i)
@@ -46,7 +47,7 @@ bool LinuxCnc::shapes_lines(const BlockContext& m) const {
   return false;
 }
 
-/// Executes a straight motion with G53 to which an uncancelled tool offset of a rotary axis is added (see keeps_offset()), and warns.
+/// Executes a straight motion with G53 in which the tool offset of a rotary axis is not cancelled (see keeps_offset()), and warns.
 Status LinuxCnc::straight(Emitter& m, const kadr::Call& call, MotionKind kind) {
   if (kind == MotionKind::feed) KADR_TRY(m.feed_known(call.where));
   Axes to = m.position.machine;

@@ -9,7 +9,7 @@ class BlockContext;
 
 namespace kadr::linuxcnc {
 
-/// Checks that each indexer that the block moves is moved by G0, and that no other axis moves with it.
+/// Checks that each indexer that the block moves is moved by G0, and that no other axis moves in the block.
 Status indexers_allow(const BlockContext& m);
 
 }  // namespace kadr::linuxcnc

@@ -1,4 +1,5 @@
-// `$`: M3, M4, M5, S, G96, G97 for one spindle or for all (spec/linuxcnc 8; convert_m, convert_speed, convert_spindle_mode of the source).
+// The word `$`: M3, M4, M5, S, G96, G97 for one spindle or for all (spec/linuxcnc 8; convert_m, convert_speed, convert_spindle_mode of
+// LinuxCNC's source).
 
 #include "control/linuxcnc/spindles.h"
 
@@ -17,7 +18,7 @@ namespace {
 
 constexpr int all_spindles = -1;
 
-/// Returns the value of the word `$`, a spindle number, without decimals; nullopt if the block has no `$`.
+/// Returns the value of the word `$`, which is a spindle number, without decimals; nullopt if the block has no `$`.
 std::optional<int> spindle_word(const BlockContext& m) {
   const char address = linuxcnc_of(m).spindle_address;
   if (address == 0 || !m.has(address)) return std::nullopt;
@@ -27,7 +28,7 @@ std::optional<int> spindle_word(const BlockContext& m) {
 
 bool is_spindle(const LinuxCnc& control, int number) { return number >= 0 && number < control.machine.spindles; }
 
-/// Calls `use` for each spindle that the number of a word `$` selects: one spindle, or all of them.
+/// Calls `use` for each spindle that the word `$` selects. `number`: value of the word, which means one spindle or all of them.
 template <class Use>
 void each_spindle(const LinuxCnc& control, int number, Use use) {
   for (int i = 0; i < control.machine.spindles; ++i)
@@ -79,7 +80,8 @@ Status spindle_of_modes(BlockContext& m) {
   const Status taken = take_spindle(
       m, of_speed ? "Invalid spindle ($) number in Spindle Mode command" : "Invalid spindle ($) number in Spindle Feed command",
       m.block->where);
-  if (taken && of_feed) m.modal.main_spindle = machine_number(control.state.active_spindle);  // G95 uses the revolutions of this spindle
+  // The feed per revolution of G95 uses this spindle.
+  if (taken && of_feed) m.modal.main_spindle = machine_number(control.state.active_spindle);
   return taken;
 }
 
@@ -91,10 +93,11 @@ void stop_other_spindles(Emitter& m) {
   m.modal.main_spindle = machine_number(0);
 }
 
-/// Executes M3, M4, M5 for the spindles that `$` selects.
+/// Executes M3, M4, M5 for the spindles that the word `$` selects.
 Result<bool> LinuxCnc::turns_spindle(Emitter& m, SpindleDir dir, Span where) {
   auto chosen = spindle_word(m);
-  if (!chosen && dir == SpindleDir::stop && machine.spindles > 1) chosen = all_spindles;  // M5 without `$` stops all spindles (2.9.3)
+  // M5 without `$` stops all spindles (LinuxCNC 2.9.3).
+  if (!chosen && dir == SpindleDir::stop && machine.spindles > 1) chosen = all_spindles;
   if (!chosen) return false;
   if (*chosen != all_spindles && !is_spindle(*this, *chosen))
     return fault(AlarmId::rs274_spindle, where,
@@ -121,7 +124,7 @@ namespace kadr::functions {
 
 using linuxcnc::linuxcnc_of;
 
-/// S: the speed of the spindle that `$` selects.
+/// S: sets the speed of the spindle that the word `$` selects.
 Status speed_of_spindle(Emitter& m, const Call& call) {
   linuxcnc::LinuxCnc& control = linuxcnc_of(m);
   const auto chosen = linuxcnc::spindle_word(m);
@@ -129,7 +132,7 @@ Status speed_of_spindle(Emitter& m, const Call& call) {
   if (*chosen != linuxcnc::all_spindles && !linuxcnc::is_spindle(control, *chosen))
     return control.fault(AlarmId::rs274_spindle, call.where, "Invalid spindle ($) number in Spindle speed command");
   const double rpm = m.value('S');
-  const bool starts = control.codes.m[7] == 3 || control.codes.m[7] == 4;  // M3 and M4 emit the speed themselves
+  const bool starts = control.codes.m[7] == 3 || control.codes.m[7] == 4;  // M3 and M4 in the same block emit the speed themselves
   linuxcnc::each_spindle(control, *chosen, [&](int i) {
     if (i == 0) m.modal.rpm = rpm;
     else control.state.others[static_cast<std::size_t>(i)].rpm = rpm;

@@ -1,5 +1,5 @@
-// G5, G5.1, G5.2, G5.3: curves in X and Y (spec/linuxcnc 7.7; convert_spline, convert_nurbs of the source). Checks are in the source's
-// order. Tested by tests/cases/linuxcnc/splines.cases.
+// G5, G5.1, G5.2, G5.3: curves in X and Y (spec/linuxcnc 7.7; convert_spline, convert_nurbs of LinuxCNC's source). The checks are in the
+// order of that source. Tested by tests/cases/linuxcnc/splines.cases.
 
 #include <fmt/format.h>
 
@@ -62,8 +62,8 @@ Result<Vec2> end_in_xy(BlockContext& m, Span where) {
 
 Vec2 words_of(const BlockContext& m, char x, char y) { return {m.length_value(x), m.length_value(y)}; }
 
-/// Returns the weight of a control point, the word P. In the first block with X and Y, LinuxCNC uses -1 for a missing P, and also uses a P
-/// of 0 or less, so that the curve runs to infinity; Kadr warns and uses 1.
+/// Returns the weight of a control point, the word P. In the first block with X and Y, LinuxCNC uses -1 for a missing P. LinuxCNC also uses
+/// a P of 0 or less, so that the curve runs to infinity; Kadr warns and uses 1.
 double weight_of(Emitter& m, Span where) {
   const double weight = m.has('P') ? m.value('P') : -1;
   if (weight > 0) return weight;
@@ -96,15 +96,15 @@ namespace kadr::functions {
 
 using linuxcnc::linuxcnc_of;
 
-/// G5: moves along a curve of third degree. I and J give its tangent at the start; without I and J the curve continues the direction of the
-/// curve before it. P and Q give its tangent at the end.
+/// G5: moves along a curve of third degree. P and Q give its tangent at the end. I and J give its tangent at the start; without I and J the
+/// curve continues in the direction of the previous curve.
 Status cubic_spline(Emitter& m, const Call& call) {
   auto end = linuxcnc::end_in_xy(m, call.where);
   if (!end) return fail(end.error());
   if (m.has('I') != m.has('J')) return linuxcnc::spline_fault(m, call.where, "Must specify both I and J, or neither");
   if (!m.has('P') || !m.has('Q')) return linuxcnc::spline_fault(m, call.where, "Must specify both P and Q with G5");
   const Vec2 start = linuxcnc::in_plane_xy(m.position.programmed);
-  CycleMemory& memory = m.cycle_memory;  // as in LinuxCNC, G87 uses the same stored I and J
+  CycleMemory& memory = m.cycle_memory;  // in LinuxCNC the cycle G87 uses the same stored I and J
   const Vec2 out = m.has('I') ? linuxcnc::words_of(m, 'I', 'J') : Vec2{memory.i, memory.j};
   const Vec2 in = linuxcnc::words_of(m, 'P', 'Q');
   linuxcnc::match_paths(m, {{start}, {start + out}, {*end + in}, {*end}}, 4);

@@ -1,5 +1,5 @@
-// LinuxCNC's own texts for faults that the block reader and functions of several controls find (spec/linuxcnc 2 to 5, 11). In LinuxCNC an
-// alarm has no number; its English text identifies it.
+// LinuxCNC's own texts for faults that the block reader, or functions used by several controls, find (spec/linuxcnc 2 to 5, 11). In
+// LinuxCNC an alarm has no number; its English text identifies it.
 
 #include <fmt/format.h>
 
@@ -28,7 +28,7 @@ bool begins(std::string_view text, std::string_view word) {
 
 char small(char c) { return is_capital(c) ? static_cast<char>(c | 0x20) : c; }
 
-/// Returns the part of the line from the alarm's location on.
+/// Returns the part of the line that starts at the alarm's location.
 std::string_view there(const AlarmReport& report) {
   const Span at = report.alarm.where;
   const std::string_view line = report.line_text;
@@ -47,20 +47,21 @@ Words bad_character(const AlarmReport& report) {
   return {AlarmId::rs274_form, fmt::format("Bad character '{}' used", small(c))};
 }
 
-/// Returns LinuxCNC's text for a word without a value (2.3).
+/// Returns LinuxCNC's text for a word without a value (spec/linuxcnc 2.3).
 Words no_value(const AlarmReport& report) {
   const std::string letter = argument(report, 0);
   if (letter == "N") return {AlarmId::rs274_form, "Bad format unsigned integer"};
   const std::string_view at = there(report);
   const std::size_t letter_bytes =
-      std::max<std::size_t>(first_character(at).size, 1);  // a Russian letter that looks like a Latin one has two bytes
+      std::max<std::size_t>(first_character(at).size, 1);  // a Russian letter that looks like a Latin letter has two bytes
   const std::size_t behind = at.find_first_not_of(" \t", letter_bytes);
   if (behind == std::string_view::npos || at[behind] == '(' || at[behind] == ';')
     return {AlarmId::rs274_form, "No characters found in reading real value"};
   return {AlarmId::rs274_form, fmt::format("bad number format (conversion failed) parsing '{}'", at.substr(behind))};
 }
 
-/// Returns the number at the alarm's location as written (digits, decimal points, signs). The number may start or end there.
+/// Returns the number that is written at the alarm's location (digits, decimal points, signs). The location may be the start or the end of
+/// the number.
 std::string_view number_there(const AlarmReport& report) {
   constexpr std::string_view of_numbers = "0123456789.+-";
   const std::string_view line = report.line_text;
@@ -83,7 +84,7 @@ Words number_wrong(const AlarmReport& report) {
           fmt::format("bad number format ({}) parsing '{}'", digits ? "trailing characters" : "conversion failed", number)};
 }
 
-/// Returns true if the line ends where a value must follow.
+/// Returns true if the line ends at a position where a value must follow.
 bool lacks_value(std::string_view line) {
   if (const std::size_t semicolon = line.find(';'); semicolon != std::string_view::npos) line = line.substr(0, semicolon);
   const std::size_t last = line.find_last_not_of(" \t\r");

@@ -9,7 +9,7 @@
 
 namespace kadr::linuxcnc {
 
-/// Reads lines such as `T1 P1 Z50 D10 ; end mill`; skips lines that cannot be read. `unit`: unit of the lengths in the file, in mm.
+/// Reads lines such as `T1 P1 Z50 D10 ; end mill`. Lines that cannot be read are skipped. `unit`: unit of the lengths in the file, in mm.
 std::map<int, Tool> read_tools(std::string_view text, double unit);
 
 /// Returns the text of the tool table file in LinuxCNC's format. `unit`: unit of the lengths in the file, in mm.

@@ -1,4 +1,4 @@
-// Parts of a block that are not words. Used by lang/block/lexer.
+// Reads the parts of a block that are not words. Used by lang/block/lexer.
 
 #include "lang/block/block_parts.h"
 
@@ -33,7 +33,7 @@ Status read_assignment(Cursor& cursor, const Grammar& grammar, Block& block, std
   return {};
 }
 
-/// Checks that ПС is not a separate word in a comment, because the word ПС ends the block on a tape (2С42 6.2).
+/// Checks that a comment does not contain ПС as a separate word, because the word ПС ends the block on a tape (2С42 6.2).
 Status no_mark_inside(std::string_view text, std::size_t begin, std::size_t end) {
   constexpr std::string_view mark = end_mark_in_text;
   const auto apart = [&](std::size_t i) { return i < begin || i >= end || is_blank(text[i]); };

@@ -1,5 +1,5 @@
 #pragma once
-// Parts of a block that are not words. Used by the lexer only.
+// Reads the parts of a block that are not words. Used by the lexer only.
 
 #include "base/result.h"
 #include "lang/block/block.h"
@@ -7,11 +7,11 @@
 
 namespace kadr {
 
-/// Reads `#n=value` of RS274/NGC; the cursor is after the '#' at `begin`.
+/// Reads `#n=value` of RS274/NGC. The cursor is after the '#', which is at `begin`.
 ///   alarms  those of compile_value; expression_syntax or equal_sign_missing, too_many_words
 Status read_assignment(Cursor& cursor, const Grammar& grammar, Block& block, std::size_t begin);
 
-/// Checks that ПС is not a separate word in a comment, because the word ПС ends the block on a tape (2С42 6.2).
+/// Checks that a comment does not contain ПС as a separate word, because the word ПС ends the block on a tape (2С42 6.2).
 ///   alarms  comment_character
 Status no_mark_inside(std::string_view text, std::size_t begin, std::size_t end);
 

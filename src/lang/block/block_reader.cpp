@@ -1,4 +1,4 @@
-// Reads the blocks of a program from its lines. The entrance to `lang`. Used by control, lang; tested by
+// Reads the blocks of a program from its lines. This is the entrance to the room `lang`. Used by control, lang; tested by
 // tests/lang/block_reader_test.cpp.
 
 #include "lang/block/block_reader.h"
@@ -44,8 +44,10 @@ std::string BlockReader::shown(std::string_view text, Span& place) const {
     if (i <= place.begin) there.begin = static_cast<std::uint32_t>(all.size());
     if (i <= place.end) there.end = static_cast<std::uint32_t>(all.size());
     if (i == text.size()) break;
-    if (encoding() == Encoding::iso7) all += static_cast<char>(text[i] & 0x7F);  // the seven bits of code, also of a row with wrong parity
-    else if (text[i] == 0 && encoding() == Encoding::eia) all += ' ';  // blank tape becomes a blank, so that later offsets do not shift
+    // The eighth bit is removed, also from a row with wrong parity.
+    if (encoding() == Encoding::iso7) all += static_cast<char>(text[i] & 0x7F);
+    // Blank tape becomes a blank, so that the offsets of later characters do not change.
+    else if (text[i] == 0 && encoding() == Encoding::eia) all += ' ';
     else if (!append_utf8(text.substr(i, bytes), encoding(), all)) all += '?';
   }
   place = there;
@@ -62,7 +64,8 @@ Result<BlockReader::Got> BlockReader::next(Block& block) {
   if (lie_ != TapeOrientation::right) [[unlikely]]
     return reversed_tape(block);
   for (;;) {
-    Position here = position_;  // a copy in registers: separate stores would delay a load of the whole Position
+    // A copy that stays in registers. Storing the members of position_ one by one would delay a load of the whole Position.
+    Position here = position_;
     if (!in_line_) {
       if (!lines_.next(line_)) {
         position_ = {lines_.offset(), line_.number + 1, 0};
@@ -90,14 +93,14 @@ Result<BlockReader::Got> BlockReader::next(Block& block) {
   }
 }
 
-/// Returns true for a line with % after the % that starts the program (spec/fanuc 1.1).
+/// Returns true for a line with % that is not the line with the first %, which starts the program (spec/fanuc 1.1).
 bool BlockReader::is_sign_of_end() const {
   return grammar_.percent_frames && line_.offset != frame_.sign && has_sign(line_.bytes) &&
          !(memory_.encoding && is_tape(*memory_.encoding));
 }
 
-/// Handles a tape that was read in the wrong orientation, so that no block of it is readable: returns one alarm, then the end of the
-/// program.
+/// Handles a tape that was read in the wrong orientation. No block of such a tape is readable, so one alarm is returned, then the end of
+/// the program.
 Result<BlockReader::Got> BlockReader::reversed_tape(Block& block) {
   block.clear();
   block.text = {};
@@ -113,7 +116,7 @@ Status BlockReader::begin_line(Block& block, std::uint32_t nth) {
   is_text_ = false;
   if ((memory_.encoding && is_tape(*memory_.encoding)) || memory_.expects_high_bytes) {
     const Status decoded = decode_line();
-    if (!decoded && is_tape(encoding())) {  // in another encoding the damaged byte may be in a comment: lex_line decides
+    if (!decoded && is_tape(encoding())) {  // in an encoding that is not a tape's the damaged byte may be in a comment, so lex_line decides
       block.clear();
       block.position = {line_.offset, line_.number, 0};
       block.text = text_;
@@ -144,7 +147,7 @@ Status BlockReader::lex_line(Block& block) {
       rest_ = text_.size();
       return decoded;
     }
-    if (rest_ != 0) {  // the line's earlier blocks were read undecoded: rest_ becomes the offset in the decoded text
+    if (rest_ != 0) {  // earlier blocks of the line were read undecoded, so rest_ is converted to the offset in the decoded text
       std::string before;
       (void)append_utf8(line_.bytes.substr(0, rest_), *memory_.encoding, before);
       rest_ = before.size();
@@ -152,7 +155,7 @@ Status BlockReader::lex_line(Block& block) {
     block.clear();
     lexed = lex_block(text_, rest_, true, grammar_, block);
   }
-  // one block may contain several comments that continue in the next line
+  // One block may contain several comments that continue in the next line.
   for (std::uint32_t joined = 0; lexed && lexed->open_comment; ++joined) {
     if (joined == limits::long_comments) {
       rest_ = text_.size();
@@ -168,7 +171,7 @@ Status BlockReader::lex_line(Block& block) {
     }
   }
   if (!lexed) {
-    // The words after the fault are skipped up to the next end of block.
+    // The words after the fault are skipped, up to the next end of block.
     const std::size_t mark = is_text_ ? text_.find(end_mark_in_text, lexed.error().where.end) : std::string_view::npos;
     rest_ = mark == std::string_view::npos ? text_.size() : mark + end_mark_in_text.size();
     return fail(lexed.error());
@@ -183,7 +186,7 @@ Status BlockReader::lex_line(Block& block) {
   return {};
 }
 
-/// Appends the next lines of an open comment, up to the line in which the comment ends; only the start of a long comment is stored.
+/// Appends the next lines of an open comment, up to the line in which the comment ends. Only the start of a long comment is stored.
 Status BlockReader::join_comment(Block& block, std::size_t open) {
   const bool was_text = is_text_;
   joined_ = line_.bytes;
@@ -204,7 +207,8 @@ Status BlockReader::join_comment(Block& block, std::size_t open) {
       joined_ += '\n';
       joined_ += next.bytes;
     } else {
-      if (joined_.size() < limits::line_bytes) joined_ += '\n';  // every line is kept: later locations are counted by lines
+      // Every end of line is stored, because later locations are counted in lines.
+      if (joined_.size() < limits::line_bytes) joined_ += '\n';
       if (closed) joined_ += next.bytes.substr(end);
     }
   }
@@ -227,7 +231,8 @@ Status BlockReader::decode_line() {
   Status status = append_utf8(line_.bytes, *memory_.encoding, decoded_);
   if (!status && status.error().id == AlarmId::parity_error) {
     Alarm named = status.error();
-    named.args[0] = AlarmArg(static_cast<double>(line_.offset) + named.args[0].number());  // offset counted from the start of the tape
+    // Offset of the row, counted from the start of the tape.
+    named.args[0] = AlarmArg(static_cast<double>(line_.offset) + named.args[0].number());
     return fail(named);
   }
   if (!status) return status;

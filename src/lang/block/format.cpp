@@ -1,4 +1,4 @@
-// Format descriptors: `%: / DS N04 3G2 X+053 Y+053 Z+042 F031 S04 T05 M2*` (spec/gost 3, spec/s2c42 2). Used by
+// Reads format descriptors, such as `%: / DS N04 3G2 X+053 Y+053 Z+042 F031 S04 T05 M2*` (spec/gost 3, spec/s2c42 2). Used by
 // config/control/control_loader_codes, config/control/control_loader_words; tested by tests/lang/format_test.cpp.
 
 #include "lang/block/format.h"
@@ -14,8 +14,9 @@ namespace {
 using Failed = tl::unexpected<std::string>;
 
 constexpr std::string_view decimal_sign = "DS";
-constexpr std::string_view code_letters = "GM";    // codes: written G0, G01, M2, whatever the format requires about leading zeros
-constexpr std::string_view without_point = "NGM";  // a block number or a code has no fraction, even if the descriptor has DS
+// Addresses of codes; G0, G01 and M2 are all accepted, whatever the format requires about leading zeros.
+constexpr std::string_view code_letters = "GM";
+constexpr std::string_view without_point = "NGM";  // addresses whose number has no fraction, even if the descriptor has DS
 
 bool holds(std::string_view letters, char letter) { return letters.find(letter) != std::string_view::npos; }
 
@@ -31,7 +32,7 @@ bool take(std::string_view& text, std::string_view piece) {
 
 bool take_sign(std::string_view& text) { return take(text, "+") || take(text, "±"); }
 
-/// Returns the length in bytes of a word's format at the start of the text: sign, star and digits.
+/// Returns the length in bytes of a word's format at the start of the text: an optional sign, star and digits.
 std::size_t format_size(std::string_view text) {
   std::string_view rest = text;
   if (!take_sign(rest)) take(rest, "-");
@@ -70,7 +71,7 @@ class Descriptor {
     return !rest_.empty();
   }
 
-  /// Reads `3G2`: count of words, letter, format.
+  /// Reads a part such as `3G2`: the count of words, the letter, the format.
   tl::expected<void, std::string> apply_word() {
     const std::string_view piece = rest_.substr(0, rest_.find_first_of(" \t"));
     const bool counted = is_digit(rest_[0]);
@@ -84,13 +85,14 @@ class Descriptor {
     const std::size_t size = format_size(rest_.substr(1));
     auto format = parse_word_format(rest_.substr(1, size), point_);
     if (!format) return not_understood(piece, format.error());
-    if (letter == 'N' && format->implied) return not_understood(piece, "a block number has no fraction");  // as in N043G2
+    // N043G2 is an example of this error.
+    if (letter == 'N' && format->implied) return not_understood(piece, "a block number has no fraction");
     rest_.remove_prefix(1 + size);
     set(letter, *format, count);
     return {};
   }
 
-  /// Sets the format of a word. Properties that a descriptor cannot express are kept: a second number, parameters, a count that is not
+  /// Sets the format of a word. Properties that a descriptor cannot express remain: a second number, parameters, a count that is not
   /// written.
   void set(char letter, WordFormat format, std::uint8_t count) {
     WordFormat& word = grammar_.word(letter);
@@ -119,7 +121,7 @@ tl::expected<WordFormat, std::string> parse_word_format(std::string_view digits,
   format.known = true;
   format.point = point;
   format.sign = take_sign(digits);
-  const bool one_more = take(digits, "*");  // 2С42 6.2, the note on T*2: "an additional digit"; INFERRED: the star means this digit
+  const bool one_more = take(digits, "*");  // 2С42 6.2, the note on T*2: "an additional digit"; INFERRED: the star stands for this digit
   if (digits.starts_with('-')) return Failed("a sign is written + or ±");
   format.drop_zeros = take(digits, "0");
   if (digits.empty() || digits.size() > 2) return Failed("one or two digits say how many stand before and after the point");
@@ -133,7 +135,7 @@ tl::expected<WordFormat, std::string> parse_word_format(std::string_view digits,
 }
 
 tl::expected<void, std::string> apply_descriptor(std::string_view descriptor, Grammar& grammar) {
-  Grammar changed = grammar;  // all changes of a descriptor are made, or none
+  Grammar changed = grammar;  // Either all changes of a descriptor are made, or none, so a copy is changed
   auto applied = Descriptor(descriptor, changed).apply();
   if (applied) grammar = changed;
   return applied;

@@ -1,5 +1,5 @@
 #pragma once
-// Format descriptors: `%: / DS N04 3G2 X+053 Y+053 Z+042 F031 S04 T05 M2*` (spec/gost 3, spec/s2c42 2).
+// Reads format descriptors, such as `%: / DS N04 3G2 X+053 Y+053 Z+042 F031 S04 T05 M2*` (spec/gost 3, spec/s2c42 2).
 
 #include <string>
 #include <string_view>
@@ -9,8 +9,8 @@
 
 namespace kadr {
 
-/// Sets in `grammar` what a descriptor defines: known addresses, digits, signs, counts, '%', ':', '/', the end of block. All other
-/// members keep their values. A count of words is separated from the digits before it: `N04 3G2` allows three G words.
+/// Sets in `grammar` what a descriptor defines: known addresses, digits, signs, counts, '%', ':', '/', the end of block. All other members
+/// keep their values. A space separates a count of words from the digits before it: `N04 3G2` allows three G words.
 ///   returns  an error sentence that names the part of the descriptor that is not understood
 tl::expected<void, std::string> apply_descriptor(std::string_view descriptor, Grammar& grammar);
 

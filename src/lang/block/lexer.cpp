@@ -19,7 +19,7 @@
 namespace kadr {
 namespace {
 
-/// Reads one block, with one method per type of item.
+/// Reads one block. There is one method for each type of item: word, comment, label, …
 class Lexer {
  public:
   Lexer(std::string_view text, std::size_t from, bool is_utf8, const Grammar& grammar, Block& block)
@@ -34,7 +34,7 @@ class Lexer {
   Result<Lexed> run() {
     block_.text = cursor_.text;
     cursor_.skip_blanks();
-    const Status status = items();  // a Status is as large as an Alarm: it is never assigned, only returned
+    const Status status = items();  // a Status is as large as an Alarm, so it is never assigned, only returned
     block_.where = span(begin_, cursor_.at);
     if (result_.needs_utf8 || result_.open_comment) return result_;
     if (!status) return fail(status.error());
@@ -81,7 +81,7 @@ class Lexer {
     }
     const bool tape_begins = cursor_.at - begin > 1;
     cursor_.skip_blanks();
-    if (tape_begins && !is_digit(cursor_.peek())) return {};  // `%%` alone: the tape starts, but no program yet (spec/gost 1)
+    if (tape_begins && !is_digit(cursor_.peek())) return {};  // in `%%` alone the tape starts, but no program yet (spec/gost 1)
     block_.marker = Marker::program_start;
     if (!is_digit(cursor_.peek())) return {};
     Number number;
@@ -92,7 +92,7 @@ class Lexer {
     return {};
   }
 
-  /// Reads `%`, which must be alone in its line (spec/linuxcnc 2.1).
+  /// Reads `%`, which must be the only character in its line (spec/linuxcnc 2.1).
   Status sign_of_file(std::size_t begin) {
     cursor_.skip_blanks();
     if (cursor_.at < cursor_.text.size()) {
@@ -116,7 +116,7 @@ class Lexer {
   Status item() {
     const char c = cursor_.text[cursor_.at];
     if (block_.statement.kind > StatementKind::words && !is_blank(c) && c != '(' && c != ';' && !block_.statement.words_follow)
-        [[unlikely]]  // text after the comment that follows a statement
+        [[unlikely]]  // this character follows the comment after a statement, and is not allowed
       return fail(alarm(AlarmId::statement_not_alone, span(cursor_.at, cursor_.at + 1)));
     if (is_capital(c)) return word(c, 1);
     if (is_blank(c)) {
@@ -139,7 +139,7 @@ class Lexer {
     }
     if (is_high(c) || c == '\x0e') return wide();
     if (is_lower(c) && grammar_.lower_case) return word(to_upper(c), 1);
-    for (const AddressName& name : grammar_.names)  // names that start with a sign: `$`, `@`, `^`
+    for (const AddressName& name : grammar_.names)  // the loop finds names that start with a sign: `$`, `@`, `^`
       if (name.text.size() == 1 && name.text[0] == c) return word_of(name.address, 1, cursor_.at);
     return words_.parameter_by_sign();
   }
@@ -162,10 +162,10 @@ class Lexer {
 
   Status o_line() { return begins() && block_.assignments.empty() ? OWordReader(cursor_, grammar_, block_).read() : unexpected(); }
 
-  /// Returns true if neither words nor IF[…] THEN were read before.
+  /// Returns true if the block so far has neither words nor IF[…] THEN.
   bool begins() const { return block_.word_count == 0 && block_.statement.kind == StatementKind::none; }
 
-  /// Reads a word whose address is `letter`, written with `bytes` bytes.
+  /// Reads a word whose address is `letter`. The address is written with `bytes` bytes.
   Status word_of(char letter, std::size_t bytes, std::size_t begin) {
     cursor_.at += bytes;
     cursor_.skip_blanks();
@@ -188,7 +188,7 @@ class Lexer {
     w.expression = {};
     w.code = -1;
     w.incremental = w.bare = false;
-    w.value = 0;  // value of a word that cannot be read; code that continues after the fault may find this word
+    w.value = 0;  // the value 0 remains if the word cannot be read; code that continues after the fault may find this word
     if (format.second_number) w.second = std::numeric_limits<double>::quiet_NaN();
     KADR_TRY(words_.value(w, format, begin));
     w.where = span(begin, cursor_.at);
@@ -287,7 +287,7 @@ class Lexer {
     w.expression = {};
     w.code = -1;
     w.incremental = w.bare = false;
-    w.value = 0;  // value of a word that cannot be read; code that continues after the fault may find this word
+    w.value = 0;  // the value 0 remains if the word cannot be read; code that continues after the fault may find this word
     WordFormat format = grammar_.word('A');
     format.parameter = true;
     KADR_TRY(words_.value(w, format, begin));
@@ -309,7 +309,7 @@ class Lexer {
     const std::string_view rest = cursor_.text.substr(cursor_.at);
     if (grammar_.end_of_block != EndOfBlock::line_only && (rest.starts_with("ПС") || rest.starts_with("пс"))) return end_mark(4);
     if (grammar_.end_of_block != EndOfBlock::line_only && rest.starts_with("ПC")) return mark_with_latin_letter();
-    if (c.code == 0xA0 || c.code == 0xFEFF) {  // no-break space, byte order mark
+    if (c.code == 0xA0 || c.code == 0xFEFF) {  // the character is a no-break space or a byte order mark
       cursor_.at += c.bytes;
       return {};
     }
@@ -321,7 +321,7 @@ class Lexer {
     return word(latin, c.bytes);
   }
 
-  /// Accepts ПС whose С is a Latin C, with a warning.
+  /// Accepts an end of block ПС whose С is a Latin C, with a warning.
   Status mark_with_latin_letter() {
     constexpr std::size_t bytes = 3;
     block_.warnings.push_back(warning(AlarmId::mark_letter, span(cursor_.at, cursor_.at + bytes)));
@@ -346,7 +346,7 @@ class Lexer {
   Status end_of_dos_file() { return passes_dos_end(cursor_) ? Status() : unexpected(); }
   Status unexpected() const { return fail(unexpected_at(cursor_.text, cursor_.at)); }
 
-  /// Returns the alarm for a surplus `]` (nct 23.2.6), or for `=` after a name that the channel does not have (nct 2.2): Z2=5.
+  /// Returns the alarm for a surplus `]` (nct 23.2.6), or for `=` after a name that the channel does not have, as in Z2=5 (nct 2.2).
   Status out_of_place(char c) {
     const Span where = span(cursor_.at, cursor_.at + 1);
     if (c == ']') return fail(alarm(AlarmId::expression_syntax, where, c));
@@ -355,11 +355,11 @@ class Lexer {
     return fail(alarm(AlarmId::illegal_address, last->where, block_.text_of(last->where)));
   }
 
-  /// Makes the checks that need the whole block.
+  /// Makes the checks for which the whole block must be known.
   Status whole_block() {
     if (grammar_.block_length != 0 && !grammar_.filtered_lines && !block_.empty()) {
       if (!is_utf8_ && cursor_.at - begin_ > grammar_.block_length && has_high(cursor_.at)) {
-        result_.needs_utf8 = true;  // bytes above 127 that are not decoded cannot be counted as characters
+        result_.needs_utf8 = true;  // bytes above 127 must be decoded first, because they cannot be counted as characters
         return {};
       }
       const std::uint32_t length = characters_of(cursor_.text.substr(begin_, cursor_.at - begin_));

@@ -11,9 +11,10 @@
 namespace kadr {
 namespace {
 
-constexpr double max_block_number = 1e7;  // a larger N remains a word, which the control checks
+constexpr double max_block_number = 1e7;  // greatest block number; a word N with a larger number remains a word, which the control checks
 
-/// Returns true for characters that are never part of a line: the control removes them from the stream as commands (spec/grbl 12).
+/// Returns true for characters that are never part of a line, because the control removes them from the stream and executes them as
+/// commands (spec/grbl 12).
 bool is_real_time(char c) { return c == '!' || c == '?' || c == '~' || is_high(c); }
 
 }  // namespace
@@ -24,7 +25,7 @@ Status LineWordReader::read() {
   if (grammar_.block_length != 0 && kept_.size() > grammar_.block_length)
     return fail(alarm(AlarmId::block_too_long, span(0, kept_.size()), double(kept_.size()), double(grammar_.block_length)));
   if (kept_.empty()) return {};
-  if (kept_ == "%") {  // programs that send files to Grbl leave % out
+  if (kept_ == "%") {  // programs that send files to Grbl omit a line with %, so the line has no effect
     block_.warnings.push_back(note(AlarmId::percent_passed_over, span(0, 1)));
     return {};
   }
@@ -69,7 +70,7 @@ void LineWordReader::words(std::size_t from) {
     if (!word(at)) return;
 }
 
-/// Reads a letter and a number. Returns false if the line is faulty at this word.
+/// Reads a letter and a number. Returns false if the line has a fault at this word.
 bool LineWordReader::word(std::size_t& at) {
   const std::size_t begin = at;
   const char letter = kept_[at];
@@ -102,7 +103,7 @@ bool LineWordReader::word(std::size_t& at) {
 
 namespace {
 
-/// The digits of a number that Grbl uses, and the power of ten by which they are multiplied.
+/// The digits of a number that Grbl uses, and the power of ten by which the digits are multiplied.
 struct CountedDigits {
   std::uint32_t digits = 0;
   int exponent = 0;
@@ -141,7 +142,7 @@ float float32_of_digits(std::string_view number) {
   return number[0] == '-' ? -value : value;
 }
 
-/// Reads the first N as the block's number, whole or not; a negative or too large N remains a word.
+/// Reads the first N as the block's number, even if the number is not whole. A negative or too large N remains a word.
 bool LineWordReader::takes_number(std::string_view number) {
   const double value = value_of_digits(number);
   if (block_.has_number || block_.has('N') || !(value >= 0 && value <= max_block_number)) return false;
@@ -167,8 +168,8 @@ void LineWordReader::add(char letter, std::string_view number, Span where) {
   ++block_.word_count;
 }
 
-/// Sets the code to ten times the number, rounded to hundredths (spec/grbl 1.3: G17.004 is G17). Sets the code to -1 if the number is
-/// negative, or has more digits than any code.
+/// Sets the code to ten times the number, rounded to hundredths before (spec/grbl 1.3: G17.004 is G17). Sets the code to -1 if the number
+/// is negative, or has more digits than any code.
 void LineWordReader::code_of(Word& w) const {
   constexpr double most = 1e5;
   if (!(w.value >= 0 && w.value < most)) return;

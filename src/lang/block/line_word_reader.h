@@ -1,6 +1,6 @@
 #pragma once
-// LineWordReader: reads a line as Grbl does: filters it character by character, then reads words up to the end of the line (spec/grbl 1;
-// protocol.c, gcode.c). Used by the lexer only.
+// LineWordReader: reads a line in the same way as Grbl. The line is filtered character by character; then words are read up to the end of
+// the line (spec/grbl 1; protocol.c, gcode.c). Used by the lexer only.
 
 #include <cstdint>
 #include <string>
@@ -13,26 +13,27 @@
 
 namespace kadr {
 
-/// Returns the line as the filter of Grbl's protocol.c passes it: in capitals, without blanks, control characters, `/`, comments and
-/// real-time characters.
-///   place  output: the offset of each of these characters in the line
+/// Returns the characters of the line that the filter of Grbl's protocol.c keeps: in capitals, without blanks, control characters, `/`,
+/// comments and real-time characters.
+///   place  output: the offset in the line of each character of the result
 std::string filtered(std::string_view line, std::vector<std::uint32_t>& place);
 
-/// Returns the length of a number as Grbl writes it at the start of the text: a sign, digits, one decimal point. 0 if there is no digit.
+/// Returns the length of the number at the start of the text, in the notation of Grbl: a sign, digits, one decimal point. The result is 0
+/// if there is no digit.
 std::size_t size_of_number(std::string_view text);
 
-/// Returns the value as read_float of Grbl's nuts_bolts.c does: only the first eight digits are used, leading zeros included; further
-/// digits before the decimal point are read as zeros (spec/grbl 1.3).
+/// Returns the value of a number by the rules of read_float in Grbl's nuts_bolts.c. Only the first eight digits are used, leading zeros
+/// included; further digits before the decimal point are read as zeros (spec/grbl 1.3).
 double value_of_digits(std::string_view number);
-/// Like value_of_digits(), with each step of read_float rounded to 32 bits, as on the control.
+/// Returns the value as value_of_digits() does, but with each step of read_float rounded to 32 bits, as on the control.
 float float32_of_digits(std::string_view number);
 
 class LineWordReader {
  public:
   LineWordReader(Cursor& cursor, const Grammar& grammar, Block& block) : cursor_(cursor), grammar_(grammar), block_(block) {}
 
-  /// Reads the whole line. A fault after some words is stored in Block::broken instead of being returned, because the control reports the
-  /// faults of these words first. Such a fault is unexpected_character, number_missing, address_unknown or too_many_words.
+  /// Reads the whole line. A fault after some words is stored in Block::broken instead of being returned, because the control reports
+  /// faults of the words before it first. The possible faults are unexpected_character, number_missing, address_unknown and too_many_words.
   ///   alarms  block_too_long
   Status read();
 
@@ -47,8 +48,8 @@ class LineWordReader {
   Cursor& cursor_;
   const Grammar& grammar_;
   Block& block_;
-  std::string kept_;                  // the characters of the line that pass the filter, in capitals
-  std::vector<std::uint32_t> place_;  // offset of each of these characters in the line
+  std::string kept_;                  // the characters of the line that the filter keeps, in capitals
+  std::vector<std::uint32_t> place_;  // offset in the line of each character of kept_
 };
 
 }  // namespace kadr

@@ -1,4 +1,4 @@
-// Reads numbers with more digits than a double holds exactly: fast_float rounds them correctly.
+// Reads numbers with more digits than a double represents exactly. fast_float rounds them correctly.
 
 #include <fast_float/fast_float.h>
 
@@ -8,7 +8,7 @@ namespace kadr {
 
 bool read_long_number(std::string_view digits, Number& number) {
   const char* const last = digits.data() + digits.size();
-  // fast_float requires a digit before the decimal point.
+  // fast_float requires a digit before the decimal point, so a 0 is inserted if there is none.
   const char* first = digits.data();
   std::string buffer;
   if (*first == '.') {

@@ -1,4 +1,4 @@
-// Reads O lines of RS274/NGC. Used by lang/block/lexer; tested by tests/lang/o_word_test.cpp.
+// Reads O lines of RS274/NGC. Described in o_word_reader.h. Used by lang/block/lexer; tested by tests/lang/o_word_test.cpp.
 
 #include "lang/block/o_word_reader.h"
 
@@ -12,7 +12,7 @@ struct OWordRow {
   std::string_view text;
   OWord word;
 };
-/// The commands of O lines. If one command is the start of another, the longer one comes first.
+/// The commands of O lines. If one command is the beginning of another, the longer one comes first.
 constexpr OWordRow o_words[] = {
     {"sub", OWord::sub},
     {"endsub", OWord::endsub},
@@ -73,7 +73,7 @@ Status OWordReader::label() {
   return {};
 }
 
-/// Reads the number of the label; blanks in it are ignored: `O 1 2 sub` is O12.
+/// Reads the number of the label. Blanks in the number are ignored: `O 1 2 sub` is O12.
 Status OWordReader::number() {
   std::string digits;
   for (; cursor_.at < cursor_.text.size(); ++cursor_.at) {
@@ -99,7 +99,7 @@ Status OWordReader::command() {
   }
   s.o_word = OWord::label;
   if (word.empty()) return {};
-  // Blanks are ignored, so the text read as the command may also contain the next word of the line.
+  // Blanks are ignored, so the text that is compared with the commands may also contain the next word of the line.
   for (const OWordRow& row : o_words)
     if (word == row.text) s.o_word = row.word;
   if (s.o_word == OWord::label) {
@@ -132,9 +132,9 @@ Status OWordReader::bracket(std::string_view after) {
 Status OWordReader::arguments() {
   for (cursor_.skip_blanks(); cursor_.peek() == '[' || cursor_.peek() == '('; cursor_.skip_blanks()) {
     const std::size_t begin = cursor_.at;
-    if (cursor_.peek() == '(') {  // a comment between two arguments
+    if (cursor_.peek() == '(') {  // a comment is allowed between two arguments, and skipped
       const std::size_t close = cursor_.text.find(')', begin);
-      if (close == std::string_view::npos) return {};  // an unclosed comment is reported for the whole line
+      if (close == std::string_view::npos) return {};  // an unclosed comment is reported later, for the whole line
       cursor_.at = close + 1;
       continue;
     }

@@ -11,7 +11,7 @@ class OWordReader {
  public:
   OWordReader(Cursor& cursor, const Grammar& grammar, Block& block) : cursor_(cursor), grammar_(grammar), block_(block) {}
 
-  /// Reads the whole line from the O up to a comment, into Block::statement with kind o_word.
+  /// Reads the whole line, from the O up to a comment, into Block::statement with the kind o_word.
   ///   alarms  those of compile_value; o_word_label, o_word_unknown, o_word_bracket, o_word_rest, o_word_arguments
   Status read();
 

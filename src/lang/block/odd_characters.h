@@ -9,16 +9,16 @@
 
 namespace kadr {
 
-/// Returns the alarm for the character at `at`, which cannot be the start of a word or comment.
+/// Returns the alarm for the character at the offset `at`, which cannot be the start of a word or comment.
 inline Alarm unexpected_at(std::string_view text, std::size_t at) {
   const auto c = static_cast<unsigned char>(text[at]);
   const Span where{static_cast<std::uint32_t>(at), static_cast<std::uint32_t>(std::min(at + 1, text.size()))};
   if (c < 0x20) return alarm(AlarmId::control_character, where, double(c));
-  if (c == '.') return alarm(AlarmId::number_damaged, where);  // a second decimal point in a number
+  if (c == '.') return alarm(AlarmId::number_damaged, where);  // the character is a second decimal point in a number
   return alarm(AlarmId::unexpected_character, where, text[at]);
 }
 
-/// Accepts Ctrl-Z at the end of the text and moves the cursor after it. Returns false if something follows.
+/// Accepts Ctrl-Z at the end of the text and moves the cursor after it. Returns false if other characters follow.
 inline bool passes_dos_end(Cursor& cursor) {
   Cursor behind = cursor;
   ++behind.at;

@@ -14,7 +14,7 @@ namespace {
 
 constexpr char letter_of(char c) { return static_cast<char>(c & ~0x20); }
 
-/// Returns true for a name that continues after a digit and needs no '='. PlainBlocks cannot distinguish such a name from two words (nct
+/// Returns true for a name that has letters after a digit and needs no '='. PlainBlocks cannot distinguish such a name from two words (nct
 /// 2.2).
 bool looks_like_words(const AddressName& name) {
   return std::any_of(name.text.begin(), name.text.end() - 1, is_digit) && !is_digit(name.text.back());
@@ -31,8 +31,9 @@ struct PlainBlocks::Digits {
 };
 
 PlainBlocks::PlainBlocks(const Grammar& grammar) : grammar_(grammar) {
-  constexpr std::size_t exact_digits = 15, number_digits = 9;  // digits of whole numbers that a double, and 32 bits, hold exactly
-  // Grbl uses so many digits, and no such number is too large (spec/grbl 1.3)
+  // Numbers of digits: whole numbers with 15 are exact in a double, with 9 in 32 bits.
+  constexpr std::size_t exact_digits = 15, number_digits = 9;
+  // Grbl uses at most this number of digits, and no number with so few digits is too large (spec/grbl 1.3).
   constexpr std::size_t lone_digits = 8, lone_number_digits = 7;
   most_digits_ = grammar.filtered_lines ? lone_digits : exact_digits;
   most_number_digits_ = grammar.filtered_lines ? lone_number_digits : number_digits;
@@ -46,7 +47,7 @@ PlainBlocks::PlainBlocks(const Grammar& grammar) : grammar_(grammar) {
       if (name.text.front() == letter && looks_like_words(name)) kind = Kind::other;
     kinds_[static_cast<unsigned char>(letter)] = kind;
     if (grammar.lower_case) kinds_[static_cast<unsigned char>(letter | 0x20)] = kind;
-    // With any number of digits allowed and all digits used, check_digits of lang/block/word_reader has nothing to check.
+    // If any number of digits is allowed and all digits are used, the address needs no check by check_digits of lang/block/word_reader.
     easy_[static_cast<std::size_t>(letter - 'A')] =
         !format.code && format.whole_digits == 0 && !format.implied && !format.second_number && format.counted == 0;
   }
@@ -81,7 +82,7 @@ bool PlainBlocks::read_words(std::string_view text, std::size_t from, Block& blo
   return grammar_.block_length == 0 || text.size() - from <= grammar_.block_length;
 }
 
-/// Reads digits with at most one decimal point among them; returns a pointer to the character after them.
+/// Reads digits with at most one decimal point among them. Returns a pointer to the character after the digits.
 inline const char* PlainBlocks::digits_at(const char* at, const char* end, Digits& digits) {
   constexpr unsigned ten = 10;
   const auto digit = [](char c) { return static_cast<unsigned>(static_cast<unsigned char>(c)) - unsigned{'0'}; };
@@ -114,7 +115,7 @@ const char* PlainBlocks::block_number(const char* at, const char* end, Block& bl
   return behind;
 }
 
-/// Reads the word that starts here and returns a pointer to the character after it; nullptr if the word is not plain, or faulty.
+/// Reads the word that starts here, and returns a pointer to the character after it. Returns nullptr if the word is not plain, or faulty.
 const char* PlainBlocks::word(const char* at, const char* end, Block& block) const {
   const char* const begin = at;
   const char letter = letter_of(*at++);
@@ -143,7 +144,7 @@ const char* PlainBlocks::word(const char* at, const char* end, Block& block) con
     if (!digits.has_point) decimals += w.counted = format.counted;
     if (format.second_number) w.second = std::numeric_limits<double>::quiet_NaN();
   }
-  // an exact divided by an exact number: correctly rounded
+  // Dividend and divisor are exact, so the quotient is correctly rounded.
   const double value = static_cast<double>(digits.mantissa) / powers_of_ten[decimals];
   w.value = sign == '-' ? -value : value;
   w.where = {static_cast<std::uint32_t>(begin - block.text.data()), static_cast<std::uint32_t>(at - block.text.data())};

@@ -9,15 +9,15 @@
 
 namespace kadr {
 
-/// Reads plain blocks; all other blocks, and every fault, are left to lex_block (lang/block/lexer).
+/// Reads plain blocks. All other blocks, and every fault, are left to lex_block (lang/block/lexer).
 ///   law  a block read here equals, word for word, the result of lex_block
 class PlainBlocks {
  public:
   explicit PlainBlocks(const Grammar& grammar);
 
   /// Reads the block that starts at `from` and ends at the end of the text.
-  ///   block    cleared by the caller; its text, where, words and shape are set here
-  ///   returns  false if the block is not plain; `block` is then unchanged, except for the contents of its words
+  ///   block    cleared by the caller; this function sets its text, where, words and shape
+  ///   returns  false if the block is not plain; then `block` is unchanged, except for the contents of its words
   bool read(std::string_view text, std::size_t from, Block& block) const;
 
  private:
@@ -33,9 +33,9 @@ class PlainBlocks {
 
   const Grammar& grammar_;
   std::array<Kind, 256> kinds_{};           // by character
-  std::array<bool, max_addresses> easy_{};  // for each address: true if any number of digits is allowed
-  std::size_t most_digits_ = 0;             // maximum number of digits of a value
-  std::size_t most_number_digits_ = 0;      // maximum number of digits of a block number
+  std::array<bool, max_addresses> easy_{};  // by address: true if any number of digits is allowed
+  std::size_t most_digits_ = 0;             // greatest number of digits of a value
+  std::size_t most_number_digits_ = 0;      // greatest number of digits of a block number
 };
 
 }  // namespace kadr

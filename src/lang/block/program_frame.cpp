@@ -1,5 +1,5 @@
-// The record mark %, and the text that is skipped before the program (spec/fanuc 1.1, label skip). Used by lang/block/block_reader,
-// control/macro_b/programs/program_search; tested by tests/cases/fanuc/programs.cases.
+// Finds the record marks % of a program, and the text that is skipped before the program (spec/fanuc 1.1, label skip). Used by
+// lang/block/block_reader, control/macro_b/programs/program_search; tested by tests/cases/fanuc/programs.cases.
 
 #include "lang/block/program_frame.h"
 
@@ -13,7 +13,7 @@ namespace {
 
 bool is_empty(std::string_view line) { return line.find_first_not_of(" \t\r") == std::string_view::npos; }
 
-/// Returns the first line at or after `at` that is not empty; an empty line if there is none.
+/// Returns the first line at or after the offset `at` that is not empty; an empty line if all lines are empty.
 std::string_view first_line(std::string_view text, std::size_t& at) {
   while (at < text.size()) {
     const std::size_t end = std::min(text.find('\n', at), text.size());
@@ -30,7 +30,7 @@ bool is_block(std::string_view line, const Grammar& grammar) {
   return lex_block(text, 0, false, grammar, *block).has_value();
 }
 
-/// Returns the first line that is more than a comment; empty if there is none.
+/// Returns the first line that has more than a comment; an empty line if no line has.
 std::string_view after_comments(std::string_view sample, std::size_t& at) {
   std::string_view line = first_line(sample, at);
   while (!line.empty() && line[line.find_first_not_of(" \t\r")] == '(' && line[line.find_last_not_of(" \t\r")] == ')') {
@@ -62,7 +62,7 @@ ProgramFrame frame_of(std::string_view sample, const Grammar& grammar) {
     at = std::min(sample.find('\n', at), sample.size() - 1) + 1;
     if (at == sample.size() || !has_sign(sample.substr(at, std::min(sample.find('\n', at), sample.size()) - at))) continue;
     std::size_t behind = std::min(sample.find('\n', at), sample.size() - 1) + 1;
-    if (first_line(sample, behind).empty()) return {};  // no line follows this %, so it ends the program
+    if (first_line(sample, behind).empty()) return {};  // no line follows this %, so this sign ends the program and does not start one
     return {at, at};
   }
   return {};

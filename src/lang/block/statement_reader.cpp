@@ -25,7 +25,7 @@ constexpr KeywordRow keywords[] = {
     {"PRM", Keyword::prm},          {"SETVN", Keyword::names},
 };
 
-/// Returns true if #number is a variable to which a program writes to show a message (nct 23.1.8).
+/// Returns true if #number is a variable that shows a message when a program assigns a value to it (nct 23.1.8).
 bool is_message(double number) { return number == 3000 || number == 3006 || number == 3106 || number == 3107; }
 
 }  // namespace
@@ -63,14 +63,16 @@ Status StatementReader::read(Keyword keyword) {
     case Keyword::goto_: return jump(begin);
     case Keyword::print_binary:
     case Keyword::print_decimal: return print(keyword, begin);
-    case Keyword::prm: return fail(alarm(AlarmId::illegal_address, span(begin, cursor_.at), "PRM"));  // nct 24.2: PRM only right of =
+    // PRM is allowed only on the right of = (nct 24.2).
+    case Keyword::prm: return fail(alarm(AlarmId::illegal_address, span(begin, cursor_.at), "PRM"));
     case Keyword::names: return variable_names(begin);
     case Keyword::then_: return fail(alarm(AlarmId::expression_syntax, span(begin, cursor_.at), "THEN"));
     default: return device(keyword, begin);
   }
 }
 
-/// Reads IF[…] GOTOn, IF[…] THEN statement or words, IF[…] statement or words (nct 23.2.9, 23.2.10). The lexer reads the words.
+/// Reads IF[…] GOTOn, and IF[…] with or without THEN and a statement or words (nct 23.2.9, 23.2.10). The words themselves are read by the
+/// lexer.
 Status StatementReader::branch() {
   block_.statement.with_if = true;
   KADR_TRY(condition());
@@ -87,13 +89,14 @@ Status StatementReader::branch() {
   if (next != Keyword::none) return read(next);
   const char c = cursor_.peek();
   const bool ends = c == '\0' || c == '(';
-  if (ends && grammar_.condition_alone) {  // spec/haas 2.3: a condition may be alone in its block, and then has no effect
+  if (ends && grammar_.condition_alone) {  // spec/haas 2.3: a condition may be alone in its block; then it has no effect
     block_.statement.kind = StatementKind::words;
     return {};
   }
   if (!is_letter(c) && c != ',' && !is_high(c)) return syntax(cursor_.at);
   if (!grammar_.condition_words) return fail(alarm(AlarmId::statement_not_alone, span(cursor_.at, cursor_.at + 1)));
-  block_.statement.kind = StatementKind::words;  // nct 23.2.10 does not state what may follow; words of a block may, as on a Fanuc
+  // nct 23.2.10 does not state what may follow the condition; words of a block are accepted, as on a Fanuc.
+  block_.statement.kind = StatementKind::words;
   return {};
 }
 
@@ -108,7 +111,8 @@ Status StatementReader::condition() {
 }
 
 Status StatementReader::loop_while(std::size_t begin) {
-  if (block_.statement.condition_count != 0) return syntax(begin);  // IF[…] WHILE: a loop cannot follow a condition of IF
+  // In IF[…] WHILE the loop is an error, because a loop cannot follow a condition of IF.
+  if (block_.statement.condition_count != 0) return syntax(begin);
   KADR_TRY(condition());
   cursor_.skip_blanks();
   if (keyword_here() != Keyword::do_) return fail(alarm(AlarmId::while_without_do, span(begin, cursor_.at)));
@@ -248,7 +252,7 @@ Status StatementReader::file_of_program() {
   return {};
 }
 
-/// Reads DPRNT[…]: only stores its text; control/macro_b interprets the text.
+/// Reads DPRNT[…]. Only the text is stored here; control/macro_b interprets it.
 Status StatementReader::print(Keyword keyword, std::size_t begin) {
   cursor_.skip_blanks();
   if (cursor_.peek() != '[') return syntax(cursor_.at);
@@ -265,7 +269,7 @@ Status StatementReader::print(Keyword keyword, std::size_t begin) {
   return ended(begin);
 }
 
-/// Checks that only a comment follows the statement (INFERRED: one statement per block, nct 23.2.1).
+/// Checks that only a comment follows the statement. INFERRED: a block has only one statement (nct 23.2.1).
 Status StatementReader::ended(std::size_t begin) {
   block_.statement.where = span(block_.statement.where.begin, cursor_.at);
   (void)begin;

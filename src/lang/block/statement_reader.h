@@ -9,7 +9,7 @@
 
 namespace kadr {
 
-/// Words that start a statement, or that are used in place of an address.
+/// The words that start a statement, or that are used in place of an address.
 enum class Keyword : std::uint8_t {
   none,
   if_,
@@ -32,17 +32,17 @@ class StatementReader {
  public:
   StatementReader(Cursor& cursor, const Grammar& grammar, Block& block) : cursor_(cursor), grammar_(grammar), block_(block) {}
 
-  /// Returns the keyword at the cursor, which does not move.
+  /// Returns the keyword at the cursor. The cursor does not move.
   Keyword keyword_here() const;
   Keyword keyword_here(std::size_t& length) const;
-  /// Returns true if this control has the keyword; else the text is read as a word.
+  /// Returns true if this control has the keyword. If not, the text is read as a word.
   bool knows(Keyword keyword) const { return keyword != Keyword::none && (keyword != Keyword::names || grammar_.semicolon_ends); }
   /// Reads a statement at the cursor, up to the end of the block or to a comment.
   ///   alarms  expression_syntax, terminator_wrong, while_without_do, do_number, illegal_address, statement_not_alone
   Status read(Keyword keyword);
-  /// Reads `[#NAME]=5`; or a condition without IF, if the control allows conditions without IF.
+  /// Reads `[#NAME]=5`. If the control allows conditions without IF, also reads such a condition.
   Status bracket();
-  /// Reads `#n=…`; the cursor is after the '#'. `begin`: offset of the '#'.
+  /// Reads `#n=…`. The cursor is after the '#'. `begin`: offset of the '#'.
   Status assignment(std::size_t begin);
 
  private:

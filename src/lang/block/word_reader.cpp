@@ -13,7 +13,8 @@
 namespace kadr {
 namespace {
 
-constexpr std::size_t least_parameter_digits = 2, max_parameter_digits = 3;  // numbers of digits: R01, R123 (spec/correctors 3)
+// Least and greatest number of digits of a parameter: R01, R123 (spec/correctors 3).
+constexpr std::size_t least_parameter_digits = 2, max_parameter_digits = 3;
 
 }  // namespace
 
@@ -45,7 +46,8 @@ Status WordReader::value(Word& w, const WordFormat& format, std::size_t begin) {
   const char c = cursor_.peek();
   if (grammar_.operator_i && sign == 0 && (c == 'I' || c == 'i') && cursor_.at == begin + 1)
     return fail(alarm(AlarmId::increment_not_allowed, span(begin, cursor_.at + 1), w.address));
-  if (is_digit(c) || c == '.') [[likely]] {  // a macro's argument may have any sign (nct 23.3); the range of other words is checked later
+  // An argument of a macro may have any sign (nct 23.3); the range of other words is checked later.
+  if (is_digit(c) || c == '.') [[likely]] {
     if (sign != 0 && !format.sign && (!grammar_.custom_macros || (sign == '-' && format.code)))
       return fail(alarm(AlarmId::sign_not_allowed, span(sign_at, sign_at + 1), w.address));
     return number(w, format, sign, begin);
@@ -65,7 +67,7 @@ Status WordReader::value(Word& w, const WordFormat& format, std::size_t begin) {
   auto expression = grammar_.sums_without_brackets() ? compile_macro_value(cursor_, grammar_, block_, MacroValue::operand)
                                                      : compile_value(cursor_, grammar_, block_);
   if (!expression) return fail(expression.error());
-  if (grammar_.rounds_in_address && format.counted != 0)  // ROUND in a word's value (spec/haas 2.2)
+  if (grammar_.rounds_in_address && format.counted != 0)  // ROUND in a word's value rounds to the increment (spec/haas 2.2)
     for (std::size_t i = expression->begin; i < expression->end; ++i)
       if (block_.code[i].op == Op::round) block_.code[i].op = Op::round_increment;
   if (sign == '-') {
@@ -108,15 +110,16 @@ Status WordReader::number(Word& w, const WordFormat& format, char sign, std::siz
     const std::size_t end = cursor_.at;
     cursor_.skip_blanks();
     const char c = cursor_.peek();
-    const double constant = format.implied ? read.mantissa : read.value;  // unscaled digits, because the parameter is unscaled too
+    // The digits are not scaled, because the parameter is not scaled either.
+    const double constant = format.implied ? read.mantissa : read.value;
     if ((c == '+' || c == '-')) return parameter_sum(w, format, sign == '-' ? -constant : constant, c, begin);
-    cursor_.at = end;  // blanks after the word are not part of it
+    cursor_.at = end;  // blanks after the word are not part of the word
   }
   if (format.second_number) return second_number(w);
   return {};
 }
 
-/// RS274/NGC: reads a number in which blanks are ignored, even between digits (`X1 0` is X10).
+/// Reads a number of RS274/NGC. Blanks in it are ignored, even between digits: `X1 0` is X10.
 Status WordReader::digits_apart(Number& read, const Word& w, std::size_t begin) {
   Cursor ahead = cursor_;
   ahead.skip_blanks();
@@ -134,8 +137,8 @@ Status WordReader::digits_apart(Number& read, const Word& w, std::size_t begin) 
   return {};
 }
 
-/// In the notation whose words contain blanks, `L2 15`, blanks are also allowed before the decimal point: `Y+ 50 .` (spec/correctors 2,
-/// N008).
+/// Allows blanks before the decimal point, as in `Y+ 50 .` (spec/correctors 2, N008). Only the notation whose words contain blanks, such as
+/// `L2 15`, has such numbers.
 Status WordReader::point_apart(Number& read, const Word& w, std::size_t begin) {
   Cursor ahead = cursor_;
   ahead.skip_blanks();
@@ -168,7 +171,8 @@ Status WordReader::code_of(Word& w, std::size_t begin) const {
     return fail(alarm(AlarmId::code_unknown, span(begin, cursor_.at), cursor_.text.substr(begin, cursor_.at - begin)));
   w.code = static_cast<std::int32_t>(nearest);
   const WordFormat& format = grammar_.word(w.address);
-  if (w.digits < format.code_digits && !w.has_point && block_.warnings.size() < limits::block_words)  // spec/gost 3: 3G2 means G01
+  // spec/gost 3: with the format 3G2 a code has two digits, such as G01; a code with fewer digits gives a warning.
+  if (w.digits < format.code_digits && !w.has_point && block_.warnings.size() < limits::block_words)
     block_.warnings.push_back(
         warning(AlarmId::code_digits, span(begin, cursor_.at), cursor_.text.substr(begin, cursor_.at - begin), double(format.code_digits)));
   return {};
@@ -178,7 +182,7 @@ Status WordReader::second_number(Word& w) {
   const std::size_t end = cursor_.at;
   cursor_.skip_blanks();
   if (!is_digit(cursor_.peek())) {
-    cursor_.at = end;  // blanks after the word are not part of it
+    cursor_.at = end;  // blanks after the word are not part of the word
     return {};
   }
   Number read;
@@ -195,7 +199,7 @@ bool WordReader::parameter_here() const {
   return c == grammar_.parameter_address || grammar_.long_parameters.find(c) != std::string::npos;
 }
 
-/// Reads the index of the parameter whose letter is at the cursor: one digit after the letter, or two or three digits.
+/// Reads the index of the parameter whose letter is at the cursor. Either one digit follows the letter, or two or three digits.
 Result<double> WordReader::parameter_index() {
   const std::size_t begin = cursor_.at;
   const char letter = cursor_.text[cursor_.at++];
@@ -252,7 +256,8 @@ Status WordReader::assign_parameter(double index, double value, std::size_t begi
   return {};
 }
 
-/// Reads `X+R1`, `Z-1200+R2`: the raw digits and the parameter's value are added, then converted to the unit of the address.
+/// Reads `X+R1`, `Z-1200+R2`. The digits as written and the parameter's value are added; then the sum is converted to the unit of the
+/// address.
 Status WordReader::parameter_sum(Word& w, const WordFormat& format, double constant, char sign, std::size_t begin) {
   const std::size_t sign_at = cursor_.at;
   if (cursor_.peek() == '+' || cursor_.peek() == '-') {
@@ -275,7 +280,7 @@ Status WordReader::parameter_sum(Word& w, const WordFormat& format, double const
   return {};
 }
 
-/// Reads `R2+50`, which sets R2. The manual demands the sign (2С42 6.3.7); INFERRED: a number without a sign is positive.
+/// Reads `R2+50`, which sets R2 to 50. The manual requires the sign (2С42 6.3.7). INFERRED: a number without a sign is positive.
 Status WordReader::formal_parameter(std::size_t begin) {
   if (!is_digit(cursor_.peek())) return fail(alarm(AlarmId::number_missing, span(begin, cursor_.at), grammar_.parameter_address));
   const double index = cursor_.text[cursor_.at++] - '0';
@@ -353,7 +358,8 @@ Status WordReader::axis_by_number(std::size_t begin) {
     w.incremental = true;
     ++cursor_.at;
   }
-  const auto expression = compile_macro_value(cursor_, grammar_, block_, MacroValue::sum);  // INFERRED: a whole expression may follow
+  // INFERRED: a whole expression may follow the `=`.
+  const auto expression = compile_macro_value(cursor_, grammar_, block_, MacroValue::sum);
   if (!expression) return fail(expression.error());
   w.expression = *expression;
   block_.evaluates = true;

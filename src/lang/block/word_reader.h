@@ -16,20 +16,22 @@ class WordReader {
  public:
   WordReader(Cursor& cursor, const Grammar& grammar, Block& block) : cursor_(cursor), grammar_(grammar), block_(block) {}
 
-  /// Checks that the block may have one more word with this address. The format of the address limits the number of such words.
+  /// Checks that the block may have one more word with this address. The format of the address limits the number of words.
   ///   alarms  too_many_words, address_twice, too_many_codes
   Status room_for(char letter, const WordFormat& format, std::size_t begin);
 
-  /// Reads sign, digits, decimal point or expression after the address at the cursor. `begin`: start of the word, for alarms.
+  /// Reads the sign, digits, decimal point or expression after the address; the cursor is at the first of these characters. `begin`: start
+  /// of the word, for alarms.
   Status value(Word& w, const WordFormat& format, std::size_t begin);
 
-  /// Reads `R2+50`, which sets R2. The manual demands the sign (2С42 6.3.7); INFERRED: a number without a sign is positive.
+  /// Reads `R2+50`, which sets R2 to 50. The manual requires the sign (2С42 6.3.7). INFERRED: a number without a sign is positive.
   Status formal_parameter(std::size_t begin);
-  /// Reads `#12+50.`, a formal parameter with a special sign as its letter (spec/correctors 3); an alarm reports anything else as
+  /// Reads `#12+50.`, a formal parameter with a special sign as its letter (spec/correctors 3). An alarm reports any other text as
   /// unexpected.
   Status parameter_by_sign();
 
-  /// Returns true for `R01+50.`, `P123=5`: two or three digits after the letter at the cursor, then a sign or '=' (spec/correctors 3).
+  /// Returns true for `R01+50.` or `P123=5`: after the letter at the cursor there are two or three digits, then a sign or '='
+  /// (spec/correctors 3).
   bool assigns_parameter(char letter) const;
   Status long_parameter(char letter, std::size_t begin);
 
@@ -39,11 +41,11 @@ class WordReader {
   /// Reads the number after O.
   Status label(std::size_t begin, const WordFormat& format);
 
-  /// Reads AX[n]=v, a word that gives its axis by number (nct 23.2.12). The address is known only when the block is executed.
+  /// Reads AX[n]=v, a word that gives its axis by a number (nct 23.2.12). Its address is known only when the block is executed.
   Status axis_by_number(std::size_t begin);
 
-  /// Returns the longest name of several characters at the cursor; nullptr if there is no name. A name that ends with a digit needs '='
-  /// after it (nct 2.2).
+  /// Returns the longest name of several characters at the cursor; nullptr if no name is at the cursor. A name that ends with a digit must
+  /// have '=' after it (nct 2.2).
   const AddressName* name_here() const;
 
   /// Returns true if the text at the cursor cannot be the start of a value.

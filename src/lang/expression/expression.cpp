@@ -1,4 +1,4 @@
-// Reads the numbers of expressions, and executes the operations of RS274/NGC; macro_arithmetic executes those of custom macros.
+// Reads the numbers of expressions, and executes the operations of RS274/NGC. The operations of custom macros are in macro_arithmetic.
 
 #include "lang/expression/expression.h"
 
@@ -14,9 +14,9 @@
 namespace kadr {
 namespace {
 
-constexpr double nearly = 1e-6;             // TOLERANCE_EQUAL of LinuxCNC 2.9.3
-constexpr std::size_t exact_digits = 15;    // a whole number with so many digits is exact in a double
-constexpr std::size_t number_digits = 300;  // more digits than any double needs; a longer number is rejected
+constexpr double nearly = 1e-6;             // greatest difference of two numbers that count as equal; TOLERANCE_EQUAL of LinuxCNC 2.9.3
+constexpr std::size_t exact_digits = 15;    // greatest number of digits with which every whole number is exact in a double
+constexpr std::size_t number_digits = 300;  // greatest number of digits; a longer number is rejected, because no double needs so many
 
 Result<double> finite(double value, Span where) {
   if (!std::isfinite(value)) return fail(alarm(AlarmId::not_a_number, where));
@@ -34,7 +34,7 @@ Result<double> apply_pair(Op op, double a, double b, Span where) {
     case Op::modulo: {
       if (b == 0) return fail(alarm(AlarmId::division_by_zero, where));
       const double rest = remainder_of(a, b);
-      return rest < 0 ? rest + std::fabs(b) : rest;  // RS274/NGC: the remainder is never negative
+      return rest < 0 ? rest + std::fabs(b) : rest;  // in RS274/NGC the remainder is never negative
     }
     case Op::power:
       if (a < 0 && b != std::round(b)) return fail(alarm(AlarmId::power_of_negative, where));
@@ -85,7 +85,7 @@ bool read_number(Cursor& cursor, Number& number) {
   number.fraction_digits = static_cast<std::uint8_t>(std::min<std::size_t>(fraction, 255));
   if (whole + fraction <= exact_digits) [[likely]] {
     number.mantissa = static_cast<double>(mantissa);
-    number.value = number.mantissa / powers_of_ten[fraction];  // mantissa and power are exact: the quotient is correctly rounded
+    number.value = number.mantissa / powers_of_ten[fraction];  // mantissa and power of ten are exact, so the quotient is correctly rounded
     return true;
   }
   return read_long_number({first, p}, number);

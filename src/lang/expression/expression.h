@@ -1,6 +1,6 @@
 #pragma once
-// Expressions of a block. Their text is compiled to instructions once; the instructions are evaluated each time the block is executed.
-// Operators and functions: spec/mach3 1 (Mach3, RS274/NGC); spec/nct/23 23.2 (custom macros). Angles are in degrees.
+// Expressions of a block. Their text is compiled to instructions once; the instructions are evaluated each time the block is executed. The
+// operators and functions are those of spec/mach3 1 (Mach3, RS274/NGC) and spec/nct/23 23.2 (custom macros). Angles are in degrees.
 
 #include <array>
 #include <cmath>
@@ -21,36 +21,38 @@ struct Cursor {
   void skip_blanks();
 };
 
-/// The value of a variable that was never set, or was emptied by assigning #0 (nct 23.1.6). No other value is a NaN.
+/// The value of a variable that was never set, or that an assignment of #0 has emptied (nct 23.1.6). It is a NaN; no other value is a NaN.
 inline constexpr double vacant = std::numeric_limits<double>::quiet_NaN();
 inline bool is_vacant(double value) { return value != value; }
 
-/// Compiles a value as it is written after an address: number, #n, ##n, #[…], […], function. Appends the instructions to block.code.
+/// Compiles a value in the form in which it follows an address: number, #n, ##n, #[…], […], function. Appends the instructions to
+/// block.code.
 ///   alarms  expression_syntax, bracket_not_closed, nesting_too_deep, operator_unknown, function_unknown, number_damaged
 Result<Expression> compile_value(Cursor& cursor, const Grammar& grammar, Block& block);
 
 /// Compiles the number or name of the variable between `#` and `=` of an assignment. The alarms are those of compile_value.
 Result<Expression> compile_target(Cursor& cursor, const Grammar& grammar, Block& block);
 
-/// How much of the text at the cursor belongs to the value.
+/// The part of the text at the cursor that belongs to the value.
 enum class MacroValue : std::uint8_t {
-  operand,   // after an address: a number, #n, #[…], #_NAME, […], a function of the operand that follows
+  operand,   // the value of a word, after its address: a number, #n, #[…], #_NAME, […], a function of the next operand
   sum,       // a whole expression
-  assigned,  // a whole expression after `#n=`, the only place where PRM is allowed (nct 24.2)
+  assigned,  // a whole expression after `#n=`; only this form may contain PRM (nct 24.2)
 };
-/// Like compile_value, for the language of custom macros (nct 23). Warns of ATAN[a]/[b], which other controls read differently.
+/// Compiles a value as compile_value() does, but in the language of custom macros (nct 23). Warns of ATAN[a]/[b], which other controls read
+/// differently.
 ///   alarms  expression_syntax (nct 2064), bracket_not_closed, nesting_too_deep, number_damaged, illegal_address
 Result<Expression> compile_macro_value(Cursor& cursor, const Grammar& grammar, Block& block, MacroValue extent);
 /// Compiles the condition in the brackets of IF[…] and WHILE[…], which is one comparison (nct 23.2.7).
 ///   alarms  those of compile_macro_value; terminator_wrong
 Result<Expression> compile_condition(Cursor& cursor, const Grammar& grammar, Block& block);
-/// Compiles the number of a variable as it is written after '#': digits, […], _NAME[…].
+/// Compiles the number of a variable, which is written after '#' as digits, […] or _NAME[…].
 Result<Expression> compile_macro_target(Cursor& cursor, const Grammar& grammar, Block& block);
 
 /// Returns true if `[#NAME]` is at the cursor (spec/fanuc 5.1).
 bool given_name_follows(const Cursor& cursor);
 
-/// An unsigned number with an optional decimal point; read_number() needs the cursor on a digit or a decimal point.
+/// An unsigned number with an optional decimal point. read_number() requires that the cursor is at a digit or at the decimal point.
 struct Number {
   double value = 0;
   double mantissa = 0;  // the digits without the decimal point, as a whole number
@@ -59,14 +61,14 @@ struct Number {
   bool has_point = false;
 };
 bool read_number(Cursor& cursor, Number& number);
-/// Reads a number with more digits than a double holds exactly.
+/// Reads a number with more digits than a double represents exactly.
 bool read_long_number(std::string_view digits, Number& number);
 
-/// Executes one step of an expression of RS274/NGC on the operands `a` and `b`.
+/// Executes one step of an expression of RS274/NGC with the operands `a` and `b`.
 ///   alarms  division_by_zero, not_a_number
 Result<double> apply(Op op, double a, double b, Span where);
 
-/// Returns the result of a comparison; vacant values are ordered as in nct 23.1.6.
+/// Returns the result of a comparison. Vacant values are ordered as in nct 23.1.6.
 inline bool compare(Op op, double a, double b) {
   if (op >= Op::greater_by_value) {
     if (is_vacant(a)) a = 0;
@@ -79,7 +81,7 @@ inline bool compare(Op op, double a, double b) {
     }
   }
   if (is_vacant(a) || is_vacant(b)) [[unlikely]] {
-    const int order = int{is_vacant(a)} - int{is_vacant(b)};  // a vacant value is greater than every number
+    const int order = int{is_vacant(a)} - int{is_vacant(b)};  // a vacant value counts as greater than every number
     switch (op) {
       case Op::equal: return order == 0;
       case Op::not_equal: return order != 0;
@@ -104,9 +106,10 @@ inline bool compare(Op op, double a, double b) {
 /// cover; `increments()` returns the number of least increments in one unit of the program; `control_value(number, bit, index, Span)` and
 /// `element(symbol, index, Span)` return the results of the operations with these names.
 template <class Variables>
-// NOLINTNEXTLINE(readability-function-size): one switch over the steps
+// NOLINTNEXTLINE(readability-function-size): one switch over all operations
 Result<double> evaluate(const Block& block, Expression expression, Variables&& variables) {
-  std::array<double, limits::expression_depth * 2> stack;  // the compiler limits the number of values on the stack
+  // The stack cannot overflow, because the compiler limits the number of its values.
+  std::array<double, limits::expression_depth * 2> stack;
   std::size_t top = 0;
   for (std::size_t i = expression.begin; i < expression.end; ++i) {
     const Instruction& step = block.code[i];

@@ -1,6 +1,6 @@
-// Compiles expressions to instructions. Operators, functions and relations are rows of the control's file (ExpressionRules). What a row
-// cannot describe follows from Grammar::custom_macros: true for custom macros (spec/nct/23, with their grammar at the end), false for
-// RS274/NGC (spec/mach3 1). Used by lexer, word_reader and statement_reader; tested by tests/lang/expression_test.cpp, macro_test.cpp,
+// Compiles expressions to instructions. Operators, functions and relations are rows of the control's file (ExpressionRules). All other
+// rules depend on Grammar::custom_macros: true for custom macros (spec/nct/23, with their grammar at the end), false for RS274/NGC
+// (spec/mach3 1). Used by lexer, word_reader and statement_reader; tested by tests/lang/expression_test.cpp, macro_test.cpp,
 // expression_rules_test.cpp.
 
 #include <algorithm>
@@ -19,7 +19,7 @@ class Compiler : public StepWriter {
   Compiler(Cursor& cursor, const Grammar& grammar, Block& block, bool reads_parameters = false)
       : StepWriter(cursor, grammar, block), reads_parameters_(reads_parameters) {}
 
-  /// Compiles by precedence climbing: a value, then the operators of at least this priority, each with its right operand.
+  /// Compiles by precedence climbing: a value, then the operators whose priority is at least `least_binding`, each with its right operand.
   Status sum(int least_binding) {
     KADR_TRY(factor());
     for (;;) {
@@ -53,13 +53,13 @@ class Compiler : public StepWriter {
     return c == '-' ? step(Op::negate, 0, begin, 0) : Status();
   }
 
-  /// Compiles number | #value | [expression] | function operand | AXNUM[…] | PRM[…].
+  /// Compiles a number, #value, [expression], a function with its operand, AXNUM[…] or PRM[…].
   Status value() {
     cursor_.skip_blanks();
     return cursor_.peek() == '[' ? bracket() : of_numbers([this] { return number_here(); });
   }
 
-  /// Adds a check that the number computed by the steps from `first` on is not the number of a named variable.
+  /// Adds a check that the number that the steps from `first` on compute is not the number of a named variable.
   Status own_number(std::size_t begin, std::size_t first) {
     if (grammar_.named_variables == nullptr && grammar_.given_names == nullptr) return {};
     const bool is_small =
@@ -67,7 +67,7 @@ class Compiler : public StepWriter {
     return is_small ? Status() : step(Op::element, symbol_own_number, begin, 0);
   }
 
-  /// Compiles the part after '#': digits, […], _NAME[…] (nct 23.1.1); `##n` is an error.
+  /// Compiles the part after '#': digits, […], _NAME[…] (nct 23.1.1). `##n` is an error.
   Status reference(bool& constant_number, double& number) {
     cursor_.skip_blanks();
     const std::size_t begin = cursor_.at, first = block_.code.size();
@@ -101,7 +101,7 @@ class Compiler : public StepWriter {
     return constant_number ? step(Op::variable_at, number, begin, 1) : step(Op::variable, 0, begin, 0);
   }
 
-  /// Reports `WHILE #1=5`: an assignment in the place of a condition (nct 23.2.11).
+  /// Reports `WHILE #1=5`: an assignment is not allowed in place of a condition (nct 23.2.11).
   Status no_assignment() {
     const std::size_t begin = cursor_.at++;
     KADR_TRY(variable(begin));
@@ -120,7 +120,7 @@ class Compiler : public StepWriter {
     const ExpressionRow* const found = row_here(grammar_.expression.relations, length);
     if (found == nullptr) {
       const bool holds_one = grammar_.conditions_are_values || is_condition_;
-      // the condition was a comparison written with an operator
+      // The condition was a comparison that is written with an operator, so no relation has to follow.
       if (cursor_.peek() == ']' && holds_one && grammar_.expression.operators.compare()) return {};
       if (cursor_.peek() == '=') return fail(alarm(AlarmId::terminator_wrong, span(begin, begin + 1), '='));
       return wrong(begin);
@@ -218,11 +218,11 @@ class Compiler : public StepWriter {
     cursor_.skip_blanks();
     if (cursor_.peek() != ']') return fail(alarm(AlarmId::exists_bracket, span(begin, cursor_.at + 1)));
     ++cursor_.at;
-    // the control checks whether the variable exists
+    // The control determines during execution whether the variable exists.
     return step(Op::element, is_name ? symbol_name_exists : symbol_number_exists, begin, 0);
   }
 
-  /// Compiles a function of the next operand only, with the operand's signs (nct 23.2.4).
+  /// Compiles a function whose operand is only the next value, with the signs of this value (nct 23.2.4).
   Status function_of_value(const ExpressionRow& row, std::size_t begin) {
     const std::size_t operand = cursor_.at;
     KADR_TRY(enter(begin));
@@ -239,7 +239,7 @@ class Compiler : public StepWriter {
   Status function_of_bracket(const ExpressionRow& row, std::size_t begin) {
     KADR_TRY(bracket());
     if (row.operand == Operand::bracket) return step(row.op, 0, begin, 0);
-    const auto other_missing = [&] {  // ATAN[y]/[x]: the second bracket is missing
+    const auto other_missing = [&] {  // reports that in ATAN[y]/[x] the second bracket is missing
       return fail(alarm(AlarmId::expression_syntax, span(begin, cursor_.at), std::string_view(row.text + "[ ]/[ ]")));
     };
     cursor_.skip_blanks();
@@ -251,7 +251,7 @@ class Compiler : public StepWriter {
     return step(row.op, 0, begin, -1);
   }
 
-  /// Warns of ATAN[a]/[b]: a Fanuc computes one function of both numbers, this control divides ATAN[a] by b (nct 23.2.6).
+  /// Warns of ATAN[a]/[b]. A Fanuc computes one function of both numbers; this control divides ATAN[a] by b (nct 23.2.6).
   void warn_of_quotient(std::size_t begin, std::size_t operand) {
     if (cursor_.text[operand] != '[') return;
     Cursor ahead = cursor_;
@@ -262,10 +262,10 @@ class Compiler : public StepWriter {
     if (ahead.peek() == '[') block_.warnings.push_back(warning(AlarmId::arctangent_divides, span(begin, ahead.at)));
   }
 
-  /// Compiles PRM[n] and PRM[n,bit], each also with /[index] (nct 24.2). An omitted bit or index is vacant.
+  /// Compiles PRM[n] and PRM[n,bit], each also with /[index] (nct 24.2). An omitted bit or index becomes a vacant value.
   Status control_value(std::size_t begin) {
     cursor_.at = begin + 3;
-    // nct 24.2: PRM only in an assignment
+    // PRM is allowed only in an assignment (nct 24.2).
     if (!reads_parameters_) return fail(alarm(AlarmId::illegal_address, span(begin, cursor_.at), "PRM"));
     cursor_.skip_blanks();
     if (cursor_.peek() != '[') return wrong(cursor_.at);
@@ -315,15 +315,16 @@ class Compiler : public StepWriter {
     return step(Op::element, static_cast<double>(found - grammar_.symbols.begin()), begin - 1, 0);
   }
 
-  /// RS274/NGC: checks that an operator, ] or the end of the text follows an operand.
+  /// Checks, for RS274/NGC, that an operator, ] or the end of the text follows an operand.
   Status end_of_expression(std::size_t at) const {
     const char c = cursor_.peek();
     if (c == ']' || c == '\0') return {};
-    const bool is_value = c == '#' || c == '[' || c == '.' || is_digit(c);  // a value follows: the operator before it is missing
+    // A value follows another value, so the operator between them is missing.
+    const bool is_value = c == '#' || c == '[' || c == '.' || is_digit(c);
     return fail(alarm(is_value ? AlarmId::expression_syntax : AlarmId::operator_unknown, span(at, at + 1), character_at(at)));
   }
 
-  /// RS274/NGC: compiles the value after '#', which may be any value, also #-1 and ##1.
+  /// Compiles, for RS274/NGC, the value after '#'. Any value is allowed, also #-1 and ##1.
   Status variable_of_value(std::size_t begin) {
     const std::size_t first = block_.code.size();
     KADR_TRY(enter(begin));

@@ -1,5 +1,5 @@
-// The operators and functions of a control. Used by lang/expression/expression_compiler, filled by the loader of control files; tested
-// by tests/lang/expression_rules_test.cpp.
+// Finds the operators and functions of a control. Used by lang/expression/expression_compiler, filled by the loader of control files;
+// tested by tests/lang/expression_rules_test.cpp.
 
 #include "lang/expression/expression_rules.h"
 
@@ -15,7 +15,7 @@ bool begins_with(std::string_view text, std::string_view word) {
          std::equal(word.begin(), word.end(), text.begin(), [](char wanted, char written) { return wanted == to_upper(written); });
 }
 
-/// Returns the number of first letters that the text and the word have in common.
+/// Returns how many letters are the same at the beginning of the text and of the word.
 std::size_t alike(std::string_view text, std::string_view word) {
   std::size_t i = 0;
   while (i < text.size() && i < word.size() && to_upper(text[i]) == word[i]) ++i;

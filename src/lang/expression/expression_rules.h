@@ -11,22 +11,22 @@
 
 namespace kadr {
 
-/// How the operand of a function is written.
+/// The form in which the operand of a function is written.
 enum class Operand : std::uint8_t {
   bracket,  // SIN[…]
-  value,    // SIN #1, SIN[…]: the operand is the next value, with its signs
+  value,    // SIN #1, SIN[…]: the operand is the next value with its signs
   pair,     // ATAN[…]/[…]
 };
 
 struct ExpressionRow {
   std::string text;  // text of the operator or function in upper case
   Op op = Op::number;
-  std::uint8_t binding = 0;            // priority of an operator; 0: this control does not have the operator, but an alarm can name it
-  Operand operand = Operand::bracket;  // how a function's operand is written
-  Op of_two = Op::number;              // operation of ATAN[a]/[b] where ATAN[a] alone is also a function; Op::number: no such operation
+  std::uint8_t binding = 0;            // priority of an operator; 0: the control does not have the operator, but an alarm can name it
+  Operand operand = Operand::bracket;  // form in which the operand of a function is written
+  Op of_two = Op::number;  // operation of ATAN[a]/[b] if ATAN[a] alone is also a function; Op::number: there is no such operation
 };
 
-/// Operators or functions, found by their text. If one text is the start of another, the longer text is matched.
+/// Operators or functions, found by their text. If one text is the beginning of another, the longer text is found.
 class ExpressionRows {
  public:
   static constexpr std::size_t most = 64;
@@ -39,23 +39,23 @@ class ExpressionRows {
       if (row.of_two == operation) row.of_two = by;
     }
   }
-  /// Returns true if one of these operators is a comparison.
+  /// Returns true if at least one operator in the rows is a comparison.
   bool compare() const;
   const std::vector<ExpressionRow>& all() const { return rows_; }
-  /// Returns the row whose text is at the start of `text`, whatever the letter case; nullptr if there is none.
+  /// Returns the row whose text is at the beginning of `text`, in any letter case; nullptr if no row matches.
   const ExpressionRow* find(std::string_view text) const;
-  /// Like find(), but the first two letters of a word are enough (`SI[30]`, spec/fanuc 5.4). Sets `length` to the length of the text that
-  /// matched.
+  /// Finds a row as find() does, but the first two letters of a word are enough (`SI[30]`, spec/fanuc 5.4). Sets `length` to the length of
+  /// the text that matched.
   const ExpressionRow* find_short(std::string_view text, std::size_t& length) const;
 
  private:
-  std::vector<ExpressionRow> rows_;        // sorted by first character; of one first character, longer texts come first
-  std::array<std::uint8_t, 128> first_{};  // for each character: index, plus 1, of the first row that starts with it; 0: no row
+  std::vector<ExpressionRow> rows_;  // rows sorted by first character; among rows with the same first character, longer texts come first
+  std::array<std::uint8_t, 128> first_{};  // by character: index plus 1 of the first row that starts with the character; 0: no row
 };
 
 struct ExpressionRules {
   ExpressionRows operators, functions;
-  ExpressionRows relations;  // comparisons that are allowed in the brackets of a condition of custom macros
+  ExpressionRows relations;  // comparisons that are allowed in the brackets of a condition, in custom macros
 };
 
 }  // namespace kadr

@@ -1,4 +1,5 @@
-// Operations of custom macros that differ from those of RS274/NGC (spec/nct/23 23.2.2–23.2.5). Used by lang/expression/expression.
+// Executes the operations of custom macros that differ from those of RS274/NGC (spec/nct/23 23.2.2–23.2.5). Used by
+// lang/expression/expression.
 
 #include "lang/expression/macro_arithmetic.h"
 
@@ -9,17 +10,17 @@
 namespace kadr {
 namespace {
 
-constexpr double least_bits = -4294967297.0;  // least operand of AND, OR, XOR, as nct 23.2.3 prints it
+constexpr double least_bits = -4294967297.0;  // least operand of AND, OR, XOR, as printed in nct 23.2.3
 constexpr double beyond_bits = 4294967296.0;
 
-/// Converts an operand of AND, OR, XOR to its bits: rounds it to a whole number, and takes that modulo 2^32. INFERRED: the rounding. The
+/// Converts an operand of AND, OR, XOR to its bits: the operand is rounded to a whole number modulo 2^32. INFERRED: the rounding. The
 /// numbers 2^31 … 2^32−1 have the same bits as negative numbers.
 Result<std::uint32_t> bits_of(double v, Span where) {
   if (!(v >= least_bits && v < beyond_bits)) return fail(alarm(AlarmId::bits_out_of_range, where, v));
   return static_cast<std::uint32_t>(std::llround(v));
 }
 
-/// Converts 32 bits back to a number, which is signed (nct 23.2.3 item 4).
+/// Converts 32 bits back to a signed number (nct 23.2.3 item 4).
 double number_of(std::uint32_t bits) { return static_cast<std::int32_t>(bits); }
 
 Result<double> logic(Op op, double a, double b, Span where) {
@@ -37,7 +38,8 @@ Result<double> logic(Op op, double a, double b, Span where) {
 
 Result<double> tangent(double deg, Span where) {
   const SinCos at = sincos_deg(deg);
-  if (at.cos == 0) return fail(alarm(AlarmId::tangent_of_right_angle, where, deg));  // the cosine is exactly 0 at (2n+1)·90°
+  // The cosine is exactly 0 at odd multiples of 90°, where the tangent is infinite.
+  if (at.cos == 0) return fail(alarm(AlarmId::tangent_of_right_angle, where, deg));
   return at.sin / at.cos;
 }
 
@@ -46,8 +48,8 @@ Result<double> arc(Op op, double a, Span where) {
   return (op == Op::arc_sine ? std::asin(a) : std::acos(a)) / rad_per_deg;
 }
 
-/// Reads the digits of a number in base `from` as digits in base `to`: the decimal digits 25 read in base 16 are 0x25 = 37 (spec/fanuc
-/// 5.3).
+/// Reads the digits of a number in base `from` as digits in base `to`. Example: the decimal digits 25 read in base 16 are 0x25 = 37
+/// (spec/fanuc 5.3).
 Result<double> digits_from_to(double a, std::uint64_t from, std::uint64_t to, Span where) {
   constexpr double most = 99'999'999;
   if (!(a >= 0 && a <= (from == 10 ? most : 4294967295.0))) return fail(alarm(AlarmId::value_limit, where, a));
@@ -63,7 +65,7 @@ Result<double> digits_from_to(double a, std::uint64_t from, std::uint64_t to, Sp
 }  // namespace
 
 double remainder_of(double a, double b) {
-  constexpr double exact = 9007199254740992;  // 2^53: whole numbers up to here are exact in a double
+  constexpr double exact = 9007199254740992;  // 2^53; up to this value every whole number is exact in a double
   if (std::fabs(a) < exact && std::fabs(b) < exact) {
     const auto left = static_cast<std::int64_t>(a), right = static_cast<std::int64_t>(b);
     if (right != 0 && static_cast<double>(left) == a && static_cast<double>(right) == b)

@@ -1,4 +1,4 @@
-// Names of operations, as control files write them. Used by config/control/control_loader_expressions.
+// The names of operations in control files. Used by config/control/control_loader_expressions.
 
 #include "lang/expression/operation.h"
 

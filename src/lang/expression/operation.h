@@ -10,7 +10,8 @@ namespace kadr {
 enum class Op : std::uint8_t {
   number,
   variable,
-  parameter,  // pushes the value of a formal parameter; `variable` replaces the number on top of the stack by that variable's value
+  // Pushes the value of a formal parameter; `variable` replaces a number on top of the stack by the value of the variable with this number.
+  parameter,
   add,
   subtract,
   multiply,
@@ -21,13 +22,13 @@ enum class Op : std::uint8_t {
   logic_and,
   logic_or,
   logic_xor,
-  equal,  // comparisons: a vacant value is greater than every number and equal to itself (nct 23.1.6)
+  equal,  // comparisons; a vacant value is greater than every number and equal to itself (nct 23.1.6)
   not_equal,
   greater,
   greater_equal,
   less,
   less_equal,
-  greater_by_value,  // like greater, but a vacant value counts as 0 (spec/fanuc 5.2)
+  greater_by_value,  // comparison like `greater`, but a vacant value counts as 0 (spec/fanuc 5.2)
   greater_equal_by_value,
   less_by_value,
   less_equal_by_value,
@@ -45,15 +46,15 @@ enum class Op : std::uint8_t {
   sin,
   sqrt,
   tan,
-  scale,  // divides the top of the stack by Instruction::number: converts raw digits to the unit of the address
+  scale,  // divides the top of the stack by Instruction::number, which converts the digits as written to the unit of the address
   // ---- custom macros (nct 23.2)
   remainder,
   bit_and,
   bit_or,
   bit_xor,
-  nearly_equal,  // equal within 1e-6 (LinuxCNC 2.9.3)
+  nearly_equal,  // true if the operands differ by less than 1e-6 (LinuxCNC 2.9.3)
   nearly_not_equal,
-  nearly_greater_equal,  // greater, or within 1e-6
+  nearly_greater_equal,  // true if a is greater than b, or if they differ by less than 1e-6
   nearly_less_equal,
   bit_not,
   truncate,        // FIX: rounds towards 0
@@ -66,20 +67,21 @@ enum class Op : std::uint8_t {
   arc_cosine,
   arc_tangent,
   logarithm,
-  arc_sine_turn,  // ASIN with results 270 … 90 (spec/fanuc 5.3)
-  atan_turn,      // ATAN[a]/[b] with results 0 … 360 (spec/fanuc 5.3)
-  to_bcd,         // converts 25 to 37: each decimal digit becomes a group of four bits; `from_bcd` converts back
+  arc_sine_turn,  // ASIN with results from 270 to 90 degrees (spec/fanuc 5.3)
+  atan_turn,      // ATAN[a]/[b] with results from 0 to 360 degrees (spec/fanuc 5.3)
+  to_bcd,         // converts 25 to 37, because each decimal digit becomes a group of four bits; `from_bcd` converts back
   from_bcd,
-  keep_negate,   // negates the value of a word; a vacant value stays vacant
-  variable_at,   // pushes the value of variable `number`
-  element,       // replaces the index on top of the stack by the number of the variable with this index in the symbol `number`
-  control_value  // PRM: replaces number, bit and index on top of the stack by the value of the parameter
+  keep_negate,   // negates the value of a word; a vacant value remains vacant
+  variable_at,   // pushes the value of the variable with the number Instruction::number
+  element,       // replaces the index on top of the stack by the number of the variable with this index; Instruction::number is the symbol
+  control_value  // PRM: replaces the number, bit and index on top of the stack by the value of the parameter
 };
 
 /// Returns the operation of an operator, function or relation by its name in control files ("add", "sine").
 ///   returns  nullopt if no operation has this name and number of operands
 std::optional<Op> operation_named(std::string_view name, int operands);
-/// Returns the name of the operation at the index `place` among those with this number of operands, for messages; empty after the last one.
+/// Returns the name of the operation at the index `place` among the operations with this number of operands, for messages; an empty text
+/// after the last one.
 std::string_view operation_name(std::size_t place, int operands);
 
 constexpr bool is_comparison(Op op) { return op >= Op::equal && op <= Op::less_equal_by_value; }

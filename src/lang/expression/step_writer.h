@@ -1,5 +1,5 @@
 #pragma once
-// StepWriter: the part of the compiler that reads the text and writes the steps. Used by expression_compiler only.
+// StepWriter: the part of the compiler that reads the text and writes the steps. Used only by expression_compiler.
 
 #include <algorithm>
 #include <utility>
@@ -14,7 +14,7 @@ class StepWriter {
  public:
   StepWriter(Cursor& cursor, const Grammar& grammar, Block& block) : cursor_(cursor), grammar_(grammar), block_(block) {}
 
-  /// Writes a step. `pushed`: by how many values the step changes the height of the stack.
+  /// Writes a step. `pushed`: number of values by which the step changes the height of the stack.
   Status step(Op op, double number, std::size_t begin, int pushed) {
     pushed_ += pushed;
     if (block_.code.size() >= limits::expression_steps || pushed_ > static_cast<int>(limits::expression_depth))
@@ -23,7 +23,7 @@ class StepWriter {
     return {};
   }
 
-  /// Returns true if the bracket at `begin` is not closed in the rest of the block (nct 23.2.6).
+  /// Returns true if the bracket at the offset `begin` is not closed in the rest of the block (nct 23.2.6).
   bool is_open(std::size_t begin) const {
     int depth = 0;
     for (std::size_t i = begin; i < cursor_.text.size() && cursor_.text[i] != '('; ++i) {
@@ -49,9 +49,9 @@ class StepWriter {
   }
 
  protected:
-  /// Checks the operands of an operator on controls where a condition is not a value (spec/fanuc 5.3, 5.4). There a comparison takes two
-  /// numbers and is allowed only in the brackets of a condition. AND, OR and XOR take two conditions or two numbers; all other operators
-  /// take numbers.
+  /// Checks the operands of an operator on controls where a condition is not a value (spec/fanuc 5.3, 5.4). On these controls a comparison
+  /// has two numbers as operands, and is allowed only in the brackets of a condition. AND, OR and XOR have two conditions or two numbers as
+  /// operands; the operands of all other operators are numbers.
   Status joined(Op op, std::size_t at, bool left_is_condition) {
     if (grammar_.conditions_are_values) return {};
     const bool compares = is_comparison(op), joins = op == Op::bit_and || op == Op::bit_or || op == Op::bit_xor;
@@ -61,7 +61,7 @@ class StepWriter {
     return {};
   }
 
-  /// Compiles a part of an expression that neither is a condition nor contains one.
+  /// Compiles a part of an expression that is not a condition and contains no condition.
   template <class Compile>
   Status of_numbers(Compile compile) {
     const bool in_condition = std::exchange(in_condition_, false);
@@ -71,7 +71,7 @@ class StepWriter {
     return {};
   }
 
-  /// Reads [#NAME]: the variable to which SETVN has given this name (spec/fanuc 5.1).
+  /// Reads [#NAME] and finds the variable to which SETVN has given this name (spec/fanuc 5.1).
   Status given_name(double& number) {
     const std::size_t open = cursor_.at;
     const std::size_t name = cursor_.text.find('#', open) + 1, close = std::min(cursor_.text.find(']', open), cursor_.text.size());
@@ -91,7 +91,7 @@ class StepWriter {
     return {};
   }
 
-  /// Reads AXNUM[X], the control-wide number of an axis (nct 23.2.12).
+  /// Reads AXNUM[X], the number of an axis across all channels (nct 23.2.12).
   Status axis_number(std::size_t begin) {
     cursor_.at = begin + 5;
     cursor_.skip_blanks();
@@ -124,7 +124,7 @@ class StepWriter {
     return found;
   }
 
-  /// Returns true if `/[` follows the bracket […] that is the operand; the cursor then moves to the second bracket.
+  /// Returns true if `/[` follows the operand, which is a bracket […]. Then the cursor is moved to the second bracket.
   bool divides_bracket(std::size_t operand) {
     if (cursor_.text[operand] != '[') return false;
     Cursor ahead = cursor_;
@@ -146,7 +146,7 @@ class StepWriter {
     return true;
   }
 
-  /// Returns the whole UTF-8 character at this offset of the text.
+  /// Returns the whole UTF-8 character that starts at this offset of the text.
   std::string_view character_at(std::size_t at) const {
     if (at >= cursor_.text.size()) return "…";
     return cursor_.text.substr(at, std::max<std::size_t>(first_character(cursor_.text.substr(at)).size, 1));
@@ -167,8 +167,8 @@ class StepWriter {
   Block& block_;
   int depth_ = 0;
   int pushed_ = 0;
-  bool in_condition_ = false;  // where conditions are not values: true if a condition is allowed at the cursor
-  bool is_condition_ = false;  // where conditions are not values: true if the part of the expression read last is a condition
+  bool in_condition_ = false;  // true if a condition is allowed at the cursor; used on controls where conditions are not values
+  bool is_condition_ = false;  // true if the part read last is a condition; used on controls where conditions are not values
 };
 
 }  // namespace kadr

@@ -1,6 +1,6 @@
 #pragma once
-// VariableNames: gives a number to each variable that a program names itself, `#<depth of cut>` (spec/linuxcnc 4.2), so that an
-// expression can contain the number in place of the name.
+// VariableNames: gives a number to each variable that a program names itself, such as `#<depth of cut>` (spec/linuxcnc 4.2). An expression
+// then contains the number in place of the name.
 
 #include <cstdint>
 #include <map>
@@ -12,18 +12,18 @@
 
 namespace kadr {
 
-/// The number of the first named variable, far above every number that a program can write.
+/// The number of the first named variable. It is far above every number that a program can write.
 inline constexpr double first_named_variable = 1e9;
 
-/// The names from all programs that one control reads. Names are never removed, so a number always means the same name. Safe for use by
-/// any thread.
+/// The names of variables in all programs that one control reads. Names are never removed, so a number always means the same name. All
+/// functions may be called from any thread.
 class VariableNames {
  public:
-  static constexpr std::size_t most = 1'000'000;  // maximum number of names; a name is at most as long as a line of the program
+  static constexpr std::size_t most = 1'000'000;  // greatest number of names; a name is at most as long as a line of the program
 
-  /// Returns the form in which the control compares names: small letters, no blanks.
+  /// Returns the form in which the control compares names: in small letters, without blanks.
   static std::string plain(std::string_view written);
-  /// Returns the number of a name, `written` in any letter case and with any blanks; nullopt if there are too many names.
+  /// Returns the number of a name; `written` may have any letter case and any blanks. Returns nullopt if there are too many names.
   std::optional<double> number_of(std::string_view written);
   std::string name_of(double number) const;
   static bool is_named(double number) { return number >= first_named_variable; }

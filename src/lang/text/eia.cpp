@@ -1,4 +1,4 @@
-// Code EIA RS-244 of punched tape: tracks 1 to 4, 6 and 7 encode the character, track 5 makes the number of punched holes odd, and a row
+// The code EIA RS-244 of punched tape. Tracks 1 to 4, 6 and 7 encode the character; track 5 makes the number of punched holes odd; a row
 // with track 8 alone ends a block. Used by cli, control, lang.
 
 #include "lang/text/eia.h"
@@ -12,19 +12,65 @@ namespace {
 
 constexpr char nothing = '\0';
 
-/// The codes of EIA RS-244-A, in the order of the standard's table, for comparison with that table.
+/// The codes of EIA RS-244-A, in the order of the standard's table, so that they are easy to compare with that table.
 constexpr std::array<std::pair<std::uint8_t, char>, 52> codes = {{
-    {0x20, '0'},     {0x01, '1'},     {0x02, '2'},     {0x13, '3'},     {0x04, '4'},  {0x15, '5'}, {0x16, '6'}, {0x07, '7'},
-    {0x08, '8'},     {0x19, '9'},     {0x61, 'A'},     {0x62, 'B'},     {0x73, 'C'},  {0x64, 'D'}, {0x75, 'E'}, {0x76, 'F'},
-    {0x67, 'G'},     {0x68, 'H'},     {0x79, 'I'},     {0x51, 'J'},     {0x52, 'K'},  {0x43, 'L'}, {0x54, 'M'}, {0x45, 'N'},
-    {0x46, 'O'},     {0x57, 'P'},     {0x58, 'Q'},     {0x49, 'R'},     {0x32, 'S'},  {0x23, 'T'}, {0x34, 'U'}, {0x25, 'V'},
-    {0x26, 'W'},     {0x37, 'X'},     {0x38, 'Y'},     {0x29, 'Z'},     {0x6B, '.'},  {0x3B, ','}, {0x31, '/'}, {0x70, '+'},
-    {0x40, '-'},     {0x0E, '&'},     {0x10, ' '},     {0x3E, '\t'},    {0x80, '\n'}, {0x0B, '%'},  // 0x0B is the end of record
-    {0x1A, '('},     {0x4A, ')'},                                        // the standard's names: control out, control in
-    {0x7F, nothing}, {0x2A, nothing}, {0x7C, nothing}, {0x7A, nothing},  // delete, back space, upper and lower case
+    {0x20, '0'},
+    {0x01, '1'},
+    {0x02, '2'},
+    {0x13, '3'},
+    {0x04, '4'},
+    {0x15, '5'},
+    {0x16, '6'},
+    {0x07, '7'},
+    {0x08, '8'},
+    {0x19, '9'},
+    {0x61, 'A'},
+    {0x62, 'B'},
+    {0x73, 'C'},
+    {0x64, 'D'},
+    {0x75, 'E'},
+    {0x76, 'F'},
+    {0x67, 'G'},
+    {0x68, 'H'},
+    {0x79, 'I'},
+    {0x51, 'J'},
+    {0x52, 'K'},
+    {0x43, 'L'},
+    {0x54, 'M'},
+    {0x45, 'N'},
+    {0x46, 'O'},
+    {0x57, 'P'},
+    {0x58, 'Q'},
+    {0x49, 'R'},
+    {0x32, 'S'},
+    {0x23, 'T'},
+    {0x34, 'U'},
+    {0x25, 'V'},
+    {0x26, 'W'},
+    {0x37, 'X'},
+    {0x38, 'Y'},
+    {0x29, 'Z'},
+    {0x6B, '.'},
+    {0x3B, ','},
+    {0x31, '/'},
+    {0x70, '+'},
+    // 0x0B is the code for the end of record.
+    {0x40, '-'},
+    {0x0E, '&'},
+    {0x10, ' '},
+    {0x3E, '\t'},
+    {0x80, '\n'},
+    {0x0B, '%'},
+    {0x1A, '('},
+    {0x4A, ')'},  // names in the standard: control out, control in
+    // Names in the standard: delete, back space, upper case, lower case.
+    {0x7F, nothing},
+    {0x2A, nothing},
+    {0x7C, nothing},
+    {0x7A, nothing},
 }};
 
-constexpr std::uint8_t no_row = 0xFF;  // a row with even parity, which is no code
+constexpr std::uint8_t no_row = 0xFF;  // a row with even parity, so it is not the code of a character
 
 }  // namespace
 

@@ -17,7 +17,7 @@
 namespace kadr {
 namespace {
 
-// ---- one-byte encodings: iconv converts all bytes above 127 once, into a table
+// ---- one-byte encodings: iconv converts all bytes above 127 once, and the results are stored in a table
 
 struct Utf8 {
   std::array<char, 4> bytes{};
@@ -28,7 +28,7 @@ using HighHalf = std::array<Utf8, 128>;
 HighHalf load_high_half(const char* iconv_name) {
   HighHalf half;
   const iconv_t converter = iconv_open("UTF-8", iconv_name);
-  if (converter == reinterpret_cast<iconv_t>(-1)) return half;  // without a converter no byte above 127 has a meaning
+  if (converter == reinterpret_cast<iconv_t>(-1)) return half;  // without a converter all bytes above 127 have no meaning
   for (std::size_t i = 0; i < half.size(); ++i) {
     char byte = static_cast<char>(128 + i);
     char* from = &byte;
@@ -50,7 +50,7 @@ const HighHalf& high_half(Encoding encoding) {
   return encoding == Encoding::cp1251 ? cp1251 : encoding == Encoding::koi8r ? koi8r : cp866;
 }
 
-/// Returns the number of ASCII bytes at the start of `bytes`; checks eight bytes at a time.
+/// Returns the number of ASCII bytes at the start of `bytes`. The function checks eight bytes at a time.
 std::size_t ascii_run(std::string_view bytes) {
   std::size_t i = 0;
   for (std::uint64_t eight = 0; i + sizeof eight <= bytes.size(); i += sizeof eight) {
@@ -84,11 +84,12 @@ Status append_eia_rows(std::string_view rows, std::string& text) {
   return {};
 }
 
-// ---- detection: how likely the sample's Russian words are in each encoding
+// ---- detection: how probable the Russian words of the sample are in each encoding
 
-/// Cost of a letter after another letter, in half bits: 'a' is 0, 'z' is 12.5 bits and more. Table rows are the first letter of the pair,
-/// columns the second: а..я and the start or end of a word. Counted from the words of the controls' manuals (spec/) and of the shop
-/// (СВЕРЛО, ФРЕЗА, …), each word weighted by the square root of its count; ПС, which ends every block, has the weight of a frequent word.
+/// The cost of a letter after another letter, in half bits: 'a' is 0, 'z' is 12.5 bits and more. Table rows are the first letter of the
+/// pair; columns are the second: а..я and the start or end of a word. The pairs were counted in the words of the controls' manuals (spec/)
+/// and of the workshop (СВЕРЛО, ФРЕЗА, …). Each word is weighted by the square root of its count. ПС, which ends every block, has the
+/// weight of a frequent word.
 constexpr std::size_t word_edge = 32;
 constexpr std::array<std::string_view, 33> pair_cost = {
     "zlinjinjtqkiigwkkkhyznnkrlzzzvkjg",  // а
@@ -125,15 +126,15 @@ constexpr std::array<std::string_view, 33> pair_cost = {
     "xznrniqmzxrtjlzvmojzznnrzmzzzzkqb",  // я
     "nlhmjpsjjzinkihejhkkmpnmotzyyozrz",  // start of a word
 };
-// cost of a capital after a small letter, or of a small letter after two capitals: such letters indicate the wrong encoding
+// cost of a capital after a small letter, or of a small letter after two capitals; such letters mean that the encoding is probably wrong
 constexpr int mixed_case_cost = 24;
-constexpr int typography_cost = 20;  // cost of №, quotes, dashes, degrees: rare, but they occur in text
-constexpr int other_sign_cost = 48;  // box-drawing characters, fractions, letters of other languages
+constexpr int typography_cost = 20;  // cost of №, quotes, dashes and degree signs, which are rare but occur in text
+constexpr int other_sign_cost = 48;  // cost of box-drawing characters, fractions and letters of other languages
 
 struct Sign {
-  std::size_t letter = word_edge;  // index of the letter: а..я are 0..31
+  std::size_t letter = word_edge;  // index of the letter in the table: а..я are 0..31
   bool capital = false;
-  int cost = 0;  // cost of a character that is not a Russian letter
+  int cost = 0;  // cost of the character if it is not a Russian letter
 };
 
 Sign sign_of(Encoding encoding, char byte) {
@@ -145,13 +146,14 @@ Sign sign_of(Encoding encoding, char byte) {
   return {word_edge, false, typography.find(code) != std::u32string_view::npos ? typography_cost : other_sign_cost};
 }
 
-/// Returns the cost of the sample as text in `encoding`: the sum of the costs of its characters; unlikely pairs of letters cost more.
+/// Returns the cost of the sample as text in `encoding`, which is the sum of the costs of its characters. An improbable pair of letters
+/// costs more.
 std::uint64_t cost_of(std::string_view sample, Encoding encoding) {
   std::array<Sign, 256> signs;
   for (std::size_t i = 0; i < signs.size(); ++i) signs[i] = sign_of(encoding, static_cast<char>(i));
   std::uint64_t cost = 0;
   Sign last;
-  std::size_t length = 0;  // number of letters of the word so far
+  std::size_t length = 0;  // number of letters of the word that were read so far
   const auto add = [&](const Sign& sign) {
     const bool in_word = sign.letter != word_edge;
     if (in_word || length > 0) cost += static_cast<std::uint64_t>(pair_cost[last.letter][sign.letter] - 'a');
@@ -166,7 +168,7 @@ std::uint64_t cost_of(std::string_view sample, Encoding encoding) {
   return cost;
 }
 
-/// Checks for valid UTF-8; the last character of the sample may be incomplete.
+/// Returns true if the sample is valid UTF-8. The last character of the sample may be incomplete.
 bool is_utf8(std::string_view sample) {
   bool any = false;
   while (!sample.empty()) {
@@ -185,8 +187,8 @@ bool is_utf8(std::string_view sample) {
   return any;
 }
 
-/// Returns true if valid UTF-8 is more likely small letters of CP866: the words ход, шаг, раз in CP866 happen to be valid UTF-8, with
-/// rare Asian letters.
+/// Returns true if valid UTF-8 more probably is text in small letters of CP866. The words ход, шаг, раз in CP866 happen to be valid UTF-8,
+/// with rare Asian letters.
 bool is_small_cp866(std::string_view sample) {
   return std::all_of(sample.begin(), sample.end(), [](char c) {
     const int row = static_cast<unsigned char>(c) >> 4;
@@ -208,7 +210,8 @@ Character first_character(std::string_view text) {
     if ((next & 0xC0) != 0x80) return {};
     code = code << 6 | (next & 0x3Fu);
   }
-  constexpr std::array<char32_t, 5> smallest = {0, 0, 0x80, 0x800, 0x10000};  // by length in bytes: smaller codes are invalid
+  // Least code by length in bytes; a smaller code in so many bytes is invalid.
+  constexpr std::array<char32_t, 5> smallest = {0, 0, 0x80, 0x800, 0x10000};
   const bool surrogate = code >= 0xD800 && code <= 0xDFFF;
   if (code < smallest[size] || code > 0x10FFFF || surrogate) return {};
   return {code, size};
@@ -232,7 +235,7 @@ std::string_view name_of(Encoding encoding) {
 }
 
 std::optional<Encoding> encoding_named(std::string_view name) {
-  std::string plain;  // small letters, without separators: "Windows-1251" equals "windows1251"
+  std::string plain;  // name in small letters, without separators: "Windows-1251" equals "windows1251"
   for (const char c : name)
     if (c != '-' && c != '_' && c != ' ') plain += c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
   struct Name {
@@ -252,7 +255,7 @@ std::optional<Encoding> detect_encoding(std::string_view sample) {
   if (ascii_run(sample) == sample.size()) return std::nullopt;
   if (const auto tape = inspect_tape(sample)) return tape->code == TapeCode::eia ? Encoding::eia : Encoding::iso7;
   if (is_utf8(sample) && !is_small_cp866(sample)) return Encoding::utf8;
-  auto best = Encoding::cp1251;  // if two encodings have the same cost, the more frequent encoding wins
+  auto best = Encoding::cp1251;  // the more frequent encoding comes first and wins if two encodings have the same cost
   std::uint64_t least = cost_of(sample, best);
   for (const Encoding encoding : {Encoding::cp866, Encoding::koi8r}) {
     const std::uint64_t cost = cost_of(sample, encoding);

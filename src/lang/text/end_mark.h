@@ -1,6 +1,6 @@
 #pragma once
-// The text that marks the end of a block in a program for a Soviet control: ПС, for «перевод строки», line feed (2С42 6.2). On a tape the
-// character LF is used instead.
+// The text that marks the end of a block in a program for a Soviet control. ПС stands for «перевод строки», line feed (2С42 6.2). On a tape
+// the character LF is used instead.
 
 #include <string_view>
 

@@ -1,4 +1,4 @@
-// Splits the bytes of a program into lines; reads a program of any length through a window in memory, from any offset. Used by
+// Splits the bytes of a program into lines. A program of any length is read through a window in memory, from any offset. Used by
 // lang/block/block_reader, lang/text/utf16; tested by tests/lang/line_reader_test.cpp.
 
 #include "lang/text/line_reader.h"
@@ -21,10 +21,11 @@ namespace kadr {
 namespace {
 
 constexpr std::size_t window_bytes = 256 * 1024;
-/// The end of a line is searched for within this number of bytes. CRs before the end do not count, so a line may have more bytes than its
+/// The number of bytes in which the end of a line is searched. CRs before the end do not count, so a line may have more bytes than its
 /// permitted length.
 constexpr std::size_t searched_bytes = 2 * limits::line_bytes;
-constexpr std::size_t first_read = 16 * 1024;  // bytes; few after a jump, because a subprogram is short; doubled with each further read
+// Number of bytes read after a jump; small, because a subprogram is short, and doubled with each further read.
+constexpr std::size_t first_read = 16 * 1024;
 constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
 static_assert(searched_bytes < window_bytes);
 
@@ -81,7 +82,7 @@ class TextSource final : public ByteSource {
 
 using Kept = std::shared_ptr<ByteSource>;
 
-/// Reads all of a pipe, terminal or device, which cannot be read twice.
+/// Reads all bytes of a pipe, terminal or device, because such input cannot be read twice.
 Kept read_whole(const OpenFile& file, std::uint64_t most) {
   TextSpool text;
   std::string piece(window_bytes, '\0');
@@ -98,7 +99,7 @@ Kept read_whole(const OpenFile& file, std::uint64_t most) {
   }
 }
 
-/// Keeps the text of each pipe. A pipe delivers its text only once, but there are two readers: the first guesses the control from the text,
+/// Stores the text of each pipe. A pipe gives its text only once, but there are two readers: the first guesses the control from the text,
 /// the second reads the program.
 class Pipes {
  public:
@@ -124,13 +125,14 @@ class Pipes {
   }
 };
 
-/// Removes CRs from the end of a line: there may be several CRs before its LF.
+/// Removes the CRs at the end of a line. There may be several CRs before an LF.
 std::string_view without_crs(std::string_view bytes) {
   while (bytes.ends_with('\r')) bytes.remove_suffix(1);
   return bytes;
 }
 
-/// Returns true if CR alone ends the lines: the sample has a CR and no LF. A CR as the very last byte may be half of a CR LF.
+/// Returns true if CR alone ends the lines, that is, if the sample has a CR and no LF. A CR as the last byte of a full sample may be the
+/// first half of a CR LF.
 bool has_bare_cr(std::string_view sample) {
   if (sample.find('\n') != std::string_view::npos) return false;
   if (sample.size() == window_bytes) sample.remove_suffix(1);
@@ -155,7 +157,8 @@ std::unique_ptr<ByteSource> open_file(const std::string& path, const FileAccess*
     Kept text = Pipes::keep(path, read_whole(file, is_device ? limits::device_bytes : limits::piped_bytes));
     return text ? shared_source(std::move(text)) : nullptr;
   }
-  posix_fadvise(file.descriptor(), 0, 0, POSIX_FADV_SEQUENTIAL);  // this is only advice to the system, so its result does not matter
+  // The call only advises the system about the access, so its result has no effect here.
+  posix_fadvise(file.descriptor(), 0, 0, POSIX_FADV_SEQUENTIAL);
   return std::make_unique<FileSource>(std::move(file), static_cast<std::uint64_t>(status.st_size));
 }
 
@@ -195,8 +198,8 @@ void LineReader::seek(std::uint64_t offset, std::uint32_t number) {
   next_read_ = first_read;
 }
 
-/// Reads more bytes into the window. Lines already read are removed only if the window is full, so that a loop of less than 256 KiB stays
-/// in the window. Returns false at the end of the source.
+/// Reads more bytes into the window. Lines already read are removed only if the window is full. So the lines of a loop of less than 256 KiB
+/// remain in the window. Returns false at the end of the source.
 bool LineReader::fill() {
   if (at_end_) return false;
   if (filled_ == window_.size()) {
@@ -213,8 +216,8 @@ bool LineReader::fill() {
   return got > 0;
 }
 
-/// Returns the number of bytes from the window's position to the end of the line, or `none`; fills the window as far as the longest line
-/// may reach.
+/// Returns the number of bytes from the window's position to the end of the line; `none` if there is no end within the longest permitted
+/// line. The window is filled as far as needed.
 std::size_t LineReader::find_end() {
   std::size_t searched = 0;
   while (true) {
@@ -250,7 +253,7 @@ bool LineReader::next(Line& line) {
   const std::size_t raw = end != none ? end : std::min(filled_ - position_, searched_bytes);
   const std::string_view bytes(window_.data() + position_, raw);
   line = {without_crs(bytes), offset(), line_++, true, false};
-  if (raw == searched_bytes) {  // no end of line within the searched bytes
+  if (raw == searched_bytes) {  // the searched bytes contain no end of line, so the line is too long
     long_line_.assign(bytes, 0, limits::line_bytes);
     line.bytes = long_line_;
     line.too_long = true;

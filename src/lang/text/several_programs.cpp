@@ -1,5 +1,5 @@
-// A tape with several programs: where each program starts, and which sections of subprograms belong to it (spec/gost 1, 2С42 6.2, 6.3.5).
-// Used by cli/job/open_program.
+// Analyses a tape with several programs: where each program starts, and which sections of subprograms belong to it (spec/gost 1, 2С42 6.2,
+// 6.3.5). Used by cli/job/open_program.
 
 #include "lang/text/several_programs.h"
 
@@ -16,7 +16,7 @@ namespace {
 constexpr std::size_t max_entries = 10'000;
 constexpr std::size_t search_bytes = 64 * 1024;
 
-/// A source with the bytes of a file, in which some ranges are replaced by blanks; ends of lines remain.
+/// A source with the bytes of a file in which some ranges are replaced by blanks. The ends of lines in these ranges remain.
 class BlankedSource final : public ByteSource {
  public:
   BlankedSource(std::shared_ptr<ByteSource> source, std::vector<ByteRange> blank, bool tape)
@@ -60,7 +60,7 @@ class Contents {
       take(*block);
     }
     end_at(reader_.size());
-    std::size_t kept = 0;  // a sign % at the end of the file starts no program and is dropped
+    std::size_t kept = 0;  // programs without words are removed: a sign % at the end of the file starts no program
     for (std::size_t i = 0; i < contents_.programs.size(); ++i)
       if (has_words_[i]) contents_.programs[kept++] = contents_.programs[i];
     contents_.programs.resize(kept);
@@ -81,7 +81,7 @@ class Contents {
       in_ = In::section;
       return;
     }
-    // this control needs no % before a program
+    // This control needs no % before a program, so the first block starts one.
     if (in_ == In::nothing && !block.empty() && may_begin_ && contents_.programs.empty()) begin_program(at, 0);
     if (in_ == In::program && block.word_count > 0) has_words_.back() = true;
     if (in_ == In::section) subprogram_block(block);
@@ -94,7 +94,7 @@ class Contents {
     has_words_.push_back(false);
   }
 
-  /// Handles a block such as N02001: subprogram 02, block 001 (2С42 6.3.5); M2 ends the section.
+  /// Handles a block such as N02001: subprogram 02, block 001 (2С42 6.3.5). M2 ends the section of subprograms.
   void subprogram_block(const Block& block) {
     constexpr std::uint8_t digits_of_label = 5;
     constexpr std::uint32_t blocks_a_subprogram = 1000;
@@ -125,8 +125,8 @@ class Contents {
   TapeContents contents_;
   std::vector<bool> has_words_;  // for each program: true if it has a block with words
   In in_ = In::nothing;
-  bool open_ = false;         // the end of a subprogram has not been reached yet
-  bool after_start_ = false;  // the block processed last was the one with %
+  bool open_ = false;         // the end of the subprogram being read has not been reached yet
+  bool after_start_ = false;  // the block processed last was the one with the sign %
 };
 
 }  // namespace

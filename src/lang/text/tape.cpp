@@ -1,5 +1,5 @@
-// Punched tape: rows of eight tracks in the ISO 7-bit code with even parity, and text (2С42 6.1, GOST 20999-83). Used by
-// lang/text/tape_orientation; tested by tests/lang/tape_test.cpp.
+// Converts between punched tape, which has rows of eight tracks in the ISO 7-bit code with even parity, and text (2С42 6.1, GOST 20999-83).
+// Used by lang/text/tape_orientation; tested by tests/lang/tape_test.cpp.
 
 #include "lang/text/tape.h"
 
@@ -11,8 +11,8 @@
 #include "lang/text/encoding.h"
 #include "lang/text/end_mark.h"
 
-// The Russian register is KOI-7 Н1: the codes 0x40..0x7E are the letters of KOI8-R without their eighth bit, ю а б … ч.
-// Ъ would have the code of a deleted row and therefore has none. Digits and signs, 0x20..0x3F, are the same in both registers.
+// The Russian register is KOI-7 Н1. Its codes 0x40..0x7E are the letters of KOI8-R without their eighth bit, ю а б … ч. Ъ would have the
+// code of a deleted row, so the register lacks Ъ. Digits and signs, 0x20..0x3F, are the same in both registers.
 
 namespace kadr {
 namespace {
@@ -27,7 +27,7 @@ bool leaves_no_character(std::uint8_t code) {
   return code == 0 || code == '\r' || code == shift_out || code == shift_in || code == deleted_row;
 }
 
-/// Returns the code of a letter in the Russian register, or 0.
+/// Returns the code of a letter in the Russian register; 0 if the register lacks the letter.
 std::uint8_t russian_code(char32_t letter) {
   static const auto codes = [] {
     std::array<std::uint8_t, 64> table{};
@@ -38,12 +38,12 @@ std::uint8_t russian_code(char32_t letter) {
   return letter >= U'А' && letter <= U'я' ? codes[letter - U'А'] : std::uint8_t{0};
 }
 
-/// Writes rows, and switches the register (Latin or Russian letters) where a character needs it.
+/// Writes rows of a tape, and switches the register (Latin or Russian letters) where a character requires this.
 class RowWriter {
  public:
   RowWriter(std::string& rows, TapeCode code) : rows_(rows), code_(code) {}
 
-  /// Returns false if the code has no such character.
+  /// Writes the row of a character. Returns false if the code lacks the character.
   bool write(char32_t letter) {
     if (code_ == TapeCode::eia) {
       const auto row = eia_row(letter);
@@ -72,7 +72,7 @@ void trim_right(std::string_view& line) {
   while (!line.empty() && is_blank(line.back())) line.remove_suffix(1);
 }
 
-/// Removes one literal ПС or LF from the end of a line, unless it is the end of a word (`SELF`, `КПС`).
+/// Removes one literal ПС or LF from the end of a line, unless the letters are the end of a word (`SELF`, `КПС`).
 bool remove_mark(std::string_view& line) {
   std::string_view rest = line;
   trim_right(rest);
@@ -80,7 +80,8 @@ bool remove_mark(std::string_view& line) {
     if (!rest.ends_with(mark)) continue;
     rest.remove_suffix(mark.size());
     const auto before = static_cast<unsigned char>(rest.empty() ? ' ' : rest.back());
-    if (before >= 'A' && before != '_') return false;  // a letter precedes the mark, or the last byte of a non-ASCII letter
+    // Before the mark there is a letter, or the last byte of a non-ASCII letter, so the mark is part of a word.
+    if (before >= 'A' && before != '_') return false;
     trim_right(rest);
     line = rest;
     return true;
@@ -88,7 +89,7 @@ bool remove_mark(std::string_view& line) {
   return false;
 }
 
-/// Returns a line without the CRs and without the literal ПС or LF at its end, which an LF row replaces.
+/// Returns a line without the CRs and without the literal ПС or LF at its end. On a tape a row LF replaces these characters.
 std::string_view without_end(std::string_view line) {
   while (line.ends_with('\r')) line.remove_suffix(1);
   while (remove_mark(line)) continue;

@@ -1,5 +1,5 @@
-// Detects the image of a punched tape, its code, and the orientation in which
-// it was read. Used by cli, lang; tested by tests/lang/tape_orientation_test.cpp.
+// Detects the image of a punched tape, its code, and the orientation in which the tape was read. Used by cli, lang; tested by
+// tests/lang/tape_orientation_test.cpp.
 
 #include "lang/text/tape_orientation.h"
 
@@ -11,11 +11,12 @@
 namespace kadr {
 namespace {
 
-constexpr double least_valid = 0.95;   // minimum fraction of valid rows: a torn tape has some invalid ones
-constexpr std::size_t least_rows = 8;  // minimum number of rows: with fewer rows a match may be chance
-// minimum for a wrongly inserted tape: eight variants are tried, so chance matches are more likely
+constexpr double least_valid = 0.95;   // least fraction of valid rows (0 to 1); it is below 1, because a torn tape has some invalid rows
+constexpr std::size_t least_rows = 8;  // least number of rows; with fewer rows a match may be chance
+// Least number of rows for a tape in a wrong orientation. Eight variants are tried, so chance matches are more probable.
 constexpr std::size_t least_turned = 16;
-// An orientation is sure if pairs "address, number" outnumber pairs "number, address" by at least this fraction of all pairs.
+// The least difference, as a fraction of all pairs, by which pairs "address, number" must outnumber pairs "number, address". With this
+// difference the orientation is certain.
 constexpr double sure = 0.1;
 constexpr std::size_t looked_at = 64 * 1024;
 
@@ -25,7 +26,7 @@ std::uint8_t mirrored(std::uint8_t row) {
   return static_cast<std::uint8_t>(to);
 }
 
-/// Returns the meaning of a row in a code: a character, 0 for a row without a character; nullopt if the code has no such row.
+/// Returns the meaning of a row in a code: a character, or 0 for a row without a character; nullopt if the code has no such row.
 std::optional<char> character_of(TapeCode code, std::uint8_t row) {
   if (code == TapeCode::eia) return has_odd_parity(row) ? eia_character(row) : std::nullopt;
   if (!has_even_parity(row)) return std::nullopt;
@@ -35,10 +36,11 @@ std::optional<char> character_of(TapeCode code, std::uint8_t row) {
   return static_cast<char>(c);
 }
 
-/// How similar the rows are to a program in a given code.
+/// A measure of how similar the rows are to a program in a given code.
 struct Likeness {
   bool is_tape = false;
-  double forward = 0;  // order of words: from -1 (numbers before their addresses) to 1 (addresses before their numbers)
+  // Measure of the order in words, from -1 (numbers are before their addresses) to 1 (addresses are before their numbers).
+  double forward = 0;
 };
 
 Likeness likeness(std::string_view rows, TapeCode code, std::size_t least_count) {

@@ -1,5 +1,5 @@
 #pragma once
-// Detects whether a file is the image of a punched tape, in which code, and in which orientation the tape was read.
+// Detects whether a file is the image of a punched tape, in which code the tape is, and in which orientation it was read.
 
 #include <optional>
 #include <string>
@@ -12,8 +12,8 @@ namespace kadr {
 /// The orientation in which a tape was put into the reader.
 enum class TapeOrientation : std::uint8_t {
   right,
-  wrong_end,   // the tape was read from its end: the rows are in reverse order
-  wrong_side,  // the tape was turned over: track 1 is read as track 8
+  wrong_end,   // the tape was read from its end, so the rows are in reverse order
+  wrong_side,  // the tape was turned over, so track 1 was read as track 8
   both,        // the tape was read from its end and turned over
 };
 
@@ -27,7 +27,7 @@ struct TapeFinding {
 ///   returns  nullopt if the rows are not a tape
 std::optional<TapeFinding> inspect_tape(std::string_view rows);
 
-/// Returns the rows in the order and with the tracks that the correctly inserted tape would give.
+/// Returns the rows in the order and with the tracks that the reader would give if the tape were inserted correctly.
 ///   law  turned(turned(t, lie), lie) == t
 std::string turned(std::string_view rows, TapeOrientation lie);
 

@@ -1,5 +1,5 @@
 #pragma once
-// Converts the image of a punched tape to text, in whatever orientation the tape was read.
+// Converts the image of a punched tape to text, whatever the orientation in which the tape was read.
 
 #include <optional>
 #include <string>
@@ -14,14 +14,16 @@ namespace kadr {
 std::optional<TapeCode> tape_code_named(std::string_view name);
 
 struct TapeReading {
-  std::string text;               // UTF-8, one line per block; '?' for unreadable rows
+  std::string text;               // text in UTF-8, one line per block; '?' in place of unreadable rows
   std::vector<TapeFault> faults;  // at most 1000
   TapeCode code = TapeCode::iso;
-  TapeOrientation lie = TapeOrientation::right;  // how the tape was read; `text` is the text of the correctly inserted tape
+  // Orientation in which the tape was read; `text` is already that of the correctly inserted tape.
+  TapeOrientation lie = TapeOrientation::right;
   bool looks_like_tape = false;
 };
 
-/// Converts the rows to text. `said`: the code given by the user; nullopt: the code is detected from the rows, and is ISO if that fails.
+/// Converts the rows to text. `said`: the code that the user gives. If it is nullopt, the code is detected from the rows; if the detection
+/// fails, the code is ISO.
 TapeReading read_tape(std::string_view rows, std::optional<TapeCode> said);
 
 }  // namespace kadr

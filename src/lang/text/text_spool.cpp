@@ -23,7 +23,7 @@ class SpoolFile {
     if (none) return;
     descriptor_ = open(folder.c_str(), O_TMPFILE | O_RDWR | O_CLOEXEC, S_IRUSR | S_IWUSR);
     if (descriptor_ >= 0) return;
-    std::string name = folder + "/kadr-XXXXXX";  // name of the file, for file systems that cannot create a file without a name
+    std::string name = folder + "/kadr-XXXXXX";  // name of the file, used on file systems that cannot create a file without a name
     descriptor_ = mkostemp(name.data(), O_CLOEXEC);
     if (descriptor_ >= 0) unlink(name.c_str());
   }
@@ -33,6 +33,7 @@ class SpoolFile {
   SpoolFile(const SpoolFile&) = delete;
   SpoolFile& operator=(const SpoolFile&) = delete;
 
+  /// Writes a piece at an offset.
   ///   returns  number of bytes written: fewer than requested if there is no file, or no space on the disk
   std::size_t write(std::string_view piece, std::uint64_t at) const {
     return whole([&](std::size_t done) { return pwrite(descriptor_, piece.data() + done, piece.size() - done, off_t(at + done)); },
@@ -60,10 +61,10 @@ class SpoolFile {
 
 namespace {
 
-constexpr std::size_t spilled_at_once = 256 * 1024;  // bytes in memory that are written at once when a file exists
+constexpr std::size_t spilled_at_once = 256 * 1024;  // least number of bytes in memory that are written together if a file exists
 constexpr std::size_t piece_bytes = 256 * 1024;
 
-/// Reads first the part of the text that is in the file, then the part in memory.
+/// Reads first the part of the text that is in the file, then the part that is in memory.
 class SpoolSource final : public ByteSource {
  public:
   SpoolSource(std::shared_ptr<SpoolFile> file, std::uint64_t written, std::string kept)
@@ -97,7 +98,7 @@ class SharedSource final : public ByteSource {
   std::shared_ptr<ByteSource> text_;
 };
 
-/// Returns the end of the last whole line in the piece; if the piece is only part of a line, the end of its last whole character.
+/// Returns the end of the last whole line in the piece. If the piece is only a part of a line, returns the end of its last whole character.
 std::size_t end_of_piece(std::string_view piece) {
   constexpr unsigned char follows = 0x80, mask = 0xc0;
   if (const std::size_t line = piece.rfind('\n'); line != std::string_view::npos) return line + 1;

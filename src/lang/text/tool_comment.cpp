@@ -1,11 +1,11 @@
 // Reads the description of a tool in a comment: "(T1 D8 ENDMILL)", «ФРЕЗА 8», "T01 FREZA D=10 R0.5". Used by session/tool_proposals,
 // view/sheet; tested by tests/lang/tool_comment_test.cpp.
 //
-//   text ─▶ tool_comment_tokens ─▶ tool_figures: the meaning of each figure (number) ─▶ here: which figure is the size of the tool
+//   text ─▶ tool_comment_tokens ─▶ tool_figures: the meaning of each number ─▶ here: which number is the size of the tool
 //
-// A wrong diameter is worse than none. The sources are tried in this order, and only a step whose findings all agree gives a result: a
-// figure called diameter; a size in the name of the tool (1/2 ENDMILL, {6 mm}), the number or letter of a drill, the thread of a tap; a
-// size after the name (ENDMILL 10).
+// A wrong diameter is worse than no diameter. The sources are tried in this order, and a step gives a result only if all its findings
+// agree: a number that the comment calls diameter; a size in the name of the tool (1/2 ENDMILL, {6 mm}), the number or letter of a drill,
+// the thread of a tap; a size after the name (ENDMILL 10).
 
 #include "lang/text/tool_comment.h"
 
@@ -22,7 +22,7 @@ std::optional<std::uint32_t> tool_of(const std::vector<CommentPiece>& pieces) {
   return std::nullopt;
 }
 
-/// Keeps only the first part of a comment about several tools (T1 = D16 ENDMILL, T2 = DRILL 6.8).
+/// Keeps only the pieces about the first tool in a comment about several tools (T1 = D16 ENDMILL, T2 = DRILL 6.8).
 void keep_first_tool(std::vector<CommentPiece>& pieces) {
   const auto first = tool_of(pieces);
   const auto other = std::find_if(pieces.begin(), pieces.end(), [&](const CommentPiece& p) {
@@ -31,7 +31,7 @@ void keep_first_tool(std::vector<CommentPiece>& pieces) {
   pieces.erase(other, pieces.end());
 }
 
-/// Returns the full point angle: CAM systems give half of it in TAPER=45DEG of a chamfer mill.
+/// Returns the full point angle in degrees. CAM systems give half of it in TAPER=45DEG of a chamfer mill, so this value is doubled.
 std::optional<double> angle_of(const std::vector<CommentPiece>& pieces, ToolWord kind) {
   for (std::size_t i = 0; i < pieces.size(); ++i) {
     if (!pieces[i].is_figure() || pieces[i].figure != FigureIs::angle) continue;

@@ -19,16 +19,16 @@ struct ToolComment {
   std::optional<double> corner;       // corner radius, mm
   std::optional<double> angle;        // full point angle, degrees
   ToolWord kind = ToolWord::none;
-  bool unsure = false;  // the comment describes a tool, but no size in it is certain
+  bool unsure = false;  // the comment describes a tool, but none of its sizes is certain
   bool empty() const { return !tool && !diameter && !corner; }
 };
 
-/// Returns what the comment states for certain. A number that may be something other than a size is left out.
+/// Returns the properties that the comment gives with certainty. A number that may be something other than a size is omitted.
 ///   text  UTF-8
 ///   inch  true: numbers without a unit are in inches; fractions are always in inches
 ToolComment read_tool_comment(std::string_view text, bool inch);
 
-/// Returns the comments of a line, written in brackets or after a semicolon, as UTF-8.
+/// Returns the comments of a line in UTF-8. They are written in brackets or after a semicolon.
 std::vector<std::string> comments_of(std::string_view line);
 /// Returns the line without its comments and without blanks at its ends.
 std::string without_comments(std::string_view line);

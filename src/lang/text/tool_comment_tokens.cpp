@@ -1,4 +1,5 @@
-// Splits a comment into words, figures (numbers) and signs. Used by lang/text/tool_comment; tested by tests/lang/tool_comment_test.cpp.
+// Splits a comment into words, numbers (in the code: figures) and signs. Used by lang/text/tool_comment; tested by
+// tests/lang/tool_comment_test.cpp.
 
 #include "lang/text/tool_comment_tokens.h"
 
@@ -14,7 +15,7 @@ namespace {
 struct Alike {
   std::string_view written, meant;
 };
-/// Different spellings of the same sign, and the spelling that replaces them.
+/// The different spellings of a sign, each with the spelling that replaces it.
 constexpr std::array<Alike, 17> sign_spellings = {{
     {"Ø", " DIA "},
     {"ø", " DIA "},
@@ -46,7 +47,7 @@ std::string with_signs_made_alike(std::string_view text) {
   return out;
 }
 
-/// Converts to capitals, Russian and Western letters too (UTF-8: а…п are D0 B0…BF, р…я D1 80…8F, ё D1 91, à…þ C3 A0…BE).
+/// Converts a text to capitals, also Russian and Western letters (UTF-8: а…п are D0 B0…BF, р…я D1 80…8F, ё D1 91, à…þ C3 A0…BE).
 std::string capitals(std::string text) {
   for (std::size_t i = 0; i < text.size(); ++i) {
     const auto c = static_cast<unsigned char>(text[i]);
@@ -80,7 +81,8 @@ class Tokens {
     const bool leads_point = (c == '.' || c == ',') && is_digit(at(at_ + 1));
     const bool abbreviates =
         leads_point && c == '.' && joined_ && at(digits_from(at_ + 1)) == '.' && is_digit(at(digits_from(at_ + 1) + 1));
-    const bool comma_divides = c == ',' && joined_;  // R0,5 is one figure with a decimal comma; in "D8,.5" and "A,5" the comma separates
+    // R0,5 is one number with a decimal comma; in "D8,.5" and "A,5" the comma separates two tokens.
+    const bool comma_divides = c == ',' && joined_;
     if (is_digit(c) || (leads_point && !comma_divides && !abbreviates)) return figure();
     if (is_word_letter(c)) return word();
     ++at_;
@@ -99,7 +101,8 @@ class Tokens {
     joined_ = true, underscored_ = false;
   }
 
-  /// Reads letters; also with points between single letters (E.M.), or with an apostrophe between letters (C'BORE).
+  /// Reads a word, which is a sequence of letters. It may have points between single letters (E.M.), or an apostrophe between letters
+  /// (C'BORE).
   void word() {
     const std::size_t from = at_;
     const auto goes_on = [&] {
@@ -128,7 +131,8 @@ class Tokens {
       at_ = digits_from(point + 1);
       token.decimals = static_cast<std::uint8_t>(std::min<std::size_t>(at_ - point - 1, 255));
     }
-    while (is_point && at(at_) == '.' && is_digit(at(at_ + 1))) token.is_broken = true, at_ = digits_from(at_ + 1);  // 1.2.3: no figure
+    // 1.2.3 is not a number.
+    while (is_point && at(at_) == '.' && is_digit(at(at_ + 1))) token.is_broken = true, at_ = digits_from(at_ + 1);
     token.text = text_.substr(from, at_ - from);
     std::string digits = token.text;
     std::replace(digits.begin(), digits.end(), ',', '.');
@@ -136,7 +140,7 @@ class Tokens {
     add(std::move(token));
   }
 
-  /// Reads a fraction 3/8; a date 3/8/24 is not a fraction.
+  /// Reads a fraction such as 3/8. A date such as 3/8/24 is not a fraction.
   void fraction(std::size_t from, CommentToken& token) {
     double numerator = 0, denominator = 0;
     std::from_chars(text_.data() + from, text_.data() + at_, numerator);

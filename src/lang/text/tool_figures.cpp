@@ -1,7 +1,7 @@
-// Determines the meaning of each figure (number) in a comment. Used by lang/text/tool_comment; tested by
+// Determines the meaning of each number (in the code: figure) in a comment. Used by lang/text/tool_comment; tested by
 // tests/lang/tool_comment_test.cpp.
 //
-// Each function of FigureMarker searches the whole comment for one pattern and marks the figures whose meaning is certain; a figure that
+// Each function of FigureMarker searches the whole comment for one pattern, and marks the numbers whose meaning is certain. A number that
 // no function has marked stays open.
 
 #include "lang/text/tool_figures.h"
@@ -20,9 +20,9 @@ namespace {
 using Is = CommentToken::Is;
 using enum WordHints;
 
-constexpr double max_wholes = 6;           // maximum number of whole inches before a fraction: 1 1/4
-constexpr std::size_t longest_size = 3;    // maximum digits of a whole size; 1234 is a number, not a size
-constexpr std::size_t longest_number = 8;  // maximum digits of T
+constexpr double max_wholes = 6;           // greatest number of whole inches before a fraction, as in 1 1/4
+constexpr std::size_t longest_size = 3;    // greatest number of digits of a whole size; 1234 is not a size
+constexpr std::size_t longest_number = 8;  // greatest number of digits of a tool number T
 
 class FigureMarker {
  public:
@@ -49,7 +49,8 @@ class FigureMarker {
 
  private:
   std::size_t count() const { return all_.size(); }
-  bool has(std::size_t i) const { return i < all_.size(); }  // false also for the index before the first, which wraps around
+  // Also false for the index before the first piece, because that index wraps around.
+  bool has(std::size_t i) const { return i < all_.size(); }
   bool is_figure(std::size_t i) const { return has(i) && all_[i].is_figure(); }
   bool is_open(std::size_t i) const { return has(i) && all_[i].is_open(); }
   bool is_sign(std::size_t i, char c) const { return has(i) && all_[i].is_sign(c); }
@@ -102,18 +103,18 @@ void FigureMarker::read_abbreviations() {
   }
 }
 
-/// Returns true if the word at `at` is the unit of the figure. IN is a unit only where it cannot be the preposition: not in "4 IN VISE",
-/// but in "1/4 IN DRILL" and ".5IN".
+/// Returns true if the word at `at` is the unit of the number at `figure`. IN is a unit only if it cannot be the preposition: not in "4 IN
+/// VISE", but in "1/4 IN DRILL" and ".5IN".
 bool FigureMarker::is_unit(std::size_t figure, std::size_t at) const {
   if (!says(at, unit_mm | unit_inch)) return false;
-  if (all_[at].text == "\"") return joined(at) || !joined(at + 1);  // a quote, not inches: T5 "F" DRILL
+  if (all_[at].text == "\"") return joined(at) || !joined(at + 1);  // in T5 "F" DRILL the sign is a quotation mark, not inches
   if (all_[at].text != "IN" || joined(at)) return true;
   const CommentPiece& f = all_[figure];
   const bool goes_on_with_tool = !has(at + 1) || all_[at + 1].is == Is::sign || says(at + 1, tool | part_of_name | describes);
   return f.is_fraction || f.has_point || goes_on_with_tool;
 }
 
-/// Merges units into their figures: 6MM, 4-INCH, {6 mm}, 1/2". A speed (250 MM/MIN) is not a length.
+/// Merges units into their numbers: 6MM, 4-INCH, {6 mm}, 1/2". A number with the unit of a speed (250 MM/MIN) is not a length.
 void FigureMarker::take_units() {
   bool braced = false;
   for (std::size_t i = 0; i < count(); ++i) {
@@ -125,14 +126,14 @@ void FigureMarker::take_units() {
     if (!is_unit(i, at)) continue;
     all_[i].unit = says(at, unit_mm) ? 1 : mm_per_inch;
     if (is_sign(at + 1, '/')) all_[i].figure = FigureIs::other;
-    const bool mm_of_fraction = all_[i].is_fraction && all_[i].unit == 1;  // 1/2MM: no tool has this size
+    const bool mm_of_fraction = all_[i].is_fraction && all_[i].unit == 1;  // in 1/2MM the mm is not a unit, because no tool has this size
     if (mm_of_fraction) all_[i].figure = FigureIs::other;
     all_.erase(all_.begin() + static_cast<std::ptrdiff_t>(i) + 1, all_.begin() + static_cast<std::ptrdiff_t>(at) + 1);
   }
 }
 
-/// Returns true for a figure that belongs to a name: EM10, 635BIT, 1_2MM, ENDMILL001, 6061AL. A fraction or a leading decimal point
-/// separates a figure from a word: DRILL.828, BAR5/8.
+/// Returns true for a number that belongs to a name: EM10, 635BIT, 1_2MM, ENDMILL001, 6061AL. A fraction or a leading decimal point
+/// separates a number from a word: DRILL.828, BAR5/8.
 bool FigureMarker::is_part_of_name(std::size_t i) const {
   const CommentPiece& f = all_[i];
   if (f.is_broken) return true;
@@ -148,7 +149,7 @@ bool FigureMarker::is_part_of_name(std::size_t i) const {
       f.unit == 0)
     return true;
   if (!joined(i + 1) || !all_[i + 1].is_word() || f.unit != 0) return false;
-  const bool tolerance = all_[i + 1].text == "H" || all_[i + 1].text == "Н";  // 10H7: a tolerance
+  const bool tolerance = all_[i + 1].text == "H" || all_[i + 1].text == "Н";  // in 10H7 the H7 is a tolerance
   return !tolerance && !says(i + 1, called | describes | of_tool) &&
          !(is_letter(all_[i + 1]) && (all_[i + 1].text == "F" || all_[i + 1].text == "Z"));
 }
@@ -158,7 +159,7 @@ void FigureMarker::mark_names() {
     if (is_open(i) && is_part_of_name(i)) all_[i].figure = FigureIs::other;
 }
 
-/// Marks tool numbers: T1, T 1, TOOL 4, TOOL #2, TOOL - 6, TOOL -3-, but not X-T3, TOOL 1/2, TOOL 6MM.
+/// Marks tool numbers: T1, T 1, TOOL 4, TOOL #2, TOOL - 6, TOOL -3-. Numbers in X-T3, TOOL 1/2 and TOOL 6MM are not marked.
 void FigureMarker::mark_tool_numbers() {
   for (std::size_t i = 0; i < count(); ++i) {
     if (!says(i, tool_number) || !all_[i].is_word()) continue;
@@ -166,15 +167,16 @@ void FigureMarker::mark_tool_numbers() {
     const bool in_name = joined(i) && i > 0 && !all_[i - 1].is_sign('|') && !all_[i - 1].is_sign('(') && !all_[i - 1].is_sign(',');
     std::size_t at = behind(i, is_t ? "" : "-#:=.");
     if (!is_t && says(at, number)) at = behind(at, ".#");
-    const bool zeros = !is_t && joined(at) && at == i + 1 && all_[at].text.starts_with("00");  // DEFAULT TOOL001 is a name
-    const bool is_turned = says(at + 1, degrees);                                              // ENGRAVING TOOL 30 DEGREE: an angle
+    // DEFAULT TOOL001 is a name, so 001 is not a tool number.
+    const bool zeros = !is_t && joined(at) && at == i + 1 && all_[at].text.starts_with("00");
+    const bool is_turned = says(at + 1, degrees);  // in ENGRAVING TOOL 30 DEGREE the 30 is an angle
     const bool is_number = !zeros && !is_turned && is_open(at) && !all_[at].has_point && !all_[at].is_fraction && all_[at].unit == 0 &&
                            all_[at].text.size() <= longest_number;
     if (!in_name && is_number) all_[at].figure = FigureIs::tool;
   }
 }
 
-/// Marks figures by words that define the figure next to them: 4FL, LOC 1.5, S2000, ZMIN=-5.
+/// Marks numbers by the words next to them, which define their meaning: 4FL, LOC 1.5, S2000, ZMIN=-5.
 void FigureMarker::mark_next_to_words() {
   for (std::size_t i = 0; i < count(); ++i)
     if (says(i, other_before | other_after | is_numbered)) mark_by_word(i);
@@ -185,17 +187,19 @@ void FigureMarker::mark_next_to_words() {
         means_diameter | means_corner | tool_number | tool | letter | number | is_numbered | times | other_after | degrees;
     const bool is_address = is_letter(word) && !word.meaning.is(known) && word.text != "M" && word.text != "М" && word.text != "F";
     const std::size_t at = behind(i, is_address ? "=-" : "-");
-    if (is_address && is_open(at) && joined(i + 1)) all_[at].figure = FigureIs::other;  // addresses: S2000, Z-.5, H7
-    const bool is_f = word.text == "F" && i > 0 && !says(i - 1, tool);                  // F is a feed; but in SVERLO F8.5 a diameter
+    // The letter is the address of a word, as in S2000, Z-.5, H7.
+    if (is_address && is_open(at) && joined(i + 1)) all_[at].figure = FigureIs::other;
+    const bool is_f = word.text == "F" && i > 0 && !says(i - 1, tool);  // F gives a feed, but in SVERLO F8.5 a diameter
     if (is_f && is_open(i + 1) && joined(i + 1)) all_[i + 1].figure = FigureIs::other;
-    const bool counts = (word.text == "F" || word.text == "Z") && word.joined && i > 0 && is_open(i - 1);  // 3F, 2Z: a number of flutes
+    // In 3F and 2Z the number is a number of flutes.
+    const bool counts = (word.text == "F" || word.text == "Z") && word.joined && i > 0 && is_open(i - 1);
     if (counts) all_[i - 1].figure = FigureIs::other;
-    if (is_sign(i + 1, '=') && !word.meaning.is(known))  // L=75, ID=7: after an unknown word the figure is not a size
+    if (is_sign(i + 1, '=') && !word.meaning.is(known))  // after an unknown word, as in L=75 and ID=7, the number is not a size
       if (const std::size_t value = behind(i, "=-+"); is_open(value)) all_[value].figure = FigureIs::other;
   }
 }
 
-/// Returns true if the word before the figure already gives the figure's meaning: in DIA .5 LOC 1.0 the .5 does not belong to LOC.
+/// Returns true if the word before the number already gives the meaning of the number. In DIA .5 LOC 1.0 the .5 does not belong to LOC.
 bool FigureMarker::is_called(std::size_t figure) const {
   std::size_t i = figure - 1;
   while (has(i) && all_[i].is == Is::sign && !is_sign(i, '|') && !is_sign(i, ',')) --i;
@@ -203,7 +207,8 @@ bool FigureMarker::is_called(std::size_t figure) const {
 }
 
 void FigureMarker::mark_by_word(std::size_t word) {
-  const std::size_t before = is_sign(word - 1, '-') && joined(word) && joined(word - 1) ? word - 2 : word - 1;  // 2-FLUTE
+  // Index of the number before the word, also across a hyphen: 2-FLUTE.
+  const std::size_t before = is_sign(word - 1, '-') && joined(word) && joined(word - 1) ? word - 2 : word - 1;
   const std::size_t at = behind(word, ".:=-#");
   const bool is_equal = is_sign(word + 1, '=') && is_open(at);
   if (says(word, other_before) && is_open(before) && !is_called(before) && !is_equal) {
@@ -212,12 +217,12 @@ void FigureMarker::mark_by_word(std::size_t word) {
   }
   if (!is_open(at)) return;
   const bool whole = !all_[at].has_point && !all_[at].is_fraction;
-  const bool divided = is_sign(word + 1, ':');  // OPERATION: 1.5MM ENDMILL: the colon separates
+  const bool divided = is_sign(word + 1, ':');  // in OPERATION: 1.5MM ENDMILL the colon separates the number from the word
   const bool is_number = all_[at].unit == 0 && (whole || !divided);
   if (says(word, other_after) || (says(word, is_numbered) && is_number)) all_[at].figure = FigureIs::other;
 }
 
-/// Joins a whole number and a fraction: 1 1/4, 1-1/4.
+/// Joins a whole number and the fraction after it: 1 1/4, 1-1/4.
 void FigureMarker::join_wholes_and_fractions() {
   for (std::size_t i = 0; i < count(); ++i) {
     const CommentPiece whole = all_[i];
@@ -231,12 +236,12 @@ void FigureMarker::join_wholes_and_fractions() {
   }
 }
 
-/// Marks threads: M8, and 1/4-20, .250-20, #8-32, NO. 6-32.
+/// Marks threads: M8, 1/4-20, .250-20, #8-32, NO. 6-32.
 void FigureMarker::mark_threads() {
   for (std::size_t i = 0; i < count(); ++i) {
     if (!is_open(i)) continue;
     const bool is_metric = joined(i) && i > 0 && (all_[i - 1].text == "M" || all_[i - 1].text == "М") && all_[i].unit == 0;
-    const bool is_counted = i > 1 && says(i - 2, times) && i > 2 && is_figure(i - 3);  // 4 X M6: 4 is a count
+    const bool is_counted = i > 1 && says(i - 2, times) && i > 2 && is_figure(i - 3);  // in 4 X M6 the 4 is a count
     if (is_metric) all_[i].figure = is_counted ? FigureIs::other : FigureIs::metric;
     else mark_inch_thread(i);
   }
@@ -246,16 +251,17 @@ void FigureMarker::mark_inch_thread(std::size_t size) {
   const bool hyphen = is_sign(size + 1, '-') && joined(size + 1) && joined(size + 2);
   const bool ends = !is_sign(size + 3, '-') || !joined(size + 3);
   if (!hyphen || !is_open(size + 2) || !ends || all_[size].unit == 1 || all_[size + 2].unit != 0) return;
-  if (is_sign(size - 1, '-') && joined(size)) return;                                                // 3-10-32 is not a thread
-  const bool is_inches = all_[size].is_fraction || all_[size].leads_point || !all_[size].has_point;  // 4.00-0.7 is not in inches
+  if (is_sign(size - 1, '-') && joined(size)) return;  // 3-10-32 is not a thread, so it is not marked
+  // In 4.00-0.7 the size is not in inches.
+  const bool is_inches = all_[size].is_fraction || all_[size].leads_point || !all_[size].has_point;
   if (!is_inches || all_[size + 2].is_fraction || all_[size + 2].leads_point) return;
   all_[size].figure = FigureIs::inch_thread;
   all_[size].threads = all_[size + 2].value;
   all_[size + 2].figure = FigureIs::other;
 }
 
-/// Marks chains of numbers such as 03-0086, 2016-01-30, 10:30, A881-02, which are not sizes. A dash after a word of the tool only
-/// separates: DIA-0.5, .500-DRILL.
+/// Marks chains of numbers that are not sizes, such as 03-0086, 2016-01-30, 10:30, A881-02. A dash next to a word about a tool is only a
+/// separator: DIA-0.5, .500-DRILL.
 void FigureMarker::mark_chains_of_numbers() {
   for (std::size_t i = 1; i + 1 < count(); ++i) {
     if (!(is_sign(i, '-') || is_sign(i, ':')) || !joined(i) || !joined(i + 1)) continue;
@@ -269,7 +275,7 @@ void FigureMarker::mark_chains_of_numbers() {
   }
 }
 
-/// Marks -.0002, +.0005, which are differences. (In -1/2 the sign is only a dash before a size.)
+/// Marks numbers with a sign, such as -.0002 and +.0005, which are differences. In -1/2 the sign is only a dash before a size.
 void FigureMarker::mark_signed() {
   for (std::size_t i = 1; i < count(); ++i) {
     const bool sign = is_sign(i - 1, '+') || (is_sign(i - 1, '-') && !joined(i - 1));
@@ -277,23 +283,25 @@ void FigureMarker::mark_signed() {
   }
 }
 
-/// Returns the figure that DIA refers to: the figure after DIA in DIA 20, DIA-0.5, DIA. - .75, D=8.; else the figure before DIA: .828 DIA.
+/// Returns the index of the number that the word DIA refers to. It is the number after DIA in DIA 20, DIA-0.5, DIA. - .75, D=8.; if there
+/// is none, the number before DIA: .828 DIA.
 std::size_t FigureMarker::figure_called_by(std::size_t word) const {
   const bool is_single = is_letter(all_[word]);
   const std::size_t at = behind(word, is_single ? "=:." : "=:.-");
   const bool by_sign = is_open(at) && (is_sign(at - 1, '=') || is_sign(at - 1, ':') || is_sign(at - 1, '-') || joined(at));
   const bool before_is_free = word > 0 && is_open(word - 1) && !is_single;
-  const bool in_diameter = word > 1 && all_[word - 1].text == "IN" && is_open(word - 2);  // 1" in diameter: IN is a preposition
+  // In 1" IN DIAMETER the IN is a preposition, not a unit.
+  const bool in_diameter = word > 1 && all_[word - 1].text == "IN" && is_open(word - 2);
   if (by_sign || (is_open(at) && !before_is_free)) return at;
   return before_is_free ? word - 1 : in_diameter ? word - 2 : count();
 }
 
 void FigureMarker::mark_diameters() {
   for (std::size_t i = 0; i < count(); ++i) {
-    const bool is_f = all_[i].text == "F" && i > 0 && says(i - 1, tool);  // SVERLO F8.5: F is a diameter sign
+    const bool is_f = all_[i].text == "F" && i > 0 && says(i - 1, tool);  // in SVERLO F8.5 the F is a diameter sign
     if (!says(i, means_diameter) && !is_f) continue;
     if (all_[i].text == "SIZE" && !says(i - 1, tool)) continue;
-    if (is_letter(all_[i]) && joined(i) && is_sign(i - 1, '-')) continue;  // A881-D0812 is a part of a name
+    if (is_letter(all_[i]) && joined(i) && is_sign(i - 1, '-')) continue;  // A881-D0812 is a part of a name, so D is not a diameter sign
     const std::size_t at = figure_called_by(i);
     if (!has(at)) continue;
     all_[at].figure = says(i - 1, no_diameter) ? FigureIs::other : FigureIs::diameter;
@@ -315,7 +323,7 @@ void FigureMarker::mark_corners() {
   }
 }
 
-/// Marks angles: 90 DEG, 90-DEG.
+/// Marks point angles: 90 DEG, 90-DEG.
 void FigureMarker::mark_angles() {
   for (std::size_t i = 1; i < count(); ++i) {
     if (!says(i, degrees)) continue;
@@ -324,7 +332,7 @@ void FigureMarker::mark_angles() {
   }
 }
 
-/// Marks second sizes: in A X B the second figure is a length, an angle or a width. In 4X the figure is a count.
+/// Marks second sizes. In A X B the second number is a length, an angle or a width; in 4X the number is a count.
 void FigureMarker::mark_second_sizes() {
   for (std::size_t i = 1; i + 1 < count(); ++i) {
     if (!says(i, times) && !is_sign(i, '*')) continue;
@@ -334,14 +342,14 @@ void FigureMarker::mark_second_sizes() {
   }
 }
 
-/// Marks numbers of drills: #7, NO. 7, NUMBER 7; not "No. 26: …".
+/// Marks numbers of drills: #7, NO. 7, NUMBER 7. The 26 in "No. 26: …" is not marked.
 void FigureMarker::mark_numbers_of_drills() {
   for (std::size_t i = 0; i < count(); ++i) {
     if (!says(i, number)) continue;
     const std::size_t at = behind(i, ".#");
     if (!is_open(at)) continue;
     const bool is_plain = !all_[at].has_point && !all_[at].is_fraction && all_[at].unit == 0 && !is_sign(at + 1, ':');
-    const bool is_of_part = i > 0 && says(i - 1, of_part | is_numbered);  // PART NO. 7 is not a drill
+    const bool is_of_part = i > 0 && says(i - 1, of_part | is_numbered);  // in PART NO. 7 the 7 is not the number of a drill
     all_[at].figure = is_plain && !is_of_part ? FigureIs::drill_number : FigureIs::other;
   }
 }
@@ -358,7 +366,8 @@ void FigureMarker::mark_clauses() {
   }
 }
 
-/// Splits the last letter off a word if the rest of the word names a tool: ENDMILLD10 is ENDMILL D10, СВЕРЛОФ8,5 is СВЕРЛО Ф8,5.
+/// Splits the last letter off a word if the rest of the word names a tool. ENDMILLD10 becomes ENDMILL D10, and СВЕРЛОФ8,5 becomes СВЕРЛО
+/// Ф8,5.
 std::vector<CommentToken> with_letters_divided(std::vector<CommentToken> tokens) {
   for (std::size_t i = 0; i + 1 < tokens.size(); ++i) {
     std::string& word = tokens[i].text;

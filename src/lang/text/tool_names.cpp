@@ -11,7 +11,8 @@ namespace {
 
 using enum WordHints;
 
-/// If the words of a name mean several types, the first type in this list applies: BALL END MILL, CHAMFER MILL.
+/// Types in the order of their rank. If the words of a name mean several types, the first of these types in the list applies: BALL END
+/// MILL, CHAMFER MILL.
 constexpr std::array<ToolWord, 7> by_rank = {ToolWord::ball,   ToolWord::chamfer, ToolWord::taper, ToolWord::tap,
                                              ToolWord::reamer, ToolWord::drill,   ToolWord::mill};
 
@@ -35,7 +36,8 @@ bool ToolNames::is_of_name(std::size_t i) const {
   return i < pieces_.size() && pieces_[i].is_word() && !pieces_[i].of_another && pieces_[i].meaning.is(tool | part_of_name);
 }
 
-/// Returns the next piece after `i` that belongs to the same name, also across a hyphen (MILL-DRILL); `i` itself if there is none.
+/// Returns the index of the next piece after `i` that belongs to the same name, also across a hyphen (MILL-DRILL); `i` itself if no such
+/// piece follows.
 std::size_t ToolNames::next_of_name(std::size_t i) const {
   if (is_of_name(i + 1)) return i + 1;
   const bool hyphen = i + 2 < pieces_.size() && pieces_[i + 1].is_sign('-') && pieces_[i + 1].joined && pieces_[i + 2].joined;
@@ -59,14 +61,15 @@ ToolName ToolNames::name_from(std::size_t first) const {
     name.last = i;
     if (next == i) break;
   }
-  const bool is_mill = name.kind == ToolWord::mill && name.last != name.first;  // END MILL names a tool; MILL alone may name an operation
+  // END MILL names a tool; MILL alone may be the name of an operation.
+  const bool is_mill = name.kind == ToolWord::mill && name.last != name.first;
   if (is_mill) name.size_after = true;
   if (slot && name.kind == ToolWord::drill) name.kind = ToolWord::mill, name.size_after = true;
   if (v && name.no_bare_size) name.kind = ToolWord::chamfer;  // V-BIT
   return name;
 }
 
-/// Returns true for words that do not name a tool: a lone part of a name (FACE TOP OF BLOCK), another kind of ball (BALL VALVE), a bar
+/// Returns true for words that do not name a tool: a single part of a name (FACE TOP OF BLOCK), another kind of ball (BALL VALVE), a bar
 /// that does not bore, the machine (CNC MILL).
 bool ToolNames::is_none(const ToolName& name) const {
   bool is_tool = false, bores = false, bar = false;

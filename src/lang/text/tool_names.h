@@ -8,22 +8,23 @@
 
 namespace kadr {
 
-/// Adjacent words that name a tool.
+/// Words next to each other that name a tool.
 struct ToolName {
   std::size_t first = 0, last = 0;  // indices of the first and last piece of the name
   ToolWord kind = ToolWord::none;
   bool is_tap_drill = false;
-  bool size_after = false, work_too = false, no_bare_size = false, only_called = false;  // the name has the WordHints of these names
+  // The name has the WordHints with these names (see tool_words.h).
+  bool size_after = false, work_too = false, no_bare_size = false, only_called = false;
 };
 
 class ToolNames {
  public:
-  /// `pieces` must outlive the ToolNames. Words about another thing (after FOR, WITH) do not name a tool here.
+  /// `pieces` must exist longer than the ToolNames. Words about another thing (after FOR, WITH) do not count as names of tools.
   explicit ToolNames(const std::vector<CommentPiece>& pieces);
 
   const std::vector<ToolName>& all() const { return all_; }
   ToolWord kind() const;
-  /// Returns true if a word of the comment has the meaning `what` for this tool.
+  /// Returns true if a word of the comment has the meaning `what`, and the word is about this tool.
   bool any(WordHints what) const;
 
  private:

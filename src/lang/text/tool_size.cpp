@@ -1,5 +1,4 @@
-// Finds the figure (number) of a comment that is the size of its tool. Used by lang/text/tool_comment; tested by
-// tests/lang/tool_comment_test.cpp.
+// Finds the number in a comment that is the size of its tool. Used by lang/text/tool_comment; tested by tests/lang/tool_comment_test.cpp.
 
 #include "lang/text/tool_size.h"
 
@@ -15,18 +14,22 @@ namespace {
 
 using enum WordHints;
 
-// Limits for a figure without a unit. A figure beyond them is in the other unit, or is something other than a size.
-constexpr double max_inches = 3, most_inches_wide = 8;  // in; greatest size of a tool; of a face mill or saw
-constexpr std::uint8_t decimals_of_inches = 4;          // 0.5000 with four decimals is in inches
-constexpr double least_mm = 0.5, max_mm = 160;          // mm; limits of a size; a figure below them is mostly in inches (.375)
-constexpr double max_drill_mm = 80;                     // mm; limit for drills
-constexpr double least_whole_mm = 3;                    // mm; a smaller whole number counts tools: 1 END MILL is the first end mill
-constexpr double most_of_any = 400;                     // mm; limit for all figures, even with a unit
-constexpr double least_chamfer_mm = 3;                  // mm; least size of a chamfer mill; a smaller figure is the size of the chamfer
-constexpr double alike_part = 0.01, alike_mm = 0.05;    // maximum difference of two sizes of one tool: 27/64 and .422
-// maximum relative difference of D10 and the size in the name; if more, D10 is an offset number
+// The limits for a number without a unit. A number beyond them is in the other unit, or is not a size.
+constexpr double max_inches = 3, most_inches_wide = 8;  // greatest size in inches of a tool, and of a face mill or saw
+constexpr std::uint8_t decimals_of_inches = 4;          // a number with four decimals, such as 0.5000, is in inches
+// Least and greatest size of a tool, mm; a number below the least size is mostly in inches (.375).
+constexpr double least_mm = 0.5, max_mm = 160;
+constexpr double max_drill_mm = 80;  // greatest size of a drill, mm
+// Least whole number that is a size in mm; a smaller one counts tools: 1 END MILL is the first end mill.
+constexpr double least_whole_mm = 3;
+constexpr double most_of_any = 400;     // greatest size of any tool, mm, even for a number with a unit
+constexpr double least_chamfer_mm = 3;  // least size of a chamfer mill, mm; a smaller number is the size of the chamfer
+// Greatest difference of two sizes of one tool, such as 27/64 and .422: as a fraction of the size, and in mm.
+constexpr double alike_part = 0.01, alike_mm = 0.05;
+// The greatest difference of D10 and the size in the name, as a fraction of the size. If the difference is greater, D10 is an offset
+// number.
 constexpr double roughly_part = 0.1;
-constexpr std::size_t max_strangers = 2;  // unknown words between a size and the tool: 2" MITSUBISHI FACE MILL
+constexpr std::size_t max_strangers = 2;  // greatest number of unknown words between a size and the tool: 2" MITSUBISHI FACE MILL
 
 bool agree(double a, double b, double part) { return std::fabs(a - b) <= std::max(alike_mm, part * std::max(a, b)); }
 
@@ -36,13 +39,13 @@ std::optional<double> only_one(const std::vector<double>& sizes) {
   return sizes.empty() ? std::nullopt : std::optional(sizes.front());
 }
 
-/// Returns true for usual point angles: 90 SPOT DRILL.
+/// Returns true for usual point angles in degrees: 90 in 90 SPOT DRILL.
 bool is_usual_angle(double value) {
   constexpr double angles[] = {45, 60, 82, 90, 100, 118, 120, 130, 135, 140, 142, 145};
   return std::find(std::begin(angles), std::end(angles), value) != std::end(angles);
 }
 
-/// Recognises inches by the spelling: .375, 0.5000 are not written for millimetres.
+/// Recognises inches by the spelling. Numbers such as .375 and 0.5000 are not used for millimetres.
 bool looks_like_inches(const CommentPiece& f) { return f.leads_point || (f.decimals == decimals_of_inches && f.value <= max_inches); }
 
 }  // namespace
@@ -57,7 +60,7 @@ ToolSize::ToolSize(const std::vector<CommentPiece>& pieces, const ToolNames& nam
   is_disc_ = names_.any(disc);
 }
 
-/// Returns true for DRILL AND TAP 1/4-20; 8-32 TAP #29 DRILL: the tool may be the drill or the tap.
+/// Returns true for comments such as DRILL AND TAP 1/4-20, or 8-32 TAP #29 DRILL. Their tool may be the drill or the tap.
 bool ToolSize::names_two_works() const {
   bool drills = false, taps = false;
   for (const ToolName& name : names_.all()) drills = drills || name.kind == ToolWord::drill, taps = taps || name.kind == ToolWord::tap;
@@ -72,7 +75,7 @@ double ToolSize::mm(const CommentPiece& f) const {
 bool ToolSize::is_measured(const CommentPiece& f) const { return f.unit != 0 || f.is_fraction; }
 bool ToolSize::is_whole(const CommentPiece& f) const { return !f.has_point && !f.is_fraction; }
 
-/// Returns true if the figure, as written, can be the size of a tool of this type.
+/// Returns true if the number, as written, can be the size of a tool of this type.
 bool ToolSize::is_likely(const CommentPiece& f) const {
   if (!(f.value > 0) || mm(f) > most_of_any) return false;
   if (is_measured(f)) return true;
@@ -91,7 +94,7 @@ std::optional<double> ToolSize::diameter() const {
   return only_one(sizes);
 }
 
-// ---- figures that the comment calls the diameter
+// ---- numbers that the comment calls the diameter
 
 ToolSize::Sizes ToolSize::called() const {
   Sizes sizes;
@@ -108,8 +111,8 @@ bool ToolSize::is_called(std::size_t i) const {
   return f.value >= least_mm && f.value <= most_of_any && !looks_like_inches(f);
 }
 
-/// Returns true if the figure is an offset number, as in T1 H1 D1. D then has neither `=` nor a decimal point, and the comment has an H
-/// with the same number, or with a number that is not the tool number.
+/// Returns true if the number after D is an offset number, as in T1 H1 D1. In this case D has neither `=` nor a decimal point, and the
+/// comment has an H with the same number, or with a number that is not the tool number.
 bool ToolSize::is_offset(std::size_t i) const {
   const CommentPiece& d = pieces_[i];
   const bool is_d = i > 0 && (pieces_[i - 1].text == "D" || pieces_[i - 1].text == "Д");
@@ -119,7 +122,7 @@ bool ToolSize::is_offset(std::size_t i) const {
   const auto tool = std::find_if(pieces_.begin(), pieces_.end(), [](const CommentPiece& p) { return p.figure == FigureIs::tool; });
   bool has_h = false;
   for (std::size_t at = 1; at < pieces_.size(); ++at) {
-    const bool is_fit = at == i + 2 && kind_ == ToolWord::reamer;  // D10 H7: H7 is the tolerance of a reamer
+    const bool is_fit = at == i + 2 && kind_ == ToolWord::reamer;  // in D10 H7 the H7 is the tolerance of a reamer
     if (!pieces_[at].is_figure() || pieces_[at - 1].text != "H" || is_fit) continue;
     has_h = true;
     const bool of_tool_alone = tool != pieces_.end() && pieces_[at].value == tool->value && pieces_[at].value != d.value;
@@ -129,8 +132,8 @@ bool ToolSize::is_offset(std::size_t i) const {
   return std::any_of(sizes.begin(), sizes.end(), [&](double size) { return !agree(size, mm(d), roughly_part); });
 }
 
-/// Returns true if the figure describes the workpiece. This follows from a word before the figure in its clause, or from the word after the
-/// figure: DRILL .25 HOLES.
+/// Returns true if the number describes the workpiece. The sign of this is a word before the number in its clause, or the word after the
+/// number: DRILL .25 HOLES.
 bool ToolSize::is_of_part(std::size_t figure) const {
   for (std::size_t i = 0; i < figure; ++i)
     if (pieces_[i].clause == pieces_[figure].clause && says(i, of_part)) return true;
@@ -141,21 +144,23 @@ bool ToolSize::is_of_part(std::size_t figure) const {
   return says(behind, of_part) && pieces_[behind].clause == pieces_[figure].clause;
 }
 
-/// Returns false for comments about something other than a tool, such as (.500 DIAMETER), (STOCK D50).
+/// Returns false for comments that are not about a tool, such as (.500 DIAMETER), (STOCK D50).
 bool ToolSize::speaks_of_tool(std::size_t figure) const {
   if (!names_.all().empty() || names_.any(of_tool)) return true;
-  const bool listed = pieces_.size() > 1 && pieces_[0].is_figure() && pieces_[1].is_sign('=');  // 25 = name d=10: a library's list
+  // A list of a tool library, such as 25 = name d=10.
+  const bool listed = pieces_.size() > 1 && pieces_[0].is_figure() && pieces_[1].is_sign('=');
   const auto names_tool = [](const CommentPiece& p) { return p.meaning.is(tool_number) && p.text.size() > 2; };
   std::size_t word = figure;
   while (word > 0 && !pieces_[word].is_word()) --word;
   const bool is_d = pieces_[word].text == "D" || pieces_[word].text == "Д";
-  const auto end = is_d ? pieces_.begin() + static_cast<std::ptrdiff_t>(figure) : pieces_.end();  // (D1 - TOOL IN SPINDLE)
+  // For (D1 - TOOL IN SPINDLE) only the part before the number is searched.
+  const auto end = is_d ? pieces_.begin() + static_cast<std::ptrdiff_t>(figure) : pieces_.end();
   const bool is_told = std::any_of(pieces_.begin(), end, names_tool) && !names_.any(of_part);
   const bool next_to_number = is_d && std::any_of(pieces_.begin(), end, [](const CommentPiece& p) { return p.figure == FigureIs::tool; });
   return listed || is_told || next_to_number;
 }
 
-// ---- figures in the name of the tool
+// ---- numbers in the name of the tool
 
 ToolSize::Sizes ToolSize::in_names() const {
   Sizes sizes;
@@ -168,7 +173,8 @@ ToolSize::Sizes ToolSize::in_names() const {
   return sizes;
 }
 
-/// Returns the next open figure before the name, across words that describe a tool and a few unknown words.
+/// Returns the index of the next open number before the name. Words that describe a tool and a few unknown words may be between the number
+/// and the name.
 std::optional<std::size_t> ToolSize::before(const ToolName& name) const {
   std::size_t strangers = 0;
   for (std::size_t i = name.first; i-- > 0;) {
@@ -183,7 +189,8 @@ std::optional<std::size_t> ToolSize::before(const ToolName& name) const {
       const bool is_name = p.meaning.is(tool);
       if (p.meaning.is(ends_phrase | of_part | another) || is_name) return std::nullopt;
       const bool is_fit =
-          p.joined && pieces_[i - 1].is_figure() && has(i + 1) && pieces_[i + 1].joined && pieces_[i + 1].is_figure();  // 8H7: a tolerance
+          // In 8H7 the H7 is a tolerance.
+          p.joined && pieces_[i - 1].is_figure() && has(i + 1) && pieces_[i + 1].joined && pieces_[i + 1].is_figure();
       if (!goes_on && !is_fit && ++strangers > max_strangers) return std::nullopt;
     } else if (std::string_view("-\"*#.]})'").find(p.text[0]) == std::string_view::npos) {
       return std::nullopt;
@@ -196,15 +203,17 @@ bool ToolSize::fits_before(std::size_t at, const ToolName& name, bool strangers)
   const CommentPiece& f = pieces_[at];
   if (name.only_called || is_of_part(at) || !is_likely(f)) return false;
   if (name.no_bare_size && !is_measured(f)) return false;
-  if (name.is_tap_drill && (f.is_fraction || (is_whole(f) && f.unit == 0))) return false;  // 1/4 TAP DRILL: the size of the tap
+  // In 1/4 TAP DRILL the number is the size of the tap.
+  if (name.is_tap_drill && (f.is_fraction || (is_whole(f) && f.unit == 0))) return false;
   const bool of_two = says(at - 1, joins) || says(at + 1, joins) || (at > 1 && pieces_[at - 1].is_sign('/') && is(at - 2, FigureIs::open));
-  if (of_two) return false;  // 3/8 OR 1/2: two tools
+  if (of_two) return false;  // 3/8 OR 1/2 are the sizes of two tools
   const CommentPiece* const second = has(at + 2) && says(at + 1, times) && pieces_[at + 2].is_figure() ? &pieces_[at + 2] : nullptr;
   if (name.kind == ToolWord::chamfer && (mm(f) < least_chamfer_mm || (second != nullptr && second->value == 45))) return false;
-  if (second != nullptr && is_disc_ && mm(*second) >= mm(f)) return false;  // the larger size is the diameter
+  if (second != nullptr && is_disc_ && mm(*second) >= mm(f)) return false;  // the larger of the two sizes is the diameter
   if (is_measured(f) || !is_whole(f)) return true;
   const bool angle = is_usual_angle(f.value) && (name.kind == ToolWord::drill || name.kind == ToolWord::chamfer);
-  const bool listed = has(at + 1) && (pieces_[at + 1].is_sign('-') || pieces_[at + 1].is_sign('.'));  // 3 - ENDMILL: a list number
+  // In 3 - ENDMILL the 3 is a number in a list.
+  const bool listed = has(at + 1) && (pieces_[at + 1].is_sign('-') || pieces_[at + 1].is_sign('.'));
   const bool after_stranger = at > 0 && pieces_[at - 1].is_word() && pieces_[at - 1].meaning.says == no_meaning;
   return !angle && !listed && !strangers && !after_stranger && name.kind != ToolWord::tap;
 }
@@ -220,7 +229,8 @@ void ToolSize::add_threads(Sizes& sizes) const {
   }
 }
 
-/// Adds the sizes of #7 DRILL, DRILL #4, LETTER F DRILL, B DRILL, DRILL Q: only in inch programs, where such drills are used.
+/// Adds the sizes of drills that are named by number or letter: #7 DRILL, DRILL #4, LETTER F DRILL, B DRILL, DRILL Q. This is done only in
+/// inch programs, in which such drills are used.
 void ToolSize::add_named_drills(Sizes& sizes) const {
   if (!inch_ || kind_ == ToolWord::tap) return;
   for (std::size_t i = 0; i < pieces_.size(); ++i) {
@@ -232,8 +242,8 @@ void ToolSize::add_named_drills(Sizes& sizes) const {
   }
 }
 
-/// Returns true if the word DRILL is after piece `at` (words that describe a drill may be between them), or before this piece at the end of
-/// a clause.
+/// Returns true if the word DRILL is after the piece `at`, with or without words that describe a drill between them, or before this piece
+/// at the end of a clause.
 bool ToolSize::names_drill(std::size_t at) const {
   const auto is_drill = [&](std::size_t i) { return has(i) && pieces_[i].meaning.kind == ToolWord::drill && says(i, tool); };
   const bool is_letter = pieces_[at].is_word();
@@ -247,8 +257,8 @@ bool ToolSize::names_drill(std::size_t at) const {
   return ends && is_drill(before);
 }
 
-/// Returns the letter of a drill. Letters that may mean something else next to DRILL are excluded: A the article, C centre, S spot, X and
-/// Z axes.
+/// Returns the index of the letter of a drill. Letters that may have another meaning next to DRILL are excluded: A the article, C centre, S
+/// spot, X and Z axes.
 std::optional<std::size_t> ToolSize::letter_of_drill(std::size_t at) const {
   const auto is_letter_piece = [&](std::size_t i) {
     return has(i) && pieces_[i].is_word() && pieces_[i].text.size() == 1 && is_capital(pieces_[i].text[0]);
@@ -265,7 +275,7 @@ std::optional<std::size_t> ToolSize::letter_of_drill(std::size_t at) const {
   return (quoted || plain) && !hyphen && names_drill(at) ? std::optional(at) : std::nullopt;
 }
 
-// ---- figures after the name of the tool
+// ---- numbers after the name of the tool
 
 ToolSize::Sizes ToolSize::after_names() const {
   Sizes sizes;
@@ -296,19 +306,21 @@ std::optional<std::size_t> ToolSize::behind(const ToolName& name) const {
 bool ToolSize::fits_after(std::size_t at, const ToolName& name, bool divided) const {
   const CommentPiece& f = pieces_[at];
   const bool takes = name.size_after || name.work_too || name.kind == ToolWord::tap;
-  const bool is_work = name.kind == ToolWord::chamfer || (name.kind == ToolWord::mill && !name.size_after);  // MILL .5 OFF
+  // MILL .5 OFF describes an operation, not a tool.
+  const bool is_work = name.kind == ToolWord::chamfer || (name.kind == ToolWord::mill && !name.size_after);
   if (!takes || is_work || name.only_called || is_of_part(at) || !is_likely(f) || says(at + 1, joins)) return false;
   if (name.kind == ToolWord::tap) return is_measured(f);
   if (is_measured(f)) return true;
   if (name.no_bare_size) return false;
   const bool bare_whole = is_whole(f);
-  const bool goes_on = has(at + 1) && pieces_[at + 1].is_word() && pieces_[at + 1].meaning.says == no_meaning;  // DRILL 4 CORNERS
+  // DRILL 4 CORNERS describes an operation, not a tool.
+  const bool goes_on = has(at + 1) && pieces_[at + 1].is_word() && pieces_[at + 1].meaning.says == no_meaning;
   const bool of_number = is(name.first - 1, FigureIs::tool) && !goes_on;  // in T3 DRILL 10 the 10 is not the number of an operation
   return !bare_whole || ((name.size_after || of_number) && !divided);
 }
 
-/// Finds the size in a comment without a tool's name: 3MM CRB 2FL 12 LOC; TOOL NAME : Topo 16 mm. The size is the only figure with a unit,
-/// and the comment has words that only tools have.
+/// Finds the size in a comment without a tool's name, such as 3MM CRB 2FL 12 LOC, or TOOL NAME : Topo 16 mm. The size is the only number
+/// with a unit, and the comment has words that only tools have.
 ToolSize::Sizes ToolSize::without_name() const {
   const bool called = std::any_of(pieces_.begin(), pieces_.end(), [](const CommentPiece& p) { return p.text == "TOOL"; }) &&
                       std::any_of(pieces_.begin(), pieces_.end(), [](const CommentPiece& p) { return p.text == "NAME"; });

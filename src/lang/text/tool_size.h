@@ -1,5 +1,5 @@
 #pragma once
-// ToolSize: finds the figure (number) of a comment that is the size of its tool.
+// ToolSize: finds the number in a comment that is the size of its tool.
 
 #include <optional>
 #include <vector>
@@ -10,16 +10,16 @@ namespace kadr {
 
 class ToolSize {
  public:
-  /// The arguments must outlive the ToolSize. `inch`: figures without a unit are inches.
+  /// The arguments must exist longer than the ToolSize. `inch`: numbers without a unit are inches.
   ToolSize(const std::vector<CommentPiece>& pieces, const ToolNames& names, bool inch);
 
-  /// Returns the diameter in mm; nullopt if it is not certain.
+  /// Returns the diameter in mm; nullopt if the diameter is not certain.
   std::optional<double> diameter() const;
-  /// Returns the corner radius of a tool with this diameter, mm.
+  /// Returns the corner radius in mm of a tool with this diameter in mm; nullopt if the radius is not certain.
   std::optional<double> corner(std::optional<double> diameter) const;
 
  private:
-  using Sizes = std::vector<double>;  // sizes in mm that one rule has found; they must agree
+  using Sizes = std::vector<double>;  // sizes in mm that one rule has found; if they differ, none is used
   bool has(std::size_t i) const { return i < pieces_.size(); }
   bool says(std::size_t i, WordHints what) const { return has(i) && pieces_[i].meaning.is(what); }
   bool is(std::size_t i, FigureIs what) const { return has(i) && pieces_[i].is_figure() && pieces_[i].figure == what; }

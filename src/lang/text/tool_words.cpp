@@ -17,11 +17,12 @@ struct Row {
 };
 
 constexpr WordHints names_tool = tool | size_after;
-// a word of another language, so uncertain that only a size with its unit counts
+// A word of another language. Its meaning is so uncertain that only a number with a unit counts as the size.
 constexpr WordHints foreign = tool | size_after | no_bare_size;
 constexpr WordHints either = other_before | other_after;
 
-/// English, Russian, Russian in Latin letters; of other languages only the commonest names. Each word occurs once.
+/// The words are English, Russian, and Russian in Latin letters; of other languages only the commonest names are listed. Each word occurs
+/// once.
 constexpr Row rows[] = {
     // ---- names of tools
     {"ENDMILL ENDMILLS EM E.M FEM CUTTER SLOTDRILL ФРЕЗА ФРЕЗЫ ФРЕЗОЙ ФР FREZA", names_tool, ToolWord::mill},
@@ -70,7 +71,7 @@ constexpr Row rows[] = {
     {"КОНЦЕВАЯ КОНЦ ТОРЦЕВАЯ ТОРЦ ТОРЦОВАЯ ЧЕРНОВАЯ ЧИСТОВАЯ ДИСКОВАЯ ПАЗОВАЯ ШПОНОЧНАЯ РАДИУСНАЯ ТВЕРДОСПЛАВНАЯ ТВС ВК КОРОТКОЕ ДЛИННОЕ",
      describes},
     {"TORCEVAYA KONCEVAYA", describes},
-    // ---- units, and words that give the meaning of a figure
+    // ---- units, and words that give the meaning of a number
     {"MM ММ", unit_mm},
     {"INCH INCHES IN ДЮЙМ ДЮЙМА ДЮЙМОВ \"", unit_inch},
     {"D Д DIA DIAM DIAMETER DIAMETR DIAMETRO DIÁMETRO SIZE Ф ДИАМ ДИАМЕТР ДИАМЕТРОМ", means_diameter},
@@ -80,7 +81,7 @@ constexpr Row rows[] = {
     {"LETTER LTR LTTR LET", letter},
     {"T Т TOOL ИНСТРУМЕНТ ИНСТР ИНСТРУМЕНТА", tool_number},
     {"X Х", times},
-    // ---- words next to figures that are not sizes
+    // ---- words next to numbers that are not sizes
     {"FLUTE FLUTES FLT FLTS FL ПЕРА ПЕРО ПЕРЬЕВ", either | of_tool | describes},
     {"TOOTH TEETH INSERTS ЗУБА ЗУБЬЕВ ЗУБ", either | describes},
     {"LOC CUTLENGTH", either | of_tool},

@@ -1,5 +1,5 @@
-// Program text in UTF-16, as editors of Windows save it: detects the encoding, and converts the text to UTF-8. Used by cli, control;
-// tested by tests/lang/utf16_test.cpp.
+// Program text in UTF-16, as editors of Windows save it. Detects the encoding, and converts the text to UTF-8. Used by cli, control; tested
+// by tests/lang/utf16_test.cpp.
 
 #include "lang/text/utf16.h"
 
@@ -10,7 +10,7 @@
 namespace kadr {
 namespace {
 
-constexpr std::size_t utf16_piece_bytes = 32 * 1024;  // minimum length of a piece, which has an index entry, in bytes of UTF-16
+constexpr std::size_t utf16_piece_bytes = 32 * 1024;  // least length of a piece in bytes of UTF-16; each piece has an entry in the index
 constexpr std::size_t sample_bytes = 1024;
 constexpr std::string_view replacement = "\xEF\xBF\xBD";  // U+FFFD
 
@@ -38,14 +38,15 @@ void append_character(char32_t code, std::string& text) {
   }
 }
 
-/// Returns true for a control character other than tabs and ends of lines. Program text has no such characters; binary files and a tape's
-/// blank leader have.
+/// Returns true for a control character other than tabs and ends of lines. Program text has no such characters; binary files and the blank
+/// leader of a tape have some.
 bool is_control(char16_t unit) {
   const bool of_text = unit == '\t' || unit == '\n' || unit == '\r' || unit == '\f';
   return (unit < 0x20 && !of_text) || (unit >= 0x7F && unit < 0xA0) || unit >= 0xFFFE;
 }
 
-/// Detects UTF-16 without a byte order mark: at least two characters, half of the characters ASCII.
+/// Detects UTF-16 without a byte order mark. The sample must have at least two characters, and at least half of the characters must be
+/// ASCII.
 bool is_plainly(std::string_view sample, ByteOrder order) {
   const std::size_t size = std::min(sample.size(), sample_bytes);
   std::size_t ascii = 0, units = 0;
@@ -63,7 +64,7 @@ std::optional<ByteOrder> order_by_mark(std::string_view sample) {
   return std::nullopt;
 }
 
-/// Reads from any offset of the UTF-8 text: it converts again the piece of the file that contains the offset. The source has no mutable
+/// Reads from any offset of the UTF-8 text. The piece of the file that contains the offset is converted again. The source has no mutable
 /// state, so threads may share it.
 class Utf16Source final : public ByteSource {
  public:
@@ -88,7 +89,7 @@ class Utf16Source final : public ByteSource {
       text.clear();
       piece(mark.there, text);
       const std::size_t skipped = offset + got - mark.here;
-      if (skipped >= text.size()) break;  // the file has become shorter in the meantime
+      if (skipped >= text.size()) break;  // the file has become shorter since it was opened
       got += text.copy(to + got, size - got, skipped);
     }
     return got;
@@ -97,11 +98,11 @@ class Utf16Source final : public ByteSource {
 
  private:
   struct Mark {
-    std::uint64_t there = 0;  // offset in the file, in UTF-16
-    std::uint64_t here = 0;   // offset in the text, in UTF-8
+    std::uint64_t there = 0;  // offset in the file, which is UTF-16
+    std::uint64_t here = 0;   // offset in the text, which is UTF-8
   };
 
-  /// Converts the piece that starts at file offset `there`; returns the number of bytes used from the file.
+  /// Converts the piece that starts at the file offset `there`. Returns the number of bytes of the file that were converted.
   std::size_t piece(std::uint64_t there, std::string& text) const {
     std::string bytes(utf16_piece_bytes, '\0');
     bytes.resize(source_->read(there, bytes.data(), bytes.size()));
@@ -110,7 +111,7 @@ class Utf16Source final : public ByteSource {
 
   std::unique_ptr<ByteSource> source_;
   ByteOrder order_;
-  std::vector<Mark> marks_;  // start of each piece; the last element is the end of the text
+  std::vector<Mark> marks_;  // start of each piece; the last element has the offsets of the end of the text
 };
 
 }  // namespace
@@ -123,7 +124,7 @@ std::optional<ByteOrder> look_at_utf16(std::string_view sample) {
 }
 
 bool read_encoding(std::string_view name, GivenEncoding& said) {
-  std::string plain;  // spelled as encoding_named() compares names
+  std::string plain;  // name in the spelling in which encoding_named() compares names
   for (const char c : name)
     if (c != '-' && c != '_' && c != ' ') plain += c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
   said = {};

@@ -14,7 +14,7 @@ namespace {
 constexpr std::size_t leader_rows = 100;
 constexpr std::size_t high_bytes = 128;  // number of byte values above 127
 
-/// Latin letters for А to Я by GOST 7.79-2000, system B, without the accents and apostrophes of that system.
+/// The Latin letters for А to Я by GOST 7.79-2000, system B, without the accents and apostrophes of this system.
 constexpr std::array<std::string_view, 32> romanized = {"A", "B",  "V",  "G",   "D", "E", "ZH", "Z", "I",  "J", "K",
                                                         "L", "M",  "N",  "O",   "P", "R", "S",  "T", "U",  "F", "X",
                                                         "C", "CH", "SH", "SHH", "",  "Y", "",   "E", "YU", "YA"};
@@ -45,7 +45,7 @@ std::string small(std::string_view capitals) {
   return text;
 }
 
-/// Returns possible replacements for a character, the most similar first.
+/// Returns possible replacements for a character, in the order of similarity, the most similar first.
 std::vector<std::string> alike(char32_t code) {
   if (code == capital_yo) return {"Е", "YO"};
   if (code == small_yo) return {"е", "Е", "yo", "YO"};
@@ -63,7 +63,7 @@ std::vector<std::string> alike(char32_t code) {
   return {"?", " "};
 }
 
-/// Returns the table of a one-byte encoding: character → byte above 127.
+/// Returns the table of a one-byte encoding. The key is a character, the value is its byte above 127.
 const std::map<char32_t, char>& bytes_above(Encoding encoding) {
   static const auto table_of = [](Encoding of) {
     std::map<char32_t, char> table;
@@ -95,11 +95,11 @@ bool has_letters(const WrittenLetters& letters, std::string_view text) {
   return true;
 }
 
-/// Stores the replacements already found, so that each character is looked up once.
+/// Stores the replacements that have been found, so that each character is looked up only once.
 class Alikes {
  public:
   explicit Alikes(const WrittenLetters& letters) : letters_(letters) {}
-  ///   returns  nullopt if the character itself is allowed
+  /// Returns the replacement for a character; nullopt if the character itself is allowed.
   const std::optional<std::string>& of(char32_t code) {
     if (const auto found = known_.find(code); found != known_.end()) return found->second;
     return known_.emplace(code, look(code)).first->second;
@@ -138,7 +138,7 @@ Transliterated transliterated(std::string_view utf8, const WrittenLetters& lette
   Alikes alikes(letters);
   made.text.reserve(utf8.size());
   for (std::size_t at = 0; at < utf8.size();) {
-    std::size_t end = at;  // end of the sequence of ASCII characters
+    std::size_t end = at;  // end of the sequence of ASCII characters that starts at `at`
     while (end < utf8.size() && static_cast<unsigned char>(utf8[end]) < first_high) ++end;
     made.text.append(utf8.substr(at, end - at));
     if (end == utf8.size()) break;

@@ -1,5 +1,5 @@
-// Reads the files of a machine at power-on: ini file, parameter file, tool table. Writes the last two at the end of the program
-// (spec/linuxcnc 1.1, 4.4, 9, 10.1).
+// Reads the files of a machine at power-on: ini file, parameter file, tool table. Writes the parameter file and the tool table at the end
+// of the program (spec/linuxcnc 1.1, 4.4, 9, 10.1).
 
 #include "config/read_file.h"
 #include "control/emitter.h"
@@ -9,14 +9,14 @@
 namespace kadr::linuxcnc {
 namespace {
 
-constexpr std::size_t max_bytes = 1'000'000;  // greatest size of a file
+constexpr std::size_t max_bytes = 1'000'000;  // greatest size of such a file in bytes
 
-/// Returns the path of a file that the ini file or the set-up names; a relative path starts in `folder` of the program memory.
+/// Returns the path of a file that the ini file or the set-up names. A relative path is relative to `folder` of the program memory.
 std::string path_in(const std::string& folder, const std::string& name) { return name.starts_with('/') ? name : folder + "/" + name; }
 
 }  // namespace
 
-/// Reads the ini file that the set-up names (10.1).
+/// Reads the ini file that the set-up names (spec/linuxcnc 10.1).
 void LinuxCnc::read_machine_file(BlockContext& m, const Setup& setup, const RunLimits& limits) {
   if (setup.ini.empty()) return;
   const auto text = read_file(path_in(limits.files, setup.ini), max_bytes, limits.door);
@@ -24,7 +24,7 @@ void LinuxCnc::read_machine_file(BlockContext& m, const Setup& setup, const RunL
   else m.start_fault = {"ini", text.error(), text.error()};
 }
 
-/// Reads the parameter file that the ini file names; the parameter file need not exist (4.4).
+/// Reads the parameter file that the ini file names. If the file is missing, there is no alarm (spec/linuxcnc 4.4).
 void LinuxCnc::read_parameter_file(BlockContext& m, const RunLimits& limits) {
   if (machine.parameter_file.empty()) return;
   writes_parameters_ = limits.writes_files;
@@ -57,7 +57,7 @@ void LinuxCnc::save_parameters(Emitter& m, bool program_ends) {
   if (!saved) m.warn(warning(saved.error().id, {}, std::string_view(machine.parameter_file)));
 }
 
-/// Reads LinuxCNC's tool table file (9).
+/// Reads LinuxCNC's tool table file (spec/linuxcnc 9).
 void LinuxCnc::read_tool_file(const RunLimits& limits) {
   if (limits.files.empty()) return;
   const std::string table = machine.tool_table.empty() ? "tool.tbl" : machine.tool_table;
@@ -69,7 +69,7 @@ void LinuxCnc::read_tool_file(const RunLimits& limits) {
   }
 }
 
-/// Writes the tool table to the file that the ini file names, if G10 has changed the table.
+/// Writes the tool table to its file, which the ini file names, if G10 has changed the table.
 void LinuxCnc::save_tools(Emitter& m) {
   if (!writes_tools_ || !tools_changed) return;
   const Status saved = outputs.replace(ProgramFiles::Which::tools, machine.tool_table, tools_before_, tools_text(tools, machine.unit));

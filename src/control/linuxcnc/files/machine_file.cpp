@@ -1,4 +1,4 @@
-// Reads the ini file of a machine.
+// Reads the ini file of a machine. Described in machine_file.h.
 
 #include "control/linuxcnc/files/machine_file.h"
 
@@ -22,20 +22,20 @@ std::string_view without_blanks(std::string_view text) {
   return text.substr(from, text.find_last_not_of(ini_blanks) - from + 1);
 }
 
-/// Returns an arc tolerance of the ini file; nullopt if it is outside the limits that LinuxCNC accepts.
+/// Returns the arc tolerance with this key of the ini file; nullopt if the value is outside the limits that LinuxCNC accepts.
 std::optional<double> tolerance_in(const Ini& ini, const std::string& key, double least, double most) {
   const auto value = ini.number("RS274NGC", key);
   return value && *value >= least && *value <= most ? value : std::nullopt;
 }
 
-/// Returns a unit of length in mm. Its names are those of emcTrajLinearUnits in LinuxCNC; any other name means mm.
+/// Returns the length of a unit in mm. The names of units are those of emcTrajLinearUnits in LinuxCNC; any other name means mm.
 double unit_of(std::string_view word) {
   std::string small(word);
   for (char& c : small) c = to_lower(c);
   return small == "in" || small == "inch" || small == "imperial" ? mm_per_inch : 1;
 }
 
-constexpr double no_limit = 1e300, beyond_limits = 1e99;  // the limits that LinuxCNC uses if the file has none
+constexpr double no_limit = 1e300, beyond_limits = 1e99;  // limits that LinuxCNC uses if the ini file has none
 
 std::pair<double, double> limits_in(const Ini& ini, char axis, double unit) {
   const std::string section = std::string("AXIS_") + axis;

@@ -14,7 +14,7 @@
 namespace kadr::linuxcnc {
 
 /// The contents of an ini file: lines [SECTION] and KEY = value. Lines that start with # or ; are skipped. If a key occurs twice, its first
-/// value counts.
+/// value applies.
 class Ini {
  public:
   Ini() = default;
@@ -30,30 +30,30 @@ class Ini {
 };
 
 struct MachineFile {
-  bool known = false;  // the set-up names an ini file
+  bool known = false;  // the set-up names an ini file, which has been read
   Ini ini;
-  std::string axes;                                   // [TRAJ]COORDINATES: letters of the axes; empty if not given
-  double unit = 1;                                    // mm; [TRAJ]LINEAR_UNITS: unit of the lengths in tables and limits
-  std::array<std::pair<double, double>, 9> limits{};  // [AXIS_…]MIN_LIMIT, MAX_LIMIT by axis, mm, degrees; ±1e300: no limit
+  std::string axes;                                   // [TRAJ]COORDINATES: letters of the axes; empty if the file does not give them
+  double unit = 1;                                    // [TRAJ]LINEAR_UNITS: unit of the lengths in tables and limits, in mm
+  std::array<std::pair<double, double>, 9> limits{};  // [AXIS_…]MIN_LIMIT and MAX_LIMIT by axis, in mm or degrees; ±1e300: no limit
   int spindles = 1;
-  double orient_offset = 0;  // degrees; added to the angle of M19
+  double orient_offset = 0;  // angle that is added to the angle of M19, degrees
   std::optional<double> arc_tolerance_mm, arc_tolerance_inch;
-  bool argument_count = false;                  // OWORD_NARGS: #<n_args> is the number of arguments of a call
-  bool parameters_of_ini = true;                // INI_VARS
-  bool keeps_shift = true;                      // G92 survives the end of a program; not DISABLE_G92_PERSISTENCE
-  bool fanuc_subprograms = true;                // M98, M99 are available; not DISABLE_FANUC_STYLE_SUB
-  bool random_changer = false;                  // RANDOM_TOOLCHANGER: T0 is a tool like any other
-  bool spindle_turns_in_change = false;         // TOOL_CHANGE_WITH_SPINDLE_ON
-  bool keeps_length = false;                    // RETAIN_G43: a tool change applies the new tool's length
-  std::array<bool, 3> wrapped{};                // by axis A B C: the axis counts one revolution; the sign of a word is the direction
-  std::array<bool, 3> indexed{};                // by axis A B C: the axis is an indexer, which moves only alone and by G0
-  std::string startup;                          // RS274NGC_STARTUP_CODE: codes that are executed at power-on
-  std::string parameter_file;                   // PARAMETER_FILE
-  std::string tool_table;                       // TOOL_TABLE
-  std::vector<std::string> subprogram_folders;  // PROGRAM_PREFIX, SUBROUTINE_PATH; relative to the program memory
+  bool argument_count = false;           // OWORD_NARGS: #<n_args> is the number of arguments of a call
+  bool parameters_of_ini = true;         // INI_VARS: `#<_ini[section]name>` reads values of the ini file
+  bool keeps_shift = true;               // G92 survives the end of a program, because DISABLE_G92_PERSISTENCE is not set
+  bool fanuc_subprograms = true;         // M98 and M99 are available, because DISABLE_FANUC_STYLE_SUB is not set
+  bool random_changer = false;           // RANDOM_TOOLCHANGER: T0 is a real tool, not an empty spindle
+  bool spindle_turns_in_change = false;  // TOOL_CHANGE_WITH_SPINDLE_ON: the spindle is not stopped for a tool change
+  bool keeps_length = false;             // RETAIN_G43: after a tool change the new tool's length is applied
+  std::array<bool, 3> wrapped{};  // by axis A, B, C: the axis counts one revolution, and the sign of its word is the direction of rotation
+  std::array<bool, 3> indexed{};  // by axis A, B, C: the axis is an indexer, which moves only alone and by G0
+  std::string startup;            // RS274NGC_STARTUP_CODE: codes that are executed at power-on
+  std::string parameter_file;     // PARAMETER_FILE
+  std::string tool_table;         // TOOL_TABLE
+  std::vector<std::string> subprogram_folders;  // PROGRAM_PREFIX, SUBROUTINE_PATH: folders of subprograms, relative to the program memory
 };
 
-/// Returns true if the machine has a rotary axis that is wrapped or an indexer. Words of such an axis are more than its end position.
+/// Returns true if the machine has a rotary axis that is wrapped or an indexer. A word of such an axis gives more than its end position.
 inline bool has_rotary_rules(const MachineFile& machine) {
   constexpr std::array<bool, 3> none{};
   return machine.wrapped != none || machine.indexed != none;

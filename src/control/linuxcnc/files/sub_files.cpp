@@ -1,4 +1,4 @@
-// Finds the files of subprograms.
+// Finds the files of subprograms. Described in sub_files.h.
 
 #include "control/linuxcnc/files/sub_files.h"
 

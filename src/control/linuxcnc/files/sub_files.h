@@ -13,9 +13,9 @@ namespace kadr::linuxcnc {
 
 class LinuxCnc;
 
-/// Searches the folder of the program, then the program memory, then the folders that the ini file names, as far as they are inside the
-/// program memory.
-///   returns  number of the file in `flow`, which is then open; nullopt if no file is found
+/// Searches the folder of the program, then the program memory, then the folders that the ini file names, if they are inside the program
+/// memory.
+///   returns  number of the file in `flow`, where it is open now; nullopt if no file is found
 std::optional<std::uint16_t> file_of_label(Flow& flow, const LinuxCnc& control, const std::string& label);
 
 }  // namespace kadr::linuxcnc

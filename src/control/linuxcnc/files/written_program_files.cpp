@@ -10,8 +10,8 @@ namespace {
 constexpr files::FileMode emptied{.creates = true, .takes_existing = true, .appends = false};
 constexpr files::FileMode gone_on_with{.creates = true, .takes_existing = true, .appends = true};
 
-/// Returns the path of a file in the program memory. INFERRED: the program memory replaces LinuxCNC's working folder, and a path out of it
-/// is an alarm.
+/// Returns the path of a file in the program memory. INFERRED: the program memory replaces LinuxCNC's working folder, and a path that
+/// leaves the program memory is an alarm.
 Result<std::string> path_of(std::string_view name) {
   const auto bad = [&](AlarmId id) { return fail(alarm(id, {}, name)); };
   const std::size_t end = name.find_last_not_of(" \t\r");

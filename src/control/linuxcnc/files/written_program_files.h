@@ -1,6 +1,6 @@
 #pragma once
-// The files that a program writes: the log, the file of probed points (spec/linuxcnc 2.4), and at the end of the program the parameter file
-// (4.4) and the tool table (9). At most one file of each kind is open, in the program memory.
+// The files that a program writes: the log and the file of probed points (spec/linuxcnc 2.4), and at the end of the program the parameter
+// file (4.4) and the tool table (9). All are in the program memory; at most one file of each kind is open.
 
 #include <string>
 #include <string_view>
@@ -19,15 +19,15 @@ class ProgramFiles {
   explicit ProgramFiles(const files::OutputOptions& options) : log_(options), probe_(options), parameters_(options), tools_(options) {}
 
   /// Opens a file. An open file of the same kind is closed first.
-  ///   name     path from the folder of the program memory, separated by `/`
-  ///   appends  true: an existing file is continued; false: it is emptied
+  ///   name     path relative to the program memory, with `/` between its parts
+  ///   appends  true: text is added to an existing file; false: an existing file is emptied
   ///   running  path of the running program
   ///   alarms   file_name, file_outside, file_write, file_already_open
   Status open(Which which, std::string_view name, bool appends, const std::string& running);
   Status close(Which which);
-  /// Replaces the contents of a file by `text`. Its former contents `before` are saved as `name.bak`.
+  /// Replaces the contents of a file by `text`. The former contents `before` are saved in a file `name.bak`.
   Status replace(Which which, const std::string& name, const std::string& before, const std::string& text);
-  /// Writes a line to the open file of this kind; without an open file nothing is written.
+  /// Writes a line to the open file of this kind. If no such file is open, nothing is written.
   Status write(Which which, std::string_view line);
 
   const WrittenFiles& written() const { return written_; }

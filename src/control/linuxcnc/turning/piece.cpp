@@ -1,4 +1,4 @@
-// Pieces of a turned profile: offset, crossings, corners. Used by control/linuxcnc/turning/profile, passes.
+// Operations on pieces (lines and arcs) of a turned profile: offset, crossings, corners. Used by control/linuxcnc/turning/profile, passes.
 
 #include "control/linuxcnc/turning/piece.h"
 
@@ -13,7 +13,7 @@ namespace {
 constexpr Point quarter{0, 1};
 constexpr double corner_within = 1e-2;  // greatest overlap of two offset pieces at a corner, in the unit of the program
 
-/// Returns true if a point of the arc's circle is on the arc: after its start and before its end.
+/// Returns true if a point of the arc's circle is on the arc, between its start and its end.
 bool is_on(const Piece& arc, Point p) {
   const double side = arc.ccw ? 1 : -1;
   const double from_start = std::imag(std::conj(arc.start - arc.center) * (p - arc.center)) * side;
@@ -30,8 +30,8 @@ Turned two_lines(Piece& before, Piece& after) {
   return {};
 }
 
-/// Returns the intersection of a line and a circle that is nearer to `near`. The line contains the point `origin`; `turn` rotates the line
-/// onto the real axis. `of_circle`: a point of the circle.
+/// Returns the intersection of a line and a circle. Of two intersections, returns the one that is nearer to `near`. The line contains the
+/// point `origin`; `turn` rotates the line onto the real axis. `of_circle`: a point of the circle.
 Point on_circle(Point origin, Point turn, Point center, Point of_circle, Point near) {
   const Point c = (center - origin) * turn, p = (of_circle - origin) * turn;
   const double half = std::sqrt(std::max(0.0, std::norm(c - p) - std::imag(c) * std::imag(c)));
@@ -128,8 +128,7 @@ Turned join(Piece& before, Piece& after) {
   return {};
 }
 
-/// Places a fillet or chamfer: shifts the two pieces sideways by the size of the corner, trims them at their intersection, and shifts them
-/// back.
+/// Inserts a fillet or chamfer. Both pieces are offset by the size of the corner, trimmed at their intersection, and offset back.
 Turned place_corner(Piece& before, Piece& corner, Piece& after) {
   if (corner.kind != Piece::Kind::fillet && corner.kind != Piece::Kind::chamfer) return {};
   double size = corner.corner;

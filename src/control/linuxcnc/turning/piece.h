@@ -1,7 +1,7 @@
 #pragma once
-// A piece of a turned profile (a line, an arc, or a corner to be placed), and operations on pieces (spec/linuxcnc 7.2, G70 to G72;
-// interp_g7x.cc of the source). A point is a complex number: Z is the real part, X (a radius) the imaginary part, in the unit of the
-// program. Tolerances are those of LinuxCNC, in the same unit.
+// A piece of a turned profile (a line, an arc, or a fillet or chamfer to be inserted), and operations on pieces (spec/linuxcnc 7.2, G70 to
+// G72; interp_g7x.cc of LinuxCNC's source). A point is a complex number: Z is the real part, X (a radius) the imaginary part, in the unit
+// of the program. Tolerances are those of LinuxCNC, in the same unit.
 
 #include <complex>
 #include <cstdint>
@@ -13,7 +13,7 @@
 namespace kadr::linuxcnc {
 
 using Point = std::complex<double>;
-/// The result of an operation on a profile. The error is LinuxCNC's alarm text; it is empty if LinuxCNC's cycle would never end.
+/// The result of an operation on a profile. The error is LinuxCNC's alarm text. The text is empty if LinuxCNC's cycle would never end.
 using Turned = tl::expected<void, std::string>;
 
 inline constexpr double same_point = 1e-6, least_piece = 1e-3;
@@ -24,7 +24,7 @@ struct Piece {
   bool ccw = false;  // the arc is counter-clockwise (G3)
   Point start, end;
   Point center{};
-  double corner = 0;  // size of a fillet or chamfer that place_corner() has not placed yet
+  double corner = 0;  // size of a fillet or chamfer that place_corner() has not inserted yet
 
   static Piece line(Point start, Point end) { return {Kind::line, false, start, end}; }
   static Piece arc(bool ccw, Point start, Point center, Point end) { return {Kind::arc, ccw, start, end, center}; }
@@ -32,8 +32,8 @@ struct Piece {
   static Piece chamfer(double size, Point at) { return {Kind::chamfer, false, at, at, {}, size}; }
 
   bool is_arc() const { return kind == Kind::arc || kind == Kind::fillet; }
-  /// Returns the size of the piece: the length of its chord, but for an arc at most the radius. A piece smaller than least_piece is
-  /// dropped; one step of an offset is at most half the size of the smallest piece.
+  /// Returns the size of the piece: the length of its chord, for an arc at most the radius. A piece smaller than least_piece is removed.
+  /// Each step of an offset is at most half the size of the smallest piece.
   double size() const;
   /// Returns true if Z does not increase along the piece and, on an arc, X does not reverse its direction.
   bool falls() const;

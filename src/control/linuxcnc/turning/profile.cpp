@@ -9,8 +9,8 @@
 namespace kadr::linuxcnc {
 namespace {
 
-constexpr double gap = 1e-2;        // an arc joins two offset pieces that are further apart, in the unit of the program
-constexpr int max_steps = 100'000;  // greatest number of steps of an offset; a step is at most half the smallest piece
+constexpr double gap = 1e-2;        // if two offset pieces are further apart than this, an arc joins them; in the unit of the program
+constexpr int max_steps = 100'000;  // greatest number of steps of an offset; each step is at most half the size of the smallest piece
 
 tl::unexpected<std::string> endless() { return tl::unexpected(std::string()); }
 
@@ -47,7 +47,7 @@ Turned Profile::place_corners() {
   return pieces.empty() ? Turned(endless()) : Turned();
 }
 
-/// Executes one step of an offset, which is so small that it reverses no piece.
+/// Executes one step of an offset. The step is so small that it reverses the direction of no piece.
 Turned Profile::offset_step(double distance) {
   for (Piece& piece : pieces) piece.offset(distance);
   pieces.remove_if([](const Piece& piece) { return piece.size() < least_piece; });

@@ -1,4 +1,4 @@
-// G76: a thread in several passes (spec/linuxcnc 7.2; convert_threading_cycle of the source).
+// G76: a thread that is cut in several passes (spec/linuxcnc 7.2; convert_threading_cycle of LinuxCNC's source).
 
 #include <fmt/format.h>
 
@@ -19,21 +19,21 @@ namespace {
 constexpr std::size_t thread_axis = 2;  // Z
 constexpr double max_thread_passes = 100'000;
 
-/// The data of a thread, in mm. Depths are measured from the drive line, which is the line along Z at the X of the cycle's start.
+/// The data of a thread, in mm. Depths are measured from the drive line. It is the line along Z at the X of the cycle's start.
 struct Thread {
-  double x = 0, z = 0;                       // coordinates of the start of the cycle
-  double side = -1;                          // direction of the infeed along X: -1 outside thread, +1 inside thread
-  double crest = 0;                          // |I|, distance of the thread crest from the drive line
-  double first = 0;                          // |J|, depth of the first pass below the crest
-  double height = 0;                         // |K|, full depth of the thread below the crest
-  double degression = 1;                     // R: the depth of pass n grows with n^(1/R)
-  double slope = 0;                          // Q: tangent of the compound angle
+  double x = 0, z = 0;                       // coordinates of the start point of the cycle
+  double side = -1;                          // direction of the infeed along X: -1 for an outside thread, +1 for an inside thread
+  double crest = 0;                          // |I|: distance of the thread crest from the drive line, mm
+  double first = 0;                          // |J|: depth of the first pass below the crest, mm
+  double height = 0;                         // |K|: full depth of the thread below the crest, mm
+  double degression = 1;                     // word R: the depth of pass n grows with n^(1/R)
+  double slope = 0;                          // word Q: tangent of the compound angle
   double pitch = 0;                          // P: pitch
-  double taper = 0;                          // E: length of the taper along Z, with the sign of the travel
+  double taper = 0;                          // word E: length of the taper along Z, with the sign of the travel along Z
   double taper_pitch = 0;                    //
-  bool taper_in = false, taper_out = false;  // L: tapers at the start and at the end of the thread
-  int spring = 0;                            // H: number of spring passes
-  double target = 0;                         // Z at the end of the first pass
+  bool taper_in = false, taper_out = false;  // word L: the thread has a taper at its start, at its end
+  int spring = 0;                            // word H: number of spring passes
+  double target = 0;                         // coordinate Z at the end of the first pass
   Axes end{};                                // end point, programmed coordinates
   Span where;
 };
@@ -108,7 +108,7 @@ Thread thread_of(const BlockContext& m, const Axes& end) {
   t.height = std::fabs(k);
   t.pitch = m.length_value('P');
   const double way = end[thread_axis] > t.z ? -1 : 1;
-  const double angle = m.has('Q') && m.value('Q') != -1 ? m.value('Q') : 0;  // in LinuxCNC's source a missing Q is -1
+  const double angle = m.has('Q') && m.value('Q') != -1 ? m.value('Q') : 0;  // a missing Q has the value -1, as in LinuxCNC's source
   t.slope = std::tan(way * angle * pi / half_turn);
   t.spring = m.has('H') ? static_cast<int>(std::round(m.value('H'))) : 0;
   t.degression = m.has('R') ? std::max(1.0, m.value('R')) : 1;
@@ -127,7 +127,7 @@ Thread thread_of(const BlockContext& m, const Axes& end) {
 
 namespace kadr::functions {
 
-/// G76 P pitch, I crest, J first depth, K height, R degression, Q compound angle, H spring passes, E L tapers.
+/// G76: cuts a thread. Words: P pitch, I crest, J first depth, K height, R degression, Q compound angle, H spring passes, E and L tapers.
 Status threading_cycle(Emitter& m, const Call& call) {
   linuxcnc::LinuxCnc& control = linuxcnc::linuxcnc_of(m);
   const auto wrong = [&](AlarmId id, const char* text) { return control.fault(id, call.where, text); };

@@ -1,4 +1,5 @@
 // Turning cycles G70, G71, G71.1, G71.2, G72, G72.1, G72.2: reads the words of the cycle and its profile, and executes the motions.
+// Described in turning_cycles.h.
 
 #include "control/linuxcnc/turning/turning_cycles.h"
 
@@ -27,7 +28,7 @@ tl::unexpected<Alarm> wrong_turning(const BlockContext& m, Span where, std::stri
   return linuxcnc_of(m).fault(AlarmId::rs274_cycle, where, std::move(text));
 }
 
-/// Returns the value of a word in the unit of the program. A diameter X is returned as a radius.
+/// Returns the value of a word in the unit of the program. The value of a diameter X is halved.
 double radius_or_length(const BlockContext& m, char letter) {
   const bool diameter = letter == 'X' && (m.modal.diameter & 1U) != 0;
   return m.value(letter) * (diameter ? 0.5 : 1);
@@ -42,8 +43,8 @@ void set_motion(BlockContext& m, std::int32_t tenths) {
   if (row >= 0) m.modal.rows[m.def.codes[static_cast<std::size_t>(row)].group] = row;
 }
 
-/// Marks the last motion as not compensated: cutter compensation does not apply to motions to the start of G70, of the cycle and of each
-/// pass (2.9.4).
+/// Marks the last motion as not compensated. Cutter compensation does not apply to motions to the start of G70, of the cycle and of each
+/// pass (LinuxCNC 2.9.4).
 void leave_uncompensated(Emitter& m) {
   if (m.batch->empty()) return;
   auto* const way = std::get_if<Motion>(&m.batch->back().what);
@@ -107,7 +108,7 @@ class Turning final : public SteppedCycleValue<Turning> {
   Span where_;
 };
 
-/// Adds the motion of one block of the subprogram to the profile.
+/// Adds the motion of one block of the profile's subprogram to the profile.
 class ProfileBlock {
  public:
   ProfileBlock(BlockContext& m, TurningCycle& cycle) : m_(m), cycle_(cycle) {}
@@ -222,8 +223,8 @@ namespace kadr::functions {
 
 using linuxcnc::linuxcnc_of;
 
-/// G70 to G72: moves at rapid to the point of the axis words, which are absolute also in G91, and then calls the subprogram Q, which has
-/// the profile.
+/// G70 to G72: moves at rapid to the point of the axis words, which are absolute also in G91. Then calls the subprogram Q, which has the
+/// profile.
 Status profile_cycle(Interpreter& m, const Call& call) {
   linuxcnc::LinuxCnc& control = linuxcnc_of(m);
   const auto wrong = [&](std::string text) { return control.fault(AlarmId::rs274_cycle, call.where, std::move(text)); };
@@ -253,7 +254,7 @@ Status profile_cycle(Interpreter& m, const Call& call) {
   const Status aimed = m.target(to, named);
   m.modal.absolute = cycle.absolute;
   KADR_TRY(aimed);
-  if (named == 0) named = 1U | 1U << linuxcnc::z_axis;  // LinuxCNC makes a motion of length zero here
+  if (named == 0) named = 1U | 1U << linuxcnc::z_axis;  // LinuxCNC makes a motion of length zero here, so Kadr does the same
   KADR_TRY(m.straight(MotionKind::rapid, to, named));
   linuxcnc::leave_uncompensated(m);
   linuxcnc::set_motion(m, 0);

@@ -1,6 +1,6 @@
 #pragma once
-// Turning cycles G70 to G72: the profile is in a subprogram, whose blocks are read without moving the tool; then the cycle is executed
-// (spec/linuxcnc 7.2; convert_g7x of the source).
+// Turning cycles G70 to G72. The profile is in a subprogram, whose blocks are read without moving the tool; then the cycle is executed
+// (spec/linuxcnc 7.2; convert_g7x of LinuxCNC's source).
 
 #include <cstddef>
 #include <cstdint>
@@ -22,7 +22,7 @@ struct TurningCycle {
   bool absolute = true, centers_absolute = false;
   TurningWords words;
   Profile profile;
-  Point at;  // end point of the part of the profile that was read
+  Point at;  // end point of the last line or arc of the profile that was read
   std::int32_t motion = 0;
   Span where;
 };

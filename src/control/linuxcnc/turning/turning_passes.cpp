@@ -1,4 +1,5 @@
-// Computes the motions of G70 to G72: finishing passes along the profile, and cuts parallel to an axis, with or without pockets.
+// Computes the motions of G70 to G72: finishing passes along the profile, and cuts parallel to an axis, with or without pockets. Described
+// in turning_passes.h.
 
 #include "control/linuxcnc/turning/turning_passes.h"
 
@@ -10,9 +11,10 @@ namespace kadr::linuxcnc {
 namespace {
 
 constexpr std::size_t max_moves = 1'000'000;
-constexpr std::uint64_t max_polls = 20'000'000;  // greatest number of steps of the search: in LinuxCNC it never ends for some profiles
+// Greatest number of steps of the search for the next cut. For some profiles the search of LinuxCNC never ends.
+constexpr std::uint64_t max_polls = 20'000'000;
 constexpr double below_all = -1e9;
-constexpr double same_end = 1e-3;  // an arc is skipped if its end points are closer than this
+constexpr double same_end = 1e-3;  // an arc whose end points are closer than this is skipped; in the unit of the program
 using Pieces = std::list<Piece>;
 
 class Cutting {
@@ -51,11 +53,12 @@ class Cutting {
   Profile& profile_;
   std::vector<TurningMove>& moves_;
   Point here_;
-  std::vector<Point> tops_;  // start points of pockets
+  std::vector<Point> tops_;  // start points of the pockets that are not finished yet
   double x_ = 0, depth_ = 1;
 };
 
-/// Moves down along a piece to the level `x`, or to the end of the piece. The result is `rises` if the piece does not lead down.
+/// Moves down along a piece of the profile to the level `x`, or to the end of the piece. The result is `rises` if X does not decrease along
+/// the piece.
 tl::expected<Cutting::Found, std::string> Cutting::dive(Pieces::iterator at, double x) {
   if (at->is_arc()) return dive_arc(*at, x);
   return dive_line(*at, x, is_first(at));
@@ -89,7 +92,7 @@ Cutting::Found Cutting::dive_arc(const Piece& piece, double x) {
     if (!at.empty() && at.back() <= middle) to = Point(at.back(), x);
   } else {
     if (here_.real() <= middle) return Found::rises;
-    if (!at.empty() && at.front() < middle) return Found::below;  // only the far side of the arc has this X: the next cut is deeper
+    if (!at.empty() && at.front() < middle) return Found::below;  // only the far side of the arc has this X, so the next cut is deeper
     if (!at.empty()) to = Point(at.front(), x);
   }
   arc(piece.ccw, piece.center, to);
@@ -97,7 +100,7 @@ Cutting::Found Cutting::dive_arc(const Piece& piece, double x) {
   return Found::below;
 }
 
-/// Moves up along a piece. Returns true if the piece leads down again, so that a pocket starts at the point reached.
+/// Moves up along a piece of the profile. Returns true if X decreases again on the piece, so that a pocket starts at the point reached.
 tl::expected<bool, std::string> Cutting::climb(const Piece& piece) {
   if (!piece.is_arc()) {
     if (piece.end.imag() + same_point < piece.start.imag()) return true;
@@ -115,7 +118,7 @@ tl::expected<bool, std::string> Cutting::climb(const Piece& piece) {
   return piece.ccw;
 }
 
-/// Moves up along that part of a piece which is above the present X; pockets are passed over.
+/// Moves up along the part of a piece that is above the present X. Pockets in this part are skipped.
 void Cutting::climb_rising(const Piece& piece) {
   if (!piece.is_arc() && piece.end.imag() < piece.start.imag()) return;
   const auto at = piece.crossings(here_.imag());
@@ -137,7 +140,7 @@ void Cutting::climb_rising(const Piece& piece) {
   here_ = to;
 }
 
-/// Makes one cut at the present X, up to the first piece that the cut meets, and returns to its start.
+/// Makes one cut at the present X, up to the first piece that the cut meets, and returns to the start of the cut.
 void Cutting::cut_to_wall(Pieces::iterator& at, double retract) {
   const Point away = retract * Point(1, 1);
   for (auto wall = at; wall != end(); ++wall) {
@@ -145,7 +148,7 @@ void Cutting::cut_to_wall(Pieces::iterator& at, double retract) {
     if (crossings.empty()) continue;
     const double z = wall != at ? crossings.front() : crossings.back();
     const double distance = std::abs(z - here_.real());
-    if (z - same_point > here_.real()) continue;  // the piece that led down to the start of the cut
+    if (z - same_point > here_.real()) continue;  // this piece leads down to the start of the cut, so it does not end the cut
     if (distance < same_point) {
       if (wall == at) continue;
       if (std::abs(here_ - wall->start) < same_point) at = wall;
@@ -155,7 +158,7 @@ void Cutting::cut_to_wall(Pieces::iterator& at, double retract) {
     const Point begin = here_;
     Point to(z, here_.imag());
     line(to);
-    const double part = std::min(1.0, distance / 2 / away.real());  // at most half the cut is retraced
+    const double part = std::min(1.0, distance / 2 / away.real());  // the retract goes back over at most half the cut
     to += part * away;
     rapid(to);
     rapid(begin - std::conj(part * away));
@@ -166,7 +169,7 @@ void Cutting::cut_to_wall(Pieces::iterator& at, double retract) {
   }
 }
 
-/// Moves up along the profile after the lowest cut of a pocket, to the next pocket. Returns false if no further pocket follows.
+/// Moves up along the profile after the lowest cut of a pocket, to the next pocket. Returns false if there is no further pocket.
 tl::expected<bool, std::string> Cutting::leave_pocket(Pieces::iterator& at, Pockets pockets) {
   for (; at != end(); ++at) {
     if (pockets == Pockets::none) {
@@ -190,7 +193,7 @@ Turned Cutting::rough(Pockets pockets, double depth, double retract) {
   here_ = profile_.pieces.front().start;
   tops_.assign(1, here_);
   auto at = profile_.pieces.begin();
-  if (pockets == Pockets::only) {  // skips the descent into the first pocket, which G71.1 has cut
+  if (pockets == Pockets::only) {  // G71.1 has cut the first pocket, so the descent into it is skipped
     for (; at != end(); ++at) {
       const auto found = dive(at, below_all);
       if (!found) return tl::unexpected(found.error());
@@ -209,7 +212,7 @@ Turned Cutting::rough(Pockets pockets, double depth, double retract) {
       if (!*follows) return {};
       x_ = tops_.back().imag();
     } else if (std::abs(here_.imag() - x_) > same_point || at->end == here_) {
-      ++at;  // X is beyond this piece, or the piece is finished (2.9.4)
+      ++at;  // X is beyond this piece, or the piece is finished, so the next piece follows (LinuxCNC 2.9.4)
     } else {
       cut_to_wall(at, retract);
     }
@@ -217,7 +220,7 @@ Turned Cutting::rough(Pockets pockets, double depth, double retract) {
   return {};
 }
 
-/// Mirrors the profile so that Z decreases along it. If only X is monotonic along it, the profile is rotated by 90° first.
+/// Mirrors the profile so that Z decreases along it. If only X is monotonic along the profile, the profile is rotated by 90° first.
 Turned face(Profile& profile, Point start) {
   profile.pieces.front().start = start;
   Profile without_way = profile;
@@ -253,8 +256,8 @@ Turned finish_profile(const Profile& given, const TurningWords& words, std::vect
   return {};
 }
 
-/// Closes a profile that leads away from the start of the cycle and whose last piece advances in the direction of the cuts. A line to the
-/// level of the cycle's start is added (2.9.4).
+/// Closes a profile that leads away from the start of the cycle and whose last piece advances in the direction of the cuts. The added piece
+/// is a line to the level of the cycle's start (LinuxCNC 2.9.4).
 void close_profile(Profile& profile, Point start, bool across) {
   const Point first = profile.pieces.front().end - profile.pieces.front().start;
   const Piece& back = profile.pieces.back();
