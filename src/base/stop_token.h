@@ -5,8 +5,8 @@
 
 namespace kadr {
 
-/// Answers whether a run has to end. Every loop that may take long polls a token. A token is a value, copied down from the owner of the
-/// stop flag; a poll is one relaxed read of memory, safe in any thread.
+/// A StopToken reports whether a run has to end. Every loop that may take long polls a token. A token is a value, which the owner of the
+/// stop flag passes to its callees; a poll is one relaxed read of memory, safe in any thread.
 class StopToken {
  public:
   StopToken() = default;  // a token that never requests a stop

@@ -1,6 +1,6 @@
 #pragma once
-// Rendezvous: finds which channels wait for each other and when they may continue (nct 14.5). INFERRED: channels belong together if
-// their wait codes and their sets of channels are equal. A channel that is not in its own set waits for the channels in the set.
+// Rendezvous: finds which channels wait for each other, and when they may continue (nct 14.5). INFERRED: channels belong together if their
+// wait codes and their sets of channels are equal. A channel that is not in its own set waits for the channels in the set.
 
 #include <cstdint>
 #include <optional>
@@ -10,7 +10,8 @@ namespace kadr {
 
 class Rendezvous {
  public:
-  /// Lets `channel` wait from `at` seconds on. Bit n of `channels` stands for channel n. Calls must come in ascending order of time.
+  /// Records that `channel` waits from `at` (s) on. Bit n of `channels` stands for channel n. The caller must make these calls in ascending
+  /// order of time.
   void arrive(int channel, std::uint32_t code, std::uint32_t channels, double at);
   /// Ends the wait of a channel.
   void leave(int channel);
