@@ -13,8 +13,8 @@ struct DifferenceWindow {
 };
 
 ///   differing  box of the paths that differ
-///   apart      vector from a's position to b's where the paths are farthest apart; zero if the positions are equal
-///   at         b's position where the paths are farthest apart
+///   apart      vector from the position of a to that of b where the paths are farthest apart; zero if both positions are equal
+///   at         position of b where the paths are farthest apart
 ///   part       box of the path that both follow
 DifferenceWindow window_of(const Box& differing, Vec3 apart, Vec3 at, const Box& part);
 
