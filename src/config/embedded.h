@@ -1,5 +1,5 @@
 #pragma once
-// The built-in files (controls/, machines/, macros/), which dev/embed.cpp embeds in the program.
+// The built-in files (controls/, machines/, macros/), which dev/embed.cpp embeds in the executable.
 
 #include <span>
 #include <string_view>
@@ -7,9 +7,9 @@
 namespace kadr {
 
 struct EmbeddedFile {
-  std::string_view name;  // "controls/s2c42.toml"
+  std::string_view name;  // name of the file with its folder: "controls/s2c42.toml"
   std::string_view text;
-  std::string_view table;  // packed form of a TOML file, which unpacked() reads
+  std::string_view table;  // a TOML file in packed form, for unpacked()
 };
 
 std::span<const EmbeddedFile> embedded_files();

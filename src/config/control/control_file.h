@@ -1,5 +1,5 @@
 #pragma once
-// Loads controls/*.toml as ControlDef. A user's own file may extend a built-in control: `extends = "gost"` and the differences.
+// Loads controls/*.toml as ControlDef. A user's own file may extend a built-in control: `extends = "gost"`, followed by the differences.
 
 #include <string>
 #include <string_view>
@@ -12,8 +12,8 @@
 
 namespace kadr {
 
-/// Returns the built-in control with this id or alias, in upper or lower case; if `name` ends with .toml, the control in that file.
-///   door     opens these files, and the files that they extend
+/// Returns the built-in control with this id or alias, in upper or lower case. If `name` ends with .toml, returns the control in this file.
+///   door     opens the file and the files that it extends
 ///   returns  on failure, an error sentence with file and line: unknown key, function, group, word; a code twice; …
 tl::expected<ControlDef, std::string> load_control(const std::string& name, const FileAccess* door = nullptr);
 
