@@ -32,7 +32,7 @@ struct Spindle {
   std::optional<double> angle{};  // only for `position`: angle of the spindle after the rotation, degrees
 };
 struct Speed {
-  double value;  // the new speed: rev/min, or surface speed in m/min (G96)
+  double value;  // the new value: spindle speed, rev/min, or surface speed, m/min (G96)
   bool surface;
   std::uint8_t number = 1;  // number of the spindle
   std::uint8_t range = 0;   // gear range that the speed selects; 0: the speed selects no range
@@ -42,7 +42,7 @@ enum class Coolant : std::uint8_t { off, mist, flood };
 struct CoolantSwitch {
   Coolant what;
 };
-/// The location of a tool, for controls with a tool table (nct 12.3).
+/// The row of a tool in the tool table, and its pocket in the magazine; for controls with a tool table (nct 12.3).
 struct ToolPlace {
   std::uint32_t data = 0;  // row of the tool table; 0: the tool has no row
   std::uint32_t magazine = 0;
@@ -86,8 +86,8 @@ struct Message {
 /// Reports that several channels have waited for each other and now continue together. One Sync stands for all these channels (nct 14.5).
 struct Sync {
   std::uint32_t code;
-  std::vector<std::uint8_t> channels;  // numbers of the channels, in their order of arrival
-  double at = 0;                       // s, time at which the channels continue
+  std::vector<std::uint8_t> channels;  // numbers of the channels that waited, in their order of arrival
+  double at = 0;                       // time at which the channels continue, s
 };
 /// Changes the safety zones (nct 22.2): G22 sets limits, G23 restores the limits of the parameters.
 struct ZoneChange {
@@ -102,7 +102,7 @@ struct ZoneChange {
 /// (nct 20.1).
 struct Couple {
   std::string master, slave;      // names of the master spindle and of the slave axis
-  double ratio = 1;               // revolutions of the slave per revolution of the master, signed
+  double ratio = 1;               // gear ratio: revolutions of the slave per revolution of the master, signed
   double rpm = 0;                 // speed of the slave at the master's present speed, rev/min, signed
   bool feeds_by_slave = false;    // the feed per revolution counts revolutions of the slave; false: of the master
   std::optional<double> phase{};  // angle of the slave at the spindle's zero pulse, degrees
@@ -113,7 +113,7 @@ struct Couple {
 struct Uncouple {
   std::string slave;
 };
-/// Rounds the corner: the tool's centre moves on an arc of the tool's radius around the programmed point (G39, nct 15.5.6).
+/// Makes the tool's centre round the corner: it moves on an arc of the tool's radius around the programmed point (G39, nct 15.5.6).
 struct CompensationCorner {
   std::optional<Vec2> way{};  // I J K: direction in which the path leaves the corner; nullopt: the direction of the next motion
 };
@@ -122,7 +122,7 @@ struct CompensationCheck {
   bool interference = false;  // N1403 #0 IEN: interference is checked
   bool always_alarm = false;  // N1403 #1 AAL: interference is an alarm at once, without an attempt of the control to correct the path
   std::uint8_t further = 0;   // N1404: number of blocks, 0…8, that are checked in addition to the usual three
-  double least_step = 0;      // N1405 DELTV, mm: shorter steps around a corner are omitted
+  double least_step = 0;      // N1405 DELTV: steps around a corner that are shorter than this are omitted, mm
   friend bool operator==(const CompensationCheck&, const CompensationCheck&) = default;
 };
 /// Interrupts cutter compensation: the tool's centre is on the programmed point (nct 15.5.2). With `off`, compensation ends (G40, 15.5.3).
@@ -204,7 +204,7 @@ struct AlarmReport {
 /// arrow).
 struct ProbeAnswer {
   bool touched = false;
-  Axes at{};        // work coordinates where the motion ended
+  Axes at{};        // work coordinates at which the motion ended
   double part = 1;  // executed fraction of the motion's path, 0 to 1
 };
 

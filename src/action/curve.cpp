@@ -43,7 +43,7 @@ FlatPath Curve::plane_path() const {
   return FlatPath::arc(start, end, center, motion_.kind == MotionKind::arc_ccw ? motion_.turns : -motion_.turns);
 }
 
-/// Returns axis units per mm of the unrolled surface: degrees per mm for the rotary axis of a cylinder, else 1.
+/// Returns the units of an axis per mm of the unrolled surface: degrees per mm for the rotary axis of a cylinder, 1 for any other axis.
 double Curve::unit(std::size_t axis) const {
   return surface_ == PathSurface::cylinder && roles_.is_rotary(axis) ? 1 / (motion_.detail->radius * rad_per_deg) : 1;
 }

@@ -39,8 +39,8 @@ class Curve {
   /// Returns true for a line in axis coordinates, along which speed ratios of the axes and direction are constant.
   bool straight() const { return !arc_ && !spline_ && surface_ == PathSurface::plane; }
 
-  /// Returns the length of the path in mm. It counts the linear axes, also those outside the plane; on a surface, the path is measured in
-  /// the surface's plane. Rotary axes and followers do not count.
+  /// Returns the length of the path in mm. The linear axes count, including those outside the plane; rotary axes and followers do not. On a
+  /// surface, the path is measured in the plane of the surface.
   double length() const;
 
   /// Returns the travel of the rotary axes outside the plane, in degrees. The travels of several axes are added like components at right

@@ -19,7 +19,8 @@ constexpr int samples_of_line = 16;
 /// Returns the antiderivative of sqrt(R² + a²) by the radius R, for a spiral with R' = dR/dφ and a² = R'² + rise² (rise per radian).
 double primitive(double radius, double a) { return (radius * std::hypot(radius, a) + a * a * std::asinh(radius / a)) / 2; }
 
-/// Returns the length of a spiral around an axis: over the angle `sweep_rad`, it moves `rise` along the axis and `growth` away from it.
+/// Returns the length, mm, of a spiral around an axis. Over the angle `sweep_rad`, the radius grows by `growth`, and the spiral moves by
+/// `rise` along the axis.
 double spiral_length(double radius, double growth, double rise, double sweep_rad) {
   // The closed formula is used if growth / radius is above this number. Below it, the difference of the primitives would lose digits, while
   // Gauss quadrature is exact to the rounding error.

@@ -14,8 +14,8 @@ class PlaneSpline;
 struct CircleArc {
   Vec2 center;
   double radius = 0;
-  Vec2 first, last;  // vectors from the centre to the two ends
-  double turns = 0;  // swept angle / 360, positive
+  Vec2 first, last;  // vectors from the centre to the two ends of the arc
+  double turns = 0;  // angle swept by the arc, divided by 360°; positive
 };
 
 /// Extends the box to the points at which the arc's tangent is parallel to an axis. The caller has to add the arc's ends.
@@ -49,7 +49,7 @@ class FlatPath {
   /// Returns the length of a circular arc that has the path's angle and start radius; 0 if the start radius is 0, or if the path is no arc.
   double turn_length() const;
 
-  /// Returns the exact bounding box.
+  /// Returns the exact bounding box of the path.
   Box2 box() const;
 
   /// Returns the angle, seen from the plane's origin, that the path sweeps up to `part`: signed degrees, with whole revolutions. A path
@@ -59,7 +59,7 @@ class FlatPath {
   /// Returns the number of equal parts whose chords stay within `chord` mm of the path; 1 for a line.
   int pieces(double chord) const;
 
-  /// Returns the curvature in 1/mm, positive for a left turn; for a spiral, approximated by the inverse of the radius at that point.
+  /// Returns the curvature in 1/mm, positive for a left turn. For a spiral, it is approximated by the inverse of the radius at this point.
   double curvature(double part) const;
 
   /// Returns a number of equal parts of the path, large enough that each coordinate has at most one extreme in each part; for searches.

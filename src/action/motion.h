@@ -1,5 +1,5 @@
 #pragma once
-// Motion: a line, an arc, a spiral, a helix or a spline of the tool point, fully resolved; a plain value. Units as in
+// Motion: a line, an arc, a spiral, a helix or a spline of the tool point, fully resolved; a plain value. The units are those of
 // action/action.h.
 
 #include <array>
@@ -17,7 +17,7 @@ enum class FeedUnit : std::uint8_t { mm_per_min, mm_per_rev, per_min };
 enum class MotionKind : std::uint8_t { rapid, feed, arc_cw, arc_ccw, probe, home, thread, spline };
 inline bool is_arc(MotionKind kind) { return kind == MotionKind::arc_cw || kind == MotionKind::arc_ccw; }
 
-/// What the commanded feed is measured along.
+/// The length along which the commanded feed is measured.
 enum class FeedAlong : std::uint8_t {
   path,  // length of the travel of the linear axes; if only rotary axes move, their travel (NIST 2.1.2.5)
   turn,  // angle of an arc whose radius changes: the angle advances evenly, at the rate that the feed gives at the arc's start (nct 4.3)
@@ -38,32 +38,32 @@ enum class SideStep : std::uint8_t {
   holds,   // G38: the offset vector at the motion's end stays as it was at its start
 };
 
-/// How the compensated path goes round an outside corner.
+/// The path around an outside corner under cutter compensation.
 enum class CornerJoin : std::uint8_t {
   extended,  // along straight lines tangential to both elements; a sharp corner is cut off (nct 15.5.2)
   arc,       // along an arc about the programmed point (2С42 G36, Mach3)
   straight,  // along both lines, extended to their intersection (2С42 G37)
 };
 
-/// How speed is controlled where two motions meet (nct 6.3).
+/// The speed control where two motions meet (nct 6.3).
 enum class CornerSpeed : std::uint8_t {
-  limited,       // the control's limits of the speed apply (G64, G61)
-  inner_slower,  // as limited, and motions are also slower near inside corners (G62)
+  limited,       // the control's usual speed limits apply at the corner (G64, G61)
+  inner_slower,  // the usual speed limits apply, and motions are also slower near inside corners (G62)
   kept,          // the speed is not reduced at the corner (G63)
 };
 
-/// Where the first compensated motion ends.
+/// The point at which the first compensated motion ends.
 enum class CompensationApproach : std::uint8_t {
   by_corner,  // at the point that the corner to the next motion requires (nct 15.5.1)
   normal,     // on the normal to the next path element at the programmed point (2С42 6.4.7)
   tangent,    // so that the tool touches the line to the programmed point over its whole length (Mach3, RS274/NGC)
 };
 
-/// An axis that copies the travel of another (nct 20.2).
+/// An axis that copies the travel of another axis, its master (nct 20.2).
 struct Follower {
   std::uint8_t axis = 0;
   std::uint8_t master = 0;
-  double sign = 1;  // -1: the follower moves in the opposite direction
+  double sign = 1;  // factor for the travel; -1: the follower moves in the opposite direction
 };
 
 /// The line or circle that a motion in the plane lies on. It is needed if the start or end of the motion has to be calculated (nct 17.3).
@@ -74,15 +74,16 @@ enum class SupportingCurve : std::uint8_t {
   circle,  // an over-determined arc, with a known centre; it starts at the intersection with the previous motion
 };
 
-/// How a motion meets its neighbours in the plane (nct 17). path/compensation/corner_resolver computes the corners from this.
+/// The chamfer, rounding or intersection at the ends of a motion in the plane (nct 17). path/compensation/corner_resolver computes the
+/// corners from these data.
 struct CornerData {
   double chamfer = 0;   // leg of the chamfer at the motion's end, mm; 0: there is no chamfer
   double rounding = 0;  // radius of the rounding at the motion's end, mm; 0: there is no rounding
   SupportingCurve on = SupportingCurve::none;
-  Vec2 direction;         // direction of the line, only for `way` and `line`: unit vector
+  Vec2 direction;         // unit vector in the direction of the line; only for `way` and `line`
   double radius = 0;      // radius of the circle, only for `circle`, mm
   bool farther = false;   // if there are two intersections, the second one is used (Q above 0)
-  bool mirrored = false;  // the programmed plane is mirrored: a clockwise arc of the program is counter-clockwise here
+  bool mirrored = false;  // the programmed plane is mirrored: an arc that is clockwise in the program is counter-clockwise here
 };
 
 /// Computes the positions of the tool tip and of the rotary axes along a motion with tool centre point control. It is needed only for modes
@@ -107,7 +108,7 @@ struct SplinePart {
   double from = 0, to = 1;
 };
 
-/// Data that only few motions have.
+/// Data that only few motions have, so that a Motion stays small.
 struct MotionDetail {
   AxisMask rolled = 0;  // rotary axes that roll over at 360°; `travel` is their signed travel, degrees (nct 5.6)
   Axes travel{};
@@ -124,8 +125,8 @@ struct MotionDetail {
   std::optional<double> start_angle;  // angle of the spindle at the start of the thread, degrees
   std::optional<double> turn;         // rotation of the spindle during the motion, degrees, signed
   std::optional<double> torque;       // torque limit of a probe motion, %
-  int input = 0;                      // signal that ends a probe motion: 1 to 8 the probe input, 98 the torque limit, 0 any input
-  std::optional<Vec2> way;            // I J K of G41, G42, G40: direction of the approach to the contour, or of the departure
+  int input = 0;            // number of the signal that ends a probe motion: 1 to 8 a probe input, 98 the torque limit, 0 any input
+  std::optional<Vec2> way;  // I J K of G41, G42, G40: direction of the approach to the contour, or of the departure
   // Axes that copy the travel of another axis, each listed after its master; the path's length does not include their travel
   std::vector<Follower> followers;
   std::shared_ptr<const TipPath> tip_path;
@@ -150,12 +151,12 @@ struct MotionPath {
   EndReference end_reference = EndReference::by_work;
   AxisMask named = 0;          // axes whose position the block states
   Vec2 center;                 // centre of an arc, in the two axes of its plane, work coordinates
-  double turns = 0;            // swept angle / 360, positive; the radius changes linearly with the angle
+  double turns = 0;            // swept angle / 360°, positive; the radius changes linearly with the angle
   bool as_programmed = false;  // the end point is exactly as the program's words state it; set where rotated frames are possible (nct 25)
-  bool inch = false;           // the block was read in inches
+  bool inch = false;           // the lengths of the block were stated in inches
 };
 
-/// How fast and how exactly a motion is executed.
+/// The feed of a motion, and how exactly the motion follows its path.
 struct MotionFeed {
   double feed = 0;       // commanded feed, in `unit`
   double tolerance = 0;  // mm; deviation from the path that constant-velocity mode permits at corners; 0: the program does not state it
@@ -180,7 +181,7 @@ struct MotionCompensation {
   // path.
   std::uint8_t nose = 0;
   SideStep side_step = SideStep::none;
-  CornerJoin join_corner = CornerJoin::extended;                 // shape of the corner between this motion and the next
+  CornerJoin join_corner = CornerJoin::extended;                 // shape of the corner between this motion and the next motion
   CompensationApproach entry = CompensationApproach::by_corner;  // used only if compensation starts with this motion
 };
 

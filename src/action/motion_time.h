@@ -1,5 +1,5 @@
 #pragma once
-// MotionTime: the length and the duration of a motion, as computed by motion/time/estimate or motion/look_ahead.
+// MotionTime: the length and the duration of a motion, computed by motion/time/estimate or by motion/look_ahead.
 
 #include <optional>
 

@@ -11,7 +11,7 @@ namespace kadr {
 
 /// The machine axis that each programmed axis drives, and the axes that are reversed about the machine's zero (nct 20.3, 20.4).
 struct AxisDrives {
-  std::array<std::int8_t, max_axes> axis;  // machine axis of each programmed axis; a permutation
+  std::array<std::int8_t, max_axes> axis;  // by programmed axis: index of the machine axis that it drives; a permutation
   AxisMask reversed = 0;                   // mask of the programmed axes that are reversed
   bool is_own = true;                      // true if each programmed axis drives its own machine axis and none is reversed
   AxisDrives();
@@ -50,8 +50,8 @@ class WorkTransform {
   virtual ~WorkTransform() = default;
   /// Returns true if the Placement's own fields determine the axis positions, so that this object only describes the pose.
   virtual bool is_plain() const = 0;
-  /// Returns true under tool centre point control: at each point of a motion, the axis positions are those of machine_of() (nct 25.14).
-  /// Otherwise machine_of() holds at the end of the motion only, and the axes move evenly to that point.
+  /// Returns true under tool centre point control. In this case, machine_of() gives the axis positions at each point of a motion (nct
+  /// 25.14). Otherwise machine_of() gives them at the end of the motion only, and the axes move evenly to that point.
   virtual bool controls_tip() const = 0;
   /// Converts work coordinates to machine coordinates. `plainly` is the result without this transformation; the rotary positions and all
   /// axes that are not transformed are copied from it.
@@ -83,8 +83,8 @@ class WorkTransform {
 /// · (shift + work), and each value is then assigned to the machine axis that `turn->drives` names.
 ///   law  work_of(machine_of(w)) == w up to the rounding error
 struct Placement {
-  Axes origin{};  // origin of the work system, machine coordinates, with all shifts except those in `shift`
-  Axes length{};  // length of the tool, by axis
+  Axes origin{};  // origin of the work system in machine coordinates, with all shifts except those in `shift`
+  Axes length{};  // tool length by axis, mm
   Axes shift{};   // shift that is rotated together with the work coordinates (G52 and G92 of the NCT); zero without `turn`
   std::shared_ptr<const FrameTurn> turn{};       // nullptr: no rotation, or a rotation that depends on the rotary axes (see `space`)
   std::shared_ptr<const WorkTransform> space{};  // nullptr: no transformation in space; unless is_plain(), it determines the axis positions
@@ -97,7 +97,7 @@ struct Placement {
   AxisMask moved_with(AxisMask named) const;
   /// Returns the machine axis that a programmed axis drives.
   std::size_t driven(std::size_t axis) const { return turn == nullptr ? axis : turn->drives.of(axis); }
-  /// Returns true if machine_of() only adds up values, separately for each axis.
+  /// Returns true if machine_of() only adds values, separately for each axis.
   bool is_plain() const { return turn == nullptr && (space == nullptr || space->is_plain()); }
 };
 

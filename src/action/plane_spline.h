@@ -23,7 +23,7 @@ struct ControlPoint {
 ///   law  the curve lies in the convex hull of its control points
 class PlaneSpline {
  public:
-  static constexpr std::size_t most_order = 32;    // greatest order: degree 31; usual orders are 3 and 4
+  static constexpr std::size_t most_order = 32;    // greatest order, which means degree 31; usual orders are 3 and 4
   static constexpr std::size_t max_points = 5000;  // limit of the number of control points; no person or CAM system writes a longer curve
 
   ///   points  control points with weights above 0: at least `order`, at most max_points

@@ -16,7 +16,8 @@ struct PolarAxes {
 /// A view of a path, which must exist longer than this object.
 class PolarPath {
  public:
-  /// `side`: sign of the linear axis; `offset`: p, mm; `rotary_start`: position of the rotary axis at part 0, degrees.
+  /// Creates the view. `side`: sign of the linear axis' position; `offset`: p, mm; `rotary_start`: position of the rotary axis at part 0,
+  /// degrees.
   PolarPath(const FlatPath& path, double side, double offset, double rotary_start)
       : path_(path), side_(side), offset_(offset), rotary_start_(rotary_start) {}
 
@@ -31,7 +32,7 @@ class PolarPath {
   /// Returns the `part` (0 to 1) at which the tool is nearest to the rotation centre: exact for a line, found by search for an arc.
   double nearest() const;
 
-  /// Returns the least and greatest position of both axes.
+  /// Returns the least and the greatest position of both axes on the path.
   void extremes(PolarAxes& least, PolarAxes& most) const;
 
   /// Returns the number of equal parts of the path whose chords keep the linear axis within `chord` mm of its travel.

@@ -23,10 +23,10 @@ struct SurfaceSpeed {
   // Value of `axis` if no axis is named by the parameter: the spindle speed is then that of the rotation centre
   static constexpr std::uint8_t no_axis = 255;
 
-  /// Returns the distance from the axis, in mm, at which this surface speed gives `rpm`.
+  /// Returns the distance from the rotation centre, mm, at which this surface speed gives the spindle speed `rpm`.
   double radius(double rpm) const { return mm_per_m * metres / (2 * pi * rpm); }
 
-  /// Returns the speed in rev/min at a position in work coordinates.
+  /// Returns the spindle speed in rev/min at a position in work coordinates.
   double rpm(const Axes& work) const {
     const double diameter = axis < work.size() ? 2 * std::fabs(work[axis]) : 0;
     return std::min(std::max(diameter > 0 ? mm_per_m * metres / (pi * diameter) : no_limit, least), most);

@@ -21,16 +21,16 @@ enum class AlarmId : std::uint16_t {
 /// stay small.
 inline constexpr AlarmId no_alarm = AlarmId::count;
 
-/// Returns the name of the id as it is printed, and as the rows of controls/alarms.toml spell it.
+/// Returns the name of the id, in the spelling of messages and of the rows in controls/alarms.toml.
 std::string_view name_of(AlarmId id);
 
-/// Returns the id with this name, or no_alarm if there is none.
+/// Returns the id with this name; no_alarm if no id has this name.
 AlarmId alarm_named(std::string_view name);
 
 /// How serious an alarm is. A note informs the user of something that is not wrong, and is not counted. Advice reports what no control
 /// stops at but a shop would not run (docs/checklist.md); advice is counted separately.
 enum class Severity : std::uint8_t { alarm, warning, note, advice };
-/// Returns the name in machine-readable output: "alarm", "warning", "note", "advice".
+/// Returns the name of the severity in machine-readable output: "alarm", "warning", "note", "advice".
 std::string_view name_of(Severity severity);
 
 /// An argument of an alarm's text: a number, or a short text. A text that does not fit is cut at a character boundary.
@@ -59,7 +59,7 @@ struct Alarm {
   AlarmId id = no_alarm;
   Severity severity = Severity::alarm;
   std::uint8_t arg_count = 0;
-  Span where;  // the bytes of the block's line that the alarm is about
+  Span where;  // range of bytes, in the line of the block, that the alarm is about
   std::array<AlarmArg, 3> args;
 };
 

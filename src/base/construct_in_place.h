@@ -1,5 +1,5 @@
 #pragma once
-// construct_in_place(): constructs a value directly at its destination.
+// construct_in_place(): constructs a value directly at its destination in memory.
 
 #include <new>
 #include <type_traits>

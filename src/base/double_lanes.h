@@ -21,7 +21,7 @@ inline constexpr std::size_t lanes = 8;
 using Pair = double __attribute__((vector_size(16)));
 using Four = double __attribute__((vector_size(32)));
 
-/// Selects for each lane: `then` where `sign` is above 0, else `otherwise`.
+/// Returns for each lane the value of `then` if `sign` is above 0, else the value of `otherwise`.
 template <class V>
 KADR_LANES V where_positive(const V& sign, const V& then, const V& otherwise) {
   return sign > 0 ? then : otherwise;

@@ -33,7 +33,7 @@ class FileSet {
 
  private:
   std::set<FileId> ids_;
-  std::set<std::string> paths_;  // the files' paths as true_path() returns them
+  std::set<std::string> paths_;  // paths of the files, with links resolved by true_path()
 };
 
 }  // namespace kadr

@@ -1,5 +1,5 @@
 #pragma once
-// StopToken: lets the owner of a run end it early.
+// StopToken: lets the owner of a run end the run early.
 
 #include <atomic>
 
@@ -9,7 +9,7 @@ namespace kadr {
 /// stop flag passes to its callees; a poll is one relaxed read of memory, safe in any thread.
 class StopToken {
  public:
-  StopToken() = default;  // a token that never requests a stop
+  StopToken() = default;  // creates a token that never requests a stop
   explicit StopToken(const std::atomic<bool>& flag) : flag_(&flag) {}
 
   bool asked() const { return flag_ != nullptr && flag_->load(std::memory_order_relaxed); }

@@ -9,7 +9,7 @@
 
 namespace kadr {
 
-/// Thrown if no thread can be created for work that needs one.
+/// The exception of begin_or_throw(), thrown if no thread can be created.
 struct NoThread : std::exception {
   const char* what() const noexcept override { return "no more threads are to be had"; }
 };
@@ -33,7 +33,7 @@ class Thread {
   void wait() {
     if (thread_.joinable()) thread_.join();
   }
-  /// After wait(): the exception that the work threw, or nullptr if it ended normally.
+  /// Returns, after wait(), the exception that the work threw; nullptr if the work ended normally.
   std::exception_ptr thrown() const { return thrown_ ? *thrown_ : nullptr; }
 
  private:

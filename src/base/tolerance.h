@@ -8,7 +8,7 @@ namespace kadr::tol {
 inline constexpr double same_point = 1e-6;
 // degrees: angles closer than this are the same; a thousand times the rounding error of 360° in a double
 inline constexpr double same_angle = 1e-9;
-inline constexpr double whole_number = 1e-6;  // greatest difference of an expression's value from the integer that it must be
+inline constexpr double whole_number = 1e-6;  // greatest difference between the value of an expression and the integer that it must be
 // revolutions: difference from a whole number of revolutions that a helix may have, because its Z and K have three decimals only (2С42
 // 6.6.6)
 inline constexpr double whole_turns = 1e-4;
@@ -32,7 +32,7 @@ inline constexpr double level = same_point;  // mm: two levels of a canned cycle
 inline constexpr double contour_curve = 2e-3;
 // mm: two line ends in a drawing that are closer than this are joined; coordinates in drawings are rounded to 0.001 or 0.01
 inline constexpr double contour_gap = 0.01;
-// mm: greatest distance between an arc and the chords of a polygon; well below the controls' least increment
+// mm: greatest distance between an arc and the chords of the polygon that replaces it; well below the controls' least increment
 inline constexpr double area_chord = 2e-4;
 inline constexpr double area_wall = 2e-3;  // mm: the path may be too near to a wall by this much (chords, words rounded to 0.001)
 inline constexpr double area_cusp = 0.01;  // mm: a ridge of stock between two passes that is lower than this does not count as a cusp

@@ -35,7 +35,7 @@ SinCos sincos_deg(double deg) {
   // The angle is reduced before the quarter is added, because the sum deg + 90 would be rounded.
   const double rest_deg = beyond_quarters(deg, quarter);
   const double rest = rest_deg * rad_per_deg;
-  const bool middle = std::fabs(rest_deg) == 45;  // at ±45°, both neighbouring quarters must give the same result
+  const bool middle = std::fabs(rest_deg) == 45;  // at ±45°, the result must be the same for both neighbouring quarters
   const double s = middle ? std::copysign(root_half, rest) : std::sin(rest);
   const double c = middle ? root_half : std::cos(rest);
   switch (quarter & 3) {

@@ -1,5 +1,5 @@
 #pragma once
-// Small vectors, and trigonometry in degrees that is exact at multiples of 90°.
+// Vectors of two and three numbers, values per axis, and trigonometry in degrees that is exact at multiples of 90°.
 
 #include <array>
 #include <cmath>

@@ -250,7 +250,7 @@ class Comparer {
     return std::abs(a[0] - b[0]) <= rules_.tolerance && space_.distance(a, b) <= rules_.tolerance;
   }
 
-  /// Describes the difference: an act that only one course has, or a different path.
+  /// Sets the kind and the texts of the difference: an act that only one course has, or a different path.
   void describe(CourseDifference& d, std::size_t da, std::size_t db) {
     const auto acts = [](CourseCursor& lane, std::size_t count) {
       std::string text;

@@ -33,17 +33,17 @@ struct ComparedPiece {
 
 struct CompareRules {
   double tolerance = 0.001;     // permitted distance between the paths, mm (degrees for rotary axes)
-  bool messages = true;         // compare the messages to the operator
+  bool messages = true;         // true: messages to the operator are compared
   bool tools_by_hand = false;   // a tool change counts as a program stop at which the operator changes the tool
   bool feeds_at_speed = false;  // a feed per revolution counts as equal to the feed per minute that it gives at the spindle speed in force
   double feed_step = 0;         // least increment of b's F word, mm/min or mm/rev; feeds that differ by less count as equal
   // Work origin that the operator sets, mm, by axis name; used if b's control has no work offsets
   std::map<std::string, double> zero_of_b{};
-  bool first_only = false;          // stop at the first difference
+  bool first_only = false;          // true: the comparison stops at the first difference
   bool times = true;                // compute CourseSpot::at
-  std::size_t max_reported = 1000;  // greatest number of differences that are listed one by one
+  std::size_t max_reported = 1000;  // greatest number of differences in Comparison::differences; further differences are only counted
   StopToken stop{};
-  std::function<void(const ComparedPiece&)> on_piece{};  // called for each segment while both paths are followed
+  std::function<void(const ComparedPiece&)> on_piece{};  // receives each segment while the paths are compared
 };
 
 /// A position in the course of one of the two programs.
@@ -60,7 +60,7 @@ struct CourseDifference {
   CourseSpot a, b;        // positions at which the difference begins in each program
   CourseSpot a_to, b_to;  // positions at which the difference ends: both programs do the same again from there
   double distance = 0;    // mm, only for paths: greatest distance, within this difference, of a vertex of one path from the other path
-  Axes a_far{}, b_far{};  // the two positions between which `distance` was measured
+  Axes a_far{}, b_far{};  // axis positions, on the paths of a and b, between which `distance` was measured
   std::string a_value, b_value;  // the values that differ: "F200", "M8"; empty for the program that lacks the act
 };
 
@@ -72,7 +72,7 @@ struct Comparison {
   std::vector<CourseDifference> differences;        // the differences, in the order of the programs
   std::size_t more = 0;                             // number of further differences that are not listed
   std::optional<AlarmReport> stopped_a, stopped_b;  // alarm that stopped the program; the comparison ends there
-  std::vector<std::string> read_a, read_b;          // names of the files that the program called
+  std::vector<std::string> read_a, read_b;          // names of the files that each program called
   std::map<std::uint16_t, std::string> files_a{}, files_b{};  // by Origin::file: names of the called files that segments come from
   // Origin of the work system in which the first cut is made, in machine coordinates.
   Vec3 zero;
@@ -87,7 +87,7 @@ struct Comparison {
   bool equal() const { return !cancelled && differences.empty(); }
 };
 
-/// Returns the axis names of both sessions, each once.
+/// Returns the names of the axes of both sessions, each name once.
 std::vector<std::string> common_frame(const Session& a, const Session& b);
 Comparison compare_sessions(std::unique_ptr<Session> a, std::unique_ptr<Session> b, const CompareRules& rules);
 

@@ -1,4 +1,5 @@
-// Course: converts the steps of a program into comparable items. Used by compare/comparison; tested by tests/compare/comparison_test.cpp.
+// Course: converts the steps of a program's run into comparable items. Used by compare/comparison; tested by
+// tests/compare/comparison_test.cpp.
 
 #include "compare/course.h"
 
@@ -144,7 +145,7 @@ void Course::stop_exactly(const Step& next) {
   exact_end_.reset();
 }
 
-/// True if the axes are already at the end of the motion.
+/// True if the axes are already at the end of the motion, so that it adds nothing to the path.
 bool Course::stands(const Step& step, const Motion& motion) const {
   constexpr double same_place = 1e-9;  // mm
   if (!is_plain_line(step, motion)) return false;

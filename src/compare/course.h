@@ -27,7 +27,7 @@ class Course {
   /// Adds this vector, the origin that the operator has set, to all positions (mm, by axis of the frame). Call this function before the
   /// first item.
   void shift(const Axes& by);
-  /// Switches off the computation of times. Call it before the first item.
+  /// Switches off the computation of times. Call this function before the first item.
   void pass_times() { session_->outlets().clock = nullptr; }
   /// Returns the number of exact stops that were not added to the course because look_at() excludes them.
   std::size_t passed_exact_stops() const { return passed_exact_stops_; }
@@ -46,7 +46,7 @@ class Course {
   const CourseState& before_last_block() const { return before_block_; }
   /// Returns the position of the axes before the first item, machine coordinates.
   const Axes& start() const { return start_; }
-  /// Appends the next items (at least one) to the ring; appends nothing after the end.
+  /// Appends the next items (at least one) to the ring; after the end of the course, appends nothing.
   void more(ItemRing& to);
   Session& session() { return *session_; }
   /// Returns the origin of the work system in which the first cut was made, in machine coordinates; nullopt before this cut.
@@ -65,7 +65,7 @@ class Course {
   void put_in_frame(Axes& to, const Axes& machine) const;
 
   std::unique_ptr<Session> session_;
-  std::vector<int> axis_of_;  // index of the control's axis, by axis of the frame; -1: the control has no such axis
+  std::vector<int> axis_of_;  // by axis of the frame: index of the control's axis; -1: the control has no such axis
   double chord_;
   StopToken stop_;
   Chain chain_;
@@ -76,7 +76,7 @@ class Course {
   CourseState state_, before_block_;
   PathModes modes_;
   std::map<std::uint32_t, CodeMeaning> codes_;
-  std::optional<Origin> exact_end_;  // the motion with an exact stop that has just ended
+  std::optional<Origin> exact_end_;  // origin of a motion with an exact stop that has just ended; nullopt: there is none
   double rpm_ = 0;
   bool surface_ = false;
   Axes start_{}, shift_{};

@@ -40,7 +40,7 @@ Axes CourseSpace::between(const Axes& a, const Axes& b, double part) const {
 }
 
 CourseSpace::Interval CourseSpace::within(const Axes& point, const Axes& from, const Axes& to, double most) const {
-  double way = 0, along = 0, off = 0;  // way = |to − from|², along = (point − from)·(to − from), off = |point − from|²
+  double way = 0, along = 0, off = 0;  // sums over the axes: way = |to − from|², along = (point − from)·(to − from), off = |point − from|²
   for (std::size_t i = 0; i < axes_; ++i) {
     const double w = to[i] - from[i], p = point[i] - from[i];
     way += w * w, along += p * w, off += p * p;

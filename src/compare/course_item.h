@@ -13,7 +13,7 @@ namespace kadr {
 
 enum class CourseMove : std::uint8_t { rapid, feed, thread, probe };
 
-/// The state in force while the machine moves or acts.
+/// The modes and values in force while the machine moves or acts.
 struct CourseState {
   CourseMove move = CourseMove::rapid;
   FeedUnit unit = FeedUnit::mm_per_min;
@@ -44,9 +44,9 @@ struct CourseItem {
   Kind kind = Kind::end;
   Axes to{};  // position at the end of the item, machine coordinates, in the order of the frame's axes
   CourseState state;
-  std::shared_ptr<const CourseEvent> act;  // set if the item is an act
+  std::shared_ptr<const CourseEvent> act;  // the act; nullptr if the item is a motion or the end
   Origin origin;
-  double begins = 0, ends = 0;   // programmed time since the start, s
+  double begins = 0, ends = 0;   // programmed times of the item's start and end, s since the start of the run
   std::optional<AlarmId> fault;  // for the end of the course: alarm that stopped the program
 };
 

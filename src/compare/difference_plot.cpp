@@ -18,9 +18,9 @@ constexpr std::size_t max_points = 100'000, most_close_points = 20'000;
 constexpr double whole_chord = 0.002, close_chord = 1e-5;
 // Greatest number of common segments that are stored before a difference, and after it.
 constexpr std::size_t most_around = 500;
-constexpr std::size_t max_numbers = 500;     // greatest number of differences that get a number in the picture
+constexpr std::size_t max_numbers = 500;     // greatest number of differences that are numbered in the picture
 constexpr double same_place = 1e-3;          // mm
-constexpr std::uint16_t file_of_b = 0x8000;  // added to ProgramLine::file to mark files of b
+constexpr std::uint16_t file_of_b = 0x8000;  // bit that is added to ProgramLine::file to mark a file of b
 
 using Part = ComparedPiece::Part;
 using Layer = SketchPiece::Layer;

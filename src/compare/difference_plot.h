@@ -43,8 +43,8 @@ class DifferencePlot {
  private:
   /// One difference in detail, with the common path before it and after it.
   struct Closeup {
-    std::size_t number = 0;                    // index of the difference, from 0
-    std::unique_ptr<DifferenceSketch> sketch;  // nullptr: there is no such difference
+    std::size_t number = 0;                    // index of the difference in Comparison::differences
+    std::unique_ptr<DifferenceSketch> sketch;  // drawing of the close-up; nullptr: there is no such difference
     std::size_t left = 0;                      // number of common segments after the difference that have not arrived yet
   };
   /// The longest segment of a difference in which only the state (feed, tool …) differs.

@@ -1,4 +1,5 @@
-// Selects what a close-up shows of a difference. Used by compare/difference_plot; tested by tests/compare/difference_window_test.cpp.
+// Selects the part of a difference that a close-up shows. Used by compare/difference_plot; tested by
+// tests/compare/difference_window_test.cpp.
 
 #include "compare/difference_window.h"
 
@@ -16,7 +17,7 @@ constexpr double little_part = 0.6;
 constexpr double margin_part = 0.15;   // margin around a window, as a fraction of the window
 constexpr double place_part = 0.06;    // size of the window around a single position, as a fraction of the part's size
 constexpr double least_window = 0.02;  // least size of a window, mm
-constexpr double page_size = 500;      // approximate size of a view in units of the page
+constexpr double page_size = 500;      // approximate size of a view, in units of the drawn page
 
 double greatest_of(Vec3 v) { return std::max({v.x, v.y, v.z}); }
 

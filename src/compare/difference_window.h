@@ -8,7 +8,7 @@ namespace kadr {
 struct DifferenceWindow {
   View view = View::xy;
   Box box;
-  double finest = 0;    // mm; smaller details are not visible in the close-up
+  double finest = 0;    // size of the smallest details that are visible in the close-up, mm
   bool closer = false;  // the close-up shows more detail than the view of the whole part
 };
 

@@ -15,7 +15,7 @@ class ItemRing {
  public:
   bool empty() const { return size_ == 0; }
   std::size_t size() const { return size_; }
-  /// Returns the i-th item; its address stays valid until the item is removed.
+  /// Returns the item with index i. Its address stays valid until the item is removed.
   CourseItem& operator[](std::size_t i) { return at(first_ + i); }
   CourseItem& front() { return at(first_); }
   CourseItem& back() { return at(first_ + size_ - 1); }
@@ -31,7 +31,7 @@ class ItemRing {
     first_ = 0;
     std::rotate(chunks_.begin(), chunks_.begin() + 1, chunks_.end());
   }
-  /// Keeps only the first `size` items.
+  /// Removes all items except the first `size` items.
   void cut(std::size_t size) { size_ = size; }
 
  private:
@@ -39,7 +39,7 @@ class ItemRing {
   CourseItem& at(std::size_t i) { return chunks_[i / chunk][i % chunk]; }
 
   std::vector<std::unique_ptr<CourseItem[]>> chunks_;  // chunks of memory: first those with items, in order, then free chunks
-  std::size_t first_ = 0, size_ = 0;                   // index of the first item within the first chunk; number of items
+  std::size_t first_ = 0, size_ = 0;                   // first_: index of the first item within the first chunk; size_: number of items
 };
 
 }  // namespace kadr

@@ -82,7 +82,7 @@ class FreeSpace {
 
   /// Passes segments that are identical in both paths. Returns false, and changes nothing, if it cannot pass any.
   bool pass_alike() {
-    std::size_t lag = 0;  // number of segments by which b is behind a
+    std::size_t lag = 0;  // number of segments by which b lags behind a
     while (b_.begin(lag) != a_.at())
       if (++lag > max_lag || lag > column_.size()) return false;
     if (!is_reached(lag) || !are_alike(lag)) return false;

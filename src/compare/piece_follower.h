@@ -15,7 +15,7 @@ class PieceFollower {
   PieceFollower(std::function<void(const ComparedPiece&)> told, const CourseSpace& space, double tolerance)
       : told_(std::move(told)), space_(space), tolerance_(tolerance) {}
 
-  /// Sets the type (ComparedPiece::Part) and the difference of the segments until end() is called.
+  /// Sets the type (ComparedPiece::Part) and the difference that all segments get until end() is called.
   void begin(ComparedPiece::Part part, std::size_t number, double distance = 0);
   /// Like begin(), but the segments belong to the difference only if they lead farther than the tolerance from the position `here`. The
   /// segments are stored and not sent until this is known.

@@ -41,7 +41,7 @@ class AlarmTexts {
  private:
   const AlarmText& row(AlarmId id) const { return rows_[static_cast<std::size_t>(id)]; }
 
-  std::vector<AlarmText> rows_;  // one row per alarm, indexed by AlarmId
+  std::vector<AlarmText> rows_;  // texts of the alarms, one row per alarm, indexed by AlarmId
 };
 
 /// Formats a number for people: as short as possible, with up to `decimals` decimals, never -0.

@@ -14,7 +14,7 @@ struct EmbeddedFile {
 
 std::span<const EmbeddedFile> embedded_files();
 
-/// Returns the built-in file with this name, or nullptr.
+/// Returns the built-in file with this name; nullptr if there is no such file.
 inline const EmbeddedFile* embedded(std::string_view name) {
   for (const EmbeddedFile& file : embedded_files())
     if (file.name == name) return &file;

@@ -70,7 +70,7 @@ class Listener {
 
  private:
   struct Level {
-    std::string name;  // name of the table or list
+    std::string name;  // name of the table or list whose keys are being read
     bool is_list;
     std::size_t item = 0;
     std::string key;

@@ -10,7 +10,7 @@
 
 namespace kadr {
 std::size_t edits(std::string_view a, std::string_view b) {
-  std::vector<std::size_t> before, above, row(b.size() + 1);  // rows i - 2, i - 1 and i of the table of edit distances
+  std::vector<std::size_t> before, above, row(b.size() + 1);  // rows i - 2, i - 1 and i of the table of edit distances (Levenshtein)
   for (std::size_t j = 0; j <= b.size(); ++j) row[j] = j;
   const auto same = [&](std::size_t i, std::size_t j) { return to_lower(a[i]) == to_lower(b[j]); };
   for (std::size_t i = 1; i <= a.size(); ++i) {

@@ -16,10 +16,10 @@ std::size_t edits(std::string_view a, std::string_view b);
 /// Returns nullopt if the edits would change more than half of the letters.
 std::optional<std::string> nearest(std::string_view name, const std::vector<std::string>& known);
 
-/// Returns an ending for an error sentence: "; did you mean 'x'?", in the language of messages (language.h); empty if no name is close.
+/// Returns the end of an error sentence, "; did you mean 'x'?", in the language of messages (language.h); empty if no known name is close.
 std::string did_you_mean(std::string_view name, const std::vector<std::string>& known);
 
-/// Returns true if two texts are equal apart from the case of Latin letters.
+/// Returns true if two texts are equal without regard to upper and lower case of Latin letters.
 bool same_letters(std::string_view a, std::string_view b);
 
 /// Converts Latin letters to lower case.

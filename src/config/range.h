@@ -34,7 +34,7 @@ inline constexpr NumberRange any = {-1e300, 1e300};
 /// Returns true if the value is a number (not NaN) within the range.
 constexpr bool is_within(double value, const NumberRange& range) { return value >= range.least && value <= range.most; }
 
-/// Returns the form of the number, such as "a number, 0 to 86400 s", in the language of messages.
+/// Returns the permitted numbers in words, such as "a number, 0 to 86400 s", in the language of messages.
 std::string range_in_words(const NumberRange& range);
 
 }  // namespace kadr

@@ -11,7 +11,7 @@
 namespace kadr {
 
 namespace limits {
-// Greatest size of a set-up, control or machine file; the built-in files have up to 0.1 MB.
+// Greatest size, in bytes, of a set-up, control or machine file; the built-in files have up to 0.1 MB.
 inline constexpr std::size_t config_file_bytes = 16u << 20;
 }  // namespace limits
 

@@ -53,7 +53,7 @@ WordCount words_of(std::string_view line) {
     const std::size_t next = std::min(line.find_first_not_of(" \t", end), line.size());
     const bool value = next < line.size() && begins_value(line[next]);
     const bool of_language = std::find(statement_words.begin(), statement_words.end(), word) != statement_words.end();
-    constexpr std::string_view end_of_block = "\xD0\x9F\xD0\xA1";  // the letters ПС in UTF-8
+    constexpr std::string_view end_of_block = "\xD0\x9F\xD0\xA1";  // the letters ПС (end of block) in UTF-8
     if ((characters == 1 && value) || of_language || word == end_of_block || (characters <= 2 && value)) ++count.addresses;
     else ++count.words;
     i = end;

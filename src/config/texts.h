@@ -31,7 +31,7 @@ enum class PluralRule : std::uint8_t {
 /// Returns the index, from 0, of the form that the rule selects for `n`.
 std::size_t plural_form(PluralRule rule, std::uint64_t n);
 
-/// All texts of one language.
+/// The texts of one language, with its id and plural rule.
 struct TextLanguage {
   const char *id, *name;  // id and name of the language: "ru", "Русский"
   PluralRule plurals;

@@ -11,7 +11,7 @@ namespace kadr {
 
 namespace limits {
 // For comparison: the built-in files have depth 4, 3 parts of a key, and 6300 values.
-inline constexpr std::size_t toml_depth = 32;      // greatest nesting of brackets in a value
+inline constexpr std::size_t toml_depth = 32;      // greatest nesting depth of brackets in a value
 inline constexpr std::size_t toml_key_parts = 16;  // greatest number of parts of a key or a heading; a.b.c has three parts
 // Greatest number of keys, parts of keys and list elements, since each takes a hundred bytes of memory
 inline constexpr std::size_t toml_values = 200'000;

@@ -53,14 +53,14 @@ class BlockMaker {
   /// Adds a code that is already formatted. If the block already has as many codes as the control allows, and no other words, those codes
   /// are first written as a block of their own.
   Status code_text(std::string_view code);
-  /// Adds a word that is already formatted, unchanged.
+  /// Adds, unchanged, a word that is already formatted.
   void text(std::string_view word);
-  /// Adds a comment in brackets; removes characters that the control does not allow in a comment.
+  /// Adds a comment in brackets. Characters that the control does not allow in a comment are removed.
   void comment(std::string_view what);
   ///   number  block number N, if the program has block numbers; 0: none
   void set_number(std::uint32_t number) { wanted_number_ = number; }
   void set_skip(std::uint8_t skip) { skip_ = skip; }
-  /// Discards the words added since the last end of block.
+  /// Discards the words that were added since the last end of block.
   void drop() { words_.clear(), comment_.clear(), wanted_number_ = 0, skip_ = 0; }
   /// Begins a subprogram, to which the next blocks belong. Its number is the leading digits of their block numbers (spec/s2c42 3): 2 in
   /// N02001.

@@ -40,7 +40,7 @@ char repeats_of(const ControlDef& def) { return def.behaviour.repeats_by_k ? 'K'
 
 }  // namespace
 
-/// The codes of a block, sorted by their role.
+/// The codes of a block, sorted by their effect on the rewriting.
 struct BlockRewriter::Kinds {
   const CodeRow* motion = nullptr;  // code that belongs to the modal group of motions
   const CodeRow* dwell = nullptr;
@@ -147,7 +147,7 @@ Status BlockRewriter::write_label(std::uint32_t label, BlockMaker& out) {
   return {};
 }
 
-/// Rewrites the word L0205 of the 2С42: call subprogram 2 five times (spec/s2c42 6).
+/// Rewrites the word L0205 of the 2С42, which calls subprogram 2 five times (spec/s2c42 6).
 Status BlockRewriter::section_call(const Word& word, BlockMaker& out) const {
   constexpr std::uint32_t hundred = 100;
   const auto value = static_cast<std::uint32_t>(word.value);
@@ -353,7 +353,7 @@ Status BlockRewriter::macro_call(const Block& block, BlockMaker& out) {
 }
 
 Status BlockRewriter::words_of(const Block& block, const Kinds& kinds, BlockMaker& out) {
-  std::size_t next = 0;  // index of the next assignment in the block
+  std::size_t next = 0;  // index, among the block's assignments, of the next assignment to write
   const auto assignments_before = [&](std::uint32_t at) -> Status {
     for (; next < block.assignments.size() && block.assignments[next].where.begin < at; ++next) {
       if (!to_.grammar.expressions || from_.grammar.parameter_address != to_.grammar.parameter_address)

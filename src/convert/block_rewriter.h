@@ -29,7 +29,7 @@ class BlockRewriter {
   /// Sets the numbers of the variables that the program uses. Named variables then get other numbers.
   void set_used(std::set<std::uint32_t> used) { flow_.set_used(std::move(used)); }
   void set_macros(MacroShape shape) { o_lines_.set_shape(std::move(shape)); }
-  /// Writes the first block of a subprogram.
+  /// Writes the block with which a subprogram begins on the target control.
   Status write_label(std::uint32_t label, BlockMaker& out);
   /// Sets whether the blocks belong to the section of subprograms. In this section, a program end code does not end the program (spec/s2c42
   /// 6).
@@ -45,13 +45,13 @@ class BlockRewriter {
  private:
   struct Kinds;
   struct PlainWord {
-    Words form;    // format of the target control's word
-    double scale;  // factor from the number in the source text to mm, degrees, s, …
+    Words form;    // number format of the word on the target control
+    double scale;  // factor that converts the number in the source text to mm, degrees, s, …
   };
   bool is_plain(const Block& block) const {
     return block.shape && (block.letters & ~plain_letters_) == 0 && !repeats_modes_ && !(stops_.is_mode && stops_.by_block);
   }
-  /// Returns the alarm for a word that the target control does not have.
+  /// Returns the alarm that the target control has no word like `what`.
   static Status cannot(std::string_view what);
   Status write_plain(const Block& block, BlockMaker& out);
   const CodeRow* row_of(const Word& word) const;
@@ -83,7 +83,7 @@ class BlockRewriter {
   const MachineCodes codes_;
   FlowRewriter flow_;
   OLineRewriter o_lines_;
-  std::uint8_t motion_group_ = 0;    // modal group of the motion codes of `from_`
+  std::uint8_t motion_group_ = 0;    // index of the modal group of motion codes of `from_`
   const CodeRow* motion_ = nullptr;  // motion code in force in the source text
   bool motion_is_cycle_ = false;
   struct Stops {

@@ -9,7 +9,7 @@
 namespace kadr {
 
 constexpr int inner_corners = 62, without_slowing = 63;  // arguments of the functions of G62 and G63
-constexpr int continuous_cutting = 64;                   // CodeRow::arg of Function::feed_control: G64 of the NCT
+constexpr int continuous_cutting = 64;                   // CodeRow::arg of G64 of the NCT, whose function is Function::feed_control
 
 class CodeMatch {
  public:
@@ -29,7 +29,7 @@ class CodeMatch {
   std::vector<int> rows_;  // index of the row in the target control, by index of the row in `from_`; -1: no match
 };
 
-/// True for the canned cycles G73 to G89, whatever function the control's table gives them.
+/// True for the canned cycles G73 to G89, independent of the functions that the control's table gives them.
 bool is_canned_cycle(const CodeRow& row);
 /// True if the code cancels canned cycles.
 bool ends_cycles(const CodeRow& row);

@@ -32,15 +32,15 @@ struct ConversionSpec {
   using Opens = std::function<tl::expected<std::unique_ptr<Session>, std::string>(const Setup& setup)>;
   using OpensText =
       std::function<tl::expected<std::unique_ptr<Session>, std::string>(std::shared_ptr<ByteSource> text, const Setup& setup)>;
-  Opens source;                             // opens the program under its own control, with this set-up
-  Setup setup;                              // the set-up with which the program begins
+  Opens source;                             // opens the program under the source control, with a given set-up
+  Setup setup;                              // set-up of the source control with which the program begins
   OpensText target;                         // opens a text under the target control, with a given set-up
-  std::shared_ptr<ByteSource> source_text;  // the program, UTF-8, lines separated by '\n'
+  std::shared_ptr<ByteSource> source_text;  // text of the program, UTF-8, lines separated by '\n'
   const ControlDef* to = nullptr;
   bool flat = false;                        // expand calls, loops and canned cycles even if the target control supports them
   std::optional<ConvertedAs> only{};        // the only method to try; nullopt: all methods
   double tolerance = 0;                     // permitted distance between the paths, mm; 0: usual_tolerance()
-  std::optional<WrittenLetters> letters{};  // letters allowed in the text; nullopt: those of the target control
+  std::optional<WrittenLetters> letters{};  // letters that the converted text may contain; nullopt: those of the target control
   StopToken stop{};
 };
 
@@ -56,7 +56,7 @@ struct WrittenOut {
 struct ConversionTry {
   ConvertedAs as = ConvertedAs::as_it_stands;
   std::optional<Alarm> cannot_express;  // alarm about what the target control cannot express
-  Origin at;                            // the block that cannot_express refers to
+  Origin at;                            // location of the block that cannot_express is about
   Comparison proof;                     // result of comparing both programs, if the target control can express the program
   // The comparison `proof` is from a set-up with added table values: the text depends on values that the given set-up does not state.
   bool differs_unstated = false;
@@ -81,7 +81,7 @@ struct Converted {
   std::vector<std::string> path_modes, path_modes_unknown;
   bool tools_by_hand = false;  // the target control has no tool change code: the program stops, and the operator changes the tool
   const Setup& setup_of(ConvertedAs as) const { return as == ConvertedAs::plain ? plain_setup : setup; }
-  std::optional<std::size_t> taken;  // index in `tries`; nullopt: the conversion is refused
+  std::optional<std::size_t> taken;  // index, in `tries`, of the text that is used; nullopt: the conversion is refused
   std::vector<ConversionTry> tries;
   double tolerance = 0;
 };

@@ -29,7 +29,7 @@ struct ConversionSides {
   const AlarmTexts& of_target;  // alarm texts of the target control
 };
 ConversionRefusal refusal_of(const ConversionTry& one, const ConversionSides& sides);
-/// Returns the reason why these lines are expanded instead of rewritten word by word.
+/// Returns the reason why the given lines are expanded instead of rewritten word by word.
 std::string why_written_out(const WrittenOut& lines, const ConversionSides& sides);
 
 /// Returns the notes that the user must read about a text that was used.

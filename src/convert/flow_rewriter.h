@@ -42,7 +42,7 @@ class FlowRewriter {
   /// Begins the subprogram with this label. For a target control that has its subprograms in a section.
   ///   alarms  function_has_no_code if no free number is left
   Status begin_section(const std::string& label, BlockMaker& out);
-  /// Rewrites the call M98 P2 L5 as L0205.
+  /// Rewrites a call such as M98 P2 L5 as the word L0205.
   ///   alarms  function_has_no_code if the block has other words
   Status call_in_section(const Block& block, BlockMaker& out);
 
@@ -72,8 +72,8 @@ class FlowRewriter {
   const VariableNumbers numbers_;
   SectionNumbers sections_;
   std::vector<Open> open_;
-  std::map<std::string, std::uint32_t> labels_;     // block number assigned to each named subprogram
-  std::map<std::string, std::uint32_t> variables_;  // number assigned to each named variable, by scope and name
+  std::map<std::string, std::uint32_t> labels_;     // label of each named subprogram → the block number that is assigned to it
+  std::map<std::string, std::uint32_t> variables_;  // scope and name of each named variable → the number that is assigned to it
   std::set<std::uint32_t> used_;
   std::string scope_;  // label of the subprogram that is being rewritten; the names of its local variables belong to this scope
   std::uint32_t next_label_ = 9000;

@@ -16,10 +16,10 @@
 
 namespace kadr {
 
-/// The jumps and macros of the program, collected before it is rewritten.
+/// The jumps and macros of a program, which are collected before the program is rewritten.
 struct MacroShape {
   std::set<std::uint32_t> jumped_back;            // block numbers N to which a later GOTO jumps back
-  std::set<std::uint32_t> leaves;                 // lines with a GOTO that jumps out of the surrounding loop
+  std::set<std::uint32_t> leaves;                 // lines whose GOTO jumps out of the loop that contains it
   std::map<std::uint32_t, std::uint32_t> macros;  // label of each subprogram called with arguments → the last line of the subprogram
 };
 
@@ -35,7 +35,7 @@ class OLineRewriter {
   /// Rewrites a macro statement. `words` writes the other words of the block, which follow a condition in the statement.
   ///   alarms  function_has_no_code
   Status write(const Block& block, const std::function<Status()>& words, BlockMaker& out);
-  /// Rewrites a macro call, G65.
+  /// Rewrites G65, the call of a macro with arguments.
   Status call(const Block& block, const std::function<Status(const Word&, std::string&)>& value, BlockMaker& out);
   /// True if a subprogram with this label begins here and is called with arguments. Then end() must be called to write the return of the
   /// subprogram.
@@ -53,7 +53,7 @@ class OLineRewriter {
 
   FlowRewriter& flow_;
   MacroShape shape_;
-  std::vector<std::uint32_t> loops_;              // labels of the O lines of the open loops
+  std::vector<std::uint32_t> loops_;              // labels of the loops (O lines) that are open at the present line
   std::vector<Skip> skips_;                       // forward jumps whose target block has not been read yet
   std::map<std::uint32_t, std::uint32_t> backs_;  // block number N → label of the `do` line that was written at this block
   std::uint32_t macro_ = 0;                       // label of the subprogram that is being rewritten; 0: none

@@ -17,7 +17,7 @@
 
 namespace kadr {
 
-/// The lines from `first` to `last`.
+/// A range of lines, from `first` to `last`, both included.
 struct TextLines {
   std::uint32_t first = 0, last = 0;
   bool holds(std::uint32_t line) const { return first <= line && line <= last; }
@@ -49,15 +49,15 @@ class ProgramShape {
   const std::vector<std::uint32_t>& transforms() const { return transforms_; }
   /// Returns the contours: ranges from a block with G41 or G42 to the block with G40.
   const std::vector<TextLines>& contours() const { return contours_; }
-  /// Returns the lines that call other files.
+  /// Returns the lines that call programs in other files.
   std::vector<std::uint32_t> calls_outside() const;
   /// Returns the codes of the program for exact stop, smoothing and the like, as indices in ControlDef::codes.
   const std::set<std::size_t>& path_modes() const { return path_modes_; }
-  /// True if the program allows a path tolerance at corners: G64 P.
+  /// True if the program contains G64 P, which permits a path tolerance at corners.
   bool rounds_corners() const { return rounds_corners_; }
   /// True if the program may contain arcs; false if certainly all its motions are straight.
   bool has_arcs() const { return has_arcs_ || !contours_.empty() || !calls_outside().empty(); }
-  /// Returns the backward jumps, and the subprograms that are called with arguments.
+  /// Returns the backward jumps of a macro program, the jumps out of its loops, and its subprograms that are called with arguments.
   MacroShape macros() const;
   const ProgramNames& names() const { return names_of_words_; }
   /// Returns the numbers of the variables that occur in the text.
@@ -91,12 +91,12 @@ class ProgramShape {
   bool rounds_corners_ = false;
   bool has_arcs_ = false;
   ProgramNames names_of_words_;
-  std::map<std::uint32_t, std::uint32_t> numbers_;              // block number N → line; only for macro programs of limited length
+  std::map<std::uint32_t, std::uint32_t> numbers_;  // block number N → line of the block; only for macro programs of limited length
   std::vector<std::pair<std::uint32_t, std::uint32_t>> jumps_;  // line of a GOTO, and the block number N that it jumps to
   std::set<std::uint32_t> leaves_;
   std::set<std::uint32_t> macro_labels_;  // labels of subprograms called by G65
-  // state while the text is read
-  std::map<std::string, std::uint32_t> names_;                     // name of a subprogram → its label
+  // The members from here on are used only while the text is read.
+  std::map<std::string, std::uint32_t> names_;                     // name of a subprogram → the label that it gets
   std::vector<std::pair<std::uint32_t, std::string>> open_loops_;  // line of an open loop, and the label of its O line
   std::uint32_t contour_ = 0;                                      // line where the open contour (G41, G42) begins
   std::uint32_t label_ = 0, labelled_ = 0, last_block_ = 0;

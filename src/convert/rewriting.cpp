@@ -13,7 +13,7 @@
 namespace kadr {
 namespace {
 
-constexpr std::size_t max_reported = 60;  // bytes of a block that a comment quotes
+constexpr std::size_t max_reported = 60;  // greatest number of bytes of a block that a comment quotes
 // Number of lines that are read after the last line that cannot be expressed. Most lines that cannot be expressed are close together, near
 // the beginning.
 constexpr std::uint32_t early_end = 1000;
@@ -27,7 +27,7 @@ std::string_view beginning_of(std::string_view text) {
   return text.substr(0, end);
 }
 
-/// Returns the comment in a line without blocks, for every comment syntax of the control.
+/// Returns the comment of a line without blocks, in any comment form of the control.
 std::string comment_of(std::string_view line, const Grammar& grammar) {
   std::size_t begin = line.find_first_of(grammar.semicolon_comments || grammar.semicolon_ends ? "(;" : "(");
   if (begin == std::string_view::npos) return {};
@@ -92,7 +92,7 @@ class Rewriter {
   }
 
  private:
-  /// Writes the number under which the control stores the program.
+  /// Writes the number under which the target control stores the program.
   void number_program() {
     blocks_.text(blocks_.program_label(1));
     if (const Status status = blocks_.end(); !status) unsaid(status.error());
@@ -138,7 +138,7 @@ class Rewriter {
     for (const std::uint32_t line : tail_lines_) made_.lines.add(line);
   }
 
-  /// Rewrites a subprogram of the 2С42 (spec/s2c42 6): N02001 begins O2.
+  /// Rewrites a subprogram of the 2С42 (spec/s2c42 6). N02001 begins subprogram 2, which is written with the label O2.
   void section_block(std::uint32_t line) {
     constexpr std::uint32_t blocks_a_subprogram = 1000;
     last_block_ = line;

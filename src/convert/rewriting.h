@@ -33,7 +33,7 @@ struct RewriteSpec {
   StopToken stop{};
   // Stop soon after the last line that cannot be expressed, because a further round will rewrite the program anyway
   bool ends_early = false;
-  Lang lang = Lang::en;  // language of the comments that are added
+  Lang lang = Lang::en;  // language of the comments that the rewriting adds
 };
 
 /// Maps lines of the new text to lines of the source program. Stored as ranges of successive lines, since most lines follow each other in
@@ -55,7 +55,7 @@ class LineOrigins {
 
  private:
   struct Stretch {
-    // `made`: first line of the range in the new text, from 0; `source`: the source line of that line, from 1
+    // made: number, from 0, of the first line of the range in the new text. source: number, from 1, of the source line that it comes from.
     std::uint32_t made = 0, source = 0;
   };
   std::vector<Stretch> stretches_;

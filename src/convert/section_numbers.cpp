@@ -9,7 +9,7 @@
 namespace kadr {
 namespace {
 
-constexpr std::uint32_t most = 99;  // greatest number with two digits
+constexpr std::uint32_t most = 99;  // greatest number of a subprogram, because the number has two digits
 
 /// Returns the label as a number; 0 if the label is a name, or a number that the section does not allow.
 std::uint32_t number_in(const std::string& label) {

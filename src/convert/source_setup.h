@@ -28,10 +28,10 @@ bool changes_tools(const ControlDef& def);
 /// not be expanded. Returns false if the set-up has nothing to probe.
 bool probe_elsewhere(Setup& setup);
 
-/// True if both controls display messages in the same way: (MSG,…) of RS274/NGC and Mach3, or #3006 of macros.
+/// True if both controls display messages in the same way: both by (MSG,…), as RS274/NGC and Mach3, or both by #3006, as macros.
 bool shows_same_messages(const ControlDef& from, const ControlDef& to);
 
-/// Returns the text of a set-up file with the start position, tables and switches. Limits and rates belong to the machine and are left
+/// Returns the text of a set-up file with the start position, tables and switches. Limits and rates belong to the machine, so they are left
 /// out.
 std::string setup_text(const Setup& setup);
 

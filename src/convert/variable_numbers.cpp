@@ -62,7 +62,7 @@ std::uint32_t place_in_kind(const VariablePlace& place) {
   return nth * a_system + place.index;
 }
 
-/// True for numbers without a table row: the local and common variables of macros (nct 23, spec/fanuc 5).
+/// True for the local and common variables of macros, which have no row in the control's table (nct 23, spec/fanuc 5).
 bool is_plain(const ControlDef& def, std::uint32_t number) {
   constexpr std::uint32_t last_local = 33, first_common = 100, last_common = 999;
   return !def.grammar.has_vacant_variables() || (number >= 1 && number <= last_local) || (number >= first_common && number <= last_common);

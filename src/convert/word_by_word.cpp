@@ -280,9 +280,9 @@ class WordByWord {
   const ProgramShape& shape_;
   const Proving& proving_;
   const ControlDef* from_ = nullptr;
-  std::unique_ptr<Session> opened_;                // keeps the control's definition alive
+  std::unique_ptr<Session> opened_;                // session that keeps the definition of the source control in memory
   std::map<std::uint32_t, std::uint32_t> places_;  // expanded ranges, as first line → last line
-  std::vector<TextLines> left_out_;                // subprograms that are left out, since all their calls are expanded
+  std::vector<TextLines> left_out_;                // subprograms that are left out, because all lines that call them are expanded
   std::map<std::uint32_t, int> steps_back_;        // number of blocks by which a range has grown backwards, by the range's first line
   ConversionTry made_;
   std::size_t work_ = 0;

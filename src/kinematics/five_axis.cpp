@@ -16,7 +16,7 @@ constexpr double tie = 1e-4;  // degrees: two angles that differ by less count a
 
 double degrees(double radians) { return radians / rad_per_deg; }
 
-/// Returns the equivalent angle in [-180, 180].
+/// Returns the equivalent of the angle in [-180, 180] degrees.
 double within_turn(double angle) { return std::remainder(angle, turn); }
 
 /// Returns the equivalent angle in (-180, 180]. A value that rounding has put just above -180 becomes 180.

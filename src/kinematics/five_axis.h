@@ -18,7 +18,7 @@ enum class MachineGroup : std::uint8_t { none, head_head, table_table, head_tabl
 struct RotaryJoint {
   int axis = -1;            // index of the axis in the channel
   Vec3 direction{0, 0, 1};  // unit vector along the axis of rotation, with both rotary axes at 0
-  double sense = 1;         // direction of positive rotation: 1 right-handed, -1 left-handed (parameters RD1, RD2)
+  double sense = 1;         // 1: positive rotation is right-handed about `direction`; -1: left-handed (parameters RD1, RD2)
   double least = -std::numeric_limits<double>::infinity();
   double most = std::numeric_limits<double>::infinity();
   friend bool operator==(const RotaryJoint&, const RotaryJoint&) = default;
@@ -30,7 +30,7 @@ struct RotaryPair {
   friend bool operator==(const RotaryPair&, const RotaryPair&) = default;
 };
 
-/// All rotary positions that give one direction of the tool.
+/// All pairs of rotary positions that give one direction of the tool.
 struct RotarySolutions {
   int count = 0;  // number of valid elements of `pairs`; 0: no rotary positions give the direction
   std::array<RotaryPair, 2> pairs;
@@ -42,11 +42,11 @@ struct FiveAxis {
   MachineGroup group = MachineGroup::none;
   // The first joint carries the second; with head_table, the first tilts the tool and the second rotates the part
   RotaryJoint first, second;
-  Vec3 tool{0, 0, 1};  // k: unit vector from the tip into the tool, with both rotary axes at 0
+  Vec3 tool{0, 0, 1};  // k: unit vector from the tip towards the holder, with both rotary axes at 0
   Vec3 table;          // T1: a point on the rotary axis of the table, or of the first table, machine coordinates
   Vec3 second_table;   // T2: vector from T1 to a point on the rotary axis of the second table
   Vec3 holder;         // E: vector from the gauge point to the rotary axis of the head that is nearest to the tool
-  Vec3 head;           // D: vector from the second rotary axis of the head to the first
+  Vec3 head;           // D: vector from the second rotary axis of the head to the first rotary axis
   friend bool operator==(const FiveAxis&, const FiveAxis&) = default;
 
   bool first_on_table() const { return group == MachineGroup::table_table; }

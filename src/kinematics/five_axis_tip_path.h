@@ -58,14 +58,14 @@ class FiveAxisTipPath final : public TipPath {
     // contact: the cutting point follows the curve; begins: contact begins here, so at the start the tip still follows the curve
     bool contact = false, begins = false;
     double radius = 0, corner = 0;  // radius and corner radius of the tool, mm
-    Vec3 normal, end_normal;        // unit normals of the surface at start and end
+    Vec3 normal, end_normal;        // unit normals of the surface at the start and at the end of the motion
     std::optional<double> pivot;    // mm; distance from the tip to the point about which the tool rotates, positive away from the holder
   };
   explicit FiveAxisTipPath(const Data& data);
 
   Axes at(double part, const Axes& on_curve) const override;
   Vec3 normal(double part) const override;
-  /// Returns the rotary positions at the end of a motion with posture control; nullopt if they cannot be reached.
+  /// Returns the rotary positions at the end of a motion with tool posture control; nullopt if no rotary positions give the direction.
   std::optional<RotaryPair> end_of_posture() const;
 
  private:

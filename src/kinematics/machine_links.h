@@ -30,8 +30,8 @@ struct BodyBall {
   double radius = 0;
 };
 
-/// An upper bound for the displacement of the points of a body, seen from another link: every point moves by the vector `together`,
-/// plus an individual displacement of at most `besides` mm.
+/// An upper bound for the motion of a body, seen from another link. Every point of the body moves by the vector `together`, and in addition
+/// by at most `besides` mm in any direction.
 struct Travel {
   Vec3 together;
   double besides = 0;
@@ -60,7 +60,7 @@ class MachineLinks {
   ///   law      at the end, no point of the body is farther from its start than |together| + besides; after a fraction s (0 to 1) of the
   ///            motion, no point is farther than s times this sum
   Travel travel(std::size_t link, std::size_t from, const BodyBall& body, const std::vector<LinkPose>& poses, const Axes& by) const;
-  /// Returns the last link, counted from the bed, that carries both links; a link also carries itself.
+  /// Returns the last link, in the order from the bed, that carries both `a` and `b`. A link also carries itself.
   std::size_t carrier(std::size_t a, std::size_t b) const;
   /// Returns true if each axis of the two chains has the same position in `a` and in `b`.
   bool same_place(const Axes& a, const Axes& b) const;

@@ -163,7 +163,8 @@ bool MachineTree::turn_to(Vec3 wanted, Axes& axes) const {
   return false;
 }
 
-/// Moves the tip to `tip` by the smallest change of the linear axes. The tip's position is a linear function of these axes' positions.
+/// Moves the tip to `tip` by the smallest change of the linear axes. The position of the tip is a linear function of the positions of these
+/// axes.
 bool MachineTree::move_to(Vec3 tip, Axes& axes, double tool_length) const {
   const Vec3 here = forward(axes, tool_length).tip;
   std::vector<const MachineJoint*> linear = joints(false);

@@ -52,7 +52,7 @@ class MachineTree {
   std::vector<const MachineJoint*> joints(bool rotary) const;
   FiveAxis directions(const std::vector<const MachineJoint*>& rotary) const;
 
-  std::vector<MachineJoint> tool_, part_;  // joints of each chain, in order from the bed
+  std::vector<MachineJoint> tool_, part_;  // joints of the tool's chain and of the part's chain, in order from the bed
   Vec3 tool_direction_;
 };
 

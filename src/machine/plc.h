@@ -24,7 +24,7 @@ struct SetSkip {
 struct AnswerBox {
   double value;  // the operator's answer to a message, for #3107: 0 cancel, 1 OK, 2 yes, 3 no
 };
-struct Start {};  // the operator presses START after a stop; without this command, Kadr continues immediately too
+struct Start {};  // the operator presses START after a stop; Kadr also continues without this command
 struct PowerCycle {};
 /// Makes spindle `slave` follow spindle `master`. With master 0 the slave stops following; slave 0 means all spindles.
 struct Synchronise {
@@ -62,7 +62,7 @@ class Plc {
  private:
   struct Event {
     SetupEvent::When when;
-    bool main_block;  // the event names a main block, with ':' instead of N
+    bool main_block;  // true if the event names a main block, with ':' instead of N
     char letter;      // address letter of the event's code
     double number;    // number of the event's block, or of its code
     int count;        // number of the occurrence of the block or code at which the event occurs; 0: at every occurrence

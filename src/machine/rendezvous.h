@@ -13,15 +13,15 @@ class Rendezvous {
   /// Records that `channel` waits from `at` (s) on. Bit n of `channels` stands for channel n. The caller must make these calls in ascending
   /// order of time.
   void arrive(int channel, std::uint32_t code, std::uint32_t channels, double at);
-  /// Ends the wait of a channel.
+  /// Removes a channel from the waiting channels.
   void leave(int channel);
 
   struct Met {
     std::uint32_t code = 0;
-    std::vector<std::uint8_t> channels;  // numbers of the channels, in their order of arrival
+    std::vector<std::uint8_t> channels;  // numbers of the channels that have met, in their order of arrival
     double at = 0;                       // time at which the last channel arrived, s
   };
-  /// Returns a set of channels that have all arrived, and ends their wait; nullopt if no set is complete.
+  /// Returns a set of channels that wait for each other and have all arrived, and ends their wait; nullopt if no set is complete.
   std::optional<Met> next();
 
  private:

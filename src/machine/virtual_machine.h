@@ -20,7 +20,7 @@ class VirtualMachine {
   VirtualMachine(const std::vector<std::string>& axes, AxisMask rotary, const MachineProfile& profile, const Setup& setup,
                  const ToolPosition& start);
 
-  /// Sets the limits, in machine coordinates, of an axis for which neither the set-up nor the machine file gives limits.
+  /// Sets the limits of an axis, in machine coordinates. For an axis whose limits neither the set-up nor the machine file states.
   void limit(std::size_t axis, double least, double most);
 
   /// Makes this object a machine with an NCT control, whose parameters define zones and in-position windows (nct 4.1.1, 22).
@@ -32,7 +32,7 @@ class VirtualMachine {
   /// What happened to the actions of a batch.
   struct Outcome {
     std::size_t done = 0;        // number of actions of the batch that have been executed
-    bool refused = false;        // true if an action was refused: no action of its block is executed
+    bool refused = false;        // true if an action was refused; then no action of the same block counts as executed
     std::optional<Alarm> alarm;  // alarm of the refused action, or alarm that the axes did not reach their position
     Origin origin;               // block of the action that caused the alarm
   };

@@ -20,7 +20,7 @@ struct ZoneBox {
   /// Returns true if this box and the box `box`, which limits all axes, have no common point.
   bool apart(const Extents& box) const;
 
-  /// Returns this box with all faces moved outwards by `margin`, mm or degrees.
+  /// Returns a copy of this box with all faces moved outwards by `margin`, mm or degrees.
   ZoneBox grown(double margin) const;
 };
 

@@ -68,7 +68,7 @@ class Zones {
     bool nothing_allowed = false;  // true after G22 with X = I, Y = J, Z = K and P1 (nct 22.2): the axes must not move
     ZoneBox box;
   };
-  /// The two alarm ids for the positive and the negative side of a limit.
+  /// The alarm ids for a limit: one for its positive side, one for its negative side.
   struct Ids {
     AlarmId positive, negative;
   };
@@ -97,7 +97,7 @@ class Zones {
   bool suspended2_ = false, suspended3_ = false;
 };
 
-/// The state of the zones that a program can change.
+/// The part of the zones' state that a program can change.
 struct Zones::Memory {
   Zone2 zone2, of_parameters;
   bool checks_before = false;

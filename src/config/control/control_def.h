@@ -28,7 +28,7 @@ struct Text {
 struct CodeRow {
   std::string code;  // the code as messages print it: "G43.4"
   char letter = 'G';
-  std::int32_t tenth = 0;  // ten times the code's number, see base/code_literals
+  std::int32_t tenth = 0;  // number of the code times ten, see base/code_literals
   Function function = Function::count;
   Phase phase = Phase::none;
   int arg = 0;
@@ -42,7 +42,7 @@ struct CodeRow {
   Text text;
   std::string manual;
   std::uint16_t cycle = 0;      // index in ControlDef::cycles plus 1; 0: the code calls no cycle
-  bool takes_all_axes = false;  // the file has `*` in `takes`: the code uses every axis word of the channel
+  bool takes_all_axes = false;  // the file has `*` in `takes`, which means that the code uses every axis word of the channel
   bool works = true;            // Kadr implements the code
   bool in_part = false;         // Kadr implements only a part of the code; the notes say what is missing
   bool told = false;            // the control reports the code to the machine although it executes the code itself (nct 13.1)
@@ -53,12 +53,12 @@ enum class WordUnit : std::uint8_t { none, length, angle };
 /// One address.
 struct AddressRow {
   char letter = 0;
-  Function function = Function::count;  // count: the control has no such address
+  Function function = Function::count;  // function of the address; Function::count: the control has no such address
   Phase phase = Phase::none;
   std::uint8_t axis = 0;    // only for the functions `axis` and `center`: index of the axis in ControlDef::axes
   std::uint8_t number = 0;  // number of the spindle or of the auxiliary function (1 to 3) that the word commands
   WordUnit unit = WordUnit::none;
-  double scale = 1;       // factor from the word's value to mm, degrees, s, …
+  double scale = 1;       // factor that converts the word's value to mm, degrees, s, …
   bool whole = false;     // the value must be a whole number
   double least = -1e300;  // a value outside least…most raises value_out_of_range
   double most = 1e300;
@@ -99,7 +99,7 @@ std::string_view name_of(CycleStep step);
 
 struct CycleRow {
   std::string name;               // name of the cycle: "G81", "L81"
-  std::uint32_t call_number = 0;  // number after L: 81 for L81; 0: the cycle is called by its code
+  std::uint32_t call_number = 0;  // number after L in the call: 81 for L81; 0: the cycle is called by its code
   std::vector<CycleStep> steps;   // steps of the cycle; empty if the cycle has a `body`
   std::string body;               // program of the cycle in the control's own language; empty if the cycle has `steps`
   std::string printed;            // only for a cycle of steps: the program that the manual prints for the cycle, for people
@@ -188,7 +188,7 @@ struct ParameterRow {
   // Names of the bits, by bit number; "": unknown name; from the ninth on, names whose bit number is unknown
   std::vector<std::string> bits;
   bool used = false;  // the parameter has an effect in Kadr
-  // Names under which the engine uses the parameter ("1500", "1300#7", "calculator"); for bits, one name per bit
+  // Names under which the engine uses the parameter ("1500", "1300#7", "calculator"). A parameter of bits has one name per bit.
   std::vector<std::string> means;
   Text text;  // name and meaning of the parameter; `en` begins with the manual's own name
   std::string manual;
@@ -217,7 +217,7 @@ enum class LaterWord : std::uint8_t { nowhere, arguments, everywhere };
 /// peck, and the least peck (spec/haas 8.3).
 enum class CycleWords : std::uint8_t { shift_by_ijk, shift_by_q, pecks_by_ijk };
 
-/// How the engine's functions behave where controls differ.
+/// Behaviour of the engine's functions in which controls differ.
 struct Behaviour {
   ArcCenters arc_centers = ArcCenters::incremental;
   ArcRadius arc_radius_word = ArcRadius::none;
@@ -240,22 +240,22 @@ struct Behaviour {
   double probe_least_distance = 0;     // least distance of a probe motion, mm
   double probe_retract = 0;            // distance by which the probe retracts along its path after contact, mm (Mach3 10.7.12.1)
   bool probe_in_inverse_time = false;  // Grbl: under G93, F of G38 is the time of the whole path
-  bool speed_needs_direction = false;  // 2С42: S without M3 or M4 does not change the speed
+  bool speed_needs_direction = false;  // 2С42: S in a block without M3 or M4 does not change the speed
   bool skip_asks = false;              // the set-up may state that the control asks the operator before it skips a block (spec/gost 2)
   bool tool_and_corrector = false;     // T0404: if T has more than two digits, its last two digits are the offset number
   bool end_required = false;           // Kadr warns if a program has no M2 or M30
   bool ends_reading = true;            // the control reads nothing after the end of the program (GOST)
   bool delayed_assignment = false;     // Mach3: an assignment takes effect after its block: in `#1=5 X#1`, X is the old #1
-  bool feed_of_axis = false;           // F right after an axis word, followed by more axis words, is the feed of that axis (GOST 20999-83)
-  bool label_is_number = false;        // O0001 directly after % is the program number (spec/gost 1)
-  // Differences between controls with custom macros (spec/fanuc).
+  bool feed_of_axis = false;     // F directly after an axis word, and before further axis words, is the feed of that axis (GOST 20999-83)
+  bool label_is_number = false;  // O0001 directly after % is the program number (spec/gost 1)
+  // The members from here on concern controls with custom macros (spec/fanuc).
   LaterWord later_word_counts = LaterWord::nowhere;
   CycleWords cycle_words = CycleWords::shift_by_ijk;
   // The unit of P in a dwell. If it is not s, the dwell words X and U are still in s, and G4 alone is an exact stop (spec/fanuc 4.1).
   DwellUnit dwell_unit = DwellUnit::seconds;
   // In every plane, cycles drill along Z and G43 acts on Z, unless a parameter selects another axis (spec/fanuc 7.1, 10.1).
   bool tool_along_third = false;
-  bool repeats_in_program_number = false;  // M98 P51002 calls O1002 five times (spec/fanuc 9.1)
+  bool repeats_in_program_number = false;  // M98 P51002 calls O1002 five times: P contains repetitions and program number (spec/fanuc 9.1)
   bool machine_move_absolute = false;      // G53 has no effect under G91 (spec/fanuc 6.5)
   bool repeats_by_k = false;               // K is the repeat count of a drilling cycle; if false, L (spec/fanuc 10.1)
   bool reference_all_axes = false;         // G28 without axis words moves all axes directly to the reference point (spec/haas 5.1)
@@ -268,7 +268,7 @@ struct Behaviour {
   std::uint32_t m_codes_of_block = 8;  // greatest number of M codes in one block (nct 13.1, spec/fanuc 2.4, spec/haas 10)
   std::uint32_t offsets = 99;          // highest offset number
   std::uint32_t fixtures = 6;
-  std::uint32_t further_systems = 99;  // highest P of G54.1 (nct 10.2.2, spec/fanuc 6.1)
+  std::uint32_t further_systems = 99;  // highest P of G54.1, the number of an additional work offset (nct 10.2.2, spec/fanuc 6.1)
 
   /// Returns true if a block for a helix states Z and a lead, and the helix makes whole revolutions (2С42 6.6.6).
   bool helix_by_lead() const { return arc_centers == ArcCenters::as_distance; }
@@ -311,7 +311,7 @@ struct ControlDef {
   std::uint32_t rotary = 0;                           // mask of rotary axes
   std::uint32_t diameter = 0;                         // mask of axes programmed as diameters
   bool diameter_by_setup = false;                     // the set-up states which axes are programmed as diameters (spec/gost 5)
-  std::array<std::uint8_t, max_axes> axis_numbers{};  // number of each axis, counted from 1 across all channels of the control (nct 2.1)
+  std::array<std::uint8_t, max_axes> axis_numbers{};  // numbers of the axes, counted from 1 across all channels of the control (nct 2.1)
   std::uint8_t channel = 1;
   std::vector<GroupRow> groups;  // groups of codes; groups[0] is for codes without group
   std::vector<CodeRow> codes;    // rows of G and M codes, in the file's order
@@ -321,9 +321,10 @@ struct ControlDef {
   std::vector<ParameterRow> parameters;
   std::array<std::uint8_t, static_cast<std::size_t>(Phase::count)> order{};  // position of each phase in the order of execution
   std::vector<Phase> order_list;
-  std::vector<std::int32_t> end_codes;        // rows of the codes that are put in force at the end of the program
-  std::map<AlarmId, AlarmText> alarms;        // the alarms for which the control has a number or wording of its own
-  std::map<std::int32_t, double> feed_codes;  // F and S as codes, with their values (spec/gost 3); empty: F and S are direct values
+  std::vector<std::int32_t> end_codes;  // rows of the codes that are put in force at the end of the program
+  std::map<AlarmId, AlarmText> alarms;  // texts of the alarms for which the control has its own number or wording
+  // Values of F by code, for a control with coded feeds (spec/gost 3); empty: F is the feed itself
+  std::map<std::int32_t, double> feed_codes;
   std::map<std::int32_t, double> speed_codes;
   std::vector<MachineCodeRow> machine_codes;  // rows of [convert]
   WrittenLetters letters;                     // letters and encoding of programs that are written for this control
@@ -356,7 +357,7 @@ struct ControlDef {
     return std::any_of(parameters.begin(), parameters.end(),
                        [&](const ParameterRow& row) { return std::find(row.means.begin(), row.means.end(), meaning) != row.means.end(); });
   }
-  /// Returns true if subprograms are in sections of their own, with a work offset of their own (2С42 6.3.5, last section).
+  /// Returns true if subprograms are in a section of the program, with a work offset of its own (2С42 6.3.5, last section).
   bool has_sections() const { return grammar.section_address != 0; }
   /// Returns true if the control has a common zero, which shifts all work systems (nct 10.2.3). Otherwise #5201 and G10 L2 P0 refer to G52
   /// (spec/haas 2.4, 5.4).

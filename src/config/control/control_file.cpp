@@ -55,7 +55,7 @@ bool are_equal(const toml::node& a, const toml::node& b) {
   }
 }
 
-/// Returns true if the table `below` has every key of the row, with the same value.
+/// Returns true if the table `below` contains every key of `row` with the same value.
 bool is_part_of(const toml::table& row, const toml::table& below) {
   return !row.empty() && std::all_of(row.begin(), row.end(), [&](const auto& entry) {
     const toml::node* const same = below.get(entry.first.str());
@@ -187,7 +187,7 @@ std::string id_meant_by(const std::string& name) {
 
 std::int32_t ControlDef::row_of(char letter, std::int32_t tenth) const {
   const std::vector<std::int16_t>& rows = letter == 'G' ? g_rows : m_rows;
-  const auto at = static_cast<std::size_t>(tenth);  // a negative tenth becomes an index beyond every row
+  const auto at = static_cast<std::size_t>(tenth);  // a negative number becomes an index beyond every row, and is not found
   if (at < rows.size() && rows[at] >= 0) return rows[at];
   if (letter == 'M' && m_user_row >= 0 && tenth >= m_user_from && tenth <= m_user_to && tenth % 10 == 0) return m_user_row;
   return -1;

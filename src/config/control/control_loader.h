@@ -18,7 +18,7 @@ namespace kadr {
 using Failed = tl::unexpected<std::string>;
 using Done = tl::expected<void, std::string>;
 
-/// Returns from the enclosing function with the error sentence of `expression`, if it has one.
+/// Returns from the enclosing function with the error sentence of `expression`, if `expression` has failed.
 #define KADR_LOAD(expression)                                            \
   do {                                                                   \
     if (auto done_ = (expression); !done_) return Failed(done_.error()); \
@@ -43,7 +43,7 @@ class ControlLoader {
   Done sections();
   Done names();
   Done known_keys(const toml::table& table, const std::vector<std::string_view>& known) const;
-  /// Returns the error for a key that is not in `known`, with the nearest known key.
+  /// Returns the error for a key that is not in `known`. The error sentence suggests the nearest known key.
   tl::unexpected<std::string> unknown_key(const toml::node& node, std::string_view key, const std::vector<std::string_view>& known,
                                           TextId<1> what = texts::control_file::unknown_key) const;
   /// Returns the table of the file under a key. If the value is not a table, load() fails.

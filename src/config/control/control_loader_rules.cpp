@@ -71,7 +71,7 @@ constexpr Function plane_functions[] = {
     Function::call_word,  Function::probe,
 };
 
-/// A function and the kind of system variables that it works with.
+/// A function, and the kind of system variables that store its data.
 struct Stores {
   Function function;
   int arg;  // `arg` of the variables; -1: every value of `arg` is permitted
@@ -90,7 +90,7 @@ constexpr std::uint32_t stored_axes = 6;  // number of axes for which the system
 
 }  // namespace
 
-/// Returns true if some row of the control calls one of these functions.
+/// Returns true if at least one row of the control calls one of these functions.
 bool ControlLoader::does(std::initializer_list<Function> functions) const {
   const auto one_of = [&](Function f) { return std::find(functions.begin(), functions.end(), f) != functions.end(); };
   return std::any_of(def_.codes.begin(), def_.codes.end(), [&](const CodeRow& row) { return one_of(row.function); }) ||

@@ -99,7 +99,7 @@ Done ControlLoader::sections() {
   return check_functions();
 }
 
-/// Reads `dialect`: the part of the engine that does what no row can express.
+/// Reads `dialect`, which selects the part of the engine for behaviour that no row can express.
 Done ControlLoader::dialect() {
   const toml::node* const node = file_.get("dialect");
   if (node == nullptr) return {};

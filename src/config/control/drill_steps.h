@@ -39,11 +39,11 @@ struct DrillCycle {
   std::array<DrillStep, 14> steps;
 };
 
-constexpr std::int32_t back_boring = 1870;   // G87, case B (nct 18.1.13)
-constexpr std::int32_t bored_by_hand = 871;  // G87 of a control without case B (spec/haas 8.6)
+constexpr std::int32_t back_boring = 1870;   // code of G87, case B (nct 18.1.13)
+constexpr std::int32_t bored_by_hand = 871;  // code of G87 on a control without case B (spec/haas 8.6)
 constexpr std::int32_t only_back = 877;      // code of G77, which always executes case B (spec/haas 8.6)
 
-/// Returns the cycle of a code, given as ten times its number; nullptr if the code is no drilling cycle.
+/// Returns the drilling cycle of a code. `code`: ten times the number of the code. Returns nullptr if the code is no drilling cycle.
 const DrillCycle* drill_cycle(std::int32_t code);
 
 }  // namespace kadr

@@ -272,8 +272,8 @@ enum class Needs : std::uint8_t {
   nct,         // the control has dialect = "nct"
   no_nct,      // the control has any dialect other than "nct", or no dialect
   correctors,  // the control has dialect = "correctors"
-  sections,    // the control has [grammar] section
-  labels,      // the control has [grammar] label
+  sections,    // the control has the key `section` in [grammar]
+  labels,      // the control has the key `label` in [grammar]
   rs274,       // the control has dialect = "linuxcnc"
   lines,       // the control has dialect = "grbl"
 };

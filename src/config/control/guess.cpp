@@ -38,7 +38,7 @@ struct Found {
   std::string en, ru;
 };
 
-/// A control or a language, with the evidence found for it so far.
+/// A control or a language, with the evidence for it that has been found so far.
 struct Candidate {
   const GuessRows* rows;
   bool is_dialect;

@@ -95,7 +95,7 @@ std::string comments_of(std::string_view raw) {
   return text;
 }
 
-/// Finds the match of a pattern that contains a bracket, such as CYCLE800(, in the words of a line.
+/// Finds the text that matches a pattern with a bracket, such as CYCLE800(, in the words of a line.
 std::string_view found_with_bracket(std::string_view raw, std::string_view pattern) {
   // Position of the first word after the block number
   const std::size_t word = std::min(raw.find_first_not_of(" \t0123456789N"), raw.size());

@@ -23,14 +23,14 @@ enum class MarkLocation : std::uint8_t {
 };
 
 struct GuessMark {
-  std::string pattern;  // the text to find, see guess_pattern.h
+  std::string pattern;  // pattern of the text to find, in the form of guess_pattern.h
   double weight = 0;    // strength of the evidence; below 0: evidence against the control
   MarkLocation place = MarkLocation::statement;
   LineSigns needs = 0;            // characters without which the pattern cannot match
   std::size_t rarest = any_sign;  // bit of the rarest character in `needs`
 };
 
-/// The evidence for one control or language.
+/// The evidence that points to one control or language.
 struct GuessRows {
   std::string control;           // id of the control or of the language
   std::string name_en, name_ru;  // name of a language, for people; empty for a control

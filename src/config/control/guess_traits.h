@@ -13,7 +13,7 @@ enum class TextTrait : std::uint8_t {
   all_numbered,     // every block has a number
   few_numbered,     // less than half of the blocks have a number
   decimal_points,   // at least one number has a decimal point
-  trailing_points,  // `X10.`: numbers without a digit after the decimal point
+  trailing_points,  // `X10.`: some numbers have no digit after the decimal point
   long_integers,    // coordinates have four or more digits, and no coordinate has a decimal point
   whole_lengths,    // X10, Y-5: coordinates have one to three digits, and no coordinate has a decimal point
   plus_signs,       // `X+10.`: numbers have plus signs, and no code has a single digit
@@ -21,7 +21,7 @@ enum class TextTrait : std::uint8_t {
   program_number,   // `%`, then a program number such as O0001; not set if all blocks are numbered and all codes have two digits
   percent,          // the text starts with `%`
   no_percent,       // the text has no `%`
-  no_tools,         // the text has no T, no M6, no H
+  no_tools,         // the text contains no T, no M6 and no H
   without_y,        // X and Z occur, and Y does not
   u_w_words,        // U or W occurs, and A, B, C, Y do not
   changing_power,   // S occurs at least three times in blocks without M3, M4 or T

@@ -13,7 +13,7 @@
 
 namespace kadr {
 
-/// A line or an arc of a contour, mm.
+/// An edge: a line or an arc of a contour; coordinates in mm.
 struct Edge {
   Vec2 from;
   Vec2 to;
@@ -38,7 +38,7 @@ inline tl::unexpected<DrawingFault> drawing_fault(std::uint32_t line, const Alar
 }
 
 namespace limits {
-inline constexpr std::size_t drawing_bytes = 16u << 20;  // greatest size of a drawing file
+inline constexpr std::size_t drawing_bytes = 16u << 20;  // greatest size of a drawing file, bytes
 inline constexpr std::size_t drawing_edges = 20'000;  // greatest number of edges, because each edge costs time in the computation of areas
 inline constexpr double contour_reach = 100'000;      // mm: greatest distance of a point from the origin, larger than any milling machine
 }  // namespace limits

@@ -29,7 +29,7 @@ std::string_view trimmed(std::string_view text) {
 double unit_of(int insunits) {
   switch (insunits) {
     case 0:
-    case 4: return 1;  // unit 0 means "not stated": mm is assumed
+    case 4: return 1;  // mm per unit; the unit 0 means "not stated", and Kadr assumes mm
     case 1: return mm_per_inch;
     case 2: return 12 * mm_per_inch;
     case 5: return 10;
@@ -53,7 +53,7 @@ struct Entity {
     Vec2 at;
     double bulge = 0;
   };
-  std::vector<Vertex> vertices;  // vertices of a polyline, only for LWPOLYLINE
+  std::vector<Vertex> vertices;  // vertices of a polyline; used only for LWPOLYLINE
   bool closed() const { return std::fmod(of(70), 2) == 1; }
   double of(int code) const {
     const auto found = value.find(code);
@@ -159,7 +159,7 @@ class DxfReader {
     if (!in_entities_ || entity_.type.empty()) return;
     edges_.at(entity_.line);
     edges_.open(entity_.open);
-    const bool mirrored = entity_.of(230) < 0;  // extrusion towards −Z mirrors X
+    const bool mirrored = entity_.of(230) < 0;  // an extrusion direction towards −Z means that X is mirrored
     if (entity_.type == "LINE")
       edges_.line({unit_ * entity_.of(10), unit_ * entity_.of(20)}, {unit_ * entity_.of(11), unit_ * entity_.of(21)});
     else if (entity_.type == "CIRCLE") edges_.arc(point(10, 20), unit_ * entity_.of(40), 0, 360);

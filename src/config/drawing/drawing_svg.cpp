@@ -15,7 +15,7 @@ namespace {
 
 using svg::Matrix;
 
-constexpr int deepest_group = 100;  // greatest nesting depth of groups
+constexpr int deepest_group = 100;  // greatest nesting depth of SVG groups
 
 /// A length as a number, and the size of its unit in mm; `unit` is 0 if the text states no unit.
 struct Length {

@@ -131,7 +131,7 @@ class PathReader {
     if (beyond > 1) e.rx *= std::sqrt(beyond), e.ry *= std::sqrt(beyond);
     const double ux = half.x / e.rx, uy = half.y / e.ry;
     const double k = (large == towards_y ? -1 : 1) * std::sqrt(std::max(0.0, 1 / std::max(ux * ux + uy * uy, 1e-300) - 1));
-    const Vec2 c{k * uy, -k * ux};  // centre in the coordinates of the unit circle
+    const Vec2 c{k * uy, -k * ux};  // centre of the arc in coordinates in which the ellipse is the unit circle
     e.centre = 0.5 * (from + to) + rotated({e.rx * c.x, e.ry * c.y}, e.turn);
     e.from = angle_deg(Vec2{ux, uy} - c);
     e.sweep = angle_deg(-1.0 * Vec2{ux, uy} - c) - e.from;

@@ -137,7 +137,7 @@ class Fitter {
     def_.grammar.axis_numbers[static_cast<std::size_t>(code - 'A')] = def_.axis_numbers[a];
   }
 
-  /// Creates the addresses of auxiliary functions: parameters N1333 … N1335 select them from A, B, C, U, V, W (nct 13.2).
+  /// Creates the addresses of auxiliary functions. Parameters N1333 … N1335 select their letters from A, B, C, U, V, W (nct 13.2).
   void auxiliary() {
     constexpr const char* names[] = {"1333", "1334", "1335"};
     for (std::uint8_t i = 0; i < 3; ++i) {
@@ -149,7 +149,7 @@ class Fitter {
       row.function = Function::auxiliary_word;
       row.phase = Phase::machine;
       row.number = static_cast<std::uint8_t>(i + 1);
-      row.least = 0;  // nct 13.2: at most eight digits, INFERRED: a whole number
+      row.least = 0;  // the number must not be negative and has at most eight digits (nct 13.2); INFERRED: it must be whole
       row.most = 99'999'999;
       row.whole = true;
     }

@@ -14,11 +14,11 @@ namespace kadr {
 struct BodyShape {
   enum class Form : std::uint8_t { box, cylinder, file };
   Form form = Form::box;
-  Vec3 least, most;            // opposite corners of a box, only for a box
-  Vec2 centre;                 // centre of a cylinder, only for a cylinder, whose axis is parallel to Z
+  Vec3 least, most;            // two opposite corners of the body; only for a box
+  Vec2 centre;                 // centre of the base in X and Y; only for a cylinder, whose axis is parallel to Z
   double bottom = 0, top = 0;  //
   double diameter = 0;         //
-  std::string file;            // path of a file with a closed mesh, STL or 3MF
+  std::string file;            // path of the file with the body as a closed mesh, STL or 3MF
 };
 
 /// A solid body in machine coordinates, with all axes at 0. The origin is then the gauge point of the spindle, from which tool lengths are

@@ -31,7 +31,7 @@ Done known_keys(const std::string& file, const toml::table& table, std::initiali
   return {};
 }
 
-/// Reads `planner`, if the key is present.
+/// Reads the key `planner`, if the file has it.
 Done mode_of(const std::string& file, const toml::table& table, PlannerMode& to) {
   const toml::node* const node = table.get("planner");
   if (node == nullptr) return {};

@@ -26,7 +26,7 @@ constexpr std::array<std::string_view, 12> keys_of_row = {"scope", "type", "when
 constexpr std::size_t bits_with_number = 8;  // number of bits of a parameter that have a bit number (nct 24.0)
 // Greatest number of bits of a parameter. The value is a double, which represents whole numbers up to 2^53 exactly.
 constexpr std::size_t max_bits = 48;
-constexpr double whole_least = -2147483648.;  // least whole number: nct 24.0 has 32 bits, signed or unsigned
+constexpr double whole_least = -2147483648.;  // least whole number that a parameter may have: nct 24.0 has 32 bits, signed or unsigned
 constexpr double whole_most = 4294967295.;
 
 /// Reads one row of the table and stores the first fault that it finds.
@@ -92,7 +92,7 @@ class RowReader {
     return digits && key.size() == 4 ? std::stoi(std::string(key)) : -1;
   }
 
-  /// Returns the index of the key's value in `words`.
+  /// Returns the index, in `words`, of the word that is the key's value.
   template <std::size_t N>
   std::size_t one_of(std::string_view key, const std::array<std::string_view, N>& words, std::size_t otherwise) {
     const toml::node* const node = table_.get(key);

@@ -1,4 +1,4 @@
-// Reads set-ups (--setup FILE.json). Used by config, control, machine, motion, session; tested by tests/config/setup_test.cpp.
+// Setup: reads set-ups (--setup FILE.json). Used by config, control, machine, motion, session; tested by tests/config/setup_test.cpp.
 
 #include "config/setup/setup.h"
 

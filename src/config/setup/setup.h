@@ -20,7 +20,7 @@
 
 namespace kadr {
 
-using AxisValues = std::map<std::string, double>;  // axis name → mm or degrees
+using AxisValues = std::map<std::string, double>;  // name of an axis → its value, mm or degrees
 
 /// A row of the offset table, mm. Each offset is the sum of its geometry and its wear (`…_wear`).
 struct ToolOffset {
@@ -108,13 +108,13 @@ struct ParameterKey {
 };
 /// Reads "N0107.4#0" or "N107.4#0", which are the same parameter, or "CLRG#C03". Returns nullopt for a text of another form.
 std::optional<ParameterKey> parameter_key(std::string_view text);
-/// Returns the form in which a parameter is printed: "N0107.4#0".
+/// Returns the text of a parameter's name in the form in which messages and files have it: "N0107.4#0".
 std::string text_of(const ParameterKey& key);
 
 using ParameterValue = std::variant<double, std::string>;
 using Parameters = std::map<ParameterKey, ParameterValue>;
 
-/// What the machine's logic can do with an axis (nct 20.2 to 20.4).
+/// The changes that the machine's logic can make to an axis (nct 20.2 to 20.4).
 enum class AxisLink : std::uint8_t { follows, exchanged, reversed, parked };
 
 /// An action of the machine's logic (nct: PLC) or of the operator, and the time at which it occurs.
@@ -183,7 +183,7 @@ struct Setup {
   PocketTable place_table;
   std::map<int, ToolForm> form_table;
   Parameters parameters;
-  std::string plane;                     // the first and the second axis of the plane: "XC"
+  std::string plane;                     // names of the first and the second axis of the plane: "XC"
   std::map<std::string, bool> diameter;  // by axis name: true if the axis is programmed as a diameter
   bool single_block = false;
   std::string search;  // "N50": the run starts with a block search for this block (nct 13.1); empty: at the beginning of the program
@@ -199,7 +199,7 @@ struct Setup {
   // is not asked.
   std::vector<bool> skip_answers;
   bool optional_stop = false;
-  std::vector<AlarmId> disabled;               // warnings and notes that are not reported
+  std::vector<AlarmId> disabled;               // ids of the warnings and notes that are not reported
   std::vector<std::string> mirror;             // mirrored axes
   std::map<int, AxisValues> reference_points;  // positions of the reference points, by number, in machine coordinates
   // Position in work coordinates at which the probe triggers, by number of the probe input; nullopt: it never triggers.

@@ -12,7 +12,7 @@ namespace kadr {
 
 /// A key that is wrong, and the reason.
 struct KeyFault {
-  std::string key;  // name of the key, "work_offsets.G54.x"; empty: the whole set-up
+  std::string key;  // full name of the key: "work_offsets.G54.x"; empty: the fault concerns the whole set-up
   std::string sentence;
 };
 

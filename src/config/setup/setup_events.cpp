@@ -79,7 +79,7 @@ Do deed(const Json& value, const std::string& key) {
   wrong(key, "one of " + form);
 }
 
-/// Checks that an event has the keys that its `do` needs.
+/// Checks that an event has the keys that the value of its key `do` requires.
 void check_event(const Json& value, const std::string& key, const SetupEvent& event) {
   const auto needs = [&](const char* name) {
     if (!value.contains(name)) wrong(key, "a table with '" + std::string(name) + "'");

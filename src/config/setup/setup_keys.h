@@ -12,7 +12,7 @@
 
 namespace kadr {
 
-/// The form of a key's value.
+/// The form that the value of a key must have.
 enum class SetupForm : std::uint8_t {
   table,           // a table { … }, with fixed keys or with names as keys (SetupNames)
   tables,          // a list of tables [ { … }, … ]
@@ -50,7 +50,7 @@ enum class SetupNames : std::uint8_t {
   work_offset,  // "G54", "G54.1 P2", "common"
   variable,     // "#100", "#_ALM", "R2"
   parameter,    // "N0106.X#1"
-  place,        // place of a tool as magazine/pocket: "10/1"
+  place,        // name of a magazine pocket, magazine/pocket: "10/1"
   signal,       // name of a signal of the machine's logic
   shift,        // "G92", "G52"
 };
@@ -61,15 +61,15 @@ enum class SetupNeeds : std::uint8_t {
   work_offsets,   // work offsets with codes as names: G54 …
   zeros,          // work offsets with numbers as names; the order of the numbers may differ from that of the codes (2С42: G55 is zero 3)
   correctors,     // axis correctors
-  variables,      // variables #n or R0 … R9
+  variables,      // the control has variables #n or R0 … R9
   parameters,     // a parameter table
-  corner_radius,  // variables for the corner radius of the tool offsets
+  corner_radius,  // the control has variables for the corner radius in its tool offsets
   turning_lengths,
   tool_management,
   clock,
-  ini,  // an ini file with settings of the control (spec/linuxcnc 10.1)
+  ini,  // the control reads an ini file with its settings (spec/linuxcnc 10.1)
   probe,
-  diameters,      // axes may be programmed as diameters
+  diameters,      // the control allows axes that are programmed as diameters
   skip_question,  // the control may ask the operator before it skips a block
   machine_axes,   // axes, channels, spindles and the machine's logic depend on the machine
 };

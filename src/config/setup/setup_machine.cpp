@@ -62,7 +62,7 @@ AlarmId finding(const Json& value, const std::string& key) {
   return id;
 }
 
-/// Reads the hole to be probed. All its keys are required.
+/// Reads the keys of the hole that the probe touches. All these keys are required.
 void hole(const Json& value, const std::string& key, ProbeHole& to) {
   const Reader center = [&](const Json& item, const std::string& name) {
     read_table(item, name, {{"X", to_range(to.center_x, ranges::position)}, {"Y", to_range(to.center_y, ranges::position)}});

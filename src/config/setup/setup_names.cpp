@@ -19,8 +19,9 @@ namespace {
 
 constexpr int max_row = 999'999'999;  // greatest number that a row of a table may have as its name
 constexpr int turning_zeros = 9;      // number of zeros (work offsets) of the 2С42 on a turning machine: G92 /A/
-constexpr int dynamic_systems = 8;    // number of dynamic offsets: G54.2 P1 … P8 (nct 25.4)
-constexpr std::int32_t first_system = 54_g, last_system = 59.3_g;  // codes in tenths: G54 … G59, G59.3
+constexpr int dynamic_systems = 8;    // number of dynamic work offsets: G54.2 P1 … P8 (nct 25.4)
+// First and last code, in tenths, of the usual work offsets: G54 … G59, G59.3
+constexpr std::int32_t first_system = 54_g, last_system = 59.3_g;
 
 /// Returns true if the name has the form of a macro variable: "#100", "#_ALM", "#_FOFS1[1]".
 bool names_macro_variable(std::string_view name) {

@@ -18,7 +18,7 @@ bool has(const ControlDef& def, SetupNeeds needs);
 /// A work system of the control, with the name that it has in a set-up.
 struct WorkSystem {
   std::string name;   // "G54", "G54.1 P2"
-  std::uint32_t row;  // row in the table of work offsets or fixtures
+  std::uint32_t row;  // number of the row in the table of work offsets or fixtures
   bool works = true;  // Kadr implements the work system
 };
 std::vector<WorkSystem> work_systems(const ControlDef& def);

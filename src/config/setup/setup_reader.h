@@ -24,7 +24,7 @@ inline constexpr int max_channels = 8;
 inline constexpr int max_spindles = 16;
 inline constexpr int max_inputs = 8;  // greatest number of probe inputs
 
-/// Thrown inside the reader for a key or value that is wrong; read_setup() converts it to its error sentence.
+/// Exception inside the reader for a key or value that is wrong. read_setup() catches it and returns its error sentence.
 struct Wrong {
   std::string key;
   std::string sentence;

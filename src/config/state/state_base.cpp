@@ -1,4 +1,5 @@
-// The SQLite database of a state file: its connection, its application id and version, errors in words. Used by config/state/state_content.
+// The SQLite database of a state file: its connection, its application id and version, and its errors in words. Used by
+// config/state/state_content.
 
 #include "config/state/state_base.h"
 

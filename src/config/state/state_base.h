@@ -84,7 +84,7 @@ class Base {
   bool merges_ = false;
 };
 
-/// Returns the error sentence "… is no state file of Kadr".
+/// Returns the error sentence that a file is no state file of Kadr.
 std::string no_state_file_message(const std::string& name);
 
 /// Checks the file without opening it: the path must not be empty, and the file must be regular, not empty, and not too large. Never

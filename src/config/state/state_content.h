@@ -23,7 +23,7 @@ namespace kadr::state {
 /// Returns the checksum of a row's kind, key and value only, without the totals.
 std::uint64_t sum_of_row(std::string_view kind, std::string_view key, const StateValue& value);
 
-/// The totals of the whole file, updated row by row.
+/// The totals of the whole file. They are updated with each row that is written.
 struct Whole {
   std::uint64_t turn = 0;
   std::uint64_t rows = 0;
@@ -53,7 +53,7 @@ Content read_content(const Base& base);
 /// Returns a message if the file has a newer version than this program can read; else an empty text.
 std::string newer_version_message(const Base& base, const std::string& name);
 
-/// Returns the name of a row for people: "work_offsets G54/X".
+/// Returns the name that messages use for a row: "work_offsets G54/X".
 std::string name_of_row(std::string_view kind, std::string_view key);
 
 }  // namespace kadr::state

@@ -57,7 +57,7 @@ class StateFile::Database {
   Whole whole_;
   // Checksums that the rows had before the save in progress. They are restored if the save fails.
   std::vector<std::pair<std::string, std::optional<std::uint64_t>>> before_;
-  std::vector<StateRow> unchecked_;   // all rows of a file without checksums
+  std::vector<StateRow> unchecked_;   // all rows of the file, if the file has no checksums yet
   bool old_ = false;                  // the file has no checksums yet
   std::optional<FileId> file_, log_;  // identities of the file and its log at the time when they were opened; nullopt: not opened yet
 };
@@ -73,7 +73,7 @@ tl::unexpected<std::string> StateFile::Database::damaged(const std::vector<std::
   return base_.error(texts::state_file::damaged_more, faults[0], more);
 }
 
-/// Checks that the file is a valid state of this control, in a readable version.
+/// Checks that the file is a valid state of the control with this id, in a version that this program can read.
 Done StateFile::Database::check(const std::string& control_id) {
   if (const std::string newer = newer_version_message(base_, path_); !newer.empty()) return tl::unexpected(newer);
   Content content = read_content(base_);

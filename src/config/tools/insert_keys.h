@@ -20,7 +20,7 @@ inline constexpr std::size_t insert_points = 64;  // greatest number of points i
 /// Reads the keys points, lead, width, profile and holder of a turning tool.
 tl::expected<void, std::string> insert_of(const std::string& file, const toml::table& row, InsertGeometry& insert);
 
-/// Returns the value that the key `points` has for this insert: "-x-z", "centre".
+/// Returns the value of the key `points` that describes this insert: "-x-z", "centre".
 std::string_view name_of_tip(const InsertGeometry& insert);
 
 /// Sets values that the file does not state: `flutes` of a round insert to its diameter, and the entering angle `lead`. The entering angle

@@ -30,7 +30,8 @@ void merge(toml::table& under, toml::table&& over);
 /// Returns the location of a node, "file:line: ", as the beginning of an error sentence.
 std::string place(const std::string& file, const toml::node& node);
 
-/// Returns "file:line: " for a key of a row, or for the row if the key is missing. The key may come from another file than the row.
+/// Returns the location "file:line: " of a key of a row; if the key is missing, of the row. The key may come from another file than the
+/// row.
 std::string place(const std::string& file, const toml::table& row, std::string_view key);
 
 Text text_of(const toml::table& row);
@@ -48,7 +49,7 @@ tl::expected<void, std::string> span(const std::string& file, const toml::table&
 /// wrong.
 std::string_view nearest(std::string_view word, const std::vector<std::string_view>& names);
 
-/// Returns the value of a key (string, number or bool), or `otherwise` if the key is missing.
+/// Returns the value of a key (string, number or bool); if the key is missing, returns `otherwise`.
 template <class T>
 T value_or(const toml::table& row, std::string_view key, T otherwise) {
   return row[key].value_or(otherwise);

@@ -13,7 +13,7 @@ namespace kadr {
 /// not rotate, see InsertGeometry.
 enum class ToolKind : std::uint8_t { flat, ball, bull, drill, taper, chamfer, tslot, form, turning };
 
-/// A point on the outline of a body of revolution.
+/// A point on the outline of a rotating tool or holder.
 struct ProfilePoint {
   double diameter = 0;
   double height = 0;  // height above the tip, mm; for a holder, height above the lower face of the holder
@@ -38,7 +38,7 @@ struct InsertGeometry {
   std::optional<double> lead;
   double width = 0;                  // width of a grooving insert, mm; 0: the insert is not for grooving
   std::vector<InsertPoint> profile;  // outline of the cutting part, a simple polygon; if it is not empty, it replaces the values above
-  std::vector<InsertPoint> holder;   // outline of the holder, a simple polygon; two points: opposite corners of a rectangle
+  std::vector<InsertPoint> holder;   // outline of the holder, a simple polygon; two points are opposite corners of a rectangle
 };
 
 struct ToolGeometry {
@@ -52,11 +52,11 @@ struct ToolGeometry {
   double flutes = 0;                  // height of the cutting part (flute length), mm
   double length = 0;                  // stick-out, mm: height of the holder's lower face above the tip
   std::vector<ProfilePoint> profile;  // outline of the cutting part of a form tool
-  std::vector<ProfilePoint> shank;    // outline of the shank; empty: a cylinder of `diameter` from `flutes` to `length`
+  std::vector<ProfilePoint> shank;    // outline of the shank; empty: the shank is a cylinder of `diameter` from `flutes` to `length`
   std::vector<ProfilePoint> holder;   // outline of the holder; empty: the shape of the holder is not known
-  bool plunges = true;                // the tool may cut straight down
+  bool plunges = true;                // the tool may cut when it moves straight down
   int teeth = 0;                      // number of cutting edges; 0: the number is not known
-  InsertGeometry insert;              // the insert, only for a turning tool
+  InsertGeometry insert;              // insert of the tool; only for a turning tool
 };
 
 }  // namespace kadr

@@ -73,7 +73,7 @@ int teeth_in(const json& value) {
 
 double degrees(double radians) { return radians / rad_per_deg; }
 
-/// Returns the outline of an ellipsoid of revolution.
+/// Returns the outline of an ellipsoid of revolution with this diameter and length.
 std::vector<ProfilePoint> spheroid(double diameter, double length) {
   constexpr int steps = 64;
   std::vector<ProfilePoint> outline;

@@ -79,7 +79,7 @@ bool FlatProgram::is_by_reference(const Motion& motion) const {
   return point != 0 && reference_code(blocks_.def(), point) != nullptr;
 }
 
-/// Writes a motion to a reference point. Its intermediate point is the present position (increments of 0), so that the axes move straight
+/// Writes a motion to a reference point. The intermediate point is the present position (increments of 0), so that the axes move directly
 /// to the reference point.
 Status FlatProgram::reference_motion(const Motion& motion) {
   const int point = reference_of(motion.end_reference);

@@ -165,7 +165,7 @@ Status FlatProgram::close(const FlatBefore& after) {
   return blocks_.end();
 }
 
-/// Writes the codes that need blocks of their own before the motion: plane and work offset.
+/// Writes the codes that must precede the motion in blocks of their own: plane and work offset.
 Status FlatProgram::write_before_motion(const Motion& motion, const OffsetsInForce& now) {
   if (is_arc(motion.kind) || motion.side != 0) {
     const int plane = plane_of(motion, axes_);

@@ -22,14 +22,14 @@ enum class FlatForm : std::uint8_t {
   lengths,   // cutter compensation is applied to the coordinates; tool lengths and work offsets stay codes
   plain,     // all offsets are applied to the coordinates: the words are machine coordinates
   places,    // like `contours`, for ranges between rewritten blocks, which may have put shifts in force: the coordinates are as programmed
-  centres,   // like `places`, with cutter compensation applied to the coordinates
+  centres,   // like `places`, but cutter compensation is applied to the coordinates
 };
 
 /// The rows of the offset tables that are in force.
 struct OffsetsInForce {
   std::int8_t length_sign = 0;      // sense of the length compensation: +1 (G43), -1 (G44); 0: none
-  std::uint32_t length_number = 0;  // number of the length offset: H, or the word that the control uses for it
-  std::uint32_t radius_number = 0;  // number of the radius offset: D
+  std::uint32_t length_number = 0;  // number of the length offset: the number after H, or after the word that the control uses for it
+  std::uint32_t radius_number = 0;  // number of the radius offset: the number after D
   friend bool operator==(const OffsetsInForce&, const OffsetsInForce&) = default;
 };
 
@@ -49,7 +49,8 @@ struct FlatSource {
   // Number of each M function on the target control, by number on the source control, if the tables of both controls state another number.
   std::map<std::uint32_t, std::uint32_t> machine_codes{};
   std::array<std::optional<std::uint32_t>, 3> coolants{};  // M codes of the target control, by Coolant, if the tables state them
-  std::vector<std::string> systems{};                      // work system codes of the target control, by number: "G54", "G54.1 P1"
+  // Codes of the target control that select a work system, by number of the work system: "G54", "G54.1 P1"
+  std::vector<std::string> systems{};
 };
 
 class FlatProgram {

@@ -166,7 +166,7 @@ class RangeWriter {
   BlockMaker blocks_;
   FlatProgram flat_;
   const bool centres_, straight_on_;
-  std::vector<const CodeRow*> codes_of_modes_;  // codes of the modes in FlatBefore
+  std::vector<const CodeRow*> codes_of_modes_;  // rows of the codes for the modes in FlatBefore
   OffsetsInForce now_;
   std::uint32_t number_ = ~std::uint32_t{0};  // sequence number of the block in the run
   std::size_t kept_ = 0;                      // size in bytes of the texts of all ranges so far

@@ -17,12 +17,12 @@ namespace kadr {
 
 struct FlatRange {
   TextLines lines;
-  bool follows = false;           // no block lies between the previous range and this one
-  std::string text{};             // the flat blocks of one execution
+  bool follows = false;           // true if no block lies between the previous range and this one
+  std::string text{};             // text of the flat blocks, from one execution of the range
   std::size_t times = 0;          // number of executions
-  std::size_t motions = 0;        // number of motions in one execution
-  bool differs = false;           // two executions of the range differ
-  std::optional<Alarm> cannot{};  // the target control cannot express the range
+  std::size_t motions = 0;        // number of motions in one execution of the range
+  bool differs = false;           // true if two executions of the range give different texts
+  std::optional<Alarm> cannot{};  // alarm that the target control cannot express the range; nullopt: it can
   bool probed = false;  // a probe motion came earlier, so coordinates of this range may depend on what the probe touched in this run
   bool settled() const { return !differs && !cannot; }
 };

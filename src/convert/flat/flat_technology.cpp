@@ -194,7 +194,7 @@ Status FlatProgram::rounding(const Motion& motion) {
 /// Writes the corner mode in the block of the motion: G62, G63 or the code that ends them.
 Status FlatProgram::corners(const Motion& motion) {
   if (motion.corner_speed == corners_ || !modes_.speeds) return {};
-  const bool exact_by_mode = motion.exact && !is_between() && has_stop_modes();  // exact stop mode already replaces the corner modes
+  const bool exact_by_mode = motion.exact && !is_between() && has_stop_modes();  // the exact stop mode is used instead of a corner mode
   return exact_by_mode ? Status() : corner_mode(motion.corner_speed);
 }
 
