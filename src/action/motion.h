@@ -159,8 +159,8 @@ struct MotionPath {
 /// The feed of a motion, and how exactly the motion follows its path.
 struct MotionFeed {
   double feed = 0;       // commanded feed, in `unit`
-  double tolerance = 0;  // mm; deviation from the path that constant-velocity mode permits at corners; 0: the program does not state it
-  double join = 0;       // mm; straight motions whose travel is no longer than this in any axis are joined into one (nct 4.7, N3103)
+  double tolerance = 0;  // deviation from the path, mm, that constant-velocity mode permits at corners; 0: the program does not state it
+  double join = 0;       // straight motions whose travel is no longer than this in any axis (mm) are joined into one (nct 4.7, N3103)
   FeedUnit unit = FeedUnit::mm_per_min;
   FeedAlong along = FeedAlong::path;
   CornerSpeed corner_speed = CornerSpeed::limited;

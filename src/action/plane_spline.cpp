@@ -180,7 +180,7 @@ std::pair<PlaneSpline::Piece, PlaneSpline::Piece> PlaneSpline::split(const Piece
 /// Extends the box to contain the Bézier part `piece`, using the convex hulls of smaller and smaller halves. The box must already contain
 /// the ends of `piece`.
 void PlaneSpline::widen(Box2& box, const Piece& piece, int halvings) {
-  constexpr double close = 1e-9;  // mm: precision of the box
+  constexpr double close = 1e-9;  // precision of the box, mm
   Box2 hull{flat(piece[0]), flat(piece[0])};
   for (const Weighted& point : piece) hull.take(flat(point));
   const bool inside = hull.least.x >= box.least.x - close && hull.least.y >= box.least.y - close && hull.most.x <= box.most.x + close &&

@@ -28,7 +28,7 @@ struct ComparedPiece {
   Axes from{}, to{};
   Origin origin;
   std::size_t number = 0;  // index, in Comparison::differences, of the difference that contains the segment
-  double distance = 0;     // CourseDifference::distance of the difference, mm
+  double distance = 0;     // distance between the paths in this difference, mm (CourseDifference::distance)
 };
 
 struct CompareRules {
@@ -59,8 +59,9 @@ struct CourseDifference {
   Kind kind = Kind::way;
   CourseSpot a, b;        // positions at which the difference begins in each program
   CourseSpot a_to, b_to;  // positions at which the difference ends: both programs do the same again from there
-  double distance = 0;    // mm, only for paths: greatest distance, within this difference, of a vertex of one path from the other path
-  Axes a_far{}, b_far{};  // axis positions, on the paths of a and b, between which `distance` was measured
+  // Greatest distance of a vertex of one path from the other path within this difference, mm; only for a difference of paths
+  double distance = 0;
+  Axes a_far{}, b_far{};         // axis positions, on the paths of a and b, between which `distance` was measured
   std::string a_value, b_value;  // the values that differ: "F200", "M8"; empty for the program that lacks the act
 };
 

@@ -8,7 +8,7 @@
 namespace kadr {
 namespace {
 
-constexpr double no_length = 1e-12;  // mm²: a segment whose squared length is less counts as a point
+constexpr double no_length = 1e-12;  // a segment whose squared length is less than this number of mm² counts as a point
 constexpr double whole = 1 - 1e-9;   // a fraction of a segment that exceeds this counts as 1, because of rounding errors
 
 }  // namespace

@@ -14,7 +14,7 @@ namespace {
 
 // Greatest number of points of a path in the main picture, and in a close-up.
 constexpr std::size_t max_points = 100'000, most_close_points = 20'000;
-// mm; greatest deviation of a drawn path in the main picture, and in a close-up.
+// Greatest deviation, mm, of a drawn path in the main picture, and in a close-up.
 constexpr double whole_chord = 0.002, close_chord = 1e-5;
 // Greatest number of common segments that are stored before a difference, and after it.
 constexpr std::size_t most_around = 500;

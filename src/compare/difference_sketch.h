@@ -25,7 +25,7 @@ class SketchPen {
 
  private:
   PlotPath& path_;
-  double chord_;  // mm; greatest deviation of the joined path from the segments
+  double chord_;  // greatest deviation of the joined path from the segments, mm
   Vec3 corner_;   // end of the joined path so far
   SketchPiece held_{};
   bool holds_ = false, begun_ = false;

@@ -14,7 +14,7 @@ constexpr std::size_t most_open = 20'000;  // greatest number of segments of one
 
 // Greatest number of segments by which b may lag behind a; greatest number of identical segments among which vE (see below) is searched.
 constexpr std::size_t max_lag = 4, most_alike = 16;
-constexpr double same_projection = 1e-12;  // mm; a smaller distance counts as 0 and is not reported
+constexpr double same_projection = 1e-12;  // a smaller distance, in mm, counts as 0 and is not reported
 
 Interval common(Interval a, double from) { return {std::max(a.first, from), a.last}; }
 

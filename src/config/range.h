@@ -15,14 +15,15 @@ struct NumberRange {
 };
 
 namespace ranges {
-inline constexpr NumberRange position = {-1e7, 1e7, texts::ranges::mm_or_degrees};  // positions up to 10 km, as in programs
+inline constexpr NumberRange position = {-1e7, 1e7, texts::ranges::mm_or_degrees};  // range of positions: up to 10 km, as in programs
 inline constexpr NumberRange distance = {0, 1e7, texts::ranges::mm};
 inline constexpr NumberRange diameter = {1e-6, 1e7, texts::ranges::mm};
-inline constexpr NumberRange rate = {1e-3, 1e9, texts::ranges::rate};  // a rapid rate must not be zero, since its motion would never end
+// Range of rapid rates: a rate must not be zero, since its motion would never end
+inline constexpr NumberRange rate = {1e-3, 1e9, texts::ranges::rate};
 inline constexpr NumberRange feed = {0, 1e9, texts::ranges::feed};
 inline constexpr NumberRange acceleration = {1e-3, 1e9, texts::ranges::acceleration};
 inline constexpr NumberRange jerk = {1e-3, 1e12, texts::ranges::jerk};
-inline constexpr NumberRange seconds = {0, 86400, texts::ranges::seconds};  // times up to a day
+inline constexpr NumberRange seconds = {0, 86400, texts::ranges::seconds};  // range of times: up to a day
 inline constexpr NumberRange speed = {0, 1e6, texts::ranges::speed};
 // Greatest permitted change of a direction (KinematicsSetup::singular)
 inline constexpr NumberRange singular = {0, 5, texts::ranges::degrees};

@@ -190,7 +190,7 @@ double usual_tolerance(const ControlDef& from, const ControlDef& to, bool arcs) 
     return coarser / 2;
   };
   constexpr std::pair<char, char> axes[] = {{'X', 'I'}, {'Y', 'J'}, {'Z', 'K'}};
-  // mm²: sums of squared rounding errors, of lines and of arcs. The increments differ by axis: in spec/gost 3 only Z has hundredths.
+  // Sums of squared rounding errors, mm², of lines and of arcs. The increments differ by axis: in spec/gost 3 only Z has hundredths.
   double lines = 0, around = 0;
   for (const auto& [axis, centre] : axes) {
     const double end = half_increment(axis), off = end + 2 * half_increment(centre);

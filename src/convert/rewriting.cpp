@@ -167,7 +167,7 @@ class Rewriter {
 
   /// Copies the lines between the last block and this line that have no blocks: comments and empty lines.
   void lines_before(std::uint32_t line) {
-    if (line == next_raw_) {  // the program has had no line without a block so far, and raw_ is opened only at the first one
+    if (line == next_raw_) {  // all lines so far have blocks; raw_ is opened only at the first line without a block
       next_raw_ = line + 1;
       passed_ = block_.position;
       return;

@@ -138,7 +138,7 @@ bool changes_tools(const ControlDef& def) {
 }
 
 bool probe_elsewhere(Setup& setup) {
-  constexpr double apart = 0.0937;  // mm; distance by which the probed surface is shifted
+  constexpr double apart = 0.0937;  // distance by which the probed surface is shifted, mm
   for (auto& [input, at] : setup.probe)
     if (at)
       for (auto& [axis, value] : *at) value += apart;
@@ -176,7 +176,8 @@ Setup corresponding_setup(const Setup& setup, const ControlDef& from, const Cont
   made.tool = setup.tool;
   if (allows_key(to, "clock")) made.clock = setup.clock;
   if (allows_key(to, "probe")) made.probe = setup.probe, made.probe_hole = setup.probe_hole;
-  constexpr double usual_speed = 1000;  // rev/min; default of Grbl's $30, the greatest speed, to which a higher S is reduced (spec/grbl 8)
+  // Default of Grbl's $30, the greatest spindle speed in rev/min, to which a higher S is reduced (spec/grbl 8)
+  constexpr double usual_speed = 1000;
   if (to.has_lines_alone() && names.most_speed > usual_speed) made.parameters[{"0030", "", ""}] = names.most_speed;
   if (allows_key(to, "reference_points"))
     for (const auto& [point, values] : setup.reference_points) made.reference_points[point] = axes.of(values);

@@ -12,7 +12,7 @@ namespace {
 constexpr double turn = 360;
 // Two unit vectors whose difference is less count as parallel: the tool direction and a rotary axis (nct 25a 5.1)
 constexpr double singular = 1e-6;
-constexpr double tie = 1e-4;  // degrees: two angles that differ by less count as equal (nct 25g 3)
+constexpr double tie = 1e-4;  // two angles that differ by less than this number of degrees count as equal (nct 25g 3)
 
 double degrees(double radians) { return radians / rad_per_deg; }
 

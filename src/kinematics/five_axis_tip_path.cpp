@@ -10,7 +10,7 @@
 namespace kadr {
 namespace {
 
-constexpr double parallel = 1e-9;  // radians: two directions that differ by less count as the same
+constexpr double parallel = 1e-9;  // two directions whose angle is less than this number of radians count as the same
 // Two unit vectors that differ by less than this count as equal: a direction this close to the pole is singular (nct 25a 5.1)
 constexpr double at_pole = 1e-6;
 constexpr double just_off = 1e-5;  // fraction of a motion: a position closer to its end than this counts as the end

@@ -59,7 +59,7 @@ class FiveAxisTipPath final : public TipPath {
     bool contact = false, begins = false;
     double radius = 0, corner = 0;  // radius and corner radius of the tool, mm
     Vec3 normal, end_normal;        // unit normals of the surface at the start and at the end of the motion
-    std::optional<double> pivot;    // mm; distance from the tip to the point about which the tool rotates, positive away from the holder
+    std::optional<double> pivot;    // distance from the tip to the point about which the tool rotates, mm, positive away from the holder
   };
   explicit FiveAxisTipPath(const Data& data);
 

@@ -108,7 +108,7 @@ FiveAxis MachineTree::directions(const std::vector<const MachineJoint*>& rotary)
 bool MachineTree::turn_by_steps(Vec3 wanted, Axes& axes) const {
   const std::vector<const MachineJoint*> rotary = joints(true);
   constexpr int max_steps = 100;
-  constexpr double probe = 1e-4;  // degrees: step of the axis position for the numerical derivative
+  constexpr double probe = 1e-4;  // step of the axis position, degrees, for the numerical derivative
   for (int step = 0; step < max_steps; ++step) {
     const Vec3 now = direction(axes), missing = wanted - now;
     if (length(missing) < same_way) return true;

@@ -12,7 +12,7 @@ namespace kadr {
 namespace {
 
 constexpr int max_rim_steps = 10'000;
-constexpr double rim_reached = 1e-10;  // mm; the search along the path stops when the ball is this close to the top edge of the hole
+constexpr double rim_reached = 1e-10;  // distance of the ball from the top edge of the hole, mm, at which the search along the path stops
 
 /// The path of the centre of the probe's ball. The origin of its coordinates is on the axis of the hole, at the top face.
 struct Way {

@@ -17,8 +17,8 @@ struct RotarySwing {
 
 class SingularityWatch {
  public:
-  static constexpr double most = 30;       // degrees per mm of the tip's path: only a faster rotation is reported
-  static constexpr double least = 20;      // degrees: a motion that turns the axis by less is not reported
+  static constexpr double most = 30;       // greatest rotation of an axis, degrees per mm of the tip's path, that is not reported
+  static constexpr double least = 20;      // least rotation of an axis, degrees, that is reported
   static constexpr int max_reported = 20;  // greatest number of reports per program run
 
   /// Returns the swing if the step is a feed motion that turns an axis faster than `most`; nullopt for every other step. Only the first of

@@ -40,7 +40,7 @@ inline tl::unexpected<DrawingFault> drawing_fault(std::uint32_t line, const Alar
 namespace limits {
 inline constexpr std::size_t drawing_bytes = 16u << 20;  // greatest size of a drawing file, bytes
 inline constexpr std::size_t drawing_edges = 20'000;  // greatest number of edges, because each edge costs time in the computation of areas
-inline constexpr double contour_reach = 100'000;      // mm: greatest distance of a point from the origin, larger than any milling machine
+inline constexpr double contour_reach = 100'000;      // greatest distance of a point from the origin, mm; no milling machine is larger
 }  // namespace limits
 
 /// Reads the edges of a drawing in the order of the file. An arc of more than a semicircle is split into several edges.

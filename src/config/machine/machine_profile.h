@@ -55,7 +55,7 @@ struct MachineProfile {
   double tool_change_s = 10;
   double spindle_start_s = 0;
   double most_rpm = 0;      // highest spindle speed, rev/min; 0: the file does not state it
-  double tolerance = 0.01;  // mm: permitted rounding of corners if the program states no tolerance
+  double tolerance = 0.01;  // permitted rounding of corners if the program states no tolerance, mm
   PlannerMode planner = PlannerMode::programmed;
 };
 

@@ -55,7 +55,7 @@ struct KinematicsSetup {
   std::string type;            // machine type: head-head, table-table, head-table; empty: the set-up does not state it
   std::string axes, reversed;  // letters of the rotary axes; letters of those that are reversed
   std::map<std::string, std::vector<double>> vectors;  // vectors, mm, by their names in the manual: T1, T2, E, D
-  double singular = 0.01;  // degrees: permitted change of a tool direction, if one rotary axis then need not move
+  double singular = 0.01;  // permitted change of a tool direction if one rotary axis then need not move, degrees
 };
 
 struct SpindleSetup {

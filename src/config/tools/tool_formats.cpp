@@ -15,8 +15,8 @@
 namespace kadr {
 namespace {
 
-constexpr double assumed_length = 100;  // mm: assumed length of a tool, because a table of offsets does not state it
-constexpr double assumed_edge = 10;     // mm: assumed length of an insert's cutting edge, because the table does not state it
+constexpr double assumed_length = 100;  // assumed length of a tool, mm, because a table of offsets does not state the length
+constexpr double assumed_edge = 10;     // assumed length of an insert's cutting edge, mm, because the table does not state it
 
 bool ends_with_any(const std::string& path, std::initializer_list<std::string_view> endings) {
   const std::string small = in_small_letters(path);

@@ -47,7 +47,7 @@ struct ToolGeometry {
   ToolKind kind = ToolKind::flat;
   double diameter = 0;
   double corner = 0;                  // corner radius of a bull nose mill, mm
-  double angle = 0;                   // degrees: angle of a taper, drill or chamfer tool (see ToolKind), or of an insert's nose
+  double angle = 0;                   // angle of a taper, drill or chamfer tool (see ToolKind), or of an insert's nose, degrees
   double tip = 0;                     // diameter of the flat end of a chamfer tool or drill, mm
   double flutes = 0;                  // height of the cutting part (flute length), mm
   double length = 0;                  // stick-out, mm: height of the holder's lower face above the tip
