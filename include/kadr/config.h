@@ -1,5 +1,5 @@
 #pragma once
-// What is loaded before a run: the files of a control, a machine, a set-up. Also guesses the control that a program was written for.
+// Loads what a run needs: the files of a control, a machine and a set-up. Also guesses the control that a program was written for.
 
 #include "config/control/control_file.h"     // load_control, parse_control
 #include "config/control/guess.h"            // guess_control

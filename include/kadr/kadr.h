@@ -1,5 +1,5 @@
 #pragma once
-// All of Kadr as a library. docs/library.md shows it by examples.
+// All of Kadr as a library; docs/library.md shows its use by examples.
 
 #include "action.h"   // Action: one thing that a program makes the machine do, as a value
 #include "alarm.h"    // alarms and their texts

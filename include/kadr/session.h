@@ -1,7 +1,7 @@
 #pragma once
-// Session: a program that is being executed, with the positions of the axes over time, and snapshot and restore. Built on it: stepping,
-// access to any line of a long program, continuing in mid-program, the control's own block search, and the next axis positions for a
-// servo clock.
+// Session: a run of a program, with the positions of the axes over time, and with snapshot and restore. Further functions are built on
+// Session: stepping, access to any line of a long program, a start in mid-program, the control's own block search, and the next axis
+// positions for a servo clock.
 
 #include "session/block_search.h"
 #include "session/checkpoints.h"

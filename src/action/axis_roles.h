@@ -1,5 +1,5 @@
 #pragma once
-// AxisRoles: which axes of a channel are X, Y, Z, and which are rotary.
+// AxisRoles: states which axes of a channel are X, Y, Z, and which axes are rotary.
 
 #include <algorithm>
 #include <array>
@@ -11,11 +11,11 @@
 
 namespace kadr {
 
-/// What the rooms (folders of src) that come after `control` know about the axes of a channel.
+/// The properties of a channel's axes that the rooms (folders of src) after `control` need.
 struct AxisRoles {
   std::size_t count = 3;
   AxisMask rotary = 0;
-  std::array<int, 3> xyz{0, 1, 2};  // indices of the axes X, Y, Z; -1: the channel has none
+  std::array<int, 3> xyz{0, 1, 2};  // indices of the axes X, Y, Z; -1: the channel lacks the axis
 
   static AxisRoles of(const std::vector<std::string>& names, AxisMask rotary) {
     AxisRoles roles{std::min(names.size(), max_axes), rotary, {-1, -1, -1}};

@@ -1,6 +1,6 @@
 #pragma once
-// by_kind(): calls a function according to the kind of an action. A caller names every kind, either with a function that accepts it or in
-// ignores<…> or same<…>. So when a kind is added to Action, no caller compiles until it handles the new kind.
+// by_kind(): calls one of several functions, selected by the kind of an action. A caller names every kind, either with a function that
+// accepts it or in ignores<…> or same<…>. So when a kind is added to Action, no caller compiles until it handles the new kind.
 //
 //   by_kind(
 //       action,                                                   //
@@ -49,7 +49,8 @@ SameOf<Result, Kinds...> same(Result result) {
   return {std::move(result)};
 }
 
-/// Calls the function that accepts the action's kind and returns its result, whose type is the same for all kinds.
+/// Calls the function that accepts the action's kind, and returns the result of that function. All functions must have the same result
+/// type.
 template <class... Functions>
 auto by_kind(const Action& action, Functions&&... functions) {
   return std::visit(EachKind{std::forward<Functions>(functions)...}, action.what);
@@ -60,11 +61,11 @@ auto by_kind(Action& action, Functions&&... functions) {
   return std::visit(EachKind{std::forward<Functions>(functions)...}, action.what);
 }
 
-/// Returns nullptr if the action is not a motion. For callers that are interested in motions only.
+/// Returns the motion of the action; nullptr if the action is not a motion. For callers that process motions only.
 inline const Motion* motion_of(const Action& action) { return std::get_if<Motion>(&action.what); }
 inline Motion* motion_of(Action& action) { return std::get_if<Motion>(&action.what); }
 
-/// Returns true for a code that the control executes itself and only reports to the machine (nct 13.1: M2, M30, M98, M99).
+/// Returns true for an M code that the control executes itself and only reports to the machine (nct 13.1: M2, M30, M98, M99).
 inline bool is_by_control(const Action& action) {
   const auto* const function = std::get_if<MachineFunction>(&action.what);
   return function != nullptr && function->by_control;

@@ -10,7 +10,8 @@ namespace kadr {
 
 namespace {
 
-// mm. For FeedAlong::xyz: if X, Y, Z together travel less than this, they count as not moving; `tiny` in LinuxCNC's find_straight_length.
+// mm. For FeedAlong::xyz: X, Y and Z count as not moving if their travel together is less than this; it is `tiny` in LinuxCNC's
+// find_straight_length.
 constexpr double stands_within = 1e-7;
 
 AxisMask followers_of(const MotionDetail* detail) {
@@ -37,12 +38,12 @@ FlatPath Curve::plane_path() const {
   const Vec2 end = flat ? Vec2{motion_.to[first_], motion_.to[second_]} : motion_.detail->flat_to;
   if (!arc_) return FlatPath::line(start, end);
   Vec2 center = motion_.center;
-  if (surface_ == PathSurface::cylinder)  // the centre in the motion is in axis units: degrees for the rotary axis
+  if (surface_ == PathSurface::cylinder)  // the motion's centre is in axis units: degrees for the rotary axis
     center = start + Vec2{(center.x - from_[first_]) / unit(first_), (center.y - from_[second_]) / unit(second_)};
   return FlatPath::arc(start, end, center, motion_.kind == MotionKind::arc_ccw ? motion_.turns : -motion_.turns);
 }
 
-/// Returns axis units per mm of the unrolled surface: degrees per mm for the rotary axis of a cylinder, else 1.
+/// Returns the units of an axis per mm of the unrolled surface: degrees per mm for the rotary axis of a cylinder, 1 for any other axis.
 double Curve::unit(std::size_t axis) const {
   return surface_ == PathSurface::cylinder && roles_.is_rotary(axis) ? 1 / (motion_.detail->radius * rad_per_deg) : 1;
 }
@@ -85,7 +86,7 @@ bool Curve::measures_path(FeedAlong along) const {
 double Curve::length(FeedAlong along) const {
   if (const double turned = along == FeedAlong::turn ? flat_.turn_length() : 0; turned > 0) return turned;
   const double way = straight() ? rise(along) : flat_.length(rise(along));
-  return way > 0 ? way : rotary_length();  // if only rotary axes move, degrees count as mm
+  return way > 0 ? way : rotary_length();  // if only rotary axes move, a degree counts as 1 mm
 }
 
 double Curve::rate(FeedAlong along, double part) const {
@@ -107,8 +108,8 @@ void Curve::set_in_plane(Axes& point, Vec2 flat) const {
   point[second_] = there.y;
 }
 
-/// Sets the follower axes of `point`. A follower travels as far as its master. If its programmed end requires more or less travel (in a
-/// rotated frame), the difference is spread evenly over the motion.
+/// Sets the follower axes of `point`. A follower travels as far as its master. In a rotated frame, the programmed end of the follower may
+/// require another travel; the difference is then spread evenly over the motion.
 void Curve::set_followers(Axes& point, double part) const {
   for (const Follower& follower : motion_.detail->followers) {
     const double rest = way(follower.axis) - follower.sign * way(follower.master);

@@ -1,7 +1,7 @@
 #pragma once
 // Curve: the path of one Motion from the tool's position: a line, an arc, a spiral, a helix, a cone or a spline, or one of these on a
-// surface (polar or cylinder interpolation). Axes outside the plane, and rotary axes, move evenly with the path; a follower axis moves as
-// its master does. NIST 2.1.2.3, 2С42 6.6, NCT 4.2–4.6, 20.2, LinuxCNC G5 to G5.3.
+// surface (polar or cylindrical interpolation). Axes outside the plane and rotary axes move evenly along the path; a follower axis copies
+// its master. NIST 2.1.2.3, 2С42 6.6, NCT 4.2–4.6, 20.2, LinuxCNC G5 to G5.3.
 
 #include "action/action.h"
 #include "action/axis_roles.h"
@@ -10,13 +10,13 @@
 
 namespace kadr {
 
-/// The least and greatest value of each axis.
+/// The least and the greatest position of each axis.
 struct Extents {
   Axes least;
   Axes most;
 };
 
-/// A view of a motion, in work coordinates. The constructor's arguments must outlive the view.
+/// A view of a motion, in work coordinates. The constructor's arguments must exist longer than the view.
 ///   law  a rotated, mirrored or reversed motion has the same length, and its extents are rotated or mirrored in the same way
 ///   law  at(0) is the start and at(1) the end, bit by bit
 class Curve {
@@ -29,46 +29,48 @@ class Curve {
         spline_(motion.kind == MotionKind::spline),
         first_(motion.first),
         second_(motion.second) {
-    if (arc_ || motion.detail) find_path();  // otherwise the motion is a straight line, which its ends determine
+    if (arc_ || motion.detail) find_path();  // any other motion is a straight line, for which its two ends suffice
   }
   Curve(const AxisRoles&, Axes&&, const Motion&) = delete;
 
   bool arc() const { return arc_; }
   bool spline() const { return spline_; }
   PathSurface surface() const { return surface_; }
-  /// Returns true for a line in axis coordinates: speed and direction are constant.
+  /// Returns true for a line in axis coordinates, along which speed ratios of the axes and direction are constant.
   bool straight() const { return !arc_ && !spline_ && surface_ == PathSurface::plane; }
 
-  /// Returns the length of the path in mm. It counts the linear axes, also those outside the plane; on a surface, the path is measured in
-  /// the surface's plane. Rotary axes and followers do not count.
+  /// Returns the length of the path in mm. The linear axes count, including those outside the plane; rotary axes and followers do not. On a
+  /// surface, the path is measured in the plane of the surface.
   double length() const;
 
-  /// Returns the travel of the rotary axes outside the plane, in degrees (several axes: as if at right angles, NIST 2.1.2.5).
+  /// Returns the travel of the rotary axes outside the plane, in degrees. The travels of several axes are added like components at right
+  /// angles (NIST 2.1.2.5).
   double rotary_length() const;
 
-  /// Returns the length of the motion as the commanded feed measures it. `along` says which travel the feed counts.
+  /// Returns the length of the motion as the commanded feed measures it. `along` selects the travel that the feed counts.
   double length(FeedAlong along) const;
 
-  /// Returns true if length(along) certainly equals length(). After false, the caller has to compute both: they may differ.
+  /// Returns true if length(along) certainly equals length(). If the result is false, the two may differ, and the caller has to compute
+  /// both.
   bool measures_path(FeedAlong along) const;
 
-  /// Returns d length(along) / d part. It is constant except on spirals.
+  /// Returns the derivative of length(along) by `part`. It is constant except on spirals.
   double rate(FeedAlong along, double part) const;
 
   /// Returns the signed travel of an axis over the motion. For a rotary axis that rolls over at 360°, whole revolutions are included.
   double way(std::size_t axis) const { return (rolled_ >> axis & 1U) != 0 ? motion_.detail->travel[axis] : motion_.to[axis] - from_[axis]; }
 
-  /// Returns the point at `part`, 0..1 of a line's length or of an arc's angle. Inside the motion, a rotary axis that rolls over counts on
-  /// beyond 360°.
+  /// Returns the axis positions at `part`, a fraction (0 to 1) of a line's length or of an arc's angle. Inside the motion, the position of
+  /// a rotary axis that rolls over continues beyond 360°.
   Axes at(double part) const;
 
-  /// Returns the derivative of at() by `part`, mm or degrees.
+  /// Returns the derivative of at() by `part`: mm or degrees for the whole motion.
   Axes rates(double part) const;
 
-  /// Returns the derivatives of the two axes of polar interpolation.
+  /// Returns the derivatives by `part` of the two axes of polar interpolation.
   PolarAxes polar_rates(double part) const { return polar().rates(part); }
 
-  /// Returns the point at `part` in the coordinates that the program's words have: in polar interpolation mm in the programmed plane, else
+  /// Returns the point at `part` in the coordinates of the program's words: in polar interpolation mm in the programmed plane, otherwise
   /// at(part).
   Axes programmed(double part) const;
 
@@ -78,16 +80,17 @@ class Curve {
   /// Returns the curvature of a path that is not straight, in its plane: 1/mm, positive for a left turn.
   double curvature(double part) const { return flat_.curvature(part); }
 
-  /// Returns the part at which polar interpolation is nearest to the rotation centre; 0 without polar interpolation.
+  /// Returns the `part` (0 to 1) at which polar interpolation is nearest to the rotation centre; 0 without polar interpolation.
   double nearest() const;
 
-  /// Returns the bounding box. Of an axis that rolls over at 360°, only its positions at the start and the end count.
+  /// Returns the bounding box of the motion. For an axis that rolls over at 360°, the box contains only its positions at the start and the
+  /// end.
   Extents extents() const;
 
-  /// Returns the number of equal pieces whose chords stay within `chord` mm of the path; 1 for a line.
+  /// Returns the number of equal parts of the path whose chords stay within `chord` mm of the path; 1 for a line.
   int pieces(double chord) const;
 
-  /// Returns a number of equal pieces of the path, so many that each axis has at most one extreme in each piece; for searches.
+  /// Returns a number of equal parts of the path, large enough that each axis has at most one extreme in each part; for searches.
   int samples() const { return straight() ? 1 : flat_.samples(); }
 
  private:
@@ -120,7 +123,7 @@ class Curve {
   AxisMask rolled_ = 0;
   AxisMask following_ = 0;              // mask of the follower axes, which copy another axis' travel
   std::size_t first_ = 0, second_ = 1;  // axes of the plane
-  FlatPath flat_;                       // the path in its plane or on its surface; not set for a straight line
+  FlatPath flat_;                       // the path in its plane or on its surface; not set if the motion is a straight line
 };
 
 }  // namespace kadr

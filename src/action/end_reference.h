@@ -1,16 +1,16 @@
 #pragma once
-// EndReference: what the end of a motion refers to: the work offset or a fixed position of the machine.
+// EndReference: the coordinate system of a motion's end: the work offset, the machine, or a reference point.
 
 #include <cstdint>
 
 namespace kadr {
 
-/// What specifies the end of a motion. If a work offset changes, only ends of the type `by_work` move with the offset.
+/// What determines the end of a motion. When a work offset changes, only ends of the kind `by_work` move with the offset.
 enum class EndReference : std::uint8_t {
-  by_work,      // work coordinates
-  by_machine,   // machine coordinates: G53
-  reference_1,  // the reference point of G28
-  reference_2,  // reference_2 to reference_4: the reference point of G30 P2 to G30 P4
+  by_work,      // the end is given in work coordinates
+  by_machine,   // the end is given in machine coordinates: G53
+  reference_1,  // the end is the reference point of G28
+  reference_2,  // reference_2 to reference_4: the end is the reference point of G30 P2 to G30 P4
   reference_3,
   reference_4,
 };

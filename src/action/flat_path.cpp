@@ -19,10 +19,11 @@ constexpr int samples_of_line = 16;
 /// Returns the antiderivative of sqrt(R² + a²) by the radius R, for a spiral with R' = dR/dφ and a² = R'² + rise² (rise per radian).
 double primitive(double radius, double a) { return (radius * std::hypot(radius, a) + a * a * std::asinh(radius / a)) / 2; }
 
-/// Returns the length of a spiral around an axis: over the angle `sweep_rad`, it moves `rise` along the axis and `growth` away from it.
+/// Returns the length, mm, of a spiral around an axis. Over the angle `sweep_rad`, the radius grows by `growth`, and the spiral moves by
+/// `rise` along the axis.
 double spiral_length(double radius, double growth, double rise, double sweep_rad) {
-  // The closed formula is used if growth / radius exceeds this number. For smaller growth, the difference of the primitives loses digits,
-  // and Gauss quadrature is exact to the rounding error.
+  // The closed formula is used if growth / radius is above this number. Below it, the difference of the primitives would lose digits, while
+  // Gauss quadrature is exact to the rounding error.
   constexpr double hardly = 1e-3;
   if (sweep_rad == 0) return std::hypot(growth, rise);
   if (std::abs(growth) > hardly * std::max(radius, radius + growth)) {
@@ -37,9 +38,9 @@ double spiral_length(double radius, double growth, double rise, double sweep_rad
   return sum;
 }
 
-/// Returns the angle φ, in radians from the start of a spiral, at which the spiral reaches farthest in the direction `quarter` (also
-/// radians from the start). With R(φ) the radius and R' = dR/dφ, this is where φ − quarter = atan(R' / R(φ)). The difference of the two
-/// sides rises by 1 to 2 per radian, so Newton's method converges fast.
+/// Returns the angle φ, in radians from the start of a spiral, at which the spiral reaches farthest in the direction `quarter` (radians
+/// from the start). R(φ) is the radius and R' = dR/dφ; the angle satisfies φ − quarter = atan(R' / R(φ)). The difference of the two sides
+/// rises by 1 to 2 per radian, so Newton's method converges fast.
 double turning_point(double quarter, double radius, double growth_per_rad) {
   constexpr int max_steps = 30;
   constexpr double near_enough = 1e-13;
@@ -60,10 +61,11 @@ void take_quarters(Box2& box, const CircleArc& arc) {
   const Vec2 first = arc.first, last = arc.last;
   const auto passes = [&](bool behind, bool before, bool not_opposite) {
     if (arc.turns > 0.5) return arc.turns >= 1 || behind || before;
-    return behind && before && not_opposite;  // not_opposite: a very short arc does not pass the opposite direction
+    return behind && before && not_opposite;  // not_opposite excludes a very short arc, which does not contain the opposite direction
   };
-  // `first` and `last` point from the centre to the ends of the arc. A direction of an axis lies within the arc if cross(first, axis) >= 0
-  // and cross(axis, last) >= 0; both are also 0 if first and last point the opposite way, so one of them must not.
+  // `first` and `last` are vectors from the centre to the ends of the arc. The direction of an axis lies within the arc if cross(first,
+  // axis) >= 0 and cross(axis, last) >= 0. Both products are also 0 if first and last are opposite to the axis, so the caller passes a
+  // third condition, which excludes this case.
   if (passes(first.y <= 0, last.y >= 0, first.x >= 0 || last.x >= 0)) box.most.x = std::max(box.most.x, arc.center.x + arc.radius);
   if (passes(first.x >= 0, last.x <= 0, first.y >= 0 || last.y >= 0)) box.most.y = std::max(box.most.y, arc.center.y + arc.radius);
   if (passes(first.y >= 0, last.y <= 0, first.x <= 0 || last.x <= 0)) box.least.x = std::min(box.least.x, arc.center.x - arc.radius);
@@ -149,11 +151,11 @@ Box2 FlatPath::box() const {
       box.take(at(turned / sweep_rad));
     }
   };
-  // A spiral with growing radius has its extreme in an axis direction up to 90° after passing this direction, one with shrinking radius up
-  // to 90° before.
+  // A spiral with growing radius has its extreme in an axis direction up to 90° after the angle of this direction; a spiral with shrinking
+  // radius has it up to 90° before that angle.
   const double slack = radius_change_ == 0 ? 0 : 1;
   const double first = std::ceil(low / 90) - slack, last = std::floor(high / 90) + slack, turn = 3 + 2 * slack;
-  // Of a spiral with many revolutions, the first and the last are the outermost, because the radius changes steadily.
+  // In a spiral of many revolutions, only the first and the last revolution can be outermost, because the radius changes steadily.
   for (double quarter = first; quarter <= std::min(last, first + turn); ++quarter) take_quarter(quarter);
   for (double quarter = std::max(first + turn + 1, last - turn); quarter <= last; ++quarter) take_quarter(quarter);
   return box;
@@ -174,7 +176,7 @@ double FlatPath::absolute_deg(double part, double radius_at) const {
 
 double FlatPath::swept(double part) const {
   const auto turn = [](Vec2 from, Vec2 to) { return angle_deg({dot(from, to), cross(from, to)}); };
-  if (spline_ != nullptr) {  // sums over pieces of the spline, each of which turns by less than 180°
+  if (spline_ != nullptr) {  // the angles of the parts of the spline are added; each part turns by less than 180°
     const int count = samples();
     double sum = 0;
     Vec2 before = from_;
@@ -188,7 +190,8 @@ double FlatPath::swept(double part) const {
   if (!arc_) return turn(from_, at(part));
   const double distance = kadr::length(center_), here = radius(part);
   if ((radius_ > distance) == (here > distance)) return absolute_deg(part, here) - absolute_deg(0, radius_);
-  // At the part `over`, the radius equals the distance of the centre from the origin: there the computation switches between the two cases.
+  // At the part `over`, the radius equals the distance of the centre from the origin; the computation changes from one case of
+  // absolute_deg() to the other there.
   const double over = (distance - radius_) / radius_change_;
   const double grown = std::nextafter(distance, 2 * distance + 1);
   const double before = radius_ > distance ? grown : distance, after = here > distance ? grown : distance;

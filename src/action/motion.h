@@ -1,5 +1,5 @@
 #pragma once
-// Motion: a line, an arc, a spiral, a helix or a spline of the tool point, fully resolved; a plain value. Units as in
+// Motion: a line, an arc, a spiral, a helix or a spline of the tool point, fully resolved; a plain value. The units are those of
 // action/action.h.
 
 #include <array>
@@ -17,81 +17,83 @@ enum class FeedUnit : std::uint8_t { mm_per_min, mm_per_rev, per_min };
 enum class MotionKind : std::uint8_t { rapid, feed, arc_cw, arc_ccw, probe, home, thread, spline };
 inline bool is_arc(MotionKind kind) { return kind == MotionKind::arc_cw || kind == MotionKind::arc_ccw; }
 
-/// What the commanded feed is measured along.
+/// The length along which the commanded feed is measured.
 enum class FeedAlong : std::uint8_t {
-  path,      // the linear axes; if only rotary axes move, their travel (NIST 2.1.2.5)
-  turn,      // the angle of an arc whose radius changes: it advances evenly, at the rate that the feed gives at the arc's start (nct 4.3)
-  arc,       // only the arc in its plane, not the travel of a helix along its axis (nct 4.3.2, HEF=0)
-  all_axes,  // millimetres and degrees count alike (nct 4.2)
-  xyz,       // X, Y, Z if they move, else the other linear axes, else the rotary ones (spec/linuxcnc 7.2)
+  path,  // length of the travel of the linear axes; if only rotary axes move, their travel (NIST 2.1.2.5)
+  turn,  // angle of an arc whose radius changes: the angle advances evenly, at the rate that the feed gives at the arc's start (nct 4.3)
+  arc,   // length of the arc in its plane, without the travel of a helix along its axis (nct 4.3.2, HEF=0)
+  all_axes,  // travel of all axes; a millimetre and a degree count alike (nct 4.2)
+  xyz,       // travel of X, Y, Z; if they do not move, of the other linear axes; else of the rotary axes (spec/linuxcnc 7.2)
 };
 
-/// Where the programmed plane lies, if it is not a plane of two axes (nct 4.5, 4.6).
+/// The surface of the programmed path: a plane of two axes, or the plane of polar interpolation, or a cylinder (nct 4.5, 4.6).
 enum class PathSurface : std::uint8_t { plane, polar, cylinder };
 
-/// What a motion in the plane does to cutter compensation (nct 15.5.1, 15.5.3).
+/// What a motion in the plane changes in cutter compensation (nct 15.5.1, 15.5.3).
 enum class SideStep : std::uint8_t {
   none,
   begins,  // compensation starts: G41 or G42 is in the motion's block
-  begun,   // compensation was started in an earlier block that did not move in the plane
+  begun,   // compensation was started in an earlier block, which did not move in the plane
   ends,    // compensation ends: G40 is in the motion's block
-  holds,   // G38: the offset vector at the motion's end is the same as at its start
+  holds,   // G38: the offset vector at the motion's end stays as it was at its start
 };
 
-/// How the compensated path goes round an outside corner.
+/// The path around an outside corner under cutter compensation.
 enum class CornerJoin : std::uint8_t {
-  extended,  // along straight lines; a sharp corner is cut off (nct 15.5.2)
+  extended,  // along straight lines tangential to both elements; a sharp corner is cut off (nct 15.5.2)
   arc,       // along an arc about the programmed point (2С42 G36, Mach3)
-  straight,  // along the two lines, extended to their intersection (2С42 G37)
+  straight,  // along both lines, extended to their intersection (2С42 G37)
 };
 
-/// How speed is controlled where two motions meet (nct 6.3).
+/// The speed control where two motions meet (nct 6.3).
 enum class CornerSpeed : std::uint8_t {
-  limited,       // the control's limits of the speed apply (G64, G61)
-  inner_slower,  // the control's limits of the speed apply, and motions are slower near inside corners (G62)
-  kept,          // the speed is not reduced (G63)
+  limited,       // the control's usual speed limits apply at the corner (G64, G61)
+  inner_slower,  // the usual speed limits apply, and motions are also slower near inside corners (G62)
+  kept,          // the speed is not reduced at the corner (G63)
 };
 
-/// Where the first compensated motion ends.
+/// The point at which the first compensated motion ends.
 enum class CompensationApproach : std::uint8_t {
   by_corner,  // at the point that the corner to the next motion requires (nct 15.5.1)
-  normal,     // on the normal to the next path element (2С42 6.4.7)
-  tangent,    // the tool touches the line to the programmed point over its whole length (Mach3, RS274/NGC)
+  normal,     // on the normal to the next path element at the programmed point (2С42 6.4.7)
+  tangent,    // so that the tool touches the line to the programmed point over its whole length (Mach3, RS274/NGC)
 };
 
-/// An axis that copies the travel of another (nct 20.2).
+/// An axis that copies the travel of another axis, its master (nct 20.2).
 struct Follower {
   std::uint8_t axis = 0;
   std::uint8_t master = 0;
-  double sign = 1;  // -1: the follower moves in the opposite direction
+  double sign = 1;  // factor for the travel; -1: the follower moves in the opposite direction
 };
 
-/// The line or circle on which a motion in the plane lies, if the start or end of the motion has to be calculated (nct 17.3).
+/// The line or circle that a motion in the plane lies on. It is needed if the start or end of the motion has to be calculated (nct 17.3).
 enum class SupportingCurve : std::uint8_t {
-  none,    // the ends of the motion are given, and nothing is calculated
-  way,     // a line with a known start and direction; it ends where the next motion starts
+  none,    // there is none: the ends of the motion are given, and nothing is calculated
+  way,     // a line with a known start and direction; its end is where the next motion starts
   line,    // an over-determined line, with a known end and direction; it starts at the intersection with the previous motion
   circle,  // an over-determined arc, with a known centre; it starts at the intersection with the previous motion
 };
 
-/// How a motion meets its neighbours in the plane (nct 17). path/compensation/corner_resolver computes the corners from this.
+/// The chamfer, rounding or intersection at the ends of a motion in the plane (nct 17). path/compensation/corner_resolver computes the
+/// corners from these data.
 struct CornerData {
-  double chamfer = 0;   // leg of the chamfer at the motion's end, mm; 0: none
-  double rounding = 0;  // radius of the rounding at the motion's end, mm; 0: none
+  double chamfer = 0;   // leg of the chamfer at the motion's end, mm; 0: there is no chamfer
+  double rounding = 0;  // radius of the rounding at the motion's end, mm; 0: there is no rounding
   SupportingCurve on = SupportingCurve::none;
-  Vec2 direction;         // direction of the line, only for `way` and `line`: unit vector
+  Vec2 direction;         // unit vector in the direction of the line; only for `way` and `line`
   double radius = 0;      // radius of the circle, only for `circle`, mm
-  bool farther = false;   // of two intersections, the second one is used (Q above 0)
-  bool mirrored = false;  // the programmed plane is mirrored: a clockwise arc of the program is counter-clockwise here
+  bool farther = false;   // if there are two intersections, the second one is used (Q above 0)
+  bool mirrored = false;  // the programmed plane is mirrored: an arc that is clockwise in the program is counter-clockwise here
 };
 
-/// The positions of the tool tip and of the rotary axes along a motion with tool centre point control. Only for the modes in which the
-/// motion's curve, with an even travel of the rotary axes, does not determine these positions: tool posture control, cutting point control
-/// (nct 25.15 to 25.17). Implemented in kinematics/five_axis_tip_path.
+/// Computes the positions of the tool tip and of the rotary axes along a motion with tool centre point control. It is needed only for modes
+/// in which the motion's curve, with an even travel of the rotary axes, does not determine these positions: tool posture control and
+/// cutting point control (nct 25.15 to 25.17). Implemented in kinematics/five_axis_tip_path.
 class TipPath {
  public:
   virtual ~TipPath() = default;
-  /// Returns the work coordinates of the tip and the rotary axes at `part`, where the curve is at `on_curve`.
+  /// Returns the work coordinates of the tip and the positions of the rotary axes at `part`. `on_curve` is the point of the motion's curve
+  /// at `part`.
   virtual Axes at(double part, const Axes& on_curve) const = 0;
   /// Returns the surface normal at the cutting point, in the work system; the zero vector if the mode has no cutting point.
   virtual Vec3 normal(double /*part*/) const { return {}; }
@@ -99,22 +101,23 @@ class TipPath {
 
 class PlaneSpline;
 
-/// The segment of a curve in the motion's plane (work coordinates) that the motion follows, between two parts of the curve's length.
+/// The segment of a spline that the motion follows: the curve in the motion's plane (work coordinates), and the two fractions (0 to 1) of
+/// the curve's length between which the segment lies.
 struct SplinePart {
   std::shared_ptr<const PlaneSpline> curve;
   double from = 0, to = 1;
 };
 
-/// Data that only few motions have.
+/// Data that only few motions have, so that a Motion stays small.
 struct MotionDetail {
   AxisMask rolled = 0;  // rotary axes that roll over at 360°; `travel` is their signed travel, degrees (nct 5.6)
   Axes travel{};
   PathSurface surface = PathSurface::plane;
-  Vec2 flat_from;               // mm; start in the programmed plane (polar interpolation) or on the unrolled surface (cylinder)
-  Vec2 flat_to;                 // mm; end, in the same plane or on the same surface as flat_from
+  Vec2 flat_from;               // start point, mm: in the programmed plane (polar interpolation) or on the unrolled surface (cylinder)
+  Vec2 flat_to;                 // end point, mm, in the same plane or on the same surface as flat_from
   double radius = 0;            // radius of the cylinder, mm
-  double side = 1;              // only for polar interpolation: sign of the linear axis' position at G12.1
-  double offset = 0;            // only for polar interpolation: perpendicular offset of the rotation centre, mm
+  double side = 1;              // only for polar interpolation: sign of the position that the linear axis had at G12.1
+  double offset = 0;            // only for polar interpolation: perpendicular offset of the rotation centre from the linear axis, mm
   double max_rotary_speed = 0;  // only for polar interpolation: greatest speed of the rotary axis, degrees/min; 0: no limit
   Axes programmed{};            // end point in the coordinates of the program's words
   bool has_programmed = false;
@@ -122,74 +125,75 @@ struct MotionDetail {
   std::optional<double> start_angle;  // angle of the spindle at the start of the thread, degrees
   std::optional<double> turn;         // rotation of the spindle during the motion, degrees, signed
   std::optional<double> torque;       // torque limit of a probe motion, %
-  int input = 0;                      // signal that ends a probe motion: 1 to 8 the probe input, 98 the torque limit, 0 any input
-  std::optional<Vec2> way;            // I J K of G41, G42, G40: direction of the approach or departure
+  int input = 0;            // number of the signal that ends a probe motion: 1 to 8 a probe input, 98 the torque limit, 0 any input
+  std::optional<Vec2> way;  // I J K of G41, G42, G40: direction of the approach to the contour, or of the departure
   // Axes that copy the travel of another axis, each listed after its master; the path's length does not include their travel
   std::vector<Follower> followers;
   std::shared_ptr<const TipPath> tip_path;
-  AxisMask parked = 0;  // axes that the machine's logic has parked: they do not move, their positions are only calculated (nct 20.2)
+  AxisMask parked = 0;  // axes that the machine's logic has parked: these axes do not move, only their positions are calculated (nct 20.2)
   bool evenly = false;  // all axes move evenly in this motion, although tool centre point control is in force (G53, nct 25.2)
   std::optional<CornerData> contour;
   SplinePart spline;  // only for MotionKind::spline
 };
 
-/// What a drilling cycle does in addition to cutting during a motion.
+/// What a drilling cycle does during a motion, in addition to cutting.
 enum class HoleWork : std::uint8_t {
   none,
-  taps,           // tapping: the spindle rotates in the direction that the thread needs
-  clear_of_wall,  // the spindle is oriented and its single cutting edge is clear of the wall (fine boring, back boring)
+  taps,           // tapping: the spindle rotates in the direction that the thread requires
+  clear_of_wall,  // the spindle is oriented, and its single cutting edge does not touch the wall (fine boring, back boring)
 };
 
-/// The form of a motion: everything about its path except the end point.
+/// Everything about the path of a motion except its end point.
 struct MotionPath {
   MotionKind kind = MotionKind::rapid;
-  std::uint8_t first = 0;   // first axis of an arc's plane, by index: counter-clockwise goes from the first towards the second
+  std::uint8_t first = 0;   // index of the first axis of an arc's plane; counter-clockwise means from the first axis towards the second
   std::uint8_t second = 1;  //
   EndReference end_reference = EndReference::by_work;
-  AxisMask named = 0;          // axes whose position the block gives
+  AxisMask named = 0;          // axes whose position the block states
   Vec2 center;                 // centre of an arc, in the two axes of its plane, work coordinates
-  double turns = 0;            // swept angle / 360, positive; the radius changes linearly with the angle
-  bool as_programmed = false;  // the end point is exactly as the program's words give it; set where rotated frames are possible (nct 25)
-  bool inch = false;           // the block was read in inches
+  double turns = 0;            // swept angle / 360°, positive; the radius changes linearly with the angle
+  bool as_programmed = false;  // the end point is exactly as the program's words state it; set where rotated frames are possible (nct 25)
+  bool inch = false;           // the lengths of the block were stated in inches
 };
 
-/// How fast and how exactly a motion is executed.
+/// The feed of a motion, and how exactly the motion follows its path.
 struct MotionFeed {
   double feed = 0;       // commanded feed, in `unit`
-  double tolerance = 0;  // mm; how far constant-velocity mode may deviate from the path at corners; 0: not stated
-  double join = 0;       // mm; straight motions no longer than this in any axis are joined into one (nct 4.7, N3103)
+  double tolerance = 0;  // deviation from the path, mm, that constant-velocity mode permits at corners; 0: the program does not state it
+  double join = 0;       // straight motions whose travel is no longer than this in any axis (mm) are joined into one (nct 4.7, N3103)
   FeedUnit unit = FeedUnit::mm_per_min;
   FeedAlong along = FeedAlong::path;
   CornerSpeed corner_speed = CornerSpeed::limited;
-  std::uint8_t spindle = 1;    // spindle whose revolutions a feed per revolution or a thread counts
-  std::uint8_t smoothing = 0;  // Q of G5.1 in force: 2 smooth, 3 fine (nct 4.7); 0: none
-  bool exact = false;          // exact stop at the end of the motion
-  bool own_override = false;   // feed and spindle override act as 100 % (tapping, threads, G23, M49)
-  bool no_hold = false;        // the operator's feed hold is ignored too (nct 6.3.4)
-  bool in_position = false;    // the axes must reach the in-position window at the end (nct 4.1.1, 6.3)
+  std::uint8_t spindle = 1;    // number of the spindle whose revolutions a feed per revolution or a thread counts
+  std::uint8_t smoothing = 0;  // smoothing mode in force, Q of G5.1: 2 smooth, 3 fine (nct 4.7); 0: no smoothing
+  bool exact = false;          // the axes stop exactly at the end of the motion
+  bool own_override = false;   // the overrides of feed and spindle act as 100 % (tapping, threads, G23, M49)
+  bool no_hold = false;        // the operator's feed hold does not stop the motion either (nct 6.3.4)
+  bool in_position = false;    // the axes must be within the in-position window at the end of the motion (nct 4.1.1, 6.3)
 };
 
-/// The side of the programmed path that the tool is on, and how it gets there.
+/// The side of the programmed path on which the tool is, and how the tool reaches this side.
 struct MotionCompensation {
   double tool_radius = 0;           // radius of the tool at the end of the motion, mm
-  std::uint16_t radius_offset = 0;  // row of the offset table that gives the radius, while compensation is on; 0: none
+  std::uint16_t radius_offset = 0;  // row of the offset table that gives the radius while compensation is on; 0: no row
   std::int8_t side = 0;             // +1: the tool is left of the path, -1: right, 0: no compensation
-  // Orientation of a turning tool whose tip follows the path (spec/linuxcnc 9); 0, 9: the centre of its nose follows the path
+  // Orientation of a turning tool whose tip follows the path (spec/linuxcnc 9). With 0 or 9, the centre of the tool's nose follows the
+  // path.
   std::uint8_t nose = 0;
   SideStep side_step = SideStep::none;
-  CornerJoin join_corner = CornerJoin::extended;                 // shape of the corner between this motion and the next
-  CompensationApproach entry = CompensationApproach::by_corner;  // only used if compensation starts with this motion
+  CornerJoin join_corner = CornerJoin::extended;                 // shape of the corner between this motion and the next motion
+  CompensationApproach entry = CompensationApproach::by_corner;  // used only if compensation starts with this motion
 };
 
 /// The work offset, tool length and drilling cycle that a motion belongs to.
 struct MotionContext {
-  std::uint16_t system = 0;         // row of the table of work offsets or fixtures that is in force (config/setup/setup_names); 0: none
-  std::uint16_t length_offset = 0;  // row of the offset table whose tool length is in force; 0: none
+  std::uint16_t system = 0;         // row in force of the table of work offsets or fixtures (config/setup/setup_names); 0: no row
+  std::uint16_t length_offset = 0;  // row of the offset table that gives the tool length in force; 0: no row
   HoleWork in_hole = HoleWork::none;
   bool of_cycle = false;  // a canned cycle created the motion
 };
 
-/// All that the modes and words of a block determine about its motion, except where it goes. `MotionModes{}` is a rapid with nothing in
+/// All that the modes and words of a block determine about its motion, except the end point. `MotionModes{}` is a rapid without any mode in
 /// force.
 struct MotionModes : MotionPath, MotionContext, MotionFeed, MotionCompensation {};
 

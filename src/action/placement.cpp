@@ -1,4 +1,4 @@
-// Converts between work and machine coordinates. Tested by tests/action/frame_test.cpp.
+// Placement: converts between work and machine coordinates. Tested by tests/action/frame_test.cpp.
 
 #include "action/placement.h"
 

@@ -12,10 +12,12 @@ namespace kadr {
 namespace {
 
 constexpr int max_spline_pieces = 100'000;
-// A speed (length per unit of t) below this share of the curve's length counts as 0; direction() then uses the tangent of a nearby point.
+// A speed (length per unit of t) below this fraction of the curve's length counts as 0; direction() then uses the tangent of a nearby
+// point.
 constexpr double standing = 1e-9;
 
-/// Gauss quadrature with eight points in [-1, 1], which are symmetric: the four positive points, and their weights.
+/// Gauss quadrature with eight points in [-1, 1]. The points are symmetric about 0, so only the four positive points and their weights are
+/// listed.
 constexpr std::array<double, 4> gauss_place = {0.1834346424956498, 0.5255324099163290, 0.7966664774136267, 0.9602898564975363};
 constexpr std::array<double, 4> gauss_weight = {0.3626837833783620, 0.3137066458778873, 0.2223810344533745, 0.1012285362903763};
 
@@ -39,7 +41,7 @@ PlaneSpline::PlaneSpline(const std::vector<ControlPoint>& points, std::size_t or
   }
 }
 
-/// Returns the control points of the Bézier piece between the knots `span` and `span` + 1. They are the values of the spline's polar form
+/// Returns the control points of the Bézier part between the knots `span` and `span` + 1. They are the values of the spline's polar form
 /// (blossom) with each argument equal to one of the two knots. The knots are 0 (`order` times), 1, 2, …, the last (`order` times).
 PlaneSpline::Piece PlaneSpline::piece_of(const std::vector<Weighted>& points, std::size_t span) const {
   const std::size_t degree = order_ - 1;
@@ -65,7 +67,7 @@ PlaneSpline::Motion2 PlaneSpline::motion(Place place) const {
   std::array<Weighted, most_order> d;
   std::copy(pieces_[place.piece].begin(), pieces_[place.piece].end(), d.begin());
   const std::size_t degree = order_ - 1;
-  Weighted first{}, second{};  // first and second derivative
+  Weighted first{}, second{};  // first and second derivative of the homogeneous coordinates
   for (std::size_t level = degree; level > 0; --level) {
     const double n = static_cast<double>(degree);
     if (level == 2) {
@@ -105,8 +107,8 @@ void PlaneSpline::measure(std::uint32_t piece, double from, double to, double wh
   measure(piece, middle, to, other, halvings - 1);
 }
 
-/// Finds the point at the part `part` of the length, by Newton's method between two nodes. A step of the method that would leave this
-/// interval is replaced by bisection.
+/// Finds the point at the fraction `part` (0 to 1) of the length, by Newton's method between two nodes. A Newton step that would leave the
+/// interval between the nodes is replaced by bisection.
 PlaneSpline::Place PlaneSpline::place_of(double part) const {
   const double wanted = part * length();
   const auto next = std::upper_bound(nodes_.begin() + 1, nodes_.end() - 1, wanted, [](double l, const Node& n) { return l < n.length; });
@@ -140,7 +142,7 @@ Vec2 PlaneSpline::at(double part) const {
 
 Vec2 PlaneSpline::direction(double part) const {
   if (!(length() > 0)) return {};
-  constexpr double beside = 1e-5;  // distance to a nearby point, as a share of the curve's length
+  constexpr double beside = 1e-5;  // distance to the nearby point whose tangent is used, as a fraction of the curve's length
   for (const double shift : {0.0, beside, 10 * beside, 100 * beside}) {
     const double there = std::clamp(part < 0.5 ? part + shift : part - shift, 0.0, 1.0);
     const Vec2 rate = motion(place_of(there)).rate;
@@ -175,10 +177,10 @@ std::pair<PlaneSpline::Piece, PlaneSpline::Piece> PlaneSpline::split(const Piece
   return {left, right};
 }
 
-/// Extends the box to contain the piece, using the convex hulls of smaller and smaller halves. The ends of `piece` must be in the box
-/// already.
+/// Extends the box to contain the Bézier part `piece`, using the convex hulls of smaller and smaller halves. The box must already contain
+/// the ends of `piece`.
 void PlaneSpline::widen(Box2& box, const Piece& piece, int halvings) {
-  constexpr double close = 1e-9;  // mm
+  constexpr double close = 1e-9;  // precision of the box, mm
   Box2 hull{flat(piece[0]), flat(piece[0])};
   for (const Weighted& point : piece) hull.take(flat(point));
   const bool inside = hull.least.x >= box.least.x - close && hull.least.y >= box.least.y - close && hull.most.x <= box.most.x + close &&
@@ -209,29 +211,29 @@ Box2 PlaneSpline::box(double from, double to) const {
 
 int PlaneSpline::samples() const { return static_cast<int>(std::min<std::size_t>(pieces_.size() * 4 * order_, max_spline_pieces)); }
 
-/// Returns the greatest distance of the curve from the chord between two parts, sampled at `places` - 1 inner points. `start`, `end`: the
-/// points at the two parts.
+/// Returns the greatest distance of the curve from the chord between two fractions of its length, sampled at `places` - 1 inner points.
+/// `start` and `end` are the points at these two fractions.
 double PlaneSpline::off_chord(double from, double to, Vec2 start, Vec2 end, int places) const {
   const Vec2 way = end - start;
   const double squared = dot(way, way);
   double worst = 0;
   for (int i = 1; i < places; ++i) {
     const Vec2 off = at(from + (to - from) * i / places) - start;
-    // At a cusp, the nearest point may lie beyond the chord's end
+    // At a cusp, the point of the line that is nearest to the sample may lie beyond the chord's end, so it is clamped to the chord.
     const double along = squared > 0 ? std::clamp(dot(way, off) / squared, 0.0, 1.0) : 0;
     worst = std::max(worst, kadr::length(off - along * way));
   }
   return worst;
 }
 
-/// Where the curve is smooth, its distance from a chord falls with the square of the chord's length; at a cusp, with the length itself. So
-/// the number of pieces is raised until the distance is small enough. A curve of length s with the chord c between its ends lies within an
-/// ellipse (string construction), at most √(s² − c²)/2 from the chord. A smooth curve comes close to this bound, and samples near its
-/// middle find the greatest distance. If the sampled distance is far below the bound, more points are sampled.
+/// Where the curve is smooth, its distance from a chord falls with the square of the chord's length; at a cusp, with the length itself.
+/// Therefore the number of parts is raised until the distance is small enough. A curve of length s whose ends are c apart lies within an
+/// ellipse (string construction), so it is at most √(s² − c²)/2 from the chord. A smooth curve comes close to this bound, and samples near
+/// its middle find the greatest distance. If the sampled distance is far below the bound, more points are sampled.
 int PlaneSpline::pieces(double from, double to, double chord) const {
-  constexpr double used = 0.8;        // share of the tolerance that is used, because the distance is only sampled
-  constexpr double fastest_rise = 4;  // greatest factor by which the number of pieces rises from one trial to the next
-  constexpr double of_ellipse = 0.5;  // a smooth curve reaches more than this share of the ellipse's bound; a circular arc reaches 0.87
+  constexpr double used = 0.8;        // fraction of the tolerance that is used; the rest is a margin, because the distance is only sampled
+  constexpr double fastest_rise = 4;  // greatest factor by which the number of parts rises from one trial to the next
+  constexpr double of_ellipse = 0.5;  // a smooth curve reaches more than this fraction of the ellipse's bound; a circular arc reaches 0.87
   double count = std::max(1.0, std::ceil((to - from) * samples() / 4));
   while (true) {
     const double hopeless = fastest_rise * fastest_rise * used * chord;

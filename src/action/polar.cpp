@@ -15,8 +15,8 @@ constexpr int max_polar_pieces = 100'000;
 
 }  // namespace
 
-/// Returns the position of the linear axis. The axis cannot reach points closer to the rotation centre than the offset; for such points it
-/// is at 0.
+/// Returns the position of the linear axis, mm. The axis cannot reach points that are closer to the rotation centre than the offset; for
+/// such points the result is 0.
 double PolarPath::linear_at(Vec2 point) const {
   const double distance = length(point);
   return side_ * std::sqrt(std::max(0.0, (distance - offset_) * (distance + offset_)));
@@ -64,8 +64,8 @@ void PolarPath::extremes(PolarAxes& least, PolarAxes& most) const {
   most = {linear.most, rotary.most};
 }
 
-/// At the distance d from the rotation centre, the curvature of the linear axis' travel is at most 1/d. So a chord of length h deviates
-/// from the travel by h²/8d, and never by more than h/2.
+/// The curvature of the linear axis' travel, at the distance d from the rotation centre, is at most 1/d. So a chord of length h deviates
+/// from the travel by at most h²/8d, and never by more than h/2.
 int PolarPath::pieces(double chord) const {
   const double near = std::abs(linear_at(path_.at(nearest())));
   const double step = std::max(2 * chord, std::sqrt(8 * chord * near));

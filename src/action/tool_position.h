@@ -1,5 +1,6 @@
 #pragma once
-// ToolPosition: the tool's position, tracked from Action to Action. Also: the positions of the machine's axes along a motion.
+// ToolPosition: the tool's position, tracked from action to action. The functions below compute the positions of the machine's axes along a
+// motion.
 
 #include <memory>
 #include <variant>
@@ -9,12 +10,12 @@
 
 namespace kadr {
 
-/// The position of the tool point, and the orientation of the work system. At the start of a run, Control::ending() gives both.
+/// The position of the tool point, and the orientation of the work system. Control::ending() returns both for the start of a run.
 struct ToolPosition {
   Axes work{};
   Axes machine{};
-  std::shared_ptr<const FrameTurn> turn{};       // nullptr: none
-  std::shared_ptr<const WorkTransform> space{};  // nullptr: none
+  std::shared_ptr<const FrameTurn> turn{};       // rotation of the frame; nullptr: no rotation
+  std::shared_ptr<const WorkTransform> space{};  // transformation in space; nullptr: no such transformation
 
   void take(const Motion& motion) {
     work = motion.to;
@@ -31,7 +32,7 @@ struct ToolPosition {
   }
 };
 
-/// Returns true if tool centre point control applies to the motion, so that the travel of the axes follows from the tip's path.
+/// Returns true if the motion has tool centre point control, so that the positions of the axes follow from the tip's path.
 inline bool controls_tip(const ToolPosition& from, const Motion& motion) {
   return from.space && from.space->controls_tip() && !(motion.detail && motion.detail->evenly);
 }
@@ -48,7 +49,7 @@ inline Axes led_along(const ToolPosition& from, const Motion& motion, const Axes
   return from.space->machine_of(tool, plainly);
 }
 
-/// Returns the position of the tip relative to the part, in the work system, at `part` of a motion with tool centre point control.
+/// Returns the position of the tip relative to the part, in the work system, at `part` (0 to 1) of a motion with tool centre point control.
 inline Vec3 controlled_tip(const AxisRoles& roles, const ToolPosition& from, const Motion& motion, const Axes& work, double part) {
   const TipPath* const way = motion.detail ? motion.detail->tip_path.get() : nullptr;
   const Axes at = from.space->in_system(way != nullptr ? way->at(part, work) : work);
@@ -56,8 +57,9 @@ inline Vec3 controlled_tip(const AxisRoles& roles, const ToolPosition& from, con
   return {of(0), of(1), of(2)};
 }
 
-/// Sets the follower axes in `machine` to the travel of their masters (of a parked master, to its calculated travel), and the parked axes
-/// to their position at the start of the motion. `ways`: work coordinates at `part`, rotated by the frame.
+/// Sets the follower axes and the parked axes in `machine`. A follower axis copies the travel of its master, or the calculated travel if
+/// the master is parked. A parked axis keeps its position from the start of the motion. `ways`: work coordinates at `part`, rotated by the
+/// frame.
 inline void follow_along(const ToolPosition& from, const Motion& motion, const Axes& ways, double part, Axes& machine) {
   const AxisMask parked = motion.detail->parked;
   const auto stands = [&](std::size_t axis) { return (parked >> axis & 1U) != 0; };
@@ -72,9 +74,9 @@ inline void follow_along(const ToolPosition& from, const Motion& motion, const A
   }
 }
 
-/// Returns the machine coordinates at `part` of a motion, where the work coordinates are `work`. The difference between machine coordinates
-/// and work coordinates (rotated by the frame, if there is a rotation) is constant along the motion, or changes evenly over the motion
-/// (2С42: a tool length that the next motion applies). Inside the motion, an axis that rolls over counts on beyond 360°.
+/// Returns the machine coordinates at `part` (0 to 1) of a motion, where the work coordinates are `work`. The difference between machine
+/// coordinates and (rotated) work coordinates is constant along the motion, or changes evenly over it (2С42: a tool length that the next
+/// motion applies). Inside the motion, the position of an axis that rolls over continues beyond 360°.
 inline Axes machine_along(const AxisRoles& roles, const ToolPosition& from, const Motion& motion, const Axes& work, double part) {
   if (controls_tip(from, motion)) return led_along(from, motion, work, part);
   const FrameTurn* const turn = from.turn.get();

@@ -17,23 +17,23 @@ enum class AlarmId : std::uint16_t {
       count
 };
 
-/// The id that means "no alarm". It is a value of AlarmId, not a separate flag, so that an Alarm stays small, and so does a Result, which
-/// contains either a value or an Alarm.
+/// The id that means "no alarm". It is a value of AlarmId instead of a separate flag, so that an Alarm, and a Result that contains one,
+/// stay small.
 inline constexpr AlarmId no_alarm = AlarmId::count;
 
-/// Returns the name of the id as it is printed, and as the rows of controls/alarms.toml spell it.
+/// Returns the name of the id, in the spelling of messages and of the rows in controls/alarms.toml.
 std::string_view name_of(AlarmId id);
 
-/// Returns the id with this name, or no_alarm if there is none.
+/// Returns the id with this name; no_alarm if no id has this name.
 AlarmId alarm_named(std::string_view name);
 
-/// How serious an alarm is. A note informs the user; nothing is wrong, and it is not counted. Advice is about something that no control
-/// would stop at, but that a shop would not run (docs/checklist.md); it is counted separately.
+/// How serious an alarm is. A note informs the user of something that is not wrong, and is not counted. Advice reports what no control
+/// stops at but a shop would not run (docs/checklist.md); advice is counted separately.
 enum class Severity : std::uint8_t { alarm, warning, note, advice };
-/// Returns the name in machine-readable output: "alarm", "warning", "note", "advice".
+/// Returns the name of the severity in machine-readable output: "alarm", "warning", "note", "advice".
 std::string_view name_of(Severity severity);
 
-/// An argument of an alarm's text: a number, or a short text. A longer text is cut at a character boundary.
+/// An argument of an alarm's text: a number, or a short text. A text that does not fit is cut at a character boundary.
 class AlarmArg {
  public:
   AlarmArg() = default;
@@ -53,12 +53,13 @@ class AlarmArg {
   std::array<char, 30> text_{};
 };
 
-/// A plain value. It never allocates memory, so returning a Result (a value or an Alarm) costs nothing as long as no alarm occurs.
+/// An alarm as a plain value. An Alarm never allocates memory, so returning a Result (a value or an Alarm) costs nothing as long as no
+/// alarm occurs.
 struct Alarm {
   AlarmId id = no_alarm;
   Severity severity = Severity::alarm;
   std::uint8_t arg_count = 0;
-  Span where;  // the bytes of the block's line that the alarm is about
+  Span where;  // range of bytes, in the line of the block, that the alarm is about
   std::array<AlarmArg, 3> args;
 };
 

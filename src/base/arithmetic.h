@@ -1,5 +1,5 @@
 #pragma once
-// Small arithmetic helpers that <cmath> lacks.
+// Short arithmetic functions that <cmath> lacks.
 
 #include <limits>
 

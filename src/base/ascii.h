@@ -1,4 +1,5 @@
-// Character classes that do not depend on the locale: everything that has a meaning in a program is ASCII.
+// Character classes that do not depend on the locale. They know only ASCII, because every character that has a meaning in a program is
+// ASCII.
 #pragma once
 
 #include <string_view>

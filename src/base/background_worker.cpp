@@ -1,5 +1,5 @@
-// BackgroundWorker: executes one piece of work at a time in a thread of its own. Used by motion/least_time/planner, session/run_ahead;
-// tested by tests/base/background_worker_test.cpp.
+// BackgroundWorker: executes one task at a time in a thread of its own. Used by motion/least_time/planner, session/run_ahead; tested by
+// tests/base/background_worker_test.cpp.
 
 #include "base/background_worker.h"
 
@@ -43,8 +43,8 @@ void BackgroundWorker::begin(std::function<void()> work) {
 }
 
 void BackgroundWorker::work() {
-  // Number of polls before this thread sleeps. More polls would occupy a processor that other threads need, and no thread waits for the
-  // start of the work.
+  // Number of polls before the worker thread sleeps. With more polls, the worker would occupy a processor that other threads need, while no
+  // thread waits for the task to start.
   constexpr int few_polls = 200;
   for (std::uint32_t seen = 0;; ++seen) {
     wait_for(
@@ -57,13 +57,13 @@ void BackgroundWorker::work() {
   }
 }
 
-/// Claims the piece of work with this number. Returns false if the other thread has claimed it already.
+/// Claims the task with this number for the calling thread. Returns false if the other thread has claimed the task already.
 bool BackgroundWorker::claim(std::uint32_t number) {
   std::uint32_t before = number - 1;
   return claimed_.compare_exchange_strong(before, number, std::memory_order_acq_rel);
 }
 
-/// Finishes the work that was begun: if no processor was free and the thread has not started it yet, executes it in this thread.
+/// Waits until the task that was begun is done. If the worker thread has not claimed the task yet, executes it in the calling thread.
 void BackgroundWorker::finish() {
   const std::uint32_t given = given_.load(std::memory_order_relaxed);
   if (is_done()) return;

@@ -1,6 +1,6 @@
 #pragma once
-// BackgroundWorker: executes one piece of work at a time in a thread of its own, in parallel with the caller. wait_for(): how threads wait
-// for each other.
+// BackgroundWorker: executes one task at a time in a thread of its own, in parallel with the caller. The function wait_for() implements how
+// the two threads wait for each other.
 
 #include <atomic>
 #include <cstdint>
@@ -11,9 +11,9 @@
 
 namespace kadr {
 
-/// Waits until `done`. It polls first, because the awaited thread is usually nearly ready, then sleeps until `changes` is notified. Waking
-/// up takes some 20 µs, longer in a virtual machine; 500 polls take about as long. On a busy machine, more polls would use up the time
-/// slice of the very thread that is waited for.
+/// Waits until `done` returns true. Polls first, because the awaited thread is usually nearly ready, then sleeps until `changes` is
+/// notified. Waking up takes some 20 µs, longer in a virtual machine; 500 polls take about as long. On a busy machine, more polls would use
+/// up the time slice of the awaited thread.
 template <class Value, class Done>
 void wait_for(const std::atomic<Value>& changes, const Done& done, int max_polls = 500) {
   for (int look = 0;; ++look) {
@@ -32,17 +32,16 @@ bool has_several_processors();
 class BackgroundWorker {
  public:
   BackgroundWorker() = default;
-  /// Waits until work that was begun is done.
+  /// Waits until the task that was begun is done.
   ~BackgroundWorker();
   BackgroundWorker(const BackgroundWorker&) = delete;
   BackgroundWorker& operator=(const BackgroundWorker&) = delete;
 
-  /// Starts the work. Until wait(), only the work may touch the data that it needs. With a single processor, or if no thread can be
-  /// created, the work is executed before this returns.
+  /// Starts a task. Until wait() returns, only the task may access the data that it needs. With a single processor, or if no thread can be
+  /// created, begin() executes the task itself before it returns.
   ///   pre  wait() was called after the previous begin()
   void begin(std::function<void()> work);
-  /// Waits until the work is done.
-  ///   throws  the exception that the work threw
+  /// Waits until the task is done.
   void wait();
   bool is_begun() const { return begun_; }
 
@@ -55,11 +54,11 @@ class BackgroundWorker {
 
   std::function<void()> work_;
   std::exception_ptr failure_;
-  bool begun_ = false;  // begin() was called, and wait() has not been called since
-  // True if there is a single processor, or if no thread could be created: begin() then executes the work itself
+  bool begun_ = false;  // begin() was called, and wait() has not been called after it
+  // True if there is a single processor, or if no thread could be created; begin() then executes the task itself.
   bool alone_ = false;
-  Thread thread_;  // the thread of its own, started when the first piece of work is begun
-  // Numbers, counted from 1, of the last piece of work that was begun, that a thread claimed, and that is done
+  Thread thread_;  // the worker thread, started by the first begin()
+  // Numbers of tasks, counted from 1: of the last task begun, of the last task claimed by a thread, of the last task done.
   std::atomic<std::uint32_t> given_ = 0, claimed_ = 0, done_ = 0;
   std::atomic<bool> over_ = false;
 };

@@ -1,11 +1,11 @@
 #pragma once
-// Literals for the numbers of G and M codes, which words and rows store in tenths: 43.4_g is 434, 6_m is 60.
+// Literals for the numbers of G and M codes. Words and table rows store these numbers in tenths: 43.4_g is 434, 6_m is 60.
 
 #include <cstdint>
 
 namespace kadr {
 
-/// Returns ten times a number that is written with at most one decimal.
+/// Returns ten times the number that the literal's characters state; the literal has at most one decimal.
 template <char... Digits>
 consteval std::int32_t tenths_of_code() {
   std::int32_t tenths = 0, decimals = -1;

@@ -1,13 +1,13 @@
 #pragma once
-// construct_in_place(): constructs a value directly at its destination.
+// construct_in_place(): constructs a value directly at its destination in memory.
 
 #include <new>
 #include <type_traits>
 
 namespace kadr {
 
-/// Overwrites `place` with the result of `make`, constructed in place, without a copy. A copy would read in large pieces what was just
-/// written number by number, and the processor would stall until all the writes have reached the cache.
+/// Overwrites `place` with the result of `make`, constructed there without a copy. A copy would read several numbers at once just after
+/// they were written one by one, and the processor would stall until these writes have reached the cache.
 ///   law  `make` must not read `place`
 template <class T, class Make>
 void construct_in_place(T& place, const Make& make) {

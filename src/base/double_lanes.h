@@ -1,26 +1,27 @@
 #pragma once
-// Vectors of eight doubles that are calculated in parallel, in the 128-bit registers that every processor has, or in wider ones. A lane is
-// one of the eight numbers of a vector.
+// Vectors of eight doubles whose elements are calculated in parallel, in 128-bit registers, which every processor has, or in wider ones. A
+// lane is one element of a vector.
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <cstring>
 
-// Silences the ABI warning about vectors as arguments and results: all such functions are inlined, so no calling convention applies.
+// Silences the ABI warning about vectors as arguments and results. The warning does not matter, because these functions are inlined and no
+// calling convention applies.
 #pragma GCC diagnostic ignored "-Wpsabi"
 
 namespace kadr {
 
 inline constexpr std::size_t lanes = 8;
 
-// Functions on lanes are inlined into their callers, so that they are compiled for the same instruction set.
+// Marks a function on lanes: it is inlined into its caller, so that both are compiled for the same instruction set.
 #define KADR_LANES [[gnu::always_inline]] inline
 
 using Pair = double __attribute__((vector_size(16)));
 using Four = double __attribute__((vector_size(32)));
 
-/// Selects for each lane: `then` where `sign` is above 0, else `otherwise`.
+/// Returns for each lane the value of `then` if `sign` is above 0, else the value of `otherwise`.
 template <class V>
 KADR_LANES V where_positive(const V& sign, const V& then, const V& otherwise) {
   return sign > 0 ? then : otherwise;
@@ -33,7 +34,8 @@ KADR_LANES Pair greater(const Pair& x, const Pair& y) { return x > y ? x : y; }
 KADR_LANES Four greater(const Four& x, const Four& y) { return x > y ? x : y; }
 KADR_LANES Pair all_of(double x, const Pair&) { return Pair{x, x}; }
 KADR_LANES Four all_of(double x, const Four&) { return Four{x, x, x, x}; }
-/// read_lanes() reads floats and converts them to doubles, write_lanes() does the reverse; the address may have any alignment.
+/// read_lanes() reads floats and converts them to doubles; write_lanes() converts doubles to floats and writes them. The address may have
+/// any alignment.
 KADR_LANES void read_lanes(const float* from, Pair& x) { x = Pair{from[0], from[1]}; }
 KADR_LANES void read_lanes(const float* from, Four& x) {
   float __attribute__((vector_size(16))) narrow;
@@ -52,14 +54,14 @@ KADR_LANES double product_of(const Four& x) { return (x[0] * x[2]) * (x[1] * x[3
 KADR_LANES double least_of(const Pair& x) { return std::min(x[0], x[1]); }
 KADR_LANES double least_of(const Four& x) { return std::min(std::min(x[0], x[2]), std::min(x[1], x[3])); }
 
-/// A vector of twice the length, in two halves. (A single vector wider than the registers would be split and reassembled in memory.)
+/// A vector of twice the length, stored as two halves. A single vector wider than the registers would be split and reassembled in memory.
 template <class Half>
 struct Doubled {
   Half low = {}, high = {};
 
   Doubled() = default;
   KADR_LANES Doubled(const Half& l, const Half& h) : low(l), high(h) {}
-  /// Reads the numbers from an address of any alignment.
+  /// Reads the eight numbers from an address of any alignment.
   KADR_LANES explicit Doubled(const double* from) {
     std::memcpy(static_cast<void*>(&low), from, sizeof low);
     std::memcpy(static_cast<void*>(&high), from + sizeof low / sizeof *from, sizeof high);
@@ -111,15 +113,16 @@ struct Doubled {
 using NarrowLanes = Doubled<Doubled<Pair>>;
 using WideLanes = Doubled<Four>;
 
-// WideLanes must not cross a function boundary: the memory layout of such a vector depends on the processor it is compiled for.
+// Functions that are not inlined must not have parameters of type WideLanes, because the memory layout of this type depends on the
+// processor that the code is compiled for.
 #if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__)
 template <class Work>
 [[gnu::target("avx2")]] auto with_wide_lanes(const Work& work) {
   return work(WideLanes());
 }
 
-/// Calls `work`, an [[gnu::always_inline]] function, with an object of the lane type to use. The results are the same to the last bit for
-/// all lane types (needs -ffp-contract=off).
+/// Calls `work`, an [[gnu::always_inline]] function, with an object of the widest lane type that the processor supports. The results for
+/// all lane types are the same to the last bit, which requires -ffp-contract=off.
 template <class Work>
 auto with_best_lanes(const Work& work) {
   static const bool are_wide = __builtin_cpu_supports("avx2") != 0;

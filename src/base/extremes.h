@@ -1,6 +1,6 @@
 #pragma once
-// range_of(): the least and greatest value of a function over 0..1, found by even sampling and a golden-section search around each
-// extreme.
+// range_of(): the least and the greatest value of a function over 0..1. It samples the function at equal distances, then searches around
+// each extreme sample by the golden section.
 
 #include <algorithm>
 #include <utility>
@@ -18,7 +18,7 @@ template <class F>
 double place_of_least(const F& f, double low, double high) {
   constexpr double golden = 0.61803398874989485;
   constexpr int max_steps = 80;
-  constexpr double near_enough = 1e-11;  // tolerance of x, whose range is about 1: f(x) no longer changes over so small a distance
+  constexpr double near_enough = 1e-11;  // tolerance of x, whose range is about 1: over a smaller distance f(x) does not change
   double a = high - golden * (high - low), b = low + golden * (high - low);
   double at_a = f(a), at_b = f(b);
   for (int step = 0; step < max_steps && high - low > near_enough; ++step) {

@@ -1,7 +1,7 @@
 #pragma once
-// FileAccess: opens the files that a program, a set-up or a control's file refers to (a called program, the base that a control extends …).
-// Without a FileAccess they are opened directly in the file system. The server passes a FileAccess that opens nothing outside the served
-// folder.
+// FileAccess: opens the files that a program, a set-up or a control's file refers to, for example a called program or the control that
+// another control extends. Without a FileAccess, Kadr opens such files directly in the file system. The server uses a FileAccess that opens
+// nothing outside the served folder.
 
 #include <string>
 
@@ -13,7 +13,7 @@ class FileAccess {
   /// Opens a regular file for reading, without blocking.
   ///   returns  a file descriptor that the caller owns, or -1 with the reason in errno
   virtual int open_for_reading(const std::string& path) const = 0;
-  /// Returns true if the path (links not resolved) lies inside the folders that may be searched.
+  /// Returns true if the path lies inside the folders that may be searched. Links in the path are not resolved for this check.
   virtual bool reaches(const std::string& path) const = 0;
 };
 

@@ -1,5 +1,5 @@
-// Identity of files. Used for the outputs of a command (out/trace/result_file, cli/job/outputs) and of a program
-// (control/macro_b/output/output_file); tested by tests/base/file_id_test.cpp.
+// Identity of files: decides whether two paths lead to the same file. Used for the outputs of a command (out/trace/result_file,
+// cli/job/outputs) and of a program (control/macro_b/output/output_file); tested by tests/base/file_id_test.cpp.
 
 #include "base/file_id.h"
 
@@ -36,12 +36,13 @@ std::optional<FileId> file_id_of(int descriptor) {
 
 std::string true_path(const std::string& path) {
   namespace fs = std::filesystem;
-  constexpr int max_links = 40;  // greatest number of links that are followed, as many as the operating system follows
+  constexpr int max_links = 40;  // greatest number of links that are followed: the limit of the operating system
   fs::path at(path);
   for (int i = 0; i < max_links; ++i) {
     if (const auto real = real_path(at.string())) return *real;
     std::error_code error;
-    const fs::path target = fs::read_symlink(at, error);  // the path may be a link whose target does not exist yet
+    // The path may be a link whose target does not exist yet, so the link is read directly
+    const fs::path target = fs::read_symlink(at, error);
     if (error) break;
     at = target.is_absolute() ? target : at.parent_path() / target;
   }

@@ -1,5 +1,5 @@
 #pragma once
-// Identity of files: finds out whether two paths mean the same file, also through symbolic or hard links.
+// Identity of files: finds out whether two paths lead to the same file, also through symbolic or hard links.
 
 #include <compare>
 #include <cstdint>
@@ -15,7 +15,7 @@ struct FileId {
   auto operator<=>(const FileId&) const = default;
 };
 
-/// Returns the identity of the file that the path means, links followed; nullopt if the file does not exist.
+/// Returns the identity of the file that the path leads to, after resolving links; nullopt if the file does not exist.
 std::optional<FileId> file_id_of(const std::string& path);
 /// Returns the identity of an open file.
 std::optional<FileId> file_id_of(int descriptor);
@@ -23,7 +23,7 @@ std::optional<FileId> file_id_of(int descriptor);
 /// Returns the absolute path with every link resolved, including a link in the last component. The file need not exist.
 std::string true_path(const std::string& path);
 
-/// A set of files, given by their paths. A file of the set need not exist yet.
+/// A set of files, given by their paths. A file that does not exist yet can be an element of the set.
 class FileSet {
  public:
   void add(const std::string& path);
@@ -33,7 +33,7 @@ class FileSet {
 
  private:
   std::set<FileId> ids_;
-  std::set<std::string> paths_;  // the files' paths as true_path() returns them
+  std::set<std::string> paths_;  // paths of the files, with links resolved by true_path()
 };
 
 }  // namespace kadr

@@ -1,6 +1,6 @@
 #pragma once
-// integral(): a definite integral to a given relative error, for functions with corners and with narrow peaks at the ends. It uses the
-// adaptive Simpson rule: an interval is halved where the sum over its halves disagrees with the whole.
+// integral(): a definite integral to a given relative error, also for functions with corners and with narrow peaks at the ends. It uses the
+// adaptive Simpson rule: an interval is halved if the sum over its halves differs too much from the result for the whole interval.
 
 #include <cmath>
 #include <cstddef>
@@ -22,7 +22,8 @@ double refined(const F& f, const Stretch& s, double error, int depth) {
   const Stretch right{middle, s.to, s.at_middle, f((middle + s.to) / 2), s.at_to};
   const double halves = left.simpson() + right.simpson();
   const double gap = halves - s.simpson();
-  if (depth == 0 || !(std::abs(gap) > 15 * error)) return halves + gap / 15;  // if f is NaN, the halving ends too
+  // The negated comparison is true if f is NaN, so the halving ends for NaN too
+  if (depth == 0 || !(std::abs(gap) > 15 * error)) return halves + gap / 15;
   return refined(f, left, error / 2, depth - 1) + refined(f, right, error / 2, depth - 1);
 }
 
@@ -35,8 +36,8 @@ template <class F>
 double integral(const F& f, double from, double to, double relative) {
   constexpr int stretches = 16;
   constexpr int max_halvings = 48;
-  // Greatest number of passes over the interval. The error of each pass is relative to an estimate of the integral's size; a peak at the
-  // end of the interval makes the first estimate far too large.
+  // Greatest number of passes over the interval. The permitted error of a pass is relative to an estimate of the integral's size. A peak at
+  // an end of the interval makes the first estimate far too large, so a pass is repeated with the size that it found.
   constexpr int max_rounds = 4;
   double size = 0;
   for (int i = 0; i <= stretches; ++i) size += std::abs(f(from + (to - from) * i / stretches) * (to - from) / stretches);

@@ -1,5 +1,5 @@
 #pragma once
-// 3×3 rotation matrices, and the vector operations in space that they need.
+// Mat3: 3×3 rotation matrices, and the vector operations in space that rotations need.
 
 #include <array>
 
@@ -15,7 +15,7 @@ inline Vec3 unit(Vec3 a) {
   return l > 0 ? (1 / l) * a : Vec3{};
 }
 
-/// A matrix, stored by rows; the identity by default.
+/// A 3×3 matrix, stored by rows. A new matrix is the identity.
 struct Mat3 {
   std::array<Vec3, 3> rows{Vec3{1, 0, 0}, Vec3{0, 1, 0}, Vec3{0, 0, 1}};
 
@@ -39,7 +39,7 @@ struct Mat3 {
 
 /// Returns the transposed matrix. For a rotation, it is the inverse rotation.
 inline Mat3 transposed(const Mat3& m) { return {{m.column(0), m.column(1), m.column(2)}}; }
-/// Returns transposed(m) · v, for a rotation the inverse rotation of v.
+/// Returns transposed(m) · v. If m is a rotation, this is v rotated by the inverse rotation.
 inline Vec3 turned_back(const Mat3& m, Vec3 v) { return v.x * m.rows[0] + v.y * m.rows[1] + v.z * m.rows[2]; }
 
 }  // namespace kadr

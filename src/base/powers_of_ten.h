@@ -1,5 +1,5 @@
 #pragma once
-// Powers of ten that a double represents exactly. A mantissa of at most 15 digits, divided by such a power, is correctly rounded.
+// Powers of ten that a double represents exactly. The quotient of a mantissa of at most 15 digits and such a power is correctly rounded.
 
 namespace kadr {
 

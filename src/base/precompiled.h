@@ -1,6 +1,6 @@
 #pragma once
-// Precompiled header (KADR_PRECOMPILED in CMakeLists.txt): what nearly every file includes. A file still includes what it uses, because
-// clang builds without this header.
+// Precompiled header (KADR_PRECOMPILED in CMakeLists.txt) with the headers that nearly every file includes. A source file still includes
+// every header that it uses, because builds with clang do without the precompiled header.
 
 #include <algorithm>
 #include <array>

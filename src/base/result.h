@@ -1,5 +1,5 @@
 #pragma once
-// Result: a value, or the alarm that explains why there is none.
+// Result: a value, or the alarm that explains why there is no value.
 
 #include <tl/expected.hpp>
 
@@ -15,7 +15,7 @@ inline tl::unexpected<Alarm> fail(const Alarm& alarm) { return tl::unexpected<Al
 
 }  // namespace kadr
 
-/// Returns from the enclosing function with the alarm of `expression`, if it has one.
+/// Returns from the enclosing function with the alarm of `expression`, if `expression` has an alarm.
 #define KADR_TRY(expression)                                 \
   do {                                                       \
     if (auto status_ = (expression); !status_) [[unlikely]]  \

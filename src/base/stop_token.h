@@ -1,15 +1,15 @@
 #pragma once
-// StopToken: lets the owner of a run end it early.
+// StopToken: lets the owner of a run end the run early.
 
 #include <atomic>
 
 namespace kadr {
 
-/// Answers whether a run has to end. Every loop that may take long polls a token. A token is a value, copied down from the owner of the
-/// stop flag; a poll is one relaxed read of memory, safe in any thread.
+/// A StopToken reports whether a run has to end. Every loop that may take long polls a token. A token is a value, which the owner of the
+/// stop flag passes to its callees; a poll is one relaxed read of memory, safe in any thread.
 class StopToken {
  public:
-  StopToken() = default;  // a token that never requests a stop
+  StopToken() = default;  // creates a token that never requests a stop
   explicit StopToken(const std::atomic<bool>& flag) : flag_(&flag) {}
 
   bool asked() const { return flag_ != nullptr && flag_->load(std::memory_order_relaxed); }

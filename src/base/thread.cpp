@@ -1,5 +1,5 @@
-// Thread. Used by base/background_worker, cli/job/stop_signals, panel, server, session/run_ahead, stock; tested by
-// tests/base/thread_test.cpp and tests/every_command.py.
+// Thread: creates and joins threads. Used by base/background_worker, cli/job/stop_signals, panel, server, session/run_ahead, stock; tested
+// by tests/base/thread_test.cpp and tests/every_command.py.
 
 #include "base/thread.h"
 
@@ -11,7 +11,7 @@
 namespace kadr {
 namespace {
 
-/// Starts a thread. If the system cannot create one, the returned object is not joinable.
+/// Starts a thread. If the system cannot create a thread, the returned object is not joinable.
 std::thread begun(std::function<void()> work) {
   try {
     return std::thread(std::move(work));

@@ -1,6 +1,6 @@
 #pragma once
-// Thread: the only place where Kadr creates threads. It reports if a thread cannot be created (too many threads, too little memory), and an
-// exception in a thread never ends the process.
+// Thread: the only class that creates threads in Kadr. It reports if a thread cannot be created (too many threads, too little memory), and
+// it catches exceptions, so that an exception in a thread never ends the process.
 
 #include <exception>
 #include <functional>
@@ -9,7 +9,7 @@
 
 namespace kadr {
 
-/// Thrown if no thread can be created for work that needs one.
+/// The exception of begin_or_throw(), thrown if no thread can be created.
 struct NoThread : std::exception {
   const char* what() const noexcept override { return "no more threads are to be had"; }
 };
@@ -25,8 +25,7 @@ class Thread {
   /// Starts the thread; may be called once only.
   ///   returns  false if no thread can be created; then nothing was started
   [[nodiscard]] bool begin(std::function<void()> work);
-  /// Like begin(), for work that cannot be done without a thread of its own.
-  ///   throws  NoThread
+  /// Like begin(), but throws if no thread can be created, for work that needs a thread of its own.
   void begin_or_throw(std::function<void()> work);
   bool is_begun() const { return thread_.joinable(); }
 
@@ -34,7 +33,7 @@ class Thread {
   void wait() {
     if (thread_.joinable()) thread_.join();
   }
-  /// After wait(): the exception that the work threw, or nullptr if it ended normally.
+  /// Returns, after wait(), the exception that the work threw; nullptr if the work ended normally.
   std::exception_ptr thrown() const { return thrown_ ? *thrown_ : nullptr; }
 
  private:
@@ -42,12 +41,11 @@ class Thread {
   std::unique_ptr<std::exception_ptr> thrown_;
 };
 
-/// Starts a thread that nobody waits for.
-///   returns  false if no thread can be created
+/// Starts a thread that no other thread waits for.
 [[nodiscard]] bool begin_alone(std::function<void()> work);
 
-/// Executes work(0) … work(count - 1), each in a thread of its own. If threads run out, the remaining calls follow one another in this
-/// thread.
+/// Executes work(0) … work(count - 1), each in a thread of its own. If a thread cannot be created, the remaining calls are executed one
+/// after another in the calling thread.
 ///   throws  the first exception found, after all calls have ended
 void run_parallel(int count, const std::function<void(int)>& work);
 

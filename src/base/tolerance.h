@@ -1,23 +1,25 @@
 #pragma once
-// Every tolerance of the engine, with its unit and its reason (CONTRIBUTING.md, "Numbers"). A tolerance that a control itself specifies
-// (difference of an arc's radii, limits of the feed) is a row of the control's file, not here.
+// Every tolerance of the engine, with its unit and its reason (CONTRIBUTING.md, "Numbers"). A tolerance that a control's manual specifies
+// (difference of an arc's radii, limits of the feed) is a row of the control's file, not of this one.
 
 namespace kadr::tol {
 
-// mm: points closer than this are the same; far below any programmed step, far above rounding errors
+// mm: points closer than this are the same; far below any programmed step, far above the rounding error of a coordinate
 inline constexpr double same_point = 1e-6;
 // degrees: angles closer than this are the same; a thousand times the rounding error of 360° in a double
 inline constexpr double same_angle = 1e-9;
-inline constexpr double whole_number = 1e-6;  // greatest difference of an expression's value from the integer that it must be
-// revolutions: difference from a whole number that a helix may have, because Z and K have three decimals only, 2С42 6.6.6
+inline constexpr double whole_number = 1e-6;  // greatest difference between the value of an expression and the integer that it must be
+// revolutions: difference from a whole number of revolutions that a helix may have, because its Z and K have three decimals only (2С42
+// 6.6.6)
 inline constexpr double whole_turns = 1e-4;
-// mm: greatest distance between an ellipse and its chords; half the least increment of the controls
+// mm: greatest distance between an ellipse and the chords that replace it; half the least increment of the controls
 inline constexpr double ellipse_chord = 5e-4;
-// radians: two path elements whose directions differ by less meet without a corner, NCT 15.5.0
+// radians: two path elements whose directions differ by less than this meet without a corner (NCT 15.5.0)
 inline constexpr double tangential = 1e-6;
-// mm: an arc whose radii at start and end differ by less still counts as circular (decimals of a program, N1339)
+// mm: an arc whose radii at start and end differ by less than this still counts as circular, because the words of a program are rounded
+// (N1339)
 inline constexpr double circular = 0.05;
-// mm: near the centre of a spiral, the speed is computed at this radius; the controls' least increment
+// mm: nearer to the centre of a spiral than this, the speed is computed as at this radius; it is the controls' least increment
 inline constexpr double least_radius = 1e-3;
 // mm/s: speed of a motion that its limits would otherwise bring to a stop; no program has so low a feed
 inline constexpr double least_speed = 1e-6;
@@ -25,14 +27,14 @@ inline constexpr double least_speed = 1e-6;
 inline constexpr double exact_path = 5e-4;
 inline constexpr double level = same_point;  // mm: two levels of a canned cycle closer than this are the same
 
-// Area milling (path/pocketing). The path consists of exact lines and arcs; polygons serve only to select them and to measure areas.
-// mm: greatest deviation of the arcs that replace an SVG curve; a fifth of what the controls allow for an arc
+// Area milling (path/pocketing). The path consists of exact lines and arcs; polygons serve only to select these lines and arcs and to
+// measure areas.
 inline constexpr double contour_curve = 2e-3;
-// mm: ends of lines in a drawing closer than this are joined; drawings are rounded to 0.001 or 0.01
+// mm: two line ends in a drawing that are closer than this are joined; coordinates in drawings are rounded to 0.001 or 0.01
 inline constexpr double contour_gap = 0.01;
-// mm: greatest distance between an arc and the chords of a polygon; well below the controls' least increment
+// mm: greatest distance between an arc and the chords of the polygon that replaces it; well below the controls' least increment
 inline constexpr double area_chord = 2e-4;
-inline constexpr double area_wall = 2e-3;  // mm: the path may come too near to a wall by this much (chords, words rounded to 0.001)
-inline constexpr double area_cusp = 0.01;  // mm: a ridge of stock between two passes that is lower than this is no cusp
+inline constexpr double area_wall = 2e-3;  // mm: the path may be too near to a wall by this much (chords, words rounded to 0.001)
+inline constexpr double area_cusp = 0.01;  // mm: a ridge of stock between two passes that is lower than this does not count as a cusp
 
 }  // namespace kadr::tol

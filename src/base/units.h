@@ -1,5 +1,5 @@
 #pragma once
-// Units other than the internal ones (mm, degrees, seconds).
+// Conversion factors for units other than the internal ones (mm, degrees, seconds).
 
 namespace kadr {
 

@@ -11,15 +11,15 @@ namespace {
 
 constexpr double root_half = 0.70710678118654752440;
 
-/// Faster equivalent of std::remquo(deg, 90, &quarter): returns `deg` reduced to [-45, 45] and sets `quarter` to the number of quarter
-/// turns taken off, modulo 4. The result is exact too: below `most`, neither the product nor the difference is rounded, because a whole
-/// number of quarter turns has so few digits. At ±45° either neighbouring quarter may result.
+/// Faster equivalent of std::remquo(deg, 90, &quarter). Returns `deg` reduced to [-45, 45], and sets `quarter` to the number of quarter
+/// turns subtracted, modulo 4. The result is exact too: up to `most` degrees, neither the product of 90 and the number of quarter turns nor
+/// the difference is rounded, because that number has few digits. At ±45°, either of the two neighbouring quarters may result.
 double beyond_quarters(double deg, int& quarter) {
-  constexpr double most = 1e12, to_whole = 0x1.8p52;  // adding and subtracting to_whole rounds to a whole number
+  constexpr double most = 1e12, to_whole = 0x1.8p52;  // most: degrees; adding and subtracting to_whole rounds a number to a whole number
   if (!(std::fabs(deg) < most)) return std::remquo(deg, 90.0, &quarter);
   double quarters = (deg / 90 + to_whole) - to_whole;
   double rest = deg - quarters * 90;
-  if (std::fabs(rest) > 45) {  // the rounding error of the quotient gave a neighbouring quarter
+  if (std::fabs(rest) > 45) {  // because of the quotient's rounding error, the neighbouring quarter was subtracted
     const double one = std::copysign(1.0, rest);
     quarters += one;
     rest -= one * 90;
@@ -32,10 +32,10 @@ double beyond_quarters(double deg, int& quarter) {
 
 SinCos sincos_deg(double deg) {
   int quarter = 0;
-  // The angle is reduced before the quarter is applied, because deg + 90 would round
+  // The angle is reduced before the quarter is added, because the sum deg + 90 would be rounded.
   const double rest_deg = beyond_quarters(deg, quarter);
   const double rest = rest_deg * rad_per_deg;
-  const bool middle = std::fabs(rest_deg) == 45;  // at ±45°, both neighbouring quarters must give the same result
+  const bool middle = std::fabs(rest_deg) == 45;  // at ±45°, the result must be the same for both neighbouring quarters
   const double s = middle ? std::copysign(root_half, rest) : std::sin(rest);
   const double c = middle ? root_half : std::cos(rest);
   switch (quarter & 3) {

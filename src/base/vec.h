@@ -1,5 +1,5 @@
 #pragma once
-// Small vectors, and trigonometry in degrees that is exact at multiples of 90°.
+// Vectors of two and three numbers, values per axis, and trigonometry in degrees that is exact at multiples of 90°.
 
 #include <array>
 #include <cmath>
@@ -11,17 +11,17 @@ namespace kadr {
 /// Greatest number of axes in one channel (NCT 2.0: 16).
 inline constexpr std::size_t max_axes = 16;
 
-/// One value per axis, in the order of the axis table: mm, degrees for rotary axes.
+/// One value per axis, in the order of the axis table: in mm for linear axes, in degrees for rotary axes.
 using Axes = std::array<double, max_axes>;
 
-/// Returns true if any value differs from 0.
+/// Returns true if the value of any axis differs from 0.
 constexpr bool any_nonzero(const Axes& axes) {
   for (const double v : axes)
     if (v != 0) return true;
   return false;
 }
 
-/// One bit per axis.
+/// A set of axes: bit i stands for the axis with index i.
 using AxisMask = std::uint32_t;
 
 struct Vec2 {
@@ -57,7 +57,7 @@ struct SinCos {
 inline constexpr double pi = 3.14159265358979323846;
 inline constexpr double rad_per_deg = pi / 180.0;
 
-/// Returns the sine and cosine of an angle in degrees; exactly 0 and ±1 at k·90°.
+/// Returns the sine and cosine of an angle in degrees; exactly 0 and ±1 at multiples of 90°.
 ///   law  sincos_deg(a + 90) == {cos a, -sin a}, bit by bit, while a + 90 is exact
 SinCos sincos_deg(double deg);
 

@@ -1,4 +1,5 @@
-// Compares the courses of two programs. Used by view/page/page_compare; tested by tests/compare/comparison_test.cpp.
+// Compares the courses (what the machine does, in order of time) of two programs. Used by view/page/page_compare; tested by
+// tests/compare/comparison_test.cpp.
 
 #include "compare/comparison.h"
 
@@ -17,28 +18,29 @@ namespace {
 
 using Kind = CourseDifference::Kind;
 constexpr double chord_of_tolerance = 1.0 / 16;
-constexpr double same_value = 1e-6;       // relative tolerance of dwell times and feeds
-constexpr std::size_t most_ahead = 3000;  // greatest number of items of each course that are searched for a common position
-constexpr std::size_t max_sliver = 1000;  // greatest number of successive motions that may stay within the tolerance of one position
-// greatest number of vertices of each path between which the distance of a difference is measured
+constexpr double same_value = 1e-6;       // relative tolerance of dwell times and of feeds
+constexpr std::size_t most_ahead = 3000;  // greatest number of items of each course in which the search for a common position looks
+constexpr std::size_t max_sliver = 1000;  // greatest number of successive motions that may stay within the tolerance of a single position
+// Greatest number of vertices of each path that are used to measure the distance of a difference.
 constexpr std::size_t max_measured = 500;
-constexpr int max_searches = 200;  // greatest number of searches far ahead; programs that need more count as unrelated
+constexpr int max_searches = 200;  // greatest number of searches far ahead; two programs that need more count as unrelated
 
 bool is_same(double a, double b) { return std::abs(a - b) <= same_value * std::max({1.0, std::abs(a), std::abs(b)}); }
 
 bool is_same(const CourseEvent& a, const CourseEvent& b) { return a.kind == b.kind && a.text == b.text && is_same(a.value, b.value); }
 
-/// Returns the feed in mm/min that the state has at its spindle speed; 0 if the spindle speed is not known.
+/// Returns the feed in mm/min, for a feed per revolution at the state's spindle speed; 0 with constant surface speed, or if the feed has
+/// another unit.
 double per_minute(const CourseState& s) {
   if (s.unit == FeedUnit::mm_per_min) return s.feed;
   return s.unit == FeedUnit::mm_per_rev && !s.surface ? s.feed * s.speed : 0;
 }
 
-/// True if two feeds are equal apart from the rounding of the F word: they differ by at most half the increment of that word (`step`), and
-/// by at most 1 % of the feed.
+/// True if two feeds are equal apart from the rounding of the F word: their difference is at most half the increment `step` of this word,
+/// and at most 1 % of the feed.
 bool is_rounded(double a, double b, double step) { return std::abs(a - b) <= std::min(step / 2 + same_value, 0.01 * std::abs(a)); }
 
-/// Returns the first difference between the states, apart from the feed unit; nullopt if there is none.
+/// Returns the first difference between the states a and b, apart from the feed unit; nullopt if the states are equal.
 std::optional<Kind> first_difference(const CourseState& a, const CourseState& b, const CompareRules& rules) {
   if (a.move != b.move) return Kind::move;
   const bool at_speed = rules.feeds_at_speed && a.unit != b.unit && per_minute(a) > 0 && is_same(per_minute(a), per_minute(b));
@@ -112,7 +114,7 @@ class Comparer {
     (of_b ? out_.read_b : out_.read_a) = control.files_read();
   }
 
-  /// Passes an act that occurs in both courses, and compares the states in force during the act.
+  /// Moves both cursors past an act that occurs in both courses, and compares the states in force during the act.
   void act() {
     if (const auto differs = difference(as_act(a_.item(0).state), as_act(b_.item(0).state)))
       follower_.begin(ComparedPiece::Part::changed, report_state(*differs));
@@ -144,8 +146,8 @@ class Comparer {
     if (!result.together) meet_again();
   }
 
-  /// Passes the motions of one course that stay within the tolerance of the other course's position, up to an item for which `wanted` is
-  /// true. Returns false, and passes nothing, if there is no such item.
+  /// Moves the cursor of one course past motions that stay within the tolerance of the other course's position, up to an item for which
+  /// `wanted` is true. Returns false, and moves nothing, if there is no such item.
   template <class Wanted>
   bool pass_sliver(CourseCursor& lane, const CourseCursor& other, const Wanted& wanted) {
     for (std::size_t i = 0; i < max_sliver; ++i) {
@@ -168,8 +170,8 @@ class Comparer {
     add(d);
     return number;
   }
-  /// Compares the ends of both courses, and the states of spindle and coolant at the ends. At its end b may switch off what a leaves on,
-  /// since most controls switch spindle and coolant off by themselves; the reverse is a difference.
+  /// Compares the ends of both courses, and the states of spindle and coolant at the ends. At its end, b may switch off what a leaves on,
+  /// because most controls switch spindle and coolant off by themselves. If a switches off what b leaves on, that is a difference.
   void ends() {
     const CourseItem &a = a_.item(0), &b = b_.item(0);
     if (a.fault != b.fault) return ends_differ();
@@ -193,7 +195,7 @@ class Comparer {
     return spot;
   }
 
-  /// Called where the courses differ: searches ahead for the nearest position from which both do the same, and continues there.
+  /// Searches ahead for the nearest position from which both courses do the same, and continues there. Called where the courses differ.
   void meet_again() {
     std::size_t da = 0, db = 0;
     if (rules_.first_only) da = items_ahead(a_), db = items_ahead(b_);
@@ -208,8 +210,8 @@ class Comparer {
     add(d);
   }
 
-  /// Returns the number of items up to the end of the course, at most max_looked_at. Reading the items shows whether an alarm ends the
-  /// course.
+  /// Returns the number of items up to the end of the course, at most max_looked_at. The items are read for this, which shows whether an
+  /// alarm ends the course.
   static std::size_t items_ahead(CourseCursor& lane) {
     constexpr std::size_t max_looked_at = 50;
     std::size_t count = 0;
@@ -248,7 +250,7 @@ class Comparer {
     return std::abs(a[0] - b[0]) <= rules_.tolerance && space_.distance(a, b) <= rules_.tolerance;
   }
 
-  /// Describes the difference: an act that only one course has, or a different path.
+  /// Sets the kind and the texts of the difference: an act that only one course has, or a different path.
   void describe(CourseDifference& d, std::size_t da, std::size_t db) {
     const auto acts = [](CourseCursor& lane, std::size_t count) {
       std::string text;
@@ -274,7 +276,7 @@ class Comparer {
     double distance = 0;  // mm
     Axes vertex{}, nearest{};
   };
-  /// Returns the vertex, among the first `count` of one course, that is farthest from the path of the other course.
+  /// Returns the vertex, among the first `count` vertices of one course, that is farthest from the path of the other course.
   Apart farthest(CourseCursor& of, std::size_t count, CourseCursor& from, std::size_t pieces) {
     Apart most{0, of.at(), from.at()};
     const std::size_t step = count / max_measured + 1, other_step = pieces / max_measured + 1;
@@ -299,7 +301,7 @@ class Comparer {
   std::size_t number_of_next(const CourseDifference& d) const {
     return out_.differences.size() + out_.more - (continues_last_difference(d) ? 1 : 0);
   }
-  /// Adds a difference. A difference that begins where the last one ended is joined with the last one.
+  /// Adds a difference to the result. A difference that begins where the last one ended is joined with it.
   void add(CourseDifference d) {
     if (continues_last_difference(d)) {
       CourseDifference& last = out_.differences.back();
@@ -317,8 +319,8 @@ class Comparer {
   Comparison out_;
 };
 
-/// Makes the M functions of both courses comparable: each gets its number on b's control, or the coolant that it switches. A number of a
-/// that means another function on b's control gets a number that b does not use.
+/// Makes the M functions of both courses comparable. Each function gets its number on b's control, or becomes the coolant that it switches.
+/// A number of a that means another function on b's control gets a number that b does not use.
 void match_codes(Course& a, Course& b) {
   using Meaning = Course::CodeMeaning;
   const ControlDef &of_a = a.session().def(), &of_b = b.session().def();
@@ -355,7 +357,7 @@ Comparison compare_sessions(std::unique_ptr<Session> a, std::unique_ptr<Session>
   if (rules.tools_by_hand) course_a.change_tools_by_hand(), course_b.change_tools_by_hand();
   const PathModes of_b = path_modes_of(course_b.session().def());
   PathModes modes = path_modes_of(course_a.session().def()) & of_b;
-  modes.exact = of_b.exact;  // exact stops of b are compared even if a's control has none
+  modes.exact = of_b.exact;  // exact stops of b are compared even if a's control has no exact stops
   course_a.look_at(modes), course_b.look_at(modes);
   match_codes(course_a, course_b);
   Comparison made = Comparer(course_a, course_b, frame.size(), rules).all();

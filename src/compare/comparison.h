@@ -1,12 +1,12 @@
 #pragma once
-// Comparison: checks whether two programs, a and b, do the same. Each is run by its own control, and their courses (compare/course) are
-// compared step by step: the paths of the axes as curves (a line cut in two is still the same line), in order; tool, feed, spindle and
-// coolant along the paths; and what happens between the motions.
+// Comparison: checks whether two programs, a and b, do the same. Each program is run by its own control, and their courses (compare/course)
+// are compared step by step. Compared are the paths of the axes as curves (a line cut in two is still the same line), in order; tool, feed,
+// spindle and coolant along the paths; and the acts between the motions.
 //
 //   compare_sessions(a, b, rules)
 //
-// The comparison follows both courses once, in constant memory. Where the courses separate, it searches for the next position that both
-// have in common.
+// The comparison follows both courses once, in constant memory. Where the courses separate, it searches for the next position at which both
+// do the same again.
 
 #include <functional>
 #include <map>
@@ -17,79 +17,82 @@
 
 namespace kadr {
 
-/// A straight segment of the path of program a or b. The segments of both arrive interleaved, those of each path in order.
+/// A straight segment of the path of program a or b. Segments of a and b arrive interleaved; the segments of each program arrive in order.
 struct ComparedPiece {
-  enum class Part : std::uint8_t { together, changed, apart };  // changed: both follow the same path, with another feed, tool …
+  // changed: both programs follow the same path, but with another feed, tool …
+  enum class Part : std::uint8_t { together, changed, apart };
   Part part = Part::together;
   bool of_b = false;
-  bool act = false;  // an act while the axes are at rest (dwell, message …); only acts that differ are reported
+  bool act = false;  // an act while the axes are at rest (dwell, message …); only acts that differ are sent
   CourseMove move = CourseMove::rapid;
   Axes from{}, to{};
   Origin origin;
-  std::size_t number = 0;  // index in Comparison::differences of the difference that contains the segment
-  double distance = 0;     // CourseDifference::distance of that difference
+  std::size_t number = 0;  // index, in Comparison::differences, of the difference that contains the segment
+  double distance = 0;     // distance between the paths in this difference, mm (CourseDifference::distance)
 };
 
 struct CompareRules {
-  double tolerance = 0.001;                   // allowed distance of the paths, mm (degrees of rotary axes)
-  bool messages = true;                       // compare the messages to the operator
-  bool tools_by_hand = false;                 // a tool change counts as a program stop at which the operator changes the tool
-  bool feeds_at_speed = false;                // a feed per revolution equals the feed per minute that it gives at the speed in force
-  double feed_step = 0;                       // least increment of b's F word, mm/min or mm/rev; feeds that differ by less are equal
-  std::map<std::string, double> zero_of_b{};  // by axis name: work origin that the operator sets, mm, since b's control has no work offsets
-  bool first_only = false;                    // stop at the first difference
-  bool times = true;                          // compute CourseSpot::at
-  std::size_t max_reported = 1000;            // greatest number of differences that are listed one by one
+  double tolerance = 0.001;     // permitted distance between the paths, mm (degrees for rotary axes)
+  bool messages = true;         // true: messages to the operator are compared
+  bool tools_by_hand = false;   // a tool change counts as a program stop at which the operator changes the tool
+  bool feeds_at_speed = false;  // a feed per revolution counts as equal to the feed per minute that it gives at the spindle speed in force
+  double feed_step = 0;         // least increment of b's F word, mm/min or mm/rev; feeds that differ by less count as equal
+  // Work origin that the operator sets, mm, by axis name; used if b's control has no work offsets
+  std::map<std::string, double> zero_of_b{};
+  bool first_only = false;          // true: the comparison stops at the first difference
+  bool times = true;                // compute CourseSpot::at
+  std::size_t max_reported = 1000;  // greatest number of differences in Comparison::differences; further differences are only counted
   StopToken stop{};
-  std::function<void(const ComparedPiece&)> on_piece{};  // called for each segment while both paths are followed
+  std::function<void(const ComparedPiece&)> on_piece{};  // receives each segment while the paths are compared
 };
 
-/// A position in one of the two programs.
+/// A position in the course of one of the two programs.
 struct CourseSpot {
-  Origin origin;       // the block that comes next at this position
+  Origin origin;       // block that is executed next at this position
   std::string file{};  // name of the called file that contains the block; empty: the block is in the program itself
-  double at = 0;       // programmed time since the start, s; 0 if the rules request no times
+  double at = 0;       // programmed time since the start, s; 0 if CompareRules::times is false
   Axes stand{};        // axis positions in machine coordinates, in the order of Comparison::axes
 };
 
 struct CourseDifference {
   enum class Kind : std::uint8_t { way, move, feed, tool, spindle, coolant, corners, act, end };
   Kind kind = Kind::way;
-  CourseSpot a, b;               // where the difference begins in each program
-  CourseSpot a_to, b_to;         // where the difference ends: both do the same again from there
-  double distance = 0;           // mm, for paths: greatest distance of a vertex of one path from the other path, within this difference
-  Axes a_far{}, b_far{};         // the two positions between which `distance` was measured
-  std::string a_value, b_value;  // values that differ: "F200", "M8"; empty in the program that lacks the act
+  CourseSpot a, b;        // positions at which the difference begins in each program
+  CourseSpot a_to, b_to;  // positions at which the difference ends: both programs do the same again from there
+  // Greatest distance of a vertex of one path from the other path within this difference, mm; only for a difference of paths
+  double distance = 0;
+  Axes a_far{}, b_far{};         // axis positions, on the paths of a and b, between which `distance` was measured
+  std::string a_value, b_value;  // the values that differ: "F200", "M8"; empty for the program that lacks the act
 };
 
 struct Comparison {
   bool cancelled = false;
-  double greatest = 0;                                        // greatest distance where both follow the same path, mm
-  std::size_t moves_a = 0, moves_b = 0;                       // number of blocks that move axes
-  std::vector<std::string> axes;                              // axis names
-  std::vector<CourseDifference> differences;                  // in the order of the programs
-  std::size_t more = 0;                                       // number of differences that are not listed
-  std::optional<AlarmReport> stopped_a, stopped_b;            // the alarm that stopped the program; what would follow is not compared
-  std::vector<std::string> read_a, read_b;                    // names of the files that the program called
-  std::map<std::uint16_t, std::string> files_a{}, files_b{};  // names of the called files that segments come from, by Origin::file
-  // origin of the work system in which the first cut is made, in machine coordinates
+  double greatest = 0;                              // greatest distance between the paths where both programs follow the same path, mm
+  std::size_t moves_a = 0, moves_b = 0;             // number of blocks that move axes
+  std::vector<std::string> axes;                    // axis names
+  std::vector<CourseDifference> differences;        // the differences, in the order of the programs
+  std::size_t more = 0;                             // number of further differences that are not listed
+  std::optional<AlarmReport> stopped_a, stopped_b;  // alarm that stopped the program; the comparison ends there
+  std::vector<std::string> read_a, read_b;          // names of the files that each program called
+  std::map<std::uint16_t, std::string> files_a{}, files_b{};  // by Origin::file: names of the called files that segments come from
+  // Origin of the work system in which the first cut is made, in machine coordinates.
   Vec3 zero;
-  std::size_t passed_messages = 0;     // messages of a that the rules exclude from the comparison
-  std::size_t passed_exact_stops = 0;  // exact stops of a that were not compared, because b's control has none
-  // at least one pair of feeds was equal only because of CompareRules::feeds_at_speed
+  std::size_t passed_messages = 0;     // number of messages of a that the rules exclude from the comparison
+  std::size_t passed_exact_stops = 0;  // number of exact stops of a that were not compared, because b's control has no exact stops
+  // At least one pair of feeds was equal only because of CompareRules::feeds_at_speed.
   bool feeds_at_speed = false;
-  // at least one pair of feeds was equal only because of CompareRules::feed_step
+  // At least one pair of feeds was equal only because of CompareRules::feed_step.
   bool feeds_rounded = false;
-  bool lost = false;  // after the last difference no common position was found
+  bool lost = false;  // after the last difference, no position was found at which both programs do the same again
 
   bool equal() const { return !cancelled && differences.empty(); }
 };
 
-/// Returns the axis names of both sessions, each once.
+/// Returns the names of the axes of both sessions, each name once.
 std::vector<std::string> common_frame(const Session& a, const Session& b);
 Comparison compare_sessions(std::unique_ptr<Session> a, std::unique_ptr<Session> b, const CompareRules& rules);
 
-/// Describes the act in words that users of any control understand: "F200", "S1200 M3", ….
+/// Describes an act in words that users of any control understand: "F200", "S1200 M3", ….
 std::string text_of(const CourseEvent& act);
 
 }  // namespace kadr

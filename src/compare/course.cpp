@@ -1,4 +1,5 @@
-// Course: converts the steps of a program into comparable items. Used by compare/comparison; tested by tests/compare/comparison_test.cpp.
+// Course: converts the steps of a program's run into comparable items. Used by compare/comparison; tested by
+// tests/compare/comparison_test.cpp.
 
 #include "compare/course.h"
 
@@ -23,7 +24,7 @@ CourseMove move_of(MotionKind kind) {
   }
 }
 
-/// True if the path of the motion is the straight line to its end, so that MachinePath, which would compute the same line, is not needed.
+/// True if the path of the motion is the straight line to its end. MachinePath is then not needed, because it would compute the same line.
 bool is_plain_line(const Step& step, const Motion& motion) {
   return !motion.detail && !is_arc(motion.kind) && motion.kind != MotionKind::spline && !controls_tip(step.from, motion);
 }
@@ -67,8 +68,8 @@ void Course::more(ItemRing& to) {
   }
 }
 
-/// Copies positions from the order of the control's axes into the order of the frame's axes. Axes of the frame that the control lacks stay
-/// at 0.
+/// Copies axis positions from the order of the control's axes to the order of the frame's axes. An axis of the frame that the control lacks
+/// stays at 0.
 void Course::put_in_frame(Axes& to, const Axes& machine) const {
   for (std::size_t i = 0; i < axis_of_.size(); ++i) to[i] = axis_of_[i] >= 0 ? machine[std::size_t(axis_of_[i])] + shift_[i] : 0;
 }
@@ -79,7 +80,7 @@ void Course::shift(const Axes& by) {
 }
 
 void Course::take(const Step& step) {
-  // Calls and ends of programs are not items; the actions that the control itself executes for them arrive separately.
+  // Codes that call and end programs are no items of the course. The actions that the control executes for such a code arrive separately.
   if (is_by_control(step.action)) return;
   end_.begins = end_.ends = step.begins + step.time.seconds + step.pause;
   if (const std::uint32_t block = step.action.origin.number; block != end_.origin.number) before_block_ = state_;
@@ -130,7 +131,8 @@ void Course::take_function(const Step& step, std::uint32_t code) {
   else take_event(step, CourseEvent::Kind::function, meaning->second.code);
 }
 
-/// Adds an exact stop if the next step moves the axes. Before any other step the axes are at rest anyway, so the exact stop has no effect.
+/// Adds an exact stop to the course if the next step moves the axes. Before any other step the axes are at rest anyway, and the exact stop
+/// has no effect.
 void Course::stop_exactly(const Step& next) {
   static const auto act = std::make_shared<const CourseEvent>(CourseEvent{CourseEvent::Kind::exact_stop, 0, {}});
   CourseItem& item = ahead_->add();
@@ -143,7 +145,7 @@ void Course::stop_exactly(const Step& next) {
   exact_end_.reset();
 }
 
-/// True if the axes are already at the end of the motion.
+/// True if the axes are already at the end of the motion, so that it adds nothing to the path.
 bool Course::stands(const Step& step, const Motion& motion) const {
   constexpr double same_place = 1e-9;  // mm
   if (!is_plain_line(step, motion)) return false;
@@ -158,7 +160,8 @@ void Course::take_event(const Step& step, CourseEvent::Kind kind, double value, 
   item.kind = CourseItem::Kind::act;
   put_in_frame(item.to, step.from.machine);
   item.state = state_;
-  if (kind == CourseEvent::Kind::tool) {  // whether spindle and coolant stop for a tool change depends on the machine
+  // Both count as off, because it depends on the machine whether spindle and coolant stop for a tool change
+  if (kind == CourseEvent::Kind::tool) {
     item.state.spindle = SpindleDir::stop, item.state.speed = 0, item.state.surface = false;
     item.state.coolant = Coolant::off;
     if (tools_by_hand_) kind = CourseEvent::Kind::stop, value = 0;

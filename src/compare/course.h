@@ -1,6 +1,6 @@
 #pragma once
-// Course: what a program makes the machine do, in order of time, in a form that can be compared with another program: straight segments
-// of the path with the state in force along them, and acts (dwell, stop, message …) between the segments.
+// Course: what a program makes the machine do, in order of time, in a form that can be compared with another program. It consists of
+// straight segments of the path with the state in force along them, and of acts (dwell, stop, message …) between the segments.
 
 #include <map>
 #include <memory>
@@ -15,42 +15,43 @@
 
 namespace kadr {
 
-/// Runs one program, without other channels, only as far as items are requested.
+/// Runs one program, without its other channels, only as far as items are requested.
 class Course {
  public:
   ///   frame  axis names in the order in which the course's positions list them; an axis that the control does not have stays at 0
-  ///   chord  mm by which a straight segment may deviate from a curved path
+  ///   chord  mm; greatest deviation of the straight segments from a curved path
   Course(std::unique_ptr<Session> session, const std::vector<std::string>& frame, double chord, const StopToken& stop);
 
   /// Excludes messages to the operator from the course.
   void pass_messages() { messages_ = false; }
-  /// Adds this vector (mm, by axis of the frame) to all positions: the origin that the operator has set. Call it before the first item.
+  /// Adds this vector, the origin that the operator has set, to all positions (mm, by axis of the frame). Call this function before the
+  /// first item.
   void shift(const Axes& by);
-  /// Switches off the computation of times. Call it before the first item.
+  /// Switches off the computation of times. Call this function before the first item.
   void pass_times() { session_->outlets().clock = nullptr; }
-  /// Number of exact stops excluded by look_at().
+  /// Returns the number of exact stops that were not added to the course because look_at() excludes them.
   std::size_t passed_exact_stops() const { return passed_exact_stops_; }
   std::size_t passed_messages() const { return passed_messages_; }
-  /// Treats each tool change as a stop, whatever tool it selects: the operator changes the tool by hand.
+  /// Treats each tool change as a stop, independent of the selected tool: the operator changes the tool by hand.
   void change_tools_by_hand() { tools_by_hand_ = true; }
   /// Sets which exact stops and corner modes the course contains.
   void look_at(const PathModes& modes) { modes_ = modes; }
-  /// What an M function of the machine means on the other control, by the tables of both controls (config/machine/machine_codes).
+  /// The meaning of an M function of the machine on the other control, by the tables of both controls (config/machine/machine_codes).
   struct CodeMeaning {
-    std::optional<Coolant> coolant{};  // set if the function switches the coolant
-    std::uint32_t code = 0;            // else the number of the function on the other control
+    std::optional<Coolant> coolant{};  // the coolant that the function switches; nullopt: it switches no coolant
+    std::uint32_t code = 0;            // number of the function on the other control, if `coolant` is nullopt
   };
   void read_codes(std::map<std::uint32_t, CodeMeaning> codes) { codes_ = std::move(codes); }
-  /// The state that was in force before the last block that has been read.
+  /// Returns the state that was in force before the last block that has been read.
   const CourseState& before_last_block() const { return before_block_; }
-  /// Position of the axes before the first item, machine coordinates.
+  /// Returns the position of the axes before the first item, machine coordinates.
   const Axes& start() const { return start_; }
-  /// Appends the next items (at least one) to the ring; appends nothing after the end.
+  /// Appends the next items (at least one) to the ring; after the end of the course, appends nothing.
   void more(ItemRing& to);
   Session& session() { return *session_; }
-  /// Origin of the work system in which the first cut was made, in machine coordinates; nullopt before that cut.
+  /// Returns the origin of the work system in which the first cut was made, in machine coordinates; nullopt before this cut.
   const std::optional<Vec3>& zero() const { return zero_; }
-  /// The alarm that stopped the program, if one did.
+  /// Returns the alarm that stopped the program; nullopt if no alarm stopped it.
   const std::optional<AlarmReport>& stopped() const { return stopped_; }
 
  private:
@@ -64,18 +65,18 @@ class Course {
   void put_in_frame(Axes& to, const Axes& machine) const;
 
   std::unique_ptr<Session> session_;
-  std::vector<int> axis_of_;  // index of the control's axis, by axis of the frame; -1: the control has no such axis
+  std::vector<int> axis_of_;  // by axis of the frame: index of the control's axis; -1: the control has no such axis
   double chord_;
   StopToken stop_;
   Chain chain_;
   std::unique_ptr<TimeEstimate> clock_;
   Vec3 frame_zero_;
   std::optional<Vec3> zero_;
-  ItemRing* ahead_ = nullptr;  // receives the items during more()
+  ItemRing* ahead_ = nullptr;  // the ring that receives the items during more()
   CourseState state_, before_block_;
   PathModes modes_;
   std::map<std::uint32_t, CodeMeaning> codes_;
-  std::optional<Origin> exact_end_;  // the motion with an exact stop that has just ended
+  std::optional<Origin> exact_end_;  // origin of a motion with an exact stop that has just ended; nullopt: there is none
   double rpm_ = 0;
   bool surface_ = false;
   Axes start_{}, shift_{};

@@ -1,4 +1,4 @@
-// CourseCursor: a course with its look-ahead. Used by compare/comparison and compare/path_match.
+// CourseCursor: a course with a current position and the items read ahead. Used by compare/comparison and compare/path_match.
 
 #include "compare/course_cursor.h"
 
@@ -8,8 +8,8 @@
 namespace kadr {
 namespace {
 
-constexpr double no_length = 1e-12;  // mm², square of the length: a shorter segment counts as a point
-constexpr double whole = 1 - 1e-9;   // a fraction of a segment from this value on counts as 1, because of rounding errors
+constexpr double no_length = 1e-12;  // a segment whose squared length is less than this number of mm² counts as a point
+constexpr double whole = 1 - 1e-9;   // a fraction of a segment that exceeds this counts as 1, because of rounding errors
 
 }  // namespace
 
@@ -40,7 +40,7 @@ Axes CourseSpace::between(const Axes& a, const Axes& b, double part) const {
 }
 
 CourseSpace::Interval CourseSpace::within(const Axes& point, const Axes& from, const Axes& to, double most) const {
-  double way = 0, along = 0, off = 0;  // way = |to − from|², along = (point − from)·(to − from), off = |point − from|²
+  double way = 0, along = 0, off = 0;  // sums over the axes: way = |to − from|², along = (point − from)·(to − from), off = |point − from|²
   for (std::size_t i = 0; i < axes_; ++i) {
     const double w = to[i] - from[i], p = point[i] - from[i];
     way += w * w, along += p * w, off += p * p;
@@ -66,13 +66,13 @@ void CourseCursor::look_ahead(std::size_t i) {
   }
 }
 
-/// Removes the motions of length 0 among the items with index `from` and above.
+/// Removes motions of length 0 from the items whose index is `from` or greater.
 void CourseCursor::tidy(std::size_t from) {
   std::size_t kept = from;
   for (std::size_t k = from; k < ahead_.size(); ++k) {
     CourseItem& item = ahead_[k];
     const Axes& before = kept == 0 ? at_ : ahead_[kept - 1].to;
-    // the axes do not move during an act, though its position may differ in another coordinate frame
+    // The axes do not move during an act, but its position may be given in another coordinate frame, so the position before is used.
     if (item.kind != CourseItem::Kind::move) item.to = before;
     else if (item.to == before) continue;
     if (kept != k) ahead_[kept] = std::move(item);

@@ -13,28 +13,28 @@ namespace kadr {
 
 enum class CourseMove : std::uint8_t { rapid, feed, thread, probe };
 
-/// The state in force while the machine moves or acts.
+/// The modes and values in force while the machine moves or acts.
 struct CourseState {
   CourseMove move = CourseMove::rapid;
   FeedUnit unit = FeedUnit::mm_per_min;
-  double feed = 0;  // in `unit`, as commanded; 0 for a rapid
+  double feed = 0;  // commanded feed in `unit`; 0 for a rapid
   double lead = 0;  // thread lead, mm
   std::uint32_t tool = 0;
   SpindleDir spindle = SpindleDir::stop;
   bool surface = false;  // constant surface speed is in force: `speed` is in m/min
-  double speed = 0;      // speed of the rotating spindle, rev/min
+  double speed = 0;      // speed of the rotating spindle, rev/min; m/min if `surface`
   Coolant coolant = Coolant::off;
-  double tolerance = 0;  // mm by which corners may be rounded (G64 P)
+  double tolerance = 0;  // greatest rounding of corners, mm (G64 P)
   CornerSpeed corners = CornerSpeed::limited;
   std::uint8_t smoothing = 0;  // smoothing mode: the word Q of G5.1
   friend bool operator==(const CourseState&, const CourseState&) = default;
 };
 
-/// An act while the axes are at rest. The modes that it leaves in force belong to CourseState.
+/// An act while the axes are at rest. The modes that the act puts in force are in CourseState.
 struct CourseEvent {
   enum class Kind : std::uint8_t { tool, dwell, stop, optional_stop, message, function, exact_stop, other };
   Kind kind = Kind::other;
-  double value = 0;  // by kind: tool number; dwell time in s; number of the message or function
+  double value = 0;  // depends on the kind: tool number; dwell time in s; number of the message or function
   std::string text;  // text of a message; for `other`, the name of the act
   friend bool operator==(const CourseEvent&, const CourseEvent&) = default;
 };
@@ -44,10 +44,10 @@ struct CourseItem {
   Kind kind = Kind::end;
   Axes to{};  // position at the end of the item, machine coordinates, in the order of the frame's axes
   CourseState state;
-  std::shared_ptr<const CourseEvent> act;  // set if the item is an act
+  std::shared_ptr<const CourseEvent> act;  // the act; nullptr if the item is a motion or the end
   Origin origin;
-  double begins = 0, ends = 0;   // programmed time since the start, s
-  std::optional<AlarmId> fault;  // for the end of the course: the alarm that stopped the program
+  double begins = 0, ends = 0;   // programmed times of the item's start and end, s since the start of the run
+  std::optional<AlarmId> fault;  // for the end of the course: alarm that stopped the program
 };
 
 }  // namespace kadr

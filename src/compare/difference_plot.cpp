@@ -12,15 +12,15 @@
 namespace kadr {
 namespace {
 
-// greatest number of points of a path: in the main picture, in a close-up
+// Greatest number of points of a path in the main picture, and in a close-up.
 constexpr std::size_t max_points = 100'000, most_close_points = 20'000;
-// mm by which a drawn path may deviate: in the main picture, in a close-up
+// Greatest deviation, mm, of a drawn path in the main picture, and in a close-up.
 constexpr double whole_chord = 0.002, close_chord = 1e-5;
-// greatest number of common segments that are kept before and after a difference
+// Greatest number of common segments that are stored before a difference, and after it.
 constexpr std::size_t most_around = 500;
-constexpr std::size_t max_numbers = 500;     // greatest number of differences that get a number in the picture
+constexpr std::size_t max_numbers = 500;     // greatest number of differences that are numbered in the picture
 constexpr double same_place = 1e-3;          // mm
-constexpr std::uint16_t file_of_b = 0x8000;  // added to ProgramLine::file to mark files of b
+constexpr std::uint16_t file_of_b = 0x8000;  // bit that is added to ProgramLine::file to mark a file of b
 
 using Part = ComparedPiece::Part;
 using Layer = SketchPiece::Layer;
@@ -77,7 +77,7 @@ void DifferencePlot::take(const ComparedPiece& piece) {
   const std::size_t side = piece.of_b ? 1 : 0;
   if (!first_[side]) first_[side] = drawn.from, first_line_[side] = drawn.line;
   last_[side] = drawn.to, last_line_[side] = drawn.line;
-  if (piece.of_b && piece.part != Part::apart) return;  // where both follow the same path, only the segment of a is drawn
+  if (piece.of_b && piece.part != Part::apart) return;  // both programs follow the same path here, so only the segment of a is drawn
   if (piece.part != Part::together) {
     if (begun_ != piece.number) begin(piece);
     measure(piece, drawn);
@@ -157,7 +157,7 @@ DifferenceWindow DifferencePlot::window_on(const Closeup& closeup, const Compari
   return window_of(closeup.sketch->box(), tip(d.b_far) - tip(d.a_far), tip(d.b_far), whole_.same().box());
 }
 
-/// Returns at most two close-ups, in the order of their differences: first choice is the greatest difference, then the first two
+/// Returns at most two close-ups, in the order of their differences. The greatest difference is chosen first, then the first two
 /// differences. A close-up is left out if it shows no more detail than the main picture.
 std::vector<const DifferencePlot::Closeup*> DifferencePlot::chosen(const Comparison& made) const {
   std::vector<const Closeup*> all;

@@ -1,4 +1,4 @@
-// DifferenceSketch: the paths of two programs as paths of a picture. Used by compare/difference_plot; tested by
+// DifferenceSketch: draws the paths of two programs as paths of a picture. Used by compare/difference_plot; tested by
 // tests/compare/difference_sketch_test.cpp.
 
 #include "compare/difference_sketch.h"
@@ -56,7 +56,7 @@ DifferenceSketch::DifferenceSketch(std::size_t most, double chord)
       a_pen_(a_, chord),
       b_pen_(b_, chord) {}
 
-/// Adds a segment. A path that differs must be visible, even if it is a rapid.
+/// Adds a segment. A segment that differs must be visible, so it is drawn even if it is a rapid.
 void DifferenceSketch::take(const SketchPiece& piece) {
   using Layer = SketchPiece::Layer;
   if (piece.layer != Layer::same) {

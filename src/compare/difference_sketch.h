@@ -1,6 +1,6 @@
 #pragma once
-// DifferenceSketch: the paths of two programs, prepared for drawing: the path that both follow, and the paths that only one follows. Used
-// by compare/difference_plot.
+// DifferenceSketch: the paths of two programs, prepared for drawing: the path that both programs follow, and the paths that only one
+// program follows. Used by compare/difference_plot.
 
 #include "out/picture/plot/plot_path.h"
 
@@ -12,7 +12,7 @@ struct SketchPiece {
   Vec3 from, to;
   Stroke stroke = Stroke::feed;
   ProgramLine line;
-  bool act = false;  // an act: a position without a path
+  bool act = false;  // the segment stands for an act: it has a position but no length
   friend bool operator==(const SketchPiece&, const SketchPiece&) = default;
 };
 
@@ -25,8 +25,8 @@ class SketchPen {
 
  private:
   PlotPath& path_;
-  double chord_;  // mm by which the joined path may deviate
-  Vec3 corner_;   // end of the path so far
+  double chord_;  // greatest deviation of the joined path from the segments, mm
+  Vec3 corner_;   // end of the joined path so far
   SketchPiece held_{};
   bool holds_ = false, begun_ = false;
   double lost_ = 0;
@@ -44,14 +44,14 @@ class DifferenceSketch {
   void finish();
   void move_all(Vec3 by);
 
-  /// The path that both programs follow; its box also includes the other paths.
+  /// Returns the path that both programs follow. Its box also includes the paths that differ.
   const PlotPath& same() const { return same_; }
   const PlotPath& changed() const { return changed_; }
   const PlotPath& a() const { return a_; }
   const PlotPath& b() const { return b_; }
-  /// The box of the paths that differ.
+  /// Returns the box of the paths that differ.
   const Box& box() const { return box_; }
-  /// Returns the greatest distance, mm, between the true paths and the drawn ones.
+  /// Returns the greatest distance, mm, between a true path and its drawn path.
   double error() const;
 
  private:

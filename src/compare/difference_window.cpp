@@ -1,4 +1,5 @@
-// Selects what a close-up shows of a difference. Used by compare/difference_plot; tested by tests/compare/difference_window_test.cpp.
+// Selects the part of a difference that a close-up shows. Used by compare/difference_plot; tested by
+// tests/compare/difference_window_test.cpp.
 
 #include "compare/difference_window.h"
 
@@ -8,19 +9,20 @@
 namespace kadr {
 namespace {
 
-// greatest size of a window, in distances between the paths; a larger window hardly shows the distance
+// Greatest size of a window, as a multiple of the distance between the paths. In a larger window, the distance is hardly visible.
 constexpr double max_times = 12;
-constexpr double good_times = 6;  // size of a window that shows the distance well, in distances between the paths
-// size of a window as a share of the part; a larger one shows no more than the view of the whole part
+constexpr double good_times = 6;  // size of a window, as a multiple of the distance between the paths, that shows the distance well
+// Greatest size of a window, as a fraction of the part's size. A larger window shows no more than the view of the whole part.
 constexpr double little_part = 0.6;
-constexpr double margin_part = 0.15;   // margin around a window, as a share of the window
-constexpr double place_part = 0.06;    // size of the window around a single position, as a share of the part
+constexpr double margin_part = 0.15;   // margin around a window, as a fraction of the window
+constexpr double place_part = 0.06;    // size of the window around a single position, as a fraction of the part's size
 constexpr double least_window = 0.02;  // least size of a window, mm
-constexpr double page_size = 500;      // approximate size of a view in units of the page
+constexpr double page_size = 500;      // approximate size of a view, in units of the drawn page
 
 double greatest_of(Vec3 v) { return std::max({v.x, v.y, v.z}); }
 
-/// Returns the view that shows the distance between the two paths best; how well it shows the paths themselves counts half as much.
+/// Returns the direction of view that shows the distance between the two paths best. The visible size of the paths themselves counts half
+/// as much.
 View best_view(Vec3 apart, Vec3 size) {
   const double all = size.x + size.y + size.z, far = length(apart);
   View best = View::xy;

@@ -8,13 +8,13 @@ namespace kadr {
 struct DifferenceWindow {
   View view = View::xy;
   Box box;
-  double finest = 0;    // mm; smaller details are not visible in the close-up
+  double finest = 0;    // size of the smallest details that are visible in the close-up, mm
   bool closer = false;  // the close-up shows more detail than the view of the whole part
 };
 
 ///   differing  box of the paths that differ
-///   apart      vector from a's position to b's where the paths are farthest apart; zero if the positions are equal
-///   at         b's position where the paths are farthest apart
+///   apart      vector from the position of a to that of b where the paths are farthest apart; zero if both positions are equal
+///   at         position of b where the paths are farthest apart
 ///   part       box of the path that both follow
 DifferenceWindow window_of(const Box& differing, Vec3 apart, Vec3 at, const Box& part);
 

@@ -1,6 +1,6 @@
 #pragma once
-// ItemRing: the items of a course that have been read but not passed yet, in order. Items that were passed are overwritten, so that a
-// long program needs no memory allocation for each block.
+// ItemRing: the items of a course that have been read but not passed yet, in order. The memory of items that were passed is used again, so
+// that a long program needs no memory allocation for each block.
 
 #include <algorithm>
 #include <cstddef>
@@ -15,12 +15,12 @@ class ItemRing {
  public:
   bool empty() const { return size_ == 0; }
   std::size_t size() const { return size_; }
-  /// Returns the i-th item; its address stays valid until the item is removed.
+  /// Returns the item with index i. Its address stays valid until the item is removed.
   CourseItem& operator[](std::size_t i) { return at(first_ + i); }
   CourseItem& front() { return at(first_); }
   CourseItem& back() { return at(first_ + size_ - 1); }
 
-  /// Adds an item at the end and returns it. It contains the data of an earlier item, so write every member.
+  /// Adds an item at the end and returns it. The item still contains the data of an earlier item, so the caller must set every member.
   CourseItem& add() {
     if (first_ + size_ == chunks_.size() * chunk) chunks_.push_back(std::make_unique<CourseItem[]>(chunk));
     return at(first_ + size_++);
@@ -31,15 +31,15 @@ class ItemRing {
     first_ = 0;
     std::rotate(chunks_.begin(), chunks_.begin() + 1, chunks_.end());
   }
-  /// Keeps only the first `size` items.
+  /// Removes all items except the first `size` items.
   void cut(std::size_t size) { size_ = size; }
 
  private:
-  static constexpr std::size_t chunk = 64;  // number of items in a chunk
+  static constexpr std::size_t chunk = 64;  // number of items in a chunk of memory
   CourseItem& at(std::size_t i) { return chunks_[i / chunk][i % chunk]; }
 
-  std::vector<std::unique_ptr<CourseItem[]>> chunks_;  // chunks with items first, in order, then free chunks
-  std::size_t first_ = 0, size_ = 0;                   // index of the first item within the first chunk; number of items
+  std::vector<std::unique_ptr<CourseItem[]>> chunks_;  // chunks of memory: first those with items, in order, then free chunks
+  std::size_t first_ = 0, size_ = 0;                   // first_: index of the first item within the first chunk; size_: number of items
 };
 
 }  // namespace kadr

@@ -12,9 +12,9 @@ namespace {
 using Interval = CourseSpace::Interval;
 constexpr std::size_t most_open = 20'000;  // greatest number of segments of one path that may be near a single position of the other path
 
-// greatest number of segments by which b may be behind a; greatest number of identical segments among which vE is searched
+// Greatest number of segments by which b may lag behind a; greatest number of identical segments among which vE (see below) is searched.
 constexpr std::size_t max_lag = 4, most_alike = 16;
-constexpr double same_projection = 1e-12;  // mm; a smaller distance is not reported
+constexpr double same_projection = 1e-12;  // a smaller distance, in mm, counts as 0 and is not reported
 
 Interval common(Interval a, double from) { return {std::max(a.first, from), a.last}; }
 
@@ -56,7 +56,7 @@ class FreeSpace {
   }
   Interval free_of_b(const Axes& point, std::size_t j) { return space_.within(point, b_.begin(j), b_.item(j).to, tolerance_); }
 
-  /// Moves along b while a stays at its start.
+  /// Moves along b while a remains at its start.
   void begin() {
     for (std::size_t j = 0; goes_on(b_, state_b_, j) && j <= most_open; ++j) {
       const Interval free = free_of_b(a_.at(), j);
@@ -65,7 +65,7 @@ class FreeSpace {
       near_.push_back(tolerance_);
       if (free.last < 1) break;
     }
-    // both paths are at the same position, and only rounding errors hide it
+    // Both paths are at the same position, so this position is reachable; only rounding errors hide it.
     if (column_.empty()) column_.push_back({0, 0}), near_.push_back(tolerance_);
   }
 
@@ -80,9 +80,9 @@ class FreeSpace {
   // segments of b up to v0. Near a position where the paths differ there is no such vE within the identical segments: there the free space
   // decides as usual.
 
-  /// Passes identical segments. Returns false, and changes nothing, if there are none.
+  /// Passes segments that are identical in both paths. Returns false, and changes nothing, if it cannot pass any.
   bool pass_alike() {
-    std::size_t lag = 0;  // number of segments by which b is behind a
+    std::size_t lag = 0;  // number of segments by which b lags behind a
     while (b_.begin(lag) != a_.at())
       if (++lag > max_lag || lag > column_.size()) return false;
     if (!is_reached(lag) || !are_alike(lag)) return false;
@@ -96,8 +96,8 @@ class FreeSpace {
     return true;
   }
 
-  /// True if both paths can be at a's position, b can be ahead of that position only in a connected part of the free space, and every
-  /// vertex of b that would be passed lies on a's path, so that no distance must be reported for it.
+  /// True if three conditions are met. Both paths can be at a's position; b can be ahead of this position only in a connected part of the
+  /// free space; and every vertex of b that would be passed lies on a's path, so that no distance must be reported for it.
   bool is_reached(std::size_t lag) const {
     if (lag > 0) {
       if (column_[lag - 1].empty() || column_[lag - 1].last < 1) return false;
@@ -111,7 +111,7 @@ class FreeSpace {
     return true;
   }
 
-  /// True if v0 v1 … vE are the same in both paths, with the segments of b from index `lag` on.
+  /// True if the segments v0 v1 … vE are the same in both paths, where those of b start at index `lag`.
   bool are_alike(std::size_t lag) {
     for (std::size_t i = 0; i < most_alike; ++i) {
       const CourseItem &a = a_.item(i), &b = b_.item(lag + i);
@@ -129,8 +129,9 @@ class FreeSpace {
     return false;
   }
 
-  /// Follows a segment of a: from the reachable intervals of b at the segment's start to the reachable intervals at its end.
-  ///   returns  false if no interval at the end can be reached; `ends_` is then the part of a's segment from which b's end can be reached
+  /// Follows a segment of a: computes the reachable intervals of b at the segment's end from the reachable intervals at its start.
+  ///   returns  false if no interval at the end can be reached; `ends_` is then the part of a's segment from which the end of b can be
+  ///            reached
   bool advance() {
     const Axes from = a_.at(), to = a_.item(0).to;
     next_.clear();
@@ -190,7 +191,7 @@ class FreeSpace {
     b_.pass(count);
   }
 
-  /// Called when a is at its end. Moves b to the end of b if that end can be reached, else to the reachable position nearest to a.
+  /// Moves b to its end if this end can be reached, else to the reachable position nearest to a. Called when a is at its end.
   void bring_b() {
     const std::size_t last = column_.size() - 1;
     if (!column_[last].empty() && column_[last].last >= 1 && goes_on(b_, state_b_, last) && !goes_on(b_, state_b_, last + 1))
@@ -210,7 +211,7 @@ class FreeSpace {
     bring_b();
     return result_;
   }
-  /// Called when b ends within the present segment of a. Cuts that segment in two.
+  /// Cuts the present segment of a in two. Called when b ends within this segment.
   PathMatch cut_a() {
     std::size_t last = 0;
     while (goes_on(b_, state_b_, last)) ++last;
@@ -233,8 +234,9 @@ class FreeSpace {
   const double tolerance_;
   const CourseState state_a_, state_b_;
   const Axes begins_a_, begins_b_;
-  std::vector<Interval> column_, next_;  // by segment of b: the part of the segment that can be reached while a is at its present vertex
-  std::vector<double> near_;             // by segment of b: the least distance from a at which the end of the segment can be passed
+  // For each segment of b: the part of the segment that can be reached while a is at its present vertex
+  std::vector<Interval> column_, next_;
+  std::vector<double> near_;  // for each segment of b: the least distance from a at which the end of the segment can be passed
   Interval ends_;
   PathMatch result_;
 };

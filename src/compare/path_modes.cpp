@@ -1,4 +1,4 @@
-// PathModes: exact stops and corner modes of a control. Used by compare/comparison and convert/conversion; tested by
+// PathModes: finds out which exact stops and corner modes a control has. Used by compare/comparison and convert/conversion; tested by
 // tests/compare/comparison_test.cpp.
 
 #include "compare/path_modes.h"

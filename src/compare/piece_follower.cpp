@@ -6,7 +6,7 @@
 namespace kadr {
 namespace {
 
-// greatest number of segments held back near one position; when there are more, all are sent as Part::together
+// Greatest number of segments that are stored near one position. If there are more, all are sent as Part::together.
 constexpr std::size_t max_waiting = 1000;
 
 }  // namespace

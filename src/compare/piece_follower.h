@@ -11,21 +11,21 @@ namespace kadr {
 
 class PieceFollower {
  public:
-  ///   told  receives the segments; empty if there is no observer
+  ///   told  the observer, which receives the segments; empty if there is no observer
   PieceFollower(std::function<void(const ComparedPiece&)> told, const CourseSpace& space, double tolerance)
       : told_(std::move(told)), space_(space), tolerance_(tolerance) {}
 
-  /// Sets the type (ComparedPiece::Part) and the difference of the segments until end() is called.
+  /// Sets the type (ComparedPiece::Part) and the difference that all segments get until end() is called.
   void begin(ComparedPiece::Part part, std::size_t number, double distance = 0);
   /// Like begin(), but the segments belong to the difference only if they lead farther than the tolerance from the position `here`. The
-  /// segments are held back until that is known.
+  /// segments are stored and not sent until this is known.
   void begin_waiting(std::size_t number, const Axes& here);
-  ///   counts  segments that are still held back belong to the difference
+  ///   counts  true: segments that are stored and not sent yet belong to the difference
   void end(bool counts = true);
 
   void take(const CourseItem& item, const Axes& from, const Axes& to, bool of_b);
 
-  /// Numbers of the files that the segments come from, except the programs themselves; the caller fills in their names.
+  /// Returns the numbers of the files that the segments come from, except the programs themselves. The caller adds the names.
   std::map<std::uint16_t, std::string>& files(bool of_b) { return of_b ? files_b_ : files_a_; }
 
  private:
@@ -34,7 +34,7 @@ class PieceFollower {
   std::function<void(const ComparedPiece&)> told_;
   const CourseSpace& space_;
   double tolerance_;
-  ComparedPiece now_;  // the values that all segments until end() have in common
+  ComparedPiece now_;  // values that all segments have in common until end() is called
   Axes here_{};
   bool waits_ = false;
   std::vector<ComparedPiece> waiting_;

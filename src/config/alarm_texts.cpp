@@ -1,5 +1,5 @@
-// Texts of alarms: controls/alarms.toml in English and Russian, overridden by the control's own numbers and wording. Used by cli, config,
-// out; tested by tests/config/alarm_texts_test.cpp.
+// Texts of alarms: controls/alarms.toml in English and Russian, and the control's own numbers and wording, which take precedence. Used by
+// cli, config, out; tested by tests/config/alarm_texts_test.cpp.
 
 #include "config/alarm_texts.h"
 
@@ -18,7 +18,7 @@ using Failed = tl::unexpected<std::string>;
 
 constexpr std::string_view file_name = "controls/alarms.toml";
 
-/// Translates an argument that is a unit, or a number with a unit, into the language of the sentence.
+/// Translates an argument, which is a unit or a number with a unit, into the language of the sentence.
 std::string with_unit(std::string_view text, Lang lang) {
   constexpr std::pair<std::string_view, PlainText> units[] = {{"mm/min", texts::alarm_units::mm_per_min},
                                                               {"mm/rev", texts::alarm_units::mm_per_rev},
@@ -35,10 +35,11 @@ std::string with_unit(std::string_view text, Lang lang) {
   return std::string(text);
 }
 
-/// Formats an argument. A number is shown to 0.001, which suits a shop; a number below 0.01 gets six decimals.
+/// Formats an argument of an alarm. A number is rounded to 0.001, which is precise enough in a shop; a number below 0.01 gets six decimals.
 std::string text_of(const AlarmArg& arg, Lang lang) {
   if (!arg.is_number()) return with_unit(arg.text(), lang);
-  if (std::isnan(arg.number())) return plain_text(texts::alarm_units::vacant, lang);  // NaN stands for a macro variable without a value
+  // The value NaN stands for a macro variable that is vacant
+  if (std::isnan(arg.number())) return plain_text(texts::alarm_units::vacant, lang);
   return number_text(arg.number(), std::fabs(arg.number()) >= 0.01 ? 3 : 6);
 }
 
@@ -59,13 +60,14 @@ std::string filled(const std::string& pattern, const Alarm& alarm, Lang lang) {
   return text;
 }
 
-/// Returns the text in the requested language, or in the other one if it is missing.
+/// Returns the text in the requested language; if it is missing, the text in the other language.
 const std::string& in(const Text& text, Lang lang) {
   const std::string& asked = lang == Lang::ru ? text.ru : text.en;
   return !asked.empty() ? asked : lang == Lang::ru ? text.en : text.ru;
 }
 
-/// Returns the field of the row that stores a key, or nullptr if no field does. `args`, which is not a text, is never looked up.
+/// Returns the member of the row that stores the key; nullptr if no member does. The key `args` is never looked up, because its value is
+/// not a text.
 std::string* place_of(AlarmText& row, std::string_view key) {
   if (key == "en") return &row.text.en;
   if (key == "ru") return &row.text.ru;

@@ -1,4 +1,4 @@
-// Parses JSON and records the line of each key, for messages. Used by config/setup/setup_check.
+// Parses JSON and records the line number of each key, for messages. Used by config/setup/setup_check.
 
 #include "config/json_lines.h"
 
@@ -15,9 +15,9 @@ namespace {
 
 using Json = nlohmann::json;
 
-constexpr int deepest_table = 64;  // greatest nesting of tables, far beyond any set-up
+constexpr int deepest_table = 64;  // greatest nesting depth of tables, far more than any set-up has
 
-/// Iterates over the text and counts the lines. The parser has not seen anything after the current byte.
+/// Iterates over the text and counts the lines. The parser reads no byte in advance, so the count is the line of the current byte.
 class CountingIterator {
  public:
   using iterator_category = std::input_iterator_tag;
@@ -48,7 +48,7 @@ class CountingIterator {
 
 struct TooDeep {};
 
-/// Receives the parser's events and records the line of each key.
+/// Receives the events of the parser and records the line number of each key.
 class Listener {
  public:
   Listener(JsonLines& to, const std::uint32_t& line) : to_(to), line_(line) {}
@@ -70,7 +70,7 @@ class Listener {
 
  private:
   struct Level {
-    std::string name;  // name of the table or list
+    std::string name;  // name of the table or list whose keys are being read
     bool is_list;
     std::size_t item = 0;
     std::string key;
@@ -125,7 +125,8 @@ tl::expected<JsonLines, JsonFault> json_with_lines(std::string_view text) {
     constexpr PlainText too_deep = texts::json_lines::too_deep;
     return tl::unexpected(JsonFault{line, plain_text(too_deep, Lang::en), plain_text(too_deep, Lang::ru)});
   } catch (const Json::exception& error) {
-    std::string_view what = error.what();  // for example "[json.exception.parse_error.101] parse error at line 1, column 2: …"
+    // The text has a prefix, for example "[json.exception.parse_error.101] parse error at line 1, column 2: …"
+    std::string_view what = error.what();
     if (const std::size_t bracket = what.find("] "); bracket != std::string_view::npos) what.remove_prefix(bracket + 2);
     if (const std::size_t colon = what.find(": "); what.starts_with("parse error at") && colon != std::string_view::npos)
       what.remove_prefix(colon + 2);

@@ -1,5 +1,5 @@
 #pragma once
-// Parses JSON and records the line of each key, for messages. Only setup*.cpp use it.
+// Parses JSON and records the line number of each key, for messages. Only setup*.cpp use it.
 
 #include <cstdint>
 #include <map>
@@ -12,10 +12,11 @@ namespace kadr {
 
 struct JsonLines {
   nlohmann::json value;
-  std::map<std::string, std::uint32_t> lines;  // name of a key, "offsets.1.length", "events[0].when" → line, from 1
+  // Full name of a key, such as "offsets.1.length" or "events[0].when" → its line number, from 1
+  std::map<std::string, std::uint32_t> lines;
 };
 
-/// Why a text is not JSON, and in which line.
+/// The reason why a text is not JSON, and the line of the fault.
 struct JsonFault {
   std::uint32_t line = 0;
   std::string en, ru;

@@ -1,5 +1,5 @@
-// Checks JSON text before it is parsed: faults are reported in words, with line and column, and no text can exhaust the stack or the
-// memory. Used by config/setup/setup; tested by tests/config/json_scan_test.cpp.
+// Checks JSON text before it is parsed. A fault is reported in words, with line and column, and a text that could exhaust the stack or the
+// memory is rejected. Used by config/setup/setup; tested by tests/config/json_scan_test.cpp.
 
 #include "config/json_scan.h"
 
@@ -17,7 +17,7 @@
 namespace kadr {
 namespace {
 
-/// Appends a character as UTF-8.
+/// Appends a character, given by its Unicode number, as UTF-8.
 void append(unsigned code, std::string& to) {
   const auto rest = [&](int shift) { to += static_cast<char>(0x80U | (code >> shift & 0x3FU)); };
   if (code < 0x80) to += static_cast<char>(code);
@@ -54,7 +54,7 @@ class JsonScan {
     return fault(translated(texts::json_faults::other_character, here(), plain_text(what)));
   }
 
-  /// Returns the current character, for messages.
+  /// Returns the current character in the form in which messages print it.
   std::string here() const {
     const std::string_view rest = text_.substr(at_);
     const std::size_t size = rest.empty() ? 0 : first_character(rest).size;
@@ -212,7 +212,7 @@ class JsonScan {
     return true;
   }
 
-  /// Reads one escape \uXXXX and returns its code unit; -1 if the text has no such escape at the current position.
+  /// Reads one escape \uXXXX and returns its UTF-16 code unit; -1 if there is no such escape at the current position.
   int unit() {
     int value = 0;
     if (text_.substr(at_, 2) != "\\u" || at_ + 6 > text_.size()) return -1;

@@ -1,4 +1,4 @@
-// The language in which the readers of files report faults. Used by cli, config, machine, out.
+// The language in which Kadr reports faults of files. Used by cli, config, machine, out.
 
 #include "config/language.h"
 

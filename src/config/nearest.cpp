@@ -1,4 +1,4 @@
-// "Did you mean …": finds the name closest to a mistyped one. Used by cli, config, out.
+// "Did you mean …": finds the known name that is closest to a mistyped name. Used by cli, config, out.
 
 #include "config/nearest.h"
 
@@ -10,7 +10,7 @@
 
 namespace kadr {
 std::size_t edits(std::string_view a, std::string_view b) {
-  std::vector<std::size_t> before, above, row(b.size() + 1);  // rows i - 2, i - 1 and i of the table of edit distances
+  std::vector<std::size_t> before, above, row(b.size() + 1);  // rows i - 2, i - 1 and i of the table of edit distances (Levenshtein)
   for (std::size_t j = 0; j <= b.size(); ++j) row[j] = j;
   const auto same = [&](std::size_t i, std::size_t j) { return to_lower(a[i]) == to_lower(b[j]); };
   for (std::size_t i = 1; i <= a.size(); ++i) {
@@ -26,14 +26,14 @@ std::size_t edits(std::string_view a, std::string_view b) {
 }
 
 std::optional<std::string> nearest(std::string_view name, const std::vector<std::string>& known) {
-  constexpr std::size_t longest = 64;  // longer names are not compared: no mistyped name is longer
+  constexpr std::size_t longest = 64;  // longer names are not compared, because no known name is so long
   if (name.size() > longest) return std::nullopt;
   const auto begins_alike = [&](const std::string& one) { return !name.empty() && !one.empty() && to_lower(name[0]) == to_lower(one[0]); };
   const std::string* best = nullptr;
   std::size_t fewest = 0;
   for (const std::string& one : known) {
     const std::size_t n = edits(name, one);
-    // Among equal distances, a name with the same first letter is likelier, because the first letter is rarely mistyped.
+    // If two names are equally close, one with the same first letter is likelier, because the first letter is rarely mistyped.
     const bool likelier = best != nullptr && n == fewest && begins_alike(one) && !begins_alike(*best);
     if (best == nullptr || n < fewest || likelier) best = &one, fewest = n;
   }

@@ -121,7 +121,7 @@ class Unpacker {
     return bytes_.substr(at_ - size, size);
   }
 
-  /// Skips the next node.
+  /// Skips the next node and everything that it contains.
   void pass() {
     switch (static_cast<Kind>(byte())) {
       case Kind::text: text(); return;
@@ -141,7 +141,7 @@ class Unpacker {
     }
   }
 
-  /// Passes the value of the next node, in its own type, to `take`.
+  /// Calls `take` with the value of the next node, in the type of this value.
   template <class Take>
   void node(const Take& take) {
     switch (static_cast<Kind>(byte())) {

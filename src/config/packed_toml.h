@@ -1,6 +1,6 @@
 #pragma once
-// Packed TOML tables. The built-in TOML files are parsed when Kadr is built (dev/embed.cpp), and the program contains their tables in
-// this compact form, which is read ten times as fast as the text: parsing controls/ took half of the time of a small command.
+// Packed TOML tables. The built-in TOML files are parsed when Kadr is built (dev/embed.cpp), and the executable contains their tables in
+// this compact form. It is read ten times as fast as the text; parsing the text of controls/ took half of the time of a small command.
 
 #include <toml++/toml.h>
 
@@ -12,7 +12,7 @@
 namespace kadr {
 
 /// Converts a table to bytes. Positions in the text, comments and number formats are lost; the order of keys is the order of toml::table.
-///   throws  std::invalid_argument for a date or a time, which none of our files has
+///   throws  std::invalid_argument for a date or a time, which the built-in files do not contain
 std::string packed(const toml::table& table);
 
 /// Converts bytes back to a table. `bytes` must come from packed().
@@ -21,8 +21,8 @@ toml::table unpacked(std::string_view bytes);
 /// Returns the texts of the list under `key` without unpacking the rest; empty if there is no such list.
 std::vector<std::string> texts_of_list(std::string_view bytes, std::string_view key);
 
-/// For a table of tables: calls `take` for each text with the key of its table and its own key, without creating tables. The texts point
-/// into `bytes`.
+/// For a table of tables: calls `take` for each text, with the key of its table and its own key, without creating tables. The texts refer
+/// to memory of `bytes`.
 void each_text(std::string_view bytes,
                const std::function<void(std::string_view table, std::string_view key, std::string_view text)>& take);
 

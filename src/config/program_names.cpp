@@ -16,9 +16,9 @@ namespace {
 constexpr std::string_view program_endings[] = {"nc",  "ngc", "tap", "txt", "iso",  "prg", "nct", "gcode", "gc",  "g",   "cnc", "mpf",
                                                 "spf", "up",  "eia", "ptp", "tape", "min", "pim", "fnc",   "sub", "mac", "fan", "hnc"};
 
-/// Returns the ending without the dot, in lower case; empty if there is none.
+/// Returns the ending of a file name without the dot, in lower case; empty if the name has no ending.
 std::string ending_of(std::string_view name) {
-  name = name.substr(name.find_last_of('/') + 1);  // keeps the whole name if it has no '/', because npos + 1 is 0
+  name = name.substr(name.find_last_of('/') + 1);  // if the name has no '/', npos + 1 is 0, and the whole name remains
   const std::size_t dot = name.rfind('.');
   std::string ending(dot == std::string_view::npos || dot == 0 ? std::string_view() : name.substr(dot + 1));
   std::transform(ending.begin(), ending.end(), ending.begin(), to_lower);

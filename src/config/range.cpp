@@ -1,4 +1,4 @@
-// Permitted ranges of numbers in files, the same for set-ups, machine files and control files. Used by the rest of config.
+// Permitted ranges of numbers in set-ups, machine files and control files. Used by the rest of config.
 
 #include "config/range.h"
 

@@ -73,7 +73,7 @@ std::string errno_message(int error) {
 }
 
 tl::expected<std::string, std::string> read_file(const std::string& path, std::size_t most, const FileAccess* door) {
-  // O_NONBLOCK: opening a FIFO would block until a writer opens it.
+  // With O_NONBLOCK, opening a FIFO does not wait until another process opens it for writing.
   const Descriptor file(door != nullptr ? door->open_for_reading(path)
                                         : ::open(path.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC | O_NOCTTY));
   struct stat there = {};
@@ -90,7 +90,7 @@ tl::expected<std::string, std::string> read_file(const std::string& path, std::s
   std::string text;
   text.reserve(static_cast<std::size_t>(there.st_size));
   char piece[1 << 16];
-  for (;;) {  // reads until the end, whatever size was reported: the file may grow meanwhile, and files of /proc have size 0
+  for (;;) {  // reads until the end and ignores the reported size: the file may grow meanwhile, and files of /proc report size 0
     const ssize_t got = ::read(file.number, piece, sizeof piece);
     if (got < 0 && errno == EINTR) continue;
     if (got < 0) return unreadable(path, errno);

@@ -1,4 +1,5 @@
-// Classifies text files. Used by config/control/guess and cli/job/program_files; tested by tests/config/guess_test.cpp.
+// Classifies text files as programs, prose or no text. Used by config/control/guess and cli/job/program_files; tested by
+// tests/config/guess_test.cpp.
 
 #include "config/text_kind.h"
 
@@ -26,7 +27,7 @@ bool continues(char c) { return (static_cast<unsigned char>(c) & 0xC0) == 0x80; 
 
 bool begins_value(char c) { return is_digit(c) || std::string_view("+-.#[<=(").find(c) != std::string_view::npos; }
 
-/// The number of addresses with values, and of other words, in a line in upper case.
+/// The number of words in a line in upper case: addresses with a value, and other words.
 struct WordCount {
   int addresses = 0, words = 0;
 };
@@ -52,7 +53,7 @@ WordCount words_of(std::string_view line) {
     const std::size_t next = std::min(line.find_first_not_of(" \t", end), line.size());
     const bool value = next < line.size() && begins_value(line[next]);
     const bool of_language = std::find(statement_words.begin(), statement_words.end(), word) != statement_words.end();
-    constexpr std::string_view end_of_block = "\xD0\x9F\xD0\xA1";  // the letters ПС in UTF-8
+    constexpr std::string_view end_of_block = "\xD0\x9F\xD0\xA1";  // the letters ПС (end of block) in UTF-8
     if ((characters == 1 && value) || of_language || word == end_of_block || (characters <= 2 && value)) ++count.addresses;
     else ++count.words;
     i = end;
@@ -60,8 +61,8 @@ WordCount words_of(std::string_view line) {
   return count;
 }
 
-/// Returns true if commas precede numbers, as in a row of a table: `M2 x 0.4, 2.5, 1.886`. In blocks, commas precede letters (`,R5`) or
-/// are in brackets.
+/// Returns true if commas precede numbers, as in a row of a table (`M2 x 0.4, 2.5, 1.886`). In blocks, commas precede letters (`,R5`) or
+/// are inside brackets.
 bool is_like_row(std::string_view line) {
   int commas = 0, depth = 0;
   for (std::size_t i = 0; i < line.size() && line[i] != ';'; ++i) {
@@ -80,9 +81,9 @@ bool is_like_block(const std::string& line) {
   return count.addresses > count.words && !is_like_row(line);
 }
 
-/// Returns the start of the line for people, cut at a character boundary.
+/// Returns the start of the line for a message, cut at a character boundary.
 std::string beginning_of(std::string_view line) {
-  constexpr std::size_t most = 40;  // greatest length in bytes
+  constexpr std::size_t most = 40;  // greatest length of the result in bytes
   line.remove_prefix(std::min(line.find_first_not_of(" \t"), line.size()));
   std::size_t size = std::min(line.size(), most);
   while (size < line.size() && size > 0 && continues(line[size])) --size;
@@ -91,7 +92,7 @@ std::string beginning_of(std::string_view line) {
 }
 
 bool is_binary(std::string_view sample) {
-  constexpr double most = 0.02;  // greatest share of bytes that are no text; a damaged program has fewer
+  constexpr double most = 0.02;  // greatest fraction of bytes that are no text; a damaged program has a smaller fraction
   const auto odd = std::count_if(sample.begin(), sample.end(), [](char c) {
     const auto byte = static_cast<unsigned char>(c);
     return (byte < 0x20 && c != '\n' && c != '\r' && c != '\t' && c != '\f' && byte != 0x1A) || byte == 0x7F;

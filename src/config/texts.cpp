@@ -1,4 +1,5 @@
-// The texts that people read, by id: lookup and plural forms. Used by every room from config on; tested by tests/config/texts_test.cpp.
+// The texts that people read, by id: finds a text, and selects the plural form for a number. Used by every room from config on; tested by
+// tests/config/texts_test.cpp.
 
 #include "config/texts.h"
 

@@ -37,7 +37,8 @@ class TomlScan {
     if (c != ' ' && c != '\t' && c != '\n' && c != '\r') begins_ = false;
   }
 
-  /// Counts an opening bracket. At the start of a line, outside of a value, it opens a heading: [a] and [[a]] end with their line.
+  /// Counts an opening bracket. A bracket at the start of a line, outside of a value, opens a heading, [a] or [[a]], which ends with the
+  /// line.
   void open(char c) {
     value();
     if (begins_ && c == '[') {
@@ -47,7 +48,7 @@ class TomlScan {
     if (++depth_ > limits::toml_depth) fault(counted(texts::toml_faults::too_deep, limits::toml_depth));
   }
 
-  /// Counts one part of a dotted key. Decimal points in numbers are counted as well, which does no harm.
+  /// Counts one part of a dotted key. Decimal points in numbers are counted too; this does no harm, because the limits are high.
   void part() {
     value();
     if (++parts_ > limits::toml_key_parts) fault(translated(texts::toml_faults::too_many_key_parts, limits::toml_key_parts));
@@ -57,7 +58,8 @@ class TomlScan {
     if (++values_ > limits::toml_values) fault(translated(texts::toml_faults::too_many_values, limits::toml_values));
   }
 
-  /// Skips a string, also one of several lines. A single-line string that does not end in its line is left to the parser to reject.
+  /// Skips a string of one or several lines. A single-line string without an end in its line is not reported here, because the parser
+  /// rejects it.
   void string(char quote) {
     begins_ = false;
     const std::string three(3, quote);
@@ -72,7 +74,7 @@ class TomlScan {
       if (text_[at_] != quote) continue;
       if (lines && text_.substr(at_, 3) != three) continue;
       at_ += lines ? 3 : 1;
-      // In """a"""", up to two quotes before the closing three belong to the string.
+      // The last string of """a"""" contains a quote: up to two quotes before the closing three belong to the string.
       for (int more = 0; lines && more < 2 && at_ < text_.size() && text_[at_] == quote; ++more) ++at_;
       return;
     }
@@ -83,7 +85,7 @@ class TomlScan {
   std::string_view text_;
   const std::string& file_;
   std::size_t at_ = 0, depth_ = 0, parts_ = 1, values_ = 0;
-  bool begins_ = true;  // the scan is at the start of a line: it has seen only blanks so far
+  bool begins_ = true;  // the scan is at the start of a line, after blanks at most
   std::string fault_;
 };
 

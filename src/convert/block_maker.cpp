@@ -11,7 +11,7 @@
 namespace kadr {
 
 Alarm too_long() {
-  constexpr int in_mb = 20;  // bytes → MB: shift by 20 bits
+  constexpr int in_mb = 20;  // shift by this many bits converts bytes to MB
   return alarm(AlarmId::conversion_too_long, {}, double(max_made >> in_mb));
 }
 
@@ -43,7 +43,8 @@ Status BlockMaker::word(char letter, double value, int more) {
     if (!coded) return fail(alarm(AlarmId::word_has_no_room, {}, letter, value));
     value = *coded;
   }
-  constexpr int more_of_feed = 3;  // additional decimals of a feed if the format allows any number of them: 0.000001 mm/min
+  // Additional decimals of a feed, down to 0.000001 mm/min, if the word format allows any number of decimals
+  constexpr int more_of_feed = 3;
   const Words form(def_, letter, letter == 'F' ? more + more_of_feed : more);
   if (letter == 'F' && value > 0 && form.rounded(value) == 0)
     return fail(alarm(AlarmId::word_below_format, {}, letter, value, form.increment()));

@@ -19,40 +19,40 @@ std::uint8_t group_of_motions(const ControlDef& def) {
 
 bool is_axis(const AddressRow& row) { return row.function == Function::axis || row.function == Function::machine_axis; }
 
-/// True if the word states a length, so that its number has a decimal point, written or implied.
+/// True if the word states a length, whose number has a decimal point, written or implied.
 bool is_length(const AddressRow& row) { return row.unit == WordUnit::length; }
 
 constexpr std::int32_t tenths_of_code = 10;
 
-/// Returns the number of a code word.
+/// Returns the number of a code word as a whole number.
 std::uint32_t number_of(const Word& word) { return static_cast<std::uint32_t>(word.code / tenths_of_code); }
 
-// decimals of a length in addition to three, since the source program may have more: inches, or the output of a fine CAM program
+// Decimals of a length in addition to three. The source program may have more than three: inches, or the output of a fine CAM program.
 constexpr int more_decimals = 3;
 
-/// Returns the letter of the length offset: H, or D if H is a number of repetitions (spec/s2c42 4).
+/// Returns the address letter of the length offset: H; D if H is a number of repetitions (spec/s2c42 4).
 char letter_of_lengths(const ControlDef& def) {
   return def.grammar.word('H').known && def.address('H').function != Function::repeat_word ? 'H' : 'D';
 }
 
-/// Returns the letter for the number of repetitions of a canned cycle.
+/// Returns the address letter for the number of repetitions of a canned cycle.
 char repeats_of(const ControlDef& def) { return def.behaviour.repeats_by_k ? 'K' : 'L'; }
 
 }  // namespace
 
-/// The codes of a block, sorted by their role.
+/// The codes of a block, sorted by their effect on the rewriting.
 struct BlockRewriter::Kinds {
-  const CodeRow* motion = nullptr;  // code of the modal group of motions
+  const CodeRow* motion = nullptr;  // code that belongs to the modal group of motions
   const CodeRow* dwell = nullptr;
   const CodeRow* call = nullptr;
-  const CodeRow* macro = nullptr;       // G65
-  const CodeRow* exact_stop = nullptr;  // an exact stop at the end of this block only
-  // bits of the letters of words that belong to a corner mode, and that the target control's code for that mode does not accept
+  const CodeRow* macro = nullptr;       // row of G65, if the block has it
+  const CodeRow* exact_stop = nullptr;  // code of an exact stop at the end of this block only
+  // Letters (one bit each) of words that belong to a corner mode, and that the target control's code for this mode does not accept.
   std::uint64_t left_out = 0;
   bool returns = false;  // the block has M99
   bool has_axes = false, has_feed = false;
-  bool takes_axes = false;  // a code other than a motion uses the axis words
-  bool drills = false;      // a canned cycle is in force or in the block
+  bool takes_axes = false;  // a code that is not a motion uses the axis words
+  bool drills = false;      // a canned cycle is in force, or begins in the block
   bool is_arc = false;
 };
 
@@ -76,7 +76,7 @@ BlockRewriter::BlockRewriter(const ControlDef& from, const ControlDef& to)
 
 Status BlockRewriter::cannot(std::string_view what) { return fail(alarm(AlarmId::function_has_no_code, {}, what)); }
 
-/// Writes a block that has axis words only, as most blocks of a long program. The function is faster than word(), and writes the same.
+/// Writes a block that has axis words only, as most blocks of a long program. Does the same as calling word() for each word, but faster.
 Status BlockRewriter::write_plain(const Block& block, BlockMaker& out) {
   for (std::uint32_t i = 0; i < block.word_count; ++i) {
     const Word& one = block.words[i];
@@ -147,7 +147,7 @@ Status BlockRewriter::write_label(std::uint32_t label, BlockMaker& out) {
   return {};
 }
 
-/// Rewrites the word L0205 of the 2С42: call subprogram 2 five times (spec/s2c42 6).
+/// Rewrites the word L0205 of the 2С42, which calls subprogram 2 five times (spec/s2c42 6).
 Status BlockRewriter::section_call(const Word& word, BlockMaker& out) const {
   constexpr std::uint32_t hundred = 100;
   const auto value = static_cast<std::uint32_t>(word.value);
@@ -157,7 +157,7 @@ Status BlockRewriter::section_call(const Word& word, BlockMaker& out) const {
   const bool is_own_cycle =
       std::any_of(from_.cycles.begin(), from_.cycles.end(), [&](const CycleRow& cycle) { return cycle.call_number == label; });
   if (!call || word.expression || is_own_cycle) return cannot("L" + std::to_string(value));
-  KADR_TRY(out.end());  // the block's other words take effect before the call
+  KADR_TRY(out.end());  // writes the block's other words first, so that they take effect before the call
   out.text(*call + fmt::format(" P{}", label));
   if (times != 1) out.text(fmt::format("L{}", times));
   return {};
@@ -169,15 +169,15 @@ Status BlockRewriter::code(const CodeRow& row, BlockMaker& out) const {
   return out.code_text(with_digits(to_, *match));
 }
 
-/// True if this code number has another function on the target control.
+/// True if the same code number has another function on the target control.
 bool BlockRewriter::is_other_code(const Word& word, const CodeRow& row) const {
   const std::uint32_t number = number_of(word);
   return row.function == Function::machine_function && !codes_.there(number) && codes_.here(number);
 }
 
-/// Writes an M code by its number. The number is mapped by the tables of both controls; the number of a machine function without a row of
-/// its own stays unchanged.
-///   returns  false if the code must be matched by its function
+/// Writes an M code by its number. The tables of both controls map the number; the number of a machine function without a table row stays
+/// unchanged.
+///   returns  false if the caller must match the code by its function
 bool BlockRewriter::machine_code(const Word& word, const CodeRow& row, BlockMaker& out) const {
   const std::uint32_t number = number_of(word);
   const auto mapped = codes_.there(number);
@@ -207,7 +207,7 @@ Status BlockRewriter::number(const Word& word, char letter, BlockMaker& out) con
   return out.word(letter, value_of(word), is_length(row) ? more_decimals : 0);
 }
 
-/// Returns the target control's letter for this word; nullopt if the letter has another meaning on that control.
+/// Returns the address letter of this word on the target control; nullopt if the letter has another meaning there.
 std::optional<char> BlockRewriter::letter_of(const Word& word, const Kinds& kinds) const {
   constexpr Function own[] = {Function::repeat_word, Function::call_word, Function::corrector_word, Function::dwell_word,
                               Function::formal_parameter};
@@ -216,7 +216,7 @@ std::optional<char> BlockRewriter::letter_of(const Word& word, const Kinds& kind
   const Function here = from_.address(letter).function;
   if (kinds.call != nullptr && letter != 'P' && (letter == 'L' || letter == 'Q')) letter = 'L';
   else if (kinds.drills && letter == repeats_of(from_)) letter = repeats_of(to_);
-  // D selects length and radius offsets alike (spec/s2c42 4)
+  // On a control that selects length and radius offsets by D alike, H becomes D (spec/s2c42 4).
   else if (letter == 'H' && !is_own(here) && is_own(to_.address('H').function)) letter = 'D';
   const Function there = to_.address(letter).function;
   return (is_own(here) || is_own(there)) && here != there ? std::nullopt : std::optional(letter);
@@ -253,8 +253,8 @@ Status BlockRewriter::word(const Block& block, const Word& word, const Kinds& ki
   return number(word, letter, out);
 }
 
-/// Writes the tool number as H or D if the block does not state the word. RS274/NGC uses the tool number then (spec/linuxcnc 7.6); the
-/// other controls need the word.
+/// Writes the tool number as H or D if the block does not state this word. RS274/NGC uses the tool number in this case (spec/linuxcnc 7.6);
+/// the other controls need the word.
 Status BlockRewriter::implied_number(const Block& block, const CodeRow& row, BlockMaker& out) const {
   if (!from_.has_parameter_file() || to_.has_parameter_file() || tool_ == 0) return {};
   if (row.function == Function::tool_length && row.arg == 0 && !block.has('H')) return out.word(letter_of_lengths(to_), tool_);
@@ -263,7 +263,7 @@ Status BlockRewriter::implied_number(const Block& block, const CodeRow& row, Blo
   return is_side && !block.has('D') ? out.word('D', tool_) : Status();
 }
 
-/// Writes the motion code again if the block has none and other blocks were inserted before it.
+/// Repeats the motion code in force if other blocks were inserted before this block and the block itself has no motion code.
 Status BlockRewriter::said_again(const Kinds& kinds, BlockMaker& out) {
   if (!repeats_modes_ || !kinds.has_axes || kinds.takes_axes) return {};
   if (kinds.motion == nullptr && motion_ != nullptr) {
@@ -300,7 +300,7 @@ Status BlockRewriter::write(const Block& block, BlockMaker& out) {
   return words_of(block, kinds, out);
 }
 
-/// Converts an exact stop if one control has it as a mode and the other as a code for a single block.
+/// Converts an exact stop between a mode and a code for a single block, if one control has only the mode and the other only the code.
 Status BlockRewriter::exact_stop(const Kinds& kinds, BlockMaker& out) {
   const bool cuts = motion_ != nullptr && kinds.has_axes && !kinds.takes_axes && !kinds.drills && motion_->function != Function::rapid;
   if (!cuts) return {};
@@ -316,7 +316,7 @@ Status BlockRewriter::end(BlockMaker& out) {
   return out.end();
 }
 
-/// Writes an O line; the statement after a condition becomes a block of its own on the target control.
+/// Writes an O line. If a statement follows its condition, the statement becomes a block of its own on the target control.
 Status BlockRewriter::o_line(const Block& block, BlockMaker& out) {
   return o_lines_.write(
       block,
@@ -353,7 +353,7 @@ Status BlockRewriter::macro_call(const Block& block, BlockMaker& out) {
 }
 
 Status BlockRewriter::words_of(const Block& block, const Kinds& kinds, BlockMaker& out) {
-  std::size_t next = 0;  // index of the next assignment in the block
+  std::size_t next = 0;  // index, among the block's assignments, of the next assignment to write
   const auto assignments_before = [&](std::uint32_t at) -> Status {
     for (; next < block.assignments.size() && block.assignments[next].where.begin < at; ++next) {
       if (!to_.grammar.expressions || from_.grammar.parameter_address != to_.grammar.parameter_address)
@@ -371,7 +371,7 @@ Status BlockRewriter::words_of(const Block& block, const Kinds& kinds, BlockMake
     if (one.code >= 0) {
       const CodeRow* const row = row_of(one);
       if (row == nullptr) return cannot(block.text_of(one.where));
-      // the target control has no such path mode; conversion_text reports the omitted code
+      // The target control has no corresponding path mode, so the code is omitted; conversion_text reports the omission.
       if (traits_of(row->function).phase == Phase::path_mode && match_.of(*row) == nullptr) continue;
       if (row->function == Function::millimetre && is_metric_) continue;
       if (in_section_ && (row->function == Function::program_end || row->function == Function::tape_end)) continue;

@@ -1,7 +1,7 @@
 #pragma once
-// BlockRewriter: rewrites a block of the source control word by word as a block of the target control. Codes are matched by their
-// function, words are reformatted, variables and expressions stay. It reads only the text, not what the block does; the proof checks that
-// (convert/conversion).
+// BlockRewriter: rewrites a block of the source control word by word as a block of the target control. Codes are matched by their function,
+// words are reformatted, variables and expressions stay. The class reads only the text and does not check what the block does; the proof
+// (convert/conversion) checks this.
 
 #include <array>
 #include <optional>
@@ -21,35 +21,37 @@ class BlockRewriter {
   ///   from, to  the source control and the target control; both must outlive this object
   BlockRewriter(const ControlDef& from, const ControlDef& to);
 
-  /// Writes the words of a block into `out`. After an alarm the block may be incomplete.
+  /// Writes the words of a block into `out`. After an alarm, the words in `out` may be incomplete.
   ///   alarms  function_has_no_code, word_has_no_room  the target control cannot express the block
   Status write(const Block& block, BlockMaker& out);
-  /// Call this function after each block. It ends the modes that the rewritten block has switched on for itself only.
+  /// Ends the modes that the rewritten block has switched on for itself only. The caller must call this function after each block.
   Status end(BlockMaker& out);
-  /// Sets the numbers of the variables that the program uses; no named variable gets one of them.
+  /// Sets the numbers of the variables that the program uses. Named variables then get other numbers.
   void set_used(std::set<std::uint32_t> used) { flow_.set_used(std::move(used)); }
   void set_macros(MacroShape shape) { o_lines_.set_shape(std::move(shape)); }
-  /// Writes the first block of a subprogram.
+  /// Writes the block with which a subprogram begins on the target control.
   Status write_label(std::uint32_t label, BlockMaker& out);
-  /// Sets whether the blocks belong to the section of subprograms, in which a program end code ends nothing (spec/s2c42 6).
+  /// Sets whether the blocks belong to the section of subprograms. In this section, a program end code does not end the program (spec/s2c42
+  /// 6).
   void set_in_section(bool is) { in_section_ = is; }
-  /// Call this function for a block that is not rewritten here. It only tracks the modes that the block puts in force.
+  /// Tracks the modes that a block puts in force, without rewriting it. The caller must call this function for each block that is not
+  /// rewritten here.
   void pass(const Block& block);
-  /// Call this function when other blocks were inserted. The next motion then repeats its code and, in inches, its feed.
+  /// Makes the next motion repeat its code and, in inches, its feed. The caller must call this function after it has inserted other blocks.
   void repeat_modes() { repeats_modes_ = true, repeats_feed_ = is_inch_; }
-  /// True if the lengths in the text are inches from the present block on.
+  /// True if the source text states lengths in inches from the present block on.
   bool is_inch() const { return is_inch_; }
 
  private:
   struct Kinds;
   struct PlainWord {
-    Words form;    // format of the target control's word
-    double scale;  // factor from the number in the source text to mm, degrees, s, …
+    Words form;    // number format of the word on the target control
+    double scale;  // factor that converts the number in the source text to mm, degrees, s, …
   };
   bool is_plain(const Block& block) const {
     return block.shape && (block.letters & ~plain_letters_) == 0 && !repeats_modes_ && !(stops_.is_mode && stops_.by_block);
   }
-  /// Returns the alarm for a word that the target control does not have.
+  /// Returns the alarm that the target control has no word like `what`.
   static Status cannot(std::string_view what);
   Status write_plain(const Block& block, BlockMaker& out);
   const CodeRow* row_of(const Word& word) const;
@@ -81,22 +83,23 @@ class BlockRewriter {
   const MachineCodes codes_;
   FlowRewriter flow_;
   OLineRewriter o_lines_;
-  std::uint8_t motion_group_ = 0;    // modal group of the motion codes of `from_`
+  std::uint8_t motion_group_ = 0;    // index of the modal group of motion codes of `from_`
   const CodeRow* motion_ = nullptr;  // motion code in force in the source text
   bool motion_is_cycle_ = false;
   struct Stops {
-    bool by_block = false, by_mode = false;  // the target control has exact stops for a single block only, or as a mode only
-    bool is_mode = false;                    // exact stop mode is in force in the source text
-    bool goes_on = false;                    // the exact stop mode was switched on for this block, and ends after it
+    // by_block: the target control has exact stops for a single block only; by_mode: as a mode only
+    bool by_block = false, by_mode = false;
+    bool is_mode = false;  // exact stop mode is in force in the source text
+    bool goes_on = false;  // the exact stop mode was switched on for this block only, and end() switches it off
   } stops_;
   bool is_metric_ = false;  // the target control reads mm only
   bool is_inch_ = false, in_section_ = false;
   bool repeats_modes_ = false, repeats_feed_ = false;
-  double feed_ = -1;  // last F in the source text
-  double tool_ = 0;   // last T in the source text
-  // by letter: formats of the words whose meaning does not depend on other words of the block
+  double feed_ = -1;  // number of the last F word in the source text; -1: none yet
+  double tool_ = 0;   // number of the last T word in the source text
+  // Formats of the words whose meaning does not depend on other words of the block, by letter.
   std::array<std::optional<PlainWord>, 26> plain_;
-  std::uint64_t plain_letters_ = 0;  // bits of the letters in plain_
+  std::uint64_t plain_letters_ = 0;  // letters (one bit each) that have an element in plain_
 };
 
 }  // namespace kadr

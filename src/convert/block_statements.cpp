@@ -8,7 +8,7 @@
 
 namespace kadr {
 
-/// Writes an assignment. RS274/NGC needs brackets around a value with operators; macros do not.
+/// Writes an assignment. RS274/NGC needs brackets around a value with operators; controls with macros do not.
 std::string BlockRewriter::assignment(std::string_view text) const {
   const std::size_t equals = text.find('=');
   if (!from_.grammar.sums_without_brackets() || to_.grammar.sums_without_brackets() || equals == std::string_view::npos)
@@ -19,7 +19,7 @@ std::string BlockRewriter::assignment(std::string_view text) const {
   return has_operators ? fmt::format("{}[{}]", text.substr(0, equals + 1), value) : std::string(text);
 }
 
-/// Writes an expression or an assignment. Named variables become numbered ones if the target control has no named variables.
+/// Writes an expression or an assignment. Each named variable becomes a numbered one if the target control has no named variables.
 Status BlockRewriter::slice(std::string_view text, BlockMaker& out) {
   const auto made = flow_.expression(text);
   if (!made) return fail(made.error());
@@ -27,7 +27,8 @@ Status BlockRewriter::slice(std::string_view text, BlockMaker& out) {
   return {};
 }
 
-/// Writes a macro statement unchanged: all controls with macro statements write them in the same way (spec/fanuc 5, spec/haas 2, nct 23).
+/// Writes a macro statement unchanged, because all controls with macro statements write them in the same form (spec/fanuc 5, spec/haas 2,
+/// nct 23).
 Status BlockRewriter::statement(const Block& block, BlockMaker& out) {
   if (block.statement.kind == StatementKind::o_word && from_.grammar.o_words && !to_.grammar.o_words &&
       (to_.grammar.has_statements() || to_.grammar.label_address != 0 || flow_.has_sections()))

@@ -1,6 +1,6 @@
 #pragma once
-// CodeMatch: finds the code of one control that has the same function as a code of another control. Code numbers are never compared.
-// Canned cycles, whose functions differ between controls, are matched by their steps or names.
+// CodeMatch: finds the code of one control that has the same function as a code of another control. Code numbers are never compared. The
+// functions of canned cycles differ between controls, so cycles are matched by their steps or names.
 
 #include <vector>
 
@@ -8,14 +8,15 @@
 
 namespace kadr {
 
-constexpr int inner_corners = 62, without_slowing = 63;  // the arguments of G62 and G63
-constexpr int continuous_cutting = 64;                   // CodeRow::arg of Function::feed_control: G64 of the NCT
+constexpr int inner_corners = 62, without_slowing = 63;  // arguments of the functions of G62 and G63
+constexpr int continuous_cutting = 64;                   // CodeRow::arg of G64 of the NCT, whose function is Function::feed_control
 
 class CodeMatch {
  public:
   CodeMatch(const ControlDef& from, const ControlDef& to);
 
-  /// Returns the target control's code for the row of the source control; nullptr if it has none that is implemented.
+  /// Returns the target control's code for the row of the source control; nullptr if the target control has no such code, or if Kadr does
+  /// not implement one of the two codes.
   ///   pre  row is one of from.codes
   const CodeRow* of(const CodeRow& row) const {
     const int index = rows_[static_cast<std::size_t>(&row - from_.codes.data())];
@@ -25,10 +26,10 @@ class CodeMatch {
  private:
   const ControlDef& from_;
   const ControlDef& to_;
-  std::vector<int> rows_;  // row number in the target control, by row number in `from_`; -1: no match
+  std::vector<int> rows_;  // index of the row in the target control, by index of the row in `from_`; -1: no match
 };
 
-/// True for the canned cycles G73 to G89, whatever function the control's table gives them.
+/// True for the canned cycles G73 to G89, independent of the functions that the control's table gives them.
 bool is_canned_cycle(const CodeRow& row);
 /// True if the code cancels canned cycles.
 bool ends_cycles(const CodeRow& row);

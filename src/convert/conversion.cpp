@@ -20,7 +20,7 @@
 namespace kadr {
 namespace {
 
-/// Writes the whole program as flat blocks (single motions), expressed as FlatForm selects.
+/// Writes the whole program as flat blocks (single motions) in the form that FlatForm selects.
 class Writing {
  public:
   Writing(const ConversionSpec& spec, ConvertedAs as)
@@ -80,7 +80,8 @@ class Writing {
         for (const std::string& comment : comments_.up_to(origin.line)) blocks_.comment(comment), note(blocks_.end());
         may_change = comments_.names_rows();
       }
-      if (may_change || has_changed_) now_ = offsets_of(session_->control());  // reading the offsets takes longer than the block itself
+      // Reading the offsets takes longer than the block itself, so they are read only after a change
+      if (may_change || has_changed_) now_ = offsets_of(session_->control());
       has_changed_ = may_change;
       if (origin.has_block && origin.file == 0 && origin.line != numbered_) blocks_.set_number(origin.block);
       numbered_ = origin.line;
@@ -96,12 +97,12 @@ class Writing {
   std::unique_ptr<Session> session_;
   FlatProgram* flat_ = nullptr;
   Origin at_;
-  std::uint32_t numbered_ = 0;  // line of the last block that was given a number
+  std::uint32_t numbered_ = 0;  // line of the last block that received a block number
   bool has_changed_ = true;     // the previous block may have changed the offsets in force
   OffsetsInForce now_;
 };
 
-/// Proves the text from the other states too: set-ups with added values that the given set-up does not state.
+/// Proves the text from further states: set-ups with additional values, which the given set-up does not state.
 ///   returns  an error sentence if a session could not be opened
 tl::expected<void, std::string> prove_in_others(const Proving& proving, ConversionTry& one) {
   auto other = proving.from_others(one.text, one.as, one.counts_from);
@@ -140,7 +141,7 @@ bool is_written_so(ByteSource& text, const WrittenLetters& letters) {
   return each_piece(text, [&](std::string_view piece) { return kadr::is_written_so(piece, letters); });
 }
 
-/// Replaces letters that the target control lacks; the text is then read and proven once more.
+/// Replaces letters that the target control lacks, then reads and proves the changed text once more.
 tl::expected<void, std::string> write_in_letters(const ConversionSpec& spec, ConversionTry& one, const Proving& proving) {
   const WrittenLetters letters = spec.letters.value_or(spec.to->letters);
   if (is_written_so(*one.text, letters)) return {};
@@ -155,7 +156,7 @@ tl::expected<void, std::string> write_in_letters(const ConversionSpec& spec, Con
   one.transliterated = characters;
   one.text = text.source();
   const std::size_t passed = one.proof.passed_messages;
-  auto proof = proving.from_given(one.text, one.as, false);  // the messages are not compared, since their letters differ now
+  auto proof = proving.from_given(one.text, one.as, false);  // the messages are not compared, because their letters have been replaced
   if (!proof) return tl::unexpected(proof.error());
   one.proof = std::move(*proof);
   one.proof.passed_messages = passed;
@@ -166,13 +167,14 @@ std::string sentence_of(const MachineCodes::Fault& fault) {
   return translated(texts::conversion::no_machine_function, fault.control, fault.code, fault.there, fault.other);
 }
 
-/// True for the code of an exact stop, or of the return to rounding corners: each control with exact stops has its own codes for them.
+/// True for the code of an exact stop, and for the code that ends exact stops by rounding corners again. These codes differ between
+/// controls that have exact stops.
 bool is_of_exact_stop(const CodeRow& row) {
   return row.function == Function::exact_stop_block || row.function == Function::exact_stop_mode ||
          row.function == Function::constant_velocity || (row.function == Function::feed_control && row.arg == continuous_cutting);
 }
 
-/// True if the expanded blocks of a target control with these path modes can express the code.
+/// True if expanded blocks of a target control with these path modes can express the code.
 bool is_written_there(const CodeRow& code, const PathModes& there) {
   if (there.exact && is_of_exact_stop(code)) return true;
   return (there.speeds && code.function == Function::feed_control) || (there.smoothing && code.function == Function::smoothing);
@@ -188,7 +190,7 @@ double usual_tolerance(const ControlDef& from, const ControlDef& to, bool arcs) 
     return coarser / 2;
   };
   constexpr std::pair<char, char> axes[] = {{'X', 'I'}, {'Y', 'J'}, {'Z', 'K'}};
-  // mm²: sums of squared rounding errors; the increments differ by axis: in spec/gost 3 only Z has hundredths
+  // Sums of squared rounding errors, mm², of lines and of arcs. The increments differ by axis: in spec/gost 3 only Z has hundredths.
   double lines = 0, around = 0;
   for (const auto& [axis, centre] : axes) {
     const double end = half_increment(axis), off = end + 2 * half_increment(centre);

@@ -1,4 +1,4 @@
-// Names the ways of a conversion, and describes why a way was not used. Used by cli/convert and view/page/page_conversion; tested by
+// Names the methods of a conversion, and describes why a method was not used. Used by cli/convert and view/page/page_conversion; tested by
 // tests/convert.py and tests/serve_convert.py.
 
 #include "convert/conversion_text.h"
@@ -15,7 +15,8 @@
 namespace kadr {
 namespace {
 
-/// Returns "M6 (tool change)" if one code of the control has the function, "T" if a word has it, else the engine's name of the function.
+/// Returns the text for a function: "M6 (tool change)" if a code of the control has the function, "T" if a word has it, else the engine's
+/// name of the function.
 std::string function_in_words(std::string_view name, const ControlDef& def) {
   const Function function = function_named(name);
   if (function == Function::count) return std::string(name);
@@ -71,7 +72,8 @@ ConversionRefusal refusal_of(const ConversionTry& one, const ConversionSides& si
   if (one.proof.stopped_b) {
     const AlarmReport& alarm = *one.proof.stopped_b;
     const std::string sentence = sentence_of(alarm, sides.of_target, lang);
-    if (one.as == ConvertedAs::as_it_stands) return {sentence, alarm.origin};  // the text is the source program itself
+    // The text is the source program itself, so the alarm's origin is a line of the source program
+    if (one.as == ConvertedAs::as_it_stands) return {sentence, alarm.origin};
     if (alarm.origin.file != 0) return {sentence, {}};
     return {sentence, {}, {}, alarm.origin.line, alarm.line_text};
   }
@@ -100,7 +102,7 @@ std::vector<std::string> notes_on(const Converted& made, const ConversionTry& on
   std::vector<std::string> lost = one.as == ConvertedAs::as_it_stands ? std::vector<std::string>()
                                   : one.as == ConvertedAs::words      ? made.path_modes_unknown
                                                                       : made.path_modes;
-  // Canned cycles contain exact stops without a code in the program.
+  // Canned cycles contain exact stops without a code in the program, so a text for them is added here.
   if (lost.empty() && one.proof.passed_exact_stops != 0) lost.push_back(translated(texts::conversion::exact_stops));
   if (!lost.empty()) notes.push_back(translated(texts::conversion::not_carried_over, fmt::join(lost, ", ")));
   return notes;

@@ -13,9 +13,9 @@
 namespace kadr {
 namespace {
 
-constexpr int max_nested = 3;                // DO1 to DO3
-constexpr std::uint32_t first_named = 8000;  // first number for named subprograms
-// variable numbers: #1 to #33, #100 to #199 (spec/fanuc 5.1)
+constexpr int max_nested = 3;                // greatest nesting depth of loops: DO1 to DO3
+constexpr std::uint32_t first_named = 8000;  // label of the first named subprogram
+// Variable numbers of macros: local #1 to #33, global #100 to #199 (spec/fanuc 5.1).
 constexpr std::uint32_t last_local = 33, first_global = 100, last_global = 199;
 
 Status no_way(std::string_view what) { return fail(alarm(AlarmId::function_has_no_code, {}, what)); }
@@ -36,7 +36,7 @@ std::string_view after_keyword(const Block& block) {
   return trimmed(rest);
 }
 
-/// Returns "12" for o12, "<name>" for O< Name >: upper and lower case are equal, blanks are ignored.
+/// Returns the label of an O word: "12" for o12, "<name>" for O< Name >. Upper and lower case are equal, and blanks are ignored.
 std::string label_of(std::string_view word) {
   std::string label;
   for (const char c : word.substr(std::min<std::size_t>(1, word.size())))
@@ -44,7 +44,7 @@ std::string label_of(std::string_view word) {
   return label;
 }
 
-/// Returns the position after the bracket expression with which the text begins.
+/// Returns the position after the bracket expression at the start of the text.
 std::size_t end_of_bracket(std::string_view text) {
   int depth = 0;
   for (std::size_t i = 0; i < text.size(); ++i) {
@@ -218,7 +218,8 @@ Status FlowRewriter::begin_section(const std::string& label, BlockMaker& out) {
   return {};
 }
 
-/// Writes the call of a subprogram of the section. The block's other words take effect before the call (spec/s2c42 3).
+/// Writes the call of a subprogram in the section. The block's other words are written first, so that they take effect before the call
+/// (spec/s2c42 3).
 Status FlowRewriter::call_in_section(const std::string& label, std::uint32_t times, BlockMaker& out) {
   const auto call = sections_.call(label, times);
   if (!call) return no_way("L");
@@ -227,7 +228,7 @@ Status FlowRewriter::call_in_section(const std::string& label, std::uint32_t tim
 }
 
 Status FlowRewriter::call_in_section(const Block& block, BlockMaker& out) {
-  constexpr double max_label = 9999;  // a greater number in P consists of repetitions and label (spec/fanuc 9.1)
+  constexpr double max_label = 9999;  // greatest label; a greater number in P consists of repetitions and label (spec/fanuc 9.1)
   std::optional<std::uint32_t> label;
   std::uint32_t times = 1;
   for (std::uint32_t i = 0; i < block.word_count; ++i) {
@@ -241,8 +242,8 @@ Status FlowRewriter::call_in_section(const Block& block, BlockMaker& out) {
   return call_in_section(std::to_string(*label), times, out);
 }
 
-/// Returns the negation of a condition: for a comparison, the opposite comparison; for any other expression, the condition that the
-/// expression is 0.
+/// Returns the negation of a condition. For a comparison it is the opposite comparison; for any other expression it is the condition that
+/// the expression equals 0.
 Result<std::string> FlowRewriter::not_that(std::string_view condition) {
   auto text = expression(condition);
   if (!text) return text;

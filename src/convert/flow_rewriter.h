@@ -16,33 +16,33 @@
 
 namespace kadr {
 
-/// The argument letters of a macro call for #1, #2 …, in this order (spec/fanuc 9.3); '\0': the variable has no letter.
+/// The argument letters of a macro call for #1, #2 …, in this order (spec/fanuc 9.3); '\0': the variable has no argument letter.
 inline constexpr std::string_view argument_letters = std::string_view("ABCIJKDEF\0H\0M\0\0\0QRSTUVWXYZ", 26);
 
 class FlowRewriter {
  public:
-  ///   to  must have macros, or at least subprograms with labels, if the program has O lines
+  ///   to  the target control; if the program has O lines, this control must have macros, or at least subprograms with labels
   FlowRewriter(const ControlDef& from, const ControlDef& to) : from_(from), to_(to), numbers_(from, to), sections_(to) {}
 
-  /// Sets the variable numbers that the program itself uses; they are not assigned to names.
+  /// Sets the variable numbers that the program itself uses, so that names get other numbers.
   void set_used(std::set<std::uint32_t> used) { used_ = std::move(used); }
   /// Rewrites an O line.
   ///   alarms  function_has_no_code
   Status write(const Block& block, BlockMaker& out);
-  /// Rewrites an expression, an assignment or a word that contains an expression. System variables get the numbers of the target control;
-  /// names become numbers if the target control has no named variables.
+  /// Rewrites an expression, an assignment or a word that contains an expression. System variables get the numbers of the target control.
+  /// Names become numbers if the target control has no named variables.
   ///   alarms  function_has_no_code if no free number is left
   Result<std::string> expression(std::string_view text);
-  /// begins_subprogram: true if the line begins a subprogram. ends_subprogram: true if the line ends it.
+  /// begins_subprogram() returns true if the line begins a subprogram; ends_subprogram() returns true if the line ends a subprogram.
   static bool begins_subprogram(const Block& block);
   static bool ends_subprogram(const Block& block);
 
   /// True if the target control has its subprograms in a section before the main program.
   bool has_sections() const { return sections_.are_there(); }
-  /// On a control with such a section: begins the subprogram with this label.
+  /// Begins the subprogram with this label. For a target control that has its subprograms in a section.
   ///   alarms  function_has_no_code if no free number is left
   Status begin_section(const std::string& label, BlockMaker& out);
-  /// Rewrites the call M98 P2 L5 as L0205.
+  /// Rewrites a call such as M98 P2 L5 as the word L0205.
   ///   alarms  function_has_no_code if the block has other words
   Status call_in_section(const Block& block, BlockMaker& out);
 
@@ -50,9 +50,10 @@ class FlowRewriter {
   Status call_in_section(const std::string& label, std::uint32_t times, BlockMaker& out);
   struct Open {
     OWord word;
-    int loop = 0;                      // m of the macro statement DOm
-    std::uint32_t variable = 0;        // number of the variable that counts the repetitions
-    std::uint32_t next = 0, over = 0;  // block numbers N: of the next branch or repetition, of the block after the loop; 0: not needed yet
+    int loop = 0;                // m of the loop's macro statement DOm
+    std::uint32_t variable = 0;  // number of the variable that counts the repetitions
+    // Block numbers N. next: of the next branch or repetition; over: of the block after the loop. 0: the number is not needed yet
+    std::uint32_t next = 0, over = 0;
   };
   Status begin_loop(Open open, std::string_view condition, BlockMaker& out);
   Status branch(OWord word, std::string_view condition, BlockMaker& out);
@@ -71,10 +72,10 @@ class FlowRewriter {
   const VariableNumbers numbers_;
   SectionNumbers sections_;
   std::vector<Open> open_;
-  std::map<std::string, std::uint32_t> labels_;     // block number assigned to each named subprogram
-  std::map<std::string, std::uint32_t> variables_;  // number assigned to each named variable, by scope and name
+  std::map<std::string, std::uint32_t> labels_;     // label of each named subprogram → the block number that is assigned to it
+  std::map<std::string, std::uint32_t> variables_;  // scope and name of each named variable → the number that is assigned to it
   std::set<std::uint32_t> used_;
-  std::string scope_;  // label of the subprogram that is being rewritten; its local variables have this scope
+  std::string scope_;  // label of the subprogram that is being rewritten; the names of its local variables belong to this scope
   std::uint32_t next_label_ = 9000;
 };
 

@@ -31,7 +31,7 @@ std::string_view first_bracket(std::string_view text, std::size_t& end) {
   return {};
 }
 
-/// True if the text compares with the vacant variable #0, whose value is not a number on the target control.
+/// True if the text compares with the vacant variable #0, which is not expressible because its value is not a number on the target control.
 bool asks_for_vacant(std::string_view text) {
   for (std::size_t at = text.find("#0"); at != std::string_view::npos; at = text.find("#0", at + 1))
     if (at + 2 >= text.size() || std::isdigit(static_cast<unsigned char>(text[at + 2])) == 0) return true;

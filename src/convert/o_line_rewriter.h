@@ -16,28 +16,29 @@
 
 namespace kadr {
 
-/// The jumps and macros of the program, collected before it is rewritten.
+/// The jumps and macros of a program, which are collected before the program is rewritten.
 struct MacroShape {
-  std::set<std::uint32_t> jumped_back;            // block numbers N that a later GOTO jumps back to
-  std::set<std::uint32_t> leaves;                 // lines with a GOTO that jumps out of the surrounding loop
-  std::map<std::uint32_t, std::uint32_t> macros;  // for each subprogram called with arguments: its label → its last line
+  std::set<std::uint32_t> jumped_back;            // block numbers N to which a later GOTO jumps back
+  std::set<std::uint32_t> leaves;                 // lines whose GOTO jumps out of the loop that contains it
+  std::map<std::uint32_t, std::uint32_t> macros;  // label of each subprogram called with arguments → the last line of the subprogram
 };
 
 class OLineRewriter {
  public:
-  /// `flow` rewrites the expressions; it must outlive this object.
+  /// `flow` rewrites the expressions, and must exist longer than this object.
   explicit OLineRewriter(FlowRewriter& flow) : flow_(flow) {}
   void set_shape(MacroShape shape) { shape_ = std::move(shape); }
 
-  /// Call this function for the N of each block. It ends the jumps that lead to this block, or begins the loop that replaces jumps back to
-  /// this block.
+  /// Ends the jumps that lead to the block with this number N, or begins the loop that replaces jumps back to the block. The caller must
+  /// call this function for the N of each block.
   Status number(std::uint32_t number, BlockMaker& out);
-  /// Rewrites a macro statement. `words` writes the other words of the block, which follow a condition.
+  /// Rewrites a macro statement. `words` writes the other words of the block, which follow a condition in the statement.
   ///   alarms  function_has_no_code
   Status write(const Block& block, const std::function<Status()>& words, BlockMaker& out);
-  /// Rewrites a macro call, G65.
+  /// Rewrites G65, the call of a macro with arguments.
   Status call(const Block& block, const std::function<Status(const Word&, std::string&)>& value, BlockMaker& out);
-  /// True if a subprogram with this label begins here and is called with arguments. end() writes the return of the subprogram.
+  /// True if a subprogram with this label begins here and is called with arguments. Then end() must be called to write the return of the
+  /// subprogram.
   bool begins(std::uint32_t label) const { return shape_.macros.count(label) != 0; }
   Status begin(std::uint32_t label, BlockMaker& out);
   bool is_in_macro() const { return macro_ != 0; }
@@ -45,16 +46,16 @@ class OLineRewriter {
 
  private:
   struct Skip {
-    std::uint32_t to, label;  // `to`: block number that the jump leads to; `label`: number of the O line that replaces it
+    std::uint32_t to, label;  // to: block number that the jump leads to; label: number of the O line that replaces the jump
   };
   Status line(std::string text, BlockMaker& out) const;
   std::uint32_t next_label() { return ++last_label_; }
 
   FlowRewriter& flow_;
   MacroShape shape_;
-  std::vector<std::uint32_t> loops_;              // labels of the O lines of the open loops
-  std::vector<Skip> skips_;                       // forward jumps whose target has not come yet
-  std::map<std::uint32_t, std::uint32_t> backs_;  // block number N → label of the `do` line written there
+  std::vector<std::uint32_t> loops_;              // labels of the loops (O lines) that are open at the present line
+  std::vector<Skip> skips_;                       // forward jumps whose target block has not been read yet
+  std::map<std::uint32_t, std::uint32_t> backs_;  // block number N → label of the `do` line that was written at this block
   std::uint32_t macro_ = 0;                       // label of the subprogram that is being rewritten; 0: none
   std::uint32_t last_label_ = 70000;
 };

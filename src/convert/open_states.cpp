@@ -1,4 +1,4 @@
-// Adds values for the table rows that a set-up leaves open. Used by convert/conversion and convert/word_by_word; tested by
+// Adds values for the table rows that a set-up does not state. Used by convert/conversion and convert/word_by_word; tested by
 // tests/convert_open.py.
 
 #include "convert/open_states.h"
@@ -17,7 +17,7 @@ constexpr std::size_t max_systems = 64;
 constexpr int max_offsets = 99, max_zeros = 16;
 constexpr std::uint32_t first_seed = 20999;
 
-/// Generates random values, as multiples of steps that the words of every control can express.
+/// Generates random values. They are multiples of steps that the words of every control can express.
 class Values {
  public:
   explicit Values(std::uint32_t seed) : random_(seed) {}
@@ -59,7 +59,7 @@ class Filler {
       return;
     }
     if (!allows_key(def_, "work_offsets")) return;
-    // G110 and G154 P1 of the Haas name the same work system.
+    // Names by number of the work system, because two names may mean the same one: G110 and G154 P1 of the Haas.
     std::map<std::uint32_t, std::string> name_of;
     for (const WorkSystem& system : work_systems(def_))
       if (system.works && system.row != 0 && (name_of.size() < max_systems || setup.work_offsets.contains(system.name)))
@@ -75,13 +75,13 @@ class Filler {
   void offsets() {
     if (!allows_key(def_, "offsets")) return;
     std::vector<int> numbers;
-    // M6 looks the tool up in a tool table (spec/linuxcnc 5), so each added row is an added tool.
+    // M6 looks the tool up in a tool table (spec/linuxcnc 5), so the numbers of the rows must be the tool numbers of the program.
     if (def_.has_parameter_file()) numbers.assign(names_.tools.begin(), names_.tools.end());
     else
       for (int number = 1; number <= max_offsets; ++number) numbers.push_back(number);
     for (const int number : numbers) {
       if (number == 0 || !known_.allows(SetupNames::offset, std::to_string(number))) continue;
-      if (state_.setup.correctors.contains(number)) continue;  // the set-up states this table row already, as a corrector
+      if (state_.setup.correctors.contains(number)) continue;  // the set-up states this row already, as a corrector
       const auto [at, is_open] = state_.setup.offsets.try_emplace(number);
       if (is_open) at->second.length = values_.length(), at->second.radius = values_.radius();
     }

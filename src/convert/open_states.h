@@ -1,7 +1,7 @@
 #pragma once
-// OpenStates: a program is converted with one set-up, but may run on machines with other values for the work offsets, tool lengths, radii
-// and reference points that the set-up does not state. A conversion must do the same from several such states, not only if these values
-// are 0.
+// OpenStates: further set-ups for the proof of a conversion. A program is converted with one set-up, but may run on machines with other
+// values for the work offsets, tool lengths, radii and reference points that this set-up does not state. The converted program must do the
+// same from several such states, not only if these values are 0.
 
 #include <map>
 #include <optional>
@@ -13,13 +13,13 @@
 
 namespace kadr {
 
-/// A set-up with values for the table rows that the given set-up leaves open.
+/// A set-up with values for the table rows that the given set-up does not state.
 struct OpenState {
-  Setup setup;                      // the given set-up of the source control, plus values for the rows that it does not state
+  Setup setup;                      // the given set-up of the source control, with added values for the rows that it does not state
   std::map<int, AxisValues> zeros;  // the work offsets that were added, mm, by number of the work system
 };
 
-/// Returns `count` states in which the program may start; the same states in each call. No two table rows have the same value; lengths
+/// Returns `count` states in which the program may start. Each call returns the same states. No two table rows have the same value; lengths
 /// are multiples of 0.1 mm, radii of 0.01 mm.
 ///   axes   axis names of the program; X, Y and Z get values
 ///   tools  tool numbers that the program contains

@@ -28,7 +28,8 @@ bool returns(Function function) {
          function == Function::return_numbered;
 }
 
-/// True for motions and modes. A block with only these functions neither jumps nor calls, so the next block in the text follows.
+/// True for functions that are motions or modes. A block with only these functions neither jumps nor calls, so the next block in the text
+/// is executed after it.
 bool is_straight(Function function) {
   constexpr Phase phases[] = {Phase::unit,    Phase::feed_mode,   Phase::speed_mode, Phase::spindle,  Phase::spindle_stop,
                               Phase::coolant, Phase::coolant_off, Phase::dwell,      Phase::plane,    Phase::compensation,
@@ -42,7 +43,7 @@ constexpr std::uint32_t first_name_label = 1'000'000'000, max_variable = 10'000'
 constexpr double most_tool = 100'000;
 constexpr std::uint32_t hundred = 100;
 
-/// True for functions whose motions are straight lines; canned drilling cycles are among them.
+/// True for functions whose motions are straight lines, including canned drilling cycles.
 bool leads_along_lines(Function function) {
   constexpr Function lines[] = {
       Function::rapid,           Function::linear,           Function::cycle,         Function::canned_cycle,
@@ -72,13 +73,14 @@ ProgramShape::ProgramShape(std::shared_ptr<ByteSource> source, const ControlDef&
   }
   close_subprogram();
   const std::vector<TextLines> own = loops_;
-  for (const auto& [line, number] : jumps_) {  // lines that a jump skips or repeats are expanded together
+  for (const auto& [line, number] : jumps_) {  // lines that a jump skips or repeats are expanded together with the jump
     const auto at = numbers_.find(number);
     if (at == numbers_.end()) continue;
     TextLines passed{std::min(line, at->second), std::max(line, at->second)};
     if (passed.first == line) passed.last = block_before(passed.last);
     if (const auto around = loop_around({line, line}); around && around->last == passed.last) leaves_.insert(line);
-    for (const TextLines& loop : own)  // grows the range to contain each loop that it overlaps, unless that loop contains the range
+    // Grows the range to contain each loop that overlaps the range, unless the loop contains the whole range
+    for (const TextLines& loop : own)
       if (loop.first <= passed.last && passed.first <= loop.last && !(loop.first <= passed.first && passed.last <= loop.last))
         passed = {std::min(passed.first, loop.first), std::max(passed.last, loop.last)};
     if (passed.first < passed.last) loops_.push_back(passed);
@@ -117,8 +119,8 @@ void ProgramShape::take_jump(const Block& block, const ControlDef& def) {
   if (number != 0) jumps_.emplace_back(block.position.line, number);
 }
 
-/// Reads a block that has axis words only, as most blocks of a long program; faster than the general function. Returns false if the block
-/// needs the general function.
+/// Reads a block that has axis words only, as most blocks of a long program; faster than the general function. Returns false if the caller
+/// must use the general function.
 bool ProgramShape::take_plain(const Block& block) {
   if (!block.shape || (block.letters & ~plain_letters_) != 0 || in_section_) return false;
   names_of_words_.letters |= block.letters;
@@ -175,7 +177,8 @@ void ProgramShape::take_section(const Block& block) {
   label_ = label, labelled_ = block.position.line;
 }
 
-/// Finds subprograms of RS274/NGC and their calls (spec/linuxcnc 6). Named subprograms get labels that no number in the program uses.
+/// Finds subprograms of RS274/NGC and their calls (spec/linuxcnc 6). Named subprograms get labels that are not yet used as numbers in the
+/// program.
 void ProgramShape::take_o_line(const Block& block) {
   const Statement& s = block.statement;
   if (s.kind != StatementKind::o_word) return;
@@ -214,7 +217,7 @@ void ProgramShape::close_subprogram() {
 void ProgramShape::take_calls(const Block& block, const ControlDef& def) {
   bool is_call = false;
   names_of_words_.letters |= block.letters;
-  // a computed code (G#1) may be an arc; the address ,R is the rounding of a corner
+  // A computed code (G#1) may be an arc. The address ,R rounds a corner by an arc.
   has_arcs_ = has_arcs_ || block.codes_vary || (block.letters >> ('Z' - 'A' + 1)) != 0;
   if (const Word* const speed = block.find('S'); speed != nullptr && !speed->expression)
     names_of_words_.most_speed = std::max(names_of_words_.most_speed, speed->value);
@@ -224,7 +227,7 @@ void ProgramShape::take_calls(const Block& block, const ControlDef& def) {
   for (std::uint32_t i = 0; i < block.word_count; ++i) {
     const Word& word = block.words[i];
     if (def.address(word.address).function == Function::call_word && !word.expression) {
-      const auto value = static_cast<std::uint32_t>(word.value);  // L0205: call subprogram 2 five times
+      const auto value = static_cast<std::uint32_t>(word.value);  // the word L0205 calls subprogram 2 five times
       callers_.emplace(value >= hundred ? value / hundred : value, block.position.line);
     }
     if (word.code < 0) {

@@ -1,4 +1,5 @@
-// Proves a conversion. Used by convert/conversion and convert/word_by_word; tested by tests/convert.py and tests/convert_open.py.
+// Compares a converted text with its source program. Used by convert/conversion and convert/word_by_word; tested by tests/convert.py and
+// tests/convert_open.py.
 
 #include "convert/proving.h"
 
@@ -86,7 +87,8 @@ tl::expected<Proving::Other, std::string> Proving::in_all(const std::vector<Side
 
 tl::expected<Proving::Other, std::string> Proving::from_others(const std::shared_ptr<ByteSource>& text, ConvertedAs as,
                                                                std::optional<std::uint16_t> counts_from) const {
-  std::optional<Other> first;  // the result if the programs differ with every Zero: that of of_system if it was tried, else the first one
+  // The result if the programs differ with every Zero: the result with of_system if that was tried, else the first result
+  std::optional<Other> first;
   for (const Zero zero : {Zero::by_tables, Zero::at_power_on, Zero::of_system}) {
     if (zero == Zero::of_system && (as != ConvertedAs::plain || !counts_from)) continue;
     std::vector<Side> sides;

@@ -1,7 +1,7 @@
 #pragma once
-// Proving: compares a converted text, run by the target control, with the source program, run by its own control. It compares from the
-// given set-up, from states with values that the set-up leaves open (convert/open_states), and with a probe that touches at another
-// point. A conversion must do the same in all of them.
+// Proving: compares a converted text, run by the target control, with the source program, run by its own control. It compares them from the
+// given set-up, from states with values that the set-up does not state (convert/open_states), and with a probe that touches at another
+// point. A conversion is proven if both programs do the same in all these runs.
 
 #include <cstdint>
 #include <map>
@@ -21,7 +21,7 @@ class Proving {
   ///   opened  an opened session of the source program that has not been run
   Proving(const ConversionSpec& spec, const Session& opened, const ProgramShape& shape, CompareRules rules);
 
-  /// Returns the set-up of the target control with which this text begins.
+  /// Returns the set-up of the target control with which a text of this method begins.
   const Setup& setup_of(ConvertedAs as) const { return as == ConvertedAs::plain ? plain_setup_ : setup_; }
 
   ///   returns  an error sentence if a session could not be opened
@@ -29,30 +29,30 @@ class Proving {
 
   struct Other {
     Comparison proof;
-    bool differs = false;       // the programs differ from some state from which the source program itself does not stop
-    bool is_elsewhere = false;  // the state differs in what a probe touches, not in a table
-    bool by_operator = false;   // equal if the operator sets the origin on both machines; at most one control has a code for it
-    std::size_t told = 0;       // number of states in which the source program reaches its end as it does from the given set-up
+    bool differs = false;       // true if the programs differ from a state from which the source program itself reaches its end
+    bool is_elsewhere = false;  // true if the state differs from the given set-up in what a probe touches, not in a table
+    bool by_operator = false;   // equal if the operator sets the origin on both machines, because at most one control has a code for it
+    std::size_t told = 0;       // number of states in which the source program ends in the same way as from the given set-up
   };
   /// Compares both programs from each of the other states until they differ. A state in which the source program itself stops proves
-  /// nothing.
+  /// nothing, so it is not counted.
   ///   counts_from  for a text with all offsets applied: the work system that the words of the text use
   tl::expected<Other, std::string> from_others(const std::shared_ptr<ByteSource>& text, ConvertedAs as,
                                                std::optional<std::uint16_t> counts_from) const;
 
-  /// Set-ups of the source program for the other states. They are used when lines are expanded: expanded coordinates must not depend on
-  /// the given set-up.
+  /// Set-ups of the source program for the other states. They are used when lines are expanded, because expanded coordinates must not
+  /// depend on the given set-up.
   const std::vector<Setup>& witnesses() const { return witnesses_; }
   bool probes() const { return elsewhere_.has_value(); }
 
  private:
-  /// Where the origin of the work system comes from. A control without work offsets, or with none in force, uses the origin that the
-  /// operator has set.
+  /// The source of the work system's origin. A control without work offsets, or with none in force, uses the origin that the operator has
+  /// set.
   enum class Zero : std::uint8_t { by_tables, at_power_on, of_system };
   using Axes = std::map<std::string, double>;
   struct Side {
     Setup source, target;
-    Axes zero{};  // origin set by the operator: CompareRules::zero_of_b
+    Axes zero{};  // origin set by the operator, mm: CompareRules::zero_of_b
     bool is_elsewhere = false;
   };
   tl::expected<Side, std::string> side_of(const OpenState& state, const std::shared_ptr<ByteSource>& text, ConvertedAs as, Zero zero,

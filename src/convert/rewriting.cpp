@@ -13,11 +13,12 @@
 namespace kadr {
 namespace {
 
-constexpr std::size_t max_reported = 60;  // bytes of a block that a comment quotes
-// lines read after the last line that cannot be expressed; most such lines are close together, near the beginning
+constexpr std::size_t max_reported = 60;  // greatest number of bytes of a block that a comment quotes
+// Number of lines that are read after the last line that cannot be expressed. Most lines that cannot be expressed are close together, near
+// the beginning.
 constexpr std::uint32_t early_end = 1000;
 
-/// Returns the beginning of a text, as long as a comment may quote, without cutting a UTF-8 character in two.
+/// Returns the beginning of a text, in the length that a comment may quote. A UTF-8 character is not cut in two.
 std::string_view beginning_of(std::string_view text) {
   constexpr unsigned char follows = 0x80, mask = 0xc0;
   if (text.size() <= max_reported) return text;
@@ -26,7 +27,7 @@ std::string_view beginning_of(std::string_view text) {
   return text.substr(0, end);
 }
 
-/// Returns the comment in a line without blocks, for every comment syntax of the control.
+/// Returns the comment of a line without blocks, in any comment form of the control.
 std::string comment_of(std::string_view line, const Grammar& grammar) {
   std::size_t begin = line.find_first_of(grammar.semicolon_comments || grammar.semicolon_ends ? "(;" : "(");
   if (begin == std::string_view::npos) return {};
@@ -61,7 +62,7 @@ class Rewriter {
       if (spec_.ends_early && !made_.unsaid.empty() && line > made_.unsaid.back().line + early_end) return std::move(made_);
       if (is_over_ && is_all_after_end()) {
         last_block_ = line;
-        continue;  // the control reads nothing after the end of the program
+        continue;  // the control reads nothing after the end of the program, so the line is not rewritten
       }
       if (!got) {
         unsaid(got.error());
@@ -91,7 +92,7 @@ class Rewriter {
   }
 
  private:
-  /// Writes the number under which the control stores the program.
+  /// Writes the number under which the target control stores the program.
   void number_program() {
     blocks_.text(blocks_.program_label(1));
     if (const Status status = blocks_.end(); !status) unsaid(status.error());
@@ -99,7 +100,8 @@ class Rewriter {
   /// Appends text to the output; returns false if the output is full.
   bool say(std::string_view text) {
     if (is_full_) return false;
-    if (in_section_ || in_subprogram_) {  // controls without sections have subprograms after the program end
+    // Blocks of subprograms are collected; they are written after the program end, or before the program on a control with sections
+    if (in_section_ || in_subprogram_) {
       tail_ += text, tail_lines_.push_back(source_line_);
     } else {
       made_.lines.add(source_line_);
@@ -107,8 +109,8 @@ class Rewriter {
     }
     return !is_full_;
   }
-  /// Writes the block, or collects it as part of a subprogram. Subprograms of O lines are moved after the program end; on a control with
-  /// sections all subprograms are moved before the program.
+  /// Writes the block, or collects it as part of a subprogram. Subprograms of O lines are moved to after the program end; on a control with
+  /// sections, all subprograms are moved to before the program.
   void block_or_subprogram(std::uint32_t line) {
     const bool is_label = spec_.to->grammar.section_address != 0 && block_.marker == Marker::label;
     if (is_label) leave_subprogram();
@@ -119,7 +121,7 @@ class Rewriter {
   void leave_subprogram() {
     if (std::exchange(in_subprogram_, false)) last_in_section_ = blocks_.end_section();
   }
-  /// Writes the lines before the main program: `L` alone, the subprograms, M2 (spec/s2c42 3).
+  /// Writes the lines before the main program: `L` alone in a line, the subprograms, M2 (spec/s2c42 3).
   void write_head() {
     if (tail_.empty()) return;
     const LineOrigins of_program = std::exchange(made_.lines, {});
@@ -136,7 +138,7 @@ class Rewriter {
     for (const std::uint32_t line : tail_lines_) made_.lines.add(line);
   }
 
-  /// Rewrites a subprogram of the 2С42 (spec/s2c42 6): N02001 begins O2.
+  /// Rewrites a subprogram of the 2С42 (spec/s2c42 6). N02001 begins subprogram 2, which is written with the label O2.
   void section_block(std::uint32_t line) {
     constexpr std::uint32_t blocks_a_subprogram = 1000;
     last_block_ = line;
@@ -149,7 +151,7 @@ class Rewriter {
     block(line);
   }
 
-  /// Writes the modes that most controls have at power-on, since power-on modes differ between controls.
+  /// Writes the modes that most controls have at power-on, because the target control may have other modes at power-on.
   void begin_modes() {
     blocks_.code_if_there({{Function::plane_xy, any_argument}, {Function::select_plane, 17}});
     blocks_.code_if_there({{Function::absolute, any_argument}});
@@ -163,9 +165,9 @@ class Rewriter {
     (void)blocks_.end();
   }
 
-  /// Copies the lines without blocks before this line: comments and empty lines.
+  /// Copies the lines between the last block and this line that have no blocks: comments and empty lines.
   void lines_before(std::uint32_t line) {
-    if (line == next_raw_) {  // no line without a block has come so far; raw_ is opened at the first one
+    if (line == next_raw_) {  // all lines so far have blocks; raw_ is opened only at the first line without a block
       next_raw_ = line + 1;
       passed_ = block_.position;
       return;
@@ -193,7 +195,7 @@ class Rewriter {
     (void)blocks_.end();
   }
 
-  /// True if the source control reads nothing after the program end, so that no subprogram can be there.
+  /// True if the source control reads nothing after the program end, so that no subprogram can follow.
   bool is_all_after_end() const {
     const Grammar& grammar = spec_.from->grammar;
     return spec_.from->behaviour.ends_reading && (grammar.label_address == 0 || spec_.from->behaviour.label_is_number) &&
@@ -277,9 +279,9 @@ class Rewriter {
   Block block_;
   const FlatRange* last_place_ = nullptr;
   std::uint32_t source_line_ = 0, last_block_ = 0, next_raw_ = 1;
-  Position passed_{0, 0, 0};           // position of a line that raw_ has not read yet; line 0: none
-  std::uint32_t label_ = 0;            // label of the present subprogram in a section
-  std::uint32_t last_in_section_ = 0;  // number of the last block in the section of subprograms of the target control
+  Position passed_{0, 0, 0};           // position of a line that raw_ has not read yet; with line 0 there is no such line
+  std::uint32_t label_ = 0;            // label of the subprogram in the section that is being written
+  std::uint32_t last_in_section_ = 0;  // last block number in the section of subprograms of the target control
   std::string tail_;
   std::vector<std::uint32_t> tail_lines_;
   bool is_over_ = false, in_section_ = false, in_subprogram_ = false, is_full_ = false, is_labelled_ = false;

@@ -9,9 +9,9 @@
 namespace kadr {
 namespace {
 
-constexpr std::uint32_t most = 99;  // greatest number with two digits
+constexpr std::uint32_t most = 99;  // greatest number of a subprogram, because the number has two digits
 
-/// Returns the label as a number; 0 if it is a name, or a number that the section does not allow.
+/// Returns the label as a number; 0 if the label is a name, or a number that the section does not allow.
 std::uint32_t number_in(const std::string& label) {
   const bool digits = !label.empty() && std::all_of(label.begin(), label.end(), [](char c) { return c >= '0' && c <= '9'; });
   constexpr std::size_t max_digits = 8;
@@ -30,7 +30,7 @@ bool SectionNumbers::is_free(std::uint32_t number) const {
 std::optional<std::uint32_t> SectionNumbers::of(const std::string& label) {
   if (const auto known = numbers_.find(label); known != numbers_.end()) return known->second;
   std::uint32_t number = number_in(label);
-  // Counts down from the highest number, since programs mostly use small numbers.
+  // The search goes down from the highest number, because programs mostly use small numbers.
   if (!is_free(number))
     for (number = most; number != 0 && !is_free(number);) --number;
   if (number == 0) return std::nullopt;

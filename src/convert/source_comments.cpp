@@ -8,7 +8,7 @@ namespace kadr {
 
 std::vector<std::string> SourceComments::up_to(std::uint32_t line) {
   std::vector<std::string> found;
-  names_rows_ = next_ > line;  // a line that an earlier call has read is not examined again, so it counts as one that may select a row
+  names_rows_ = next_ > line;  // a line that an earlier call has read is not examined again, so it is assumed to select a row
   Line read;
   for (; next_ <= line && !is_over_; ++next_) {
     is_over_ = !reader_.next(read);

@@ -1,6 +1,6 @@
 #pragma once
-// SourceComments: reads the comments of a program in the order of its lines, for any control: text in round brackets or after a
-// semicolon.
+// SourceComments: reads the comments of a program in the order of its lines. On any control, text in round brackets or after a semicolon
+// counts as a comment.
 
 #include <memory>
 #include <string>
@@ -17,8 +17,8 @@ class SourceComments {
   /// Returns the comments up to this line that earlier calls have not returned.
   std::vector<std::string> up_to(std::uint32_t line);
   std::vector<std::string> rest() { return up_to(~std::uint32_t{0}); }
-  /// True if a line read by the last up_to() may select another row of an offset table, because it contains one of the letters with which a
-  /// block does that.
+  /// True if a line read by the last up_to() may select another row of an offset table: the line contains one of the address letters that
+  /// do so.
   bool names_rows() const { return names_rows_; }
 
  private:

@@ -1,4 +1,4 @@
-// Finds the corresponding set-up and the offsets in force. Used by convert/conversion and convert/flat/flat_ranges; tested by
+// Finds the set-up of the target control and the offsets in force. Used by convert/conversion and convert/flat/flat_ranges; tested by
 // tests/convert.py.
 
 #include "convert/source_setup.h"
@@ -22,7 +22,7 @@ bool is_system(const CodeRow& row) {
          row.function == Function::table_system;
 }
 
-/// Returns the work offsets by number of the work system, whatever the control calls them.
+/// Returns the work offsets by number of the work system, independent of their names on the control.
 std::map<int, AxisValues> zeros_of(const Setup& setup, const ControlDef& def) {
   std::map<int, AxisValues> zeros = setup.zeros;
   for (const WorkSystem& system : work_systems(def))
@@ -33,7 +33,7 @@ std::map<int, AxisValues> zeros_of(const Setup& setup, const ControlDef& def) {
 
 bool has_systems(const ControlDef& def) { return std::any_of(def.codes.begin(), def.codes.end(), is_system); }
 
-/// The axes that the target machine has; filters tables by axis name.
+/// The axes that the target machine has. Filters tables by the names of these axes.
 class KnownAxes {
  public:
   KnownAxes(const ControlDef& to, const std::vector<std::string>& axes) : names_(axes.empty() ? to.axes : axes) {}
@@ -48,7 +48,7 @@ class KnownAxes {
   std::vector<std::string> names_;
 };
 
-/// If set-ups of the target control list the axes of the machine, returns the axes that the program needs; else an empty list.
+/// Returns the axes that the program needs, if set-ups of the target control list the axes of the machine; else an empty list.
 std::vector<std::string> axes_for(const Setup& setup, const ControlDef& from, const ControlDef& to, const ProgramNames& names) {
   if (!to.machine_axes()) return {};
   if (from.machine_axes()) return setup.axes;
@@ -59,8 +59,8 @@ std::vector<std::string> axes_for(const Setup& setup, const ControlDef& from, co
   return axes.size() > 3 ? axes : std::vector<std::string>();
 }
 
-/// Copies the spindles. A target machine whose set-up describes its spindles gets all of them; any other gets speed and direction of the
-/// main spindle only.
+/// Copies the spindles into the new set-up. If the target control's set-up describes its spindles, all are copied; otherwise only speed and
+/// direction of the main spindle.
 void take_spindles(Setup& made, const Setup& setup, const ControlDef& from, const ControlDef& to) {
   if (to.machine_axes() && from.machine_axes()) made.spindles = setup.spindles;
   const auto main = setup.spindles.find(1);
@@ -75,7 +75,8 @@ void take_tables(Setup& made, const Setup& setup, const ControlDef& from, const 
   const SetupNamesOf known(&to, to.axes, to.axes);
   for (const auto& [number, offset] : setup.offsets)
     if (allows_key(to, "offsets") && known.allows(SetupNames::offset, std::to_string(number))) made.offsets[number] = offset;
-  if (to.has_parameter_file() && !made.offsets.empty())  // M6 and G43 look the tool up in a tool table (spec/linuxcnc 5)
+  // M6 and G43 look the tool up in a tool table, so each offset needs a row there (spec/linuxcnc 5)
+  if (to.has_parameter_file() && !made.offsets.empty())
     for (const std::uint32_t tool : names.tools)
       if (known.allows(SetupNames::offset, std::to_string(tool))) made.offsets.emplace(static_cast<int>(tool), ToolOffset{});
   const VariableNumbers numbers(from, to);
@@ -103,7 +104,7 @@ bool allows_key(const ControlDef& def, const char* key) {
 OffsetsInForce offsets_of(const Control& control) {
   OffsetsInForce now;
   const auto number_in = [](const std::string& word) { return std::uint32_t(std::strtoul(word.c_str() + 1, nullptr, 10)); };
-  // in_force() is not used, since it includes the variables, of which there may be thousands
+  // Does not use in_force(), which also returns the variables, of which there may be thousands.
   for (const std::string& word : control.state_now().modal) {
     if (word.front() == 'D') now.radius_number = number_in(word);
     if (word.front() == 'H') now.length_number = number_in(word);
@@ -137,7 +138,7 @@ bool changes_tools(const ControlDef& def) {
 }
 
 bool probe_elsewhere(Setup& setup) {
-  constexpr double apart = 0.0937;  // mm by which the probed surface is shifted
+  constexpr double apart = 0.0937;  // distance by which the probed surface is shifted, mm
   for (auto& [input, at] : setup.probe)
     if (at)
       for (auto& [axis, value] : *at) value += apart;
@@ -152,8 +153,8 @@ bool shows_same_messages(const ControlDef& from, const ControlDef& to) {
 
 namespace {
 
-/// True if the control passes M1 to its machine, which reads the optional-stop switch itself: M1 is then reported whether the switch is
-/// on or off.
+/// True if the control passes M1 to its machine, which reads the optional-stop switch itself. The control then reports M1 whether the
+/// switch is on or off.
 bool reports_optional_stops(const ControlDef& def) {
   return std::any_of(def.codes.begin(), def.codes.end(),
                      [](const CodeRow& row) { return row.function == Function::optional_stop && row.arg == 1; });
@@ -175,7 +176,8 @@ Setup corresponding_setup(const Setup& setup, const ControlDef& from, const Cont
   made.tool = setup.tool;
   if (allows_key(to, "clock")) made.clock = setup.clock;
   if (allows_key(to, "probe")) made.probe = setup.probe, made.probe_hole = setup.probe_hole;
-  constexpr double usual_speed = 1000;  // default of Grbl's $30, the greatest speed: a higher S is reduced to it (spec/grbl 8)
+  // Default of Grbl's $30, the greatest spindle speed in rev/min, to which a higher S is reduced (spec/grbl 8)
+  constexpr double usual_speed = 1000;
   if (to.has_lines_alone() && names.most_speed > usual_speed) made.parameters[{"0030", "", ""}] = names.most_speed;
   if (allows_key(to, "reference_points"))
     for (const auto& [point, values] : setup.reference_points) made.reference_points[point] = axes.of(values);

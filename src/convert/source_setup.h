@@ -12,29 +12,30 @@
 
 namespace kadr {
 
-/// Returns the set-up with which a program of `to` begins in the same state as a program of `from` begins with `setup`. Table rows get
-/// the numbers that the target control has for them; tools that it looks up in a table get rows.
-///   plain  true: leave out the tables, since the converted program has all offsets applied to its coordinates
+/// Returns the set-up for the target control `to` that corresponds to `setup` of the source control `from`: both programs begin in the same
+/// state. Table rows get the numbers that the target control has for them; tools that the target control looks up in a table get rows
+/// there.
+///   plain  true: leave out the tables, because the converted program has all offsets applied to its coordinates
 Setup corresponding_setup(const Setup& setup, const ControlDef& from, const ControlDef& to, const ProgramNames& names, bool plain);
 
 /// True if the set-up of this control may contain the key.
 bool allows_key(const ControlDef& def, const char* key);
 
-/// True if the control has a code for tool changes; otherwise the program stops and the operator changes the tool.
+/// True if the control has a code for tool changes. Otherwise the program stops, and the operator changes the tool.
 bool changes_tools(const ControlDef& def);
 
-/// Shifts the surface that a probe touches a little. Coordinates that change with the shift depend on the probe, so they must not be
-/// expanded. Returns false if the set-up has nothing to probe.
+/// Shifts the surface that a probe touches by a short distance. Coordinates that change with this shift depend on the probe, so they must
+/// not be expanded. Returns false if the set-up has nothing to probe.
 bool probe_elsewhere(Setup& setup);
 
-/// True if both controls display messages in the same way: (MSG,…) of RS274/NGC and Mach3, or #3006 of macros.
+/// True if both controls display messages in the same way: both by (MSG,…), as RS274/NGC and Mach3, or both by #3006, as macros.
 bool shows_same_messages(const ControlDef& from, const ControlDef& to);
 
-/// Returns the text of a set-up file with the start position, tables and switches. Limits and rates belong to the machine and are left
+/// Returns the text of a set-up file with the start position, tables and switches. Limits and rates belong to the machine, so they are left
 /// out.
 std::string setup_text(const Setup& setup);
 
-/// Returns the properties of a session's program and set-up that its actions do not contain.
+/// Returns the properties of a session's program and set-up that the program's actions do not state.
 FlatSource flat_source_of(const Session& session, const ControlDef& to);
 /// Returns the numbers of the length and radius offsets in force after the blocks executed so far.
 OffsetsInForce offsets_of(const Control& control);

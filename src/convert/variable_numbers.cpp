@@ -10,13 +10,14 @@
 namespace kadr {
 namespace {
 
-/// The table row of a variable, and the position of the number in that row.
+/// A variable, by the table row that contains it and the position of its number in this row.
 struct VariablePlace {
   const VariableRow* row;
   std::uint32_t repeat, index;
 };
 
-/// The row of the last probed point of RS274/NGC, which its dialect supports without a table row (spec/linuxcnc 4.1).
+/// The row for the last probed point of RS274/NGC. The control's file has no row for it, because its dialect supports it (spec/linuxcnc
+/// 4.1).
 const VariableRow& probe_row() {
   static const VariableRow row = [] {
     VariableRow made;
@@ -44,14 +45,15 @@ std::optional<VariablePlace> place_of(const ControlDef& def, std::uint32_t numbe
   return std::nullopt;
 }
 
-/// Maps kinds of variables that mean the same in both families of controls to one kind: the probed point in work coordinates, and the
+/// Returns one kind for kinds of variables that mean the same in both families of controls: the probed point in work coordinates, and the
 /// work offsets.
 VariableKind kind_of(VariableKind kind) {
   if (kind == VariableKind::probe_position) return VariableKind::probe_point;
   return kind == VariableKind::zero ? VariableKind::fixture : kind;
 }
 
-/// Returns the index of the variable within its kind. One family has all work offsets in one row, the other has a row for each.
+/// Returns the index of the variable within its kind. One family of controls has all work offsets in one row, the other family has a row
+/// for each.
 std::uint32_t place_in_kind(const VariablePlace& place) {
   constexpr std::uint32_t a_system = 1000;
   const bool row_each = place.row->kind == VariableKind::zero;
@@ -60,7 +62,7 @@ std::uint32_t place_in_kind(const VariablePlace& place) {
   return nth * a_system + place.index;
 }
 
-/// True for numbers without a table row: the local and common variables of macros (nct 23, spec/fanuc 5).
+/// True for the local and common variables of macros, which have no row in the control's table (nct 23, spec/fanuc 5).
 bool is_plain(const ControlDef& def, std::uint32_t number) {
   constexpr std::uint32_t last_local = 33, first_common = 100, last_common = 999;
   return !def.grammar.has_vacant_variables() || (number >= 1 && number <= last_local) || (number >= first_common && number <= last_common);
@@ -83,7 +85,7 @@ std::optional<std::string> VariableNumbers::given(const std::string& name) const
   std::uint32_t number = 0;
   const char* const end = name.data() + name.size();
   const auto read = std::from_chars(name.data() + std::min<std::size_t>(1, name.size()), end, number);
-  // the text is the name of a named parameter, not a number
+  // If the text is not a number, it is the name of a named parameter.
   if (!name.starts_with('#') || read.ec != std::errc() || read.ptr != end) return name;
   const auto there = of(number);
   return there && is_written(to_, *there) ? std::optional("#" + std::to_string(*there)) : std::nullopt;

@@ -1,6 +1,6 @@
 #pragma once
-// VariableNumbers: finds the number on the target control for a variable of the source control. Free variables keep their number; system
-// variables are matched by their meaning.
+// VariableNumbers: finds the number that a variable of the source control has on the target control. Variables that programs may use freely
+// keep their number; system variables are matched by their meaning.
 
 #include <cstdint>
 #include <map>
@@ -19,8 +19,8 @@ class VariableNumbers {
   /// Returns the number of the corresponding variable on the target control; nullopt if that control has no such variable.
   std::optional<std::uint32_t> of(std::uint32_t number) const;
 
-  /// Returns the target control's name, "#100", of a variable to which the set-up gives a value; nullopt if a set-up of the target
-  /// control cannot give it a value.
+  /// Returns the name, such as "#100", that a variable with a value in the set-up has on the target control; nullopt if a set-up of the
+  /// target control cannot give it a value.
   std::optional<std::string> given(const std::string& name) const;
 
  private:

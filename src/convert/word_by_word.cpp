@@ -1,4 +1,5 @@
-// Rewrites a program, proves the result, expands the lines that fail, and repeats. Used by convert/conversion; tested by tests/convert.
+// Rewrites a program, proves the result, expands the lines that fail, and repeats these steps. Used by convert/conversion; tested by
+// tests/convert.
 
 #include "convert/word_by_word.h"
 
@@ -15,8 +16,8 @@
 namespace kadr {
 namespace {
 
-constexpr int max_rounds = 100;  // greatest number of rounds; a round rewrites and proves the program once
-// number of rounds, from the first on, that may stop soon after a line that cannot be expressed
+constexpr int max_rounds = 100;  // greatest number of rounds; each round rewrites and proves the program once
+// Number of rounds at the beginning that stop soon after a line that cannot be expressed.
 constexpr int early_rounds = 3;
 constexpr std::size_t max_work = 6'000'000;  // greatest number of lines, blocks and motions processed in all rounds together
 
@@ -100,7 +101,8 @@ class WordByWord {
     return prove(*written);
   }
 
-  /// Finds ranges whose coordinates change with what a probe touches or with what the set-up leaves open; they must not be expanded.
+  /// Finds ranges whose coordinates change with what a probe touches, or with values that the set-up does not state. Such ranges must not
+  /// be expanded.
   tl::expected<void, std::string> look_elsewhere(std::vector<FlatRange>& places) const {
     for (const Setup& witness : proving_.witnesses()) {
       std::vector<FlatRange> others;
@@ -169,8 +171,8 @@ class WordByWord {
     for (const std::uint32_t line : shape_.calls_outside()) add({line, line});
   }
 
-  /// Starts the rounds again, with lines expanded from the first round on that often cannot be rewritten: at the first restart contours, at
-  /// the second one lines that rotate, mirror or scale, at the third one both. Returns false if no restart is left.
+  /// Starts the rounds again, now with lines expanded from the first round on that often cannot be rewritten: at the first restart
+  /// contours, at the second one lines that rotate, mirror or scale, at the third one both. Returns false if no restart is left.
   bool begin_anew() {
     const bool has_contours = !shape_.contours().empty(), has_transforms = !shape_.transforms().empty();
     for (++stage_; stage_ <= 3; ++stage_) {
@@ -211,7 +213,7 @@ class WordByWord {
     made_.at.line = line;
   }
 
-  /// Expands these lines and the lines that belong to them. Returns false if the range cannot grow any further.
+  /// Expands these lines and the lines that belong to them. Returns false if nothing can be added to the range.
   bool write_out(TextLines lines) {
     if (shape_.is_edge(lines.first)) return grow(lines);
     if (const auto place = place_at(lines.first)) return grow_back(*place) || grow(*place);
@@ -233,7 +235,7 @@ class WordByWord {
     return !before.empty() && before.back().lines.holds(shape_.block_before(lines.first));
   }
 
-  /// Expands earlier blocks too, since they may cause the difference: one block before the range, then twice as many at each attempt.
+  /// Also expands earlier blocks, because they may cause the difference: one block before the range, then twice as many at each attempt.
   bool grow_back(TextLines lines) {
     constexpr int max_steps = 6;
     int& steps = steps_back_[lines.first];
@@ -250,7 +252,7 @@ class WordByWord {
     return any;
   }
 
-  /// Enlarges an expanded range that still fails: to its loop, then to the calls of its subprogram.
+  /// Enlarges an expanded range that still fails: first to the loop that contains it, then to the calls of its subprogram.
   bool grow(TextLines lines) {
     if (const auto loop = shape_.loop_around(lines)) {
       add(*loop);
@@ -278,13 +280,13 @@ class WordByWord {
   const ProgramShape& shape_;
   const Proving& proving_;
   const ControlDef* from_ = nullptr;
-  std::unique_ptr<Session> opened_;                // keeps the control's definition alive
-  std::map<std::uint32_t, std::uint32_t> places_;  // expanded ranges: first line → last line
-  std::vector<TextLines> left_out_;                // subprograms that are left out, since all their calls are expanded
-  std::map<std::uint32_t, int> steps_back_;        // number of blocks by which a range has grown backwards, by its first line
+  std::unique_ptr<Session> opened_;                // session that keeps the definition of the source control in memory
+  std::map<std::uint32_t, std::uint32_t> places_;  // expanded ranges, as first line → last line
+  std::vector<TextLines> left_out_;                // subprograms that are left out, because all lines that call them are expanded
+  std::map<std::uint32_t, int> steps_back_;        // number of blocks by which a range has grown backwards, by the range's first line
   ConversionTry made_;
   std::size_t work_ = 0;
-  std::optional<Alarm> why_;  // the reason why the next lines are expanded
+  std::optional<Alarm> why_;  // the reason why lines are expanded next
   bool varies_ = false;
   int deep_ = 0;
   int stage_ = 0;

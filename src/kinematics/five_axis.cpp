@@ -10,21 +10,22 @@ namespace kadr {
 namespace {
 
 constexpr double turn = 360;
-constexpr double singular = 1e-6;  // difference of unit vectors below which a direction counts as parallel to a rotary axis (nct 25a 5.1)
-constexpr double tie = 1e-4;       // degrees: angles that differ by less count as equal (nct 25g 3)
+// Two unit vectors whose difference is less count as parallel: the tool direction and a rotary axis (nct 25a 5.1)
+constexpr double singular = 1e-6;
+constexpr double tie = 1e-4;  // two angles that differ by less than this number of degrees count as equal (nct 25g 3)
 
 double degrees(double radians) { return radians / rad_per_deg; }
 
-/// Returns the equivalent angle in [-180, 180].
+/// Returns the equivalent of the angle in [-180, 180] degrees.
 double within_turn(double angle) { return std::remainder(angle, turn); }
 
-/// Returns the equivalent angle in (-180, 180]; a value that is just above -180 through rounding becomes 180.
+/// Returns the equivalent angle in (-180, 180]. A value that rounding has put just above -180 becomes 180.
 double plain(double angle) {
   const double a = within_turn(angle);
   return a <= -turn / 2 + 1e-9 ? a + turn : a;
 }
 
-/// The angles x, y in degrees for which Ma(x)·Mb(y)·v = w: Ma, Mb rotate about the unit vectors a, b (nct 25a 5.1).
+/// The angles x and y, in degrees, that solve Ma(x)·Mb(y)·v = w. Ma and Mb rotate about the unit vectors a and b (nct 25a 5.1).
 struct Angles {
   int count = 0;
   std::array<double, 2> x{}, y{};
@@ -55,7 +56,8 @@ Angles angles(Vec3 a, Vec3 b, Vec3 v, Vec3 w) {
   return found;
 }
 
-/// Returns the equivalent of `angle` within the joint's limits that is nearest to the present position; nullopt if none is within them.
+/// Returns the equivalent of `angle` that is nearest to the present position within the joint's limits; nullopt if the limits exclude all
+/// equivalents.
 std::optional<double> nearest(const RotaryJoint& joint, double angle, double present) {
   const double least = joint.least - tie, most = joint.most + tie;
   double best = present + within_turn(angle - present);
@@ -111,7 +113,7 @@ Vec3 FiveAxis::point_on_machine(RotaryPair at, Vec3 point, RotaryPair zero) cons
 Vec3 FiveAxis::point_in_part(RotaryPair at, Vec3 point, RotaryPair zero) const { return point_on_machine(zero, point, at); }
 
 RotarySolutions FiveAxis::solutions(Vec3 wanted, RotaryPair zero) const {
-  const Vec3 t = table_turn({}, zero) * wanted;  // the wanted direction in the part's orientation with the tables at 0
+  const Vec3 t = table_turn({}, zero) * wanted;  // the wanted direction in the orientation that the part has with the tables at 0
   RotarySolutions all;
   const auto take = [&](const Angles& found, bool x_is_first, double x_sign) {
     all.count = found.count;
@@ -136,8 +138,9 @@ std::optional<RotaryPair> FiveAxis::chosen(Vec3 wanted, RotaryPair present, Rota
   const RotarySolutions all = solutions(wanted, zero);
   struct Candidate {
     RotaryPair at;
-    std::array<double, 4> rank;  // results of the selection rules in their order; at the first difference, the smaller result wins
-    double primary;              // position of the primary axis before it is moved into its limits
+    // Results of the selection rules, in their order; the first result that differs decides: the smaller one wins
+    std::array<double, 4> rank;
+    double primary;  // position of the primary axis, not yet moved into its limits
   };
   std::optional<Candidate> best;
   const bool table_first = group == MachineGroup::head_table;
@@ -167,8 +170,8 @@ std::optional<RotaryPair> FiveAxis::chosen(Vec3 wanted, RotaryPair present, Rota
   return best->at;
 }
 
-/// While the axis that does not stay turns by t, the tool's direction moves on a circle p + cos(t) c + sin(t) s. The direction is nearest
-/// to the wanted direction w where tan(t) = s·w / c·w.
+/// One axis stays at its position. While the other axis turns by t, the tool's direction moves on the circle p + cos(t) c + sin(t) s. The
+/// direction is nearest to the wanted direction w at tan(t) = s·w / c·w.
 std::optional<FiveAxis::Kept> FiveAxis::kept(Vec3 wanted, RotaryPair present, RotaryPair zero) const {
   const bool first_stays = group == MachineGroup::head_head;
   const auto pair = [&](double other) { return first_stays ? RotaryPair{present.first, other} : RotaryPair{other, present.second}; };

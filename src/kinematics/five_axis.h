@@ -1,8 +1,8 @@
 #pragma once
 // FiveAxis: a machine with main axes X, Y, Z at right angles and two rotary axes: both in the head, both in the table, or one in each (NCT
-// 25.1, spec/nct/25a; N3200–N3224). Forward transformation: computes the tool's pose in the part from the axis positions. Inverse
-// transformation: computes in closed form all rotary positions that give a tool direction, and selects one of them (nct 25.11, spec/nct/25g
-// 3). Lengths in mm, angles in degrees; rotary positions are machine positions.
+// 25.1, spec/nct/25a; N3200–N3224). The forward transformation computes the tool's pose in the part from the axis positions. The inverse
+// transformation computes all rotary positions that give a tool direction, by a closed formula, and selects one of them (nct 25.11,
+// spec/nct/25g 3). Lengths in mm, angles in degrees; rotary positions are machine positions.
 
 #include <array>
 #include <cstdint>
@@ -16,9 +16,9 @@ namespace kadr {
 enum class MachineGroup : std::uint8_t { none, head_head, table_table, head_table };  // values of N3200
 
 struct RotaryJoint {
-  int axis = -1;            // index in the channel
+  int axis = -1;            // index of the axis in the channel
   Vec3 direction{0, 0, 1};  // unit vector along the axis of rotation, with both rotary axes at 0
-  double sense = 1;         // direction of positive rotation: 1 right-handed, -1 left-handed (parameters RD1, RD2)
+  double sense = 1;         // 1: positive rotation is right-handed about `direction`; -1: left-handed (parameters RD1, RD2)
   double least = -std::numeric_limits<double>::infinity();
   double most = std::numeric_limits<double>::infinity();
   friend bool operator==(const RotaryJoint&, const RotaryJoint&) = default;
@@ -30,36 +30,39 @@ struct RotaryPair {
   friend bool operator==(const RotaryPair&, const RotaryPair&) = default;
 };
 
-/// All rotary positions that give one direction of the tool.
+/// All pairs of rotary positions that give one direction of the tool.
 struct RotarySolutions {
-  int count = 0;  // number of valid elements of `pairs`; 0: the direction cannot be reached
+  int count = 0;  // number of valid elements of `pairs`; 0: no rotary positions give the direction
   std::array<RotaryPair, 2> pairs;
-  bool first_free = false;   // the direction is singular: it does not depend on the first axis, for which `pairs` contains 0
-  bool second_free = false;  // the same for the second axis
+  bool first_free = false;   // the direction is singular: the first axis does not change it; `pairs` contains 0 for that axis
+  bool second_free = false;  // the direction is singular in the same way for the second axis
 };
 
 struct FiveAxis {
   MachineGroup group = MachineGroup::none;
-  RotaryJoint first, second;  // the first carries the second; with head_table the first tilts the tool, the second rotates the part
-  Vec3 tool{0, 0, 1};         // k: unit vector from the tip into the tool, with both rotary axes at 0
-  Vec3 table;                 // T1: a point on the rotary axis of the table, or of the first table, machine coordinates
-  Vec3 second_table;          // T2: vector from T1 to a point on the rotary axis of the second table
-  Vec3 holder;                // E: vector from the gauge point to the head's rotary axis nearest to the tool
-  Vec3 head;                  // D: vector from the second rotary axis of the head to the first
+  // The first joint carries the second; with head_table, the first tilts the tool and the second rotates the part
+  RotaryJoint first, second;
+  Vec3 tool{0, 0, 1};  // k: unit vector from the tip towards the holder, with both rotary axes at 0
+  Vec3 table;          // T1: a point on the rotary axis of the table, or of the first table, machine coordinates
+  Vec3 second_table;   // T2: vector from T1 to a point on the rotary axis of the second table
+  Vec3 holder;         // E: vector from the gauge point to the rotary axis of the head that is nearest to the tool
+  Vec3 head;           // D: vector from the second rotary axis of the head to the first rotary axis
   friend bool operator==(const FiveAxis&, const FiveAxis&) = default;
 
   bool first_on_table() const { return group == MachineGroup::table_table; }
   bool second_on_table() const { return group == MachineGroup::table_table || group == MachineGroup::head_table; }
   bool has_table() const { return second_on_table(); }
   bool has_head() const { return group == MachineGroup::head_head || group == MachineGroup::head_table; }
-  Mat3 first_turn(double at) const { return Mat3::about(first.direction, first.sense * at); }     // rotation matrix R1
-  Mat3 second_turn(double at) const { return Mat3::about(second.direction, second.sense * at); }  // rotation matrix R2
+  // R1: rotation matrix of the first joint at this position
+  Mat3 first_turn(double at) const { return Mat3::about(first.direction, first.sense * at); }
+  // R2: rotation matrix of the second joint at this position
+  Mat3 second_turn(double at) const { return Mat3::about(second.direction, second.sense * at); }
 
-  /// Returns the rotation of the tool by the head's rotary axes.
+  /// Returns the rotation of the tool that the head's rotary axes cause.
   Mat3 head_turn(RotaryPair at) const;
-  /// Returns the rotation of the part by the table when it turns from `zero`, where the part was measured, to `at`.
+  /// Returns the rotation of the part when the table turns from `zero`, the position in which the part was measured, to `at`.
   Mat3 table_turn(RotaryPair at, RotaryPair zero) const;
-  /// Returns the tool's direction relative to the part, in the part's orientation at the rotary positions `zero` (nct 25a 5).
+  /// Returns the tool's direction relative to the part. The part has the orientation that the rotary positions `zero` give (nct 25a 5).
   Vec3 direction(RotaryPair at, RotaryPair zero = {}) const;
   /// Returns the vector from the tip to the control point. `length` is the tool length as a vector, with both rotary axes at 0 (nct 25.2;
   /// 25a 6.1).
@@ -69,25 +72,26 @@ struct FiveAxis {
   Vec3 point_on_machine(RotaryPair at, Vec3 point, RotaryPair zero = {}) const;
   Vec3 point_in_part(RotaryPair at, Vec3 point, RotaryPair zero = {}) const;
 
-  /// Returns the rotary positions within one revolution, (-180, 180], that give a direction of unit length (nct 25a 5.1).
+  /// Returns the rotary positions, each in (-180, 180], that give a direction of unit length (nct 25a 5.1).
   ///   law  direction(solutions(t).pairs[i]) == t
   RotarySolutions solutions(Vec3 direction, RotaryPair zero = {}) const;
   /// Returns the pair of rotary positions that the control selects when the rotary axes are at `present`. An axis whose position is free
   /// does not move; each other axis moves to the nearest equivalent position within its limits (nct 25g 3). INFERRED: if two pairs are
-  /// equal by all rules, the control selects the pair with a non-negative position of the primary axis.
-  ///   returns  nullopt if the direction cannot be reached
+  /// equal by all rules, the control selects the pair in which the primary axis is not negative.
+  ///   returns  nullopt if no rotary positions within the limits give the direction
   std::optional<RotaryPair> chosen(Vec3 direction, RotaryPair present, RotaryPair zero = {}) const;
-  /// For a direction near a singular one: the axis whose position is free in the singular direction stays at `present`, and the other axis
-  /// moves to where the tool is as close to `direction` as possible. The free axis is the second on table-table and head-table machines,
-  /// else the first.
-  ///   returns  the pair and the angle between its direction and `direction`, degrees; nullopt if the other axis would exceed its limits
+  /// The solution for a direction near a singular one. The axis whose position is free in the singular direction stays at `present`. The
+  /// other axis moves to the position in which the tool is as close to `direction` as possible. The free axis is the second one on
+  /// table-table and head-table machines, otherwise the first one.
+  ///   returns  the pair, and the angle in degrees between the direction of this pair and `direction`; nullopt if the other axis would
+  ///            exceed its limits
   struct Kept {
     RotaryPair at;
     double off = 0;
     bool first_stays = false;
   };
   std::optional<Kept> kept(Vec3 direction, RotaryPair present, RotaryPair zero = {}) const;
-  /// Returns the pair nearest to `present`, ignoring limits: the pair that continues a motion steadily from `present`.
+  /// Returns the pair nearest to `present` without regard to limits. With this pair, a motion continues steadily from `present`.
   std::optional<RotaryPair> continued(Vec3 direction, RotaryPair present, RotaryPair zero = {}) const;
 };
 

@@ -10,9 +10,10 @@
 namespace kadr {
 namespace {
 
-constexpr double parallel = 1e-9;  // radians: two directions with a smaller angle count as the same
-constexpr double at_pole = 1e-6;   // difference of unit vectors: a direction this close to the pole is singular (nct 25a 5.1)
-constexpr double just_off = 1e-5;  // share of a motion: a position closer to its end than this counts as the end
+constexpr double parallel = 1e-9;  // two directions whose angle is less than this number of radians count as the same
+// Two unit vectors that differ by less than this count as equal: a direction this close to the pole is singular (nct 25a 5.1)
+constexpr double at_pole = 1e-6;
+constexpr double just_off = 1e-5;  // fraction of a motion: a position closer to its end than this counts as the end
 
 double angle_between(Vec3 a, Vec3 b) { return std::atan2(length(cross(a, b)), dot(a, b)); }
 
@@ -30,7 +31,8 @@ Vec3 turned_towards(Vec3 from, Vec3 to, double part) {
   const double angle = angle_between(from, to);
   if (angle < parallel) return from;
   const double s = std::sin(angle);
-  if (s < parallel) return part < 1 ? from : to;  // two opposite directions define no plane in which to rotate
+  // Two opposite directions define no plane for the rotation, so the direction jumps at the end
+  if (s < parallel) return part < 1 ? from : to;
   return unit((std::sin((1 - part) * angle) / s) * from + (std::sin(part * angle) / s) * to);
 }
 
@@ -51,13 +53,14 @@ DirectionPath::DirectionPath(const FiveAxisTransform& space, RotaryPair start, V
     const bool upright_from = std::sin(inclination_from_) < at_pole, upright_to = std::sin(inclination_to_) < at_pole;
     angle_from_ = upright_from ? about(to) : about(from);
     const double end = upright_to ? angle_from_ : about(to);
-    const double sweep = cone_->sweep * rad_per_deg;  // the equivalent rotation that is nearest to the arc's swept angle
+    // Angle that the arc sweeps; turn_ becomes the equivalent rotation nearest to this angle
+    const double sweep = cone_->sweep * rad_per_deg;
     turn_ = upright_from && upright_to ? 0 : sweep + std::remainder(end - angle_from_ - sweep, 2 * pi);
     if (upright_from || upright_to) turn_ = 0;
   } else if (angle_ > parallel) {
     const Vec3 pole = machine_.group == MachineGroup::head_head ? machine_.first.direction
                                                                 : turned_back(machine_.table_turn({}, zero_), machine_.second.direction);
-    for (const Vec3 p : {pole, -1.0 * pole}) {  // finds out whether the pole (singular direction) is between the directions
+    for (const Vec3 p : {pole, -1.0 * pole}) {  // looks for the pole (singular direction) between the two directions
       const double before = angle_between(from_, p), behind = angle_between(p, to_);
       if (before + behind - angle_ > at_pole * at_pole * 10) continue;
       const double part = before / angle_;
@@ -65,7 +68,8 @@ DirectionPath::DirectionPath(const FiveAxisTransform& space, RotaryPair start, V
     }
   }
   const auto first = machine_.solutions(direction(0), zero_);
-  const double look = first.first_free || first.second_free ? just_off : 0;  // at a pole both solutions are equal: compares just after it
+  // At a pole the two solutions are equal, so a direction just after the pole is compared
+  const double look = first.first_free || first.second_free ? just_off : 0;
   const RotarySolutions then = machine_.solutions(direction(look), zero_);
   if (then.count == 2 && off(then.pairs[1], start_) < off(then.pairs[0], start_)) branch_ = 1;
 }
@@ -82,7 +86,8 @@ std::optional<RotaryPair> DirectionPath::on_branch(double part, RotaryPair near,
   RotaryPair pair = all.pairs[all.count == 2 ? static_cast<std::size_t>((branch_ + swaps) % 2) : 0];
   if (all.first_free) pair.first = start_.first;
   if (all.second_free) pair.second = start_.second;
-  if ((all.first_free || all.second_free) && !at_end && part > just_off)  // at a pole at the end: as just before the pole
+  // At a pole at the end, the free axis is where it was just before the pole
+  if ((all.first_free || all.second_free) && !at_end && part > just_off)
     if (const auto before = on_branch(part - just_off, near, swaps, true); before) {
       if (all.first_free) pair.first = before->first;
       if (all.second_free) pair.second = before->second;

@@ -28,8 +28,8 @@ RotaryPair FiveAxisTransform::rotary(const Axes& machine) const {
   return {of(d_.machine.first.axis), of(d_.machine.second.axis)};
 }
 
-/// Returns the machine positions that correspond to programmed rotary positions, the nearest of all solutions (nct 25l, INFERRED). They
-/// differ if the basic rotation tilts the tool along with the part.
+/// Returns the machine positions for programmed rotary positions, the nearest of all solutions (nct 25l, INFERRED). Machine and programmed
+/// positions differ if the basic rotation tilts the tool together with the part.
 RotaryPair FiveAxisTransform::leaned(RotaryPair machine) const {
   if (!d_.corrects) return machine;
   return d_.machine.continued(d_.basic * d_.machine.direction(machine, d_.measured), machine, d_.measured).value_or(machine);
@@ -40,13 +40,14 @@ RotaryPair FiveAxisTransform::untilted(RotaryPair machine) const {
   return d_.machine.continued(turned_back(d_.basic, d_.machine.direction(machine, d_.measured)), machine, d_.measured).value_or(machine);
 }
 
-/// Returns the machine position of the work origin when the table, which carries it, is at `at` (nct 25.4; spec/nct/25d). The origin was
-/// measured with the table at `measured`.
+/// Returns the machine position of the work origin when the table, which moves the origin, is at `at` (nct 25.4; spec/nct/25d). The origin
+/// was measured with the table at `measured`.
 Vec3 FiveAxisTransform::origin_at(RotaryPair at) const { return d_.machine.point_on_machine(at, d_.zero, d_.measured); }
 
 Vec3 FiveAxisTransform::tool_at(RotaryPair at) const { return d_.follows_head ? d_.machine.length_vector(at, d_.length) : d_.length; }
 
-/// Returns the machine position of a point. `from_zero` is the vector from the work origin to the point, with the basic rotation applied.
+/// Returns the machine position of a point. `from_zero` is the vector from the work origin to the point, and includes the basic rotation
+/// already.
 Vec3 FiveAxisTransform::on_machine(RotaryPair at, Vec3 from_zero) const {
   if (d_.follows_table) return d_.machine.point_on_machine(at, d_.zero + from_zero, d_.measured);
   return (d_.moves_origin ? origin_at(at) : d_.zero) + from_zero;
@@ -96,7 +97,7 @@ Axes FiveAxisTransform::in_system(const Axes& work) const {
   return system;
 }
 
-/// Returns the physical pose: the head tilts the tool length and the table rotates the part, whichever codes are active.
+/// Returns the physical pose: the head tilts the tool length and the table rotates the part, independent of the codes in force.
 Pose FiveAxisTransform::pose(const Axes& machine) const {
   const RotaryPair at = rotary(machine);
   const Vec3 tip = main_of(machine) - d_.machine.length_vector(at, d_.length);

@@ -1,6 +1,6 @@
 #pragma once
-// FiveAxisTransform: converts between a channel's work coordinates, the part and the machine when the programming frame is rotated in space
-// (G68.1, G68.2) or rotary axes carry the tool or the part (NCT 25). It also reports which axes move along with programmed ones
+// FiveAxisTransform: converts between work coordinates, the part and the machine, if the programming frame is rotated in space (G68.1,
+// G68.2) or if rotary axes carry the tool or the part (NCT 25). It also reports which axes move along with the programmed axes
 // (spec/nct/25a 6.3). The machine position m of a programmed point p is
 //   m = point_on_machine(W + B·(v0 + R·(S + p))) + V     with those terms only that the active codes require.
 // V is the vector from the tip to the control point. FiveAxisTransformData below defines the other symbols.
@@ -12,25 +12,26 @@
 
 namespace kadr {
 
-/// Everything that defines a FiveAxisTransform. Equal data define equal transformations.
+/// The data that define a FiveAxisTransform. Two transforms with equal data are equal.
 struct FiveAxisTransformData {
   FiveAxis machine;
   std::array<std::int8_t, 3> main{0, 1, 2};  // indices of the axes X, Y, Z in the channel; -1: the axis is missing
-  Vec3 zero;                                 // W: work origin, machine coordinates, with the shift that was active before the frame was set
-  RotaryPair measured;                       // positions of the tables when W was measured; 0 for a rotary axis of the head (nct 25a 7)
-  Mat3 basic;                                // B: basic rotation of the work system (nct 10.2.3, 25l)
-  Mat3 frame;                                // R: rotation by G68.1, G68.2
-  Vec3 frame_origin;                         // v0: origin of the frame
-  Vec3 shift;                                // S: shift by G52, G92 since the frame was set
-  Vec3 length;                               // vector of the tool length from the tip, with both rotary axes at 0
+  Vec3 zero;            // W: work origin, machine coordinates, with the shift that was in force before the frame was set
+  RotaryPair measured;  // positions of the tables when W was measured; 0 for a rotary axis of the head (nct 25a 7)
+  Mat3 basic;           // B: basic rotation of the work system (nct 10.2.3, 25l)
+  Mat3 frame;           // R: rotation of the programming frame by G68.1, G68.2
+  Vec3 frame_origin;    // v0: origin of the programming frame
+  Vec3 shift;           // S: shift by G52, G92 since the frame was set
+  Vec3 length;          // vector of the tool length, from the tip, with both rotary axes at 0
   bool has_frame = false;
-  bool follows_table = false;       // the work origin and the axis directions rotate with the table
-  bool moves_origin = false;        // only the work origin rotates with the table (G54.2)
-  bool follows_head = false;        // the vector of the tool length tilts with the head
-  bool controls_tip = false;        // tool centre point control: the tip follows the path at every point of a motion (G43.4)
-  bool keeps_linear = false;        // X, Y, Z stay unchanged in a motion that programs only rotary axes (N3212 FOS)
-  bool corrects = false;            // the basic rotation tilts the tool too (N3212 BSE), because both rotary axes have been positioned
-  std::optional<RotaryPair> fixed;  // rotary positions to compute with instead of the actual ones (G53.1)
+  bool follows_table = false;  // the work origin and the axis directions rotate with the table
+  bool moves_origin = false;   // only the work origin, not the axis directions, rotates with the table (G54.2)
+  bool follows_head = false;   // the vector of the tool length tilts with the head
+  bool controls_tip = false;   // tool centre point control: the tip follows the path at every point of a motion (G43.4)
+  bool keeps_linear = false;   // X, Y, Z do not move in a motion that programs only rotary axes (N3212 FOS)
+  bool corrects = false;       // the basic rotation tilts the tool too (N3212 BSE), because both rotary axes have been positioned
+  // Rotary positions that the computation uses instead of the actual positions (G53.1); nullopt: the actual ones
+  std::optional<RotaryPair> fixed;
   friend bool operator==(const FiveAxisTransformData&, const FiveAxisTransformData&) = default;
 };
 
@@ -53,20 +54,21 @@ class FiveAxisTransform final : public WorkTransform {
   double arm(const Axes& machine) const override;
   AxisMask rotary_axes() const override { return bit(d_.machine.first.axis) | bit(d_.machine.second.axis); }
 
-  /// in_system() converts a point from the programming frame to the work system; in_frame() is the inverse.
+  /// in_system() converts a point from the programming frame to the work system. in_frame() is the inverse of in_system().
   Vec3 in_system(Vec3 programmed) const { return d_.frame_origin + d_.frame * (d_.shift + programmed); }
   Vec3 in_frame(Vec3 system) const { return turned_back(d_.frame, system - d_.frame_origin) - d_.shift; }
-  /// Returns the rotation from the programming frame to machine directions; nullopt if it depends on the positions of the rotary axes.
+  /// Returns the rotation from the programming frame to the directions of the machine axes; nullopt if it depends on the rotary axes'
+  /// positions.
   std::optional<Mat3> turn() const;
-  /// length_now() returns the vector from the tip to the control point, in machine directions, at these axis positions. origin_now()
-  /// returns the origin of the work system at these positions, in machine coordinates.
+  /// length_now() returns the vector from the tip to the control point in machine directions, for the given axis positions. origin_now()
+  /// returns the origin of the work system in machine coordinates, for the same axis positions.
   Vec3 length_now(const Axes& machine) const { return tool_at(d_.fixed.value_or(rotary(machine))); }
   Vec3 origin_now(const Axes& machine) const {
     return d_.moves_origin || d_.follows_table ? origin_at(d_.fixed.value_or(rotary(machine))) : d_.zero;
   }
   /// Returns the machine positions of the two rotary axes.
   RotaryPair rotary(const Axes& machine) const;
-  /// Returns the tool's direction in the work system at programmed rotary positions (nct 25l).
+  /// Returns the tool's direction in the work system that programmed rotary positions give (nct 25l).
   Vec3 direction_of(RotaryPair programmed) const { return d_.machine.direction(programmed, d_.measured); }
 
  private:

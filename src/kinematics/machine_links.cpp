@@ -1,4 +1,4 @@
-// Computes the poses of a machine's links and bounds of their motion. Used by stock/bodies; tested by
+// Computes the poses of a machine's links, and upper bounds of the links' motion. Used by stock/bodies; tested by
 // tests/kinematics/machine_links_test.cpp.
 
 #include "kinematics/machine_links.h"
@@ -14,8 +14,9 @@ MachineLinks::MachineLinks(const MachineTree& tree) : links_(1) {
   part_ = tree.part().empty() ? bed : links_.size() - 1;
 }
 
-/// Adds the links of a chain. For a linear axis that carries the part, the machine file gives the direction in which the tool moves as seen
-/// from the part, so the part itself moves in the opposite direction. For a rotary axis, the file gives the rotation of the part itself.
+/// Adds the links of a chain. For a linear axis that carries the part, the machine file states the direction in which the tool moves as
+/// seen from the part, so the part itself moves in the opposite direction. For a rotary axis, the file states the rotation of the part
+/// itself.
 void MachineLinks::add(const std::vector<MachineJoint>& chain, bool of_part) {
   std::size_t carrier = bed;
   for (const MachineJoint& joint : chain) {
@@ -48,9 +49,9 @@ void MachineLinks::poses(const Axes& axes, std::vector<LinkPose>& poses) const {
   }
 }
 
-/// Adds up the motions of the axes, from the body towards the bed. A linear axis moves all points alike. A rotary axis moves a point by at
-/// most the angle times the point's distance from the axis. This distance is at most the distance at the start plus the motion of the point
-/// by the axes nearer to the body.
+/// Adds up the motions of the axes, from the body towards the bed. A linear axis moves all points by the same vector. A rotary axis moves a
+/// point by at most the angle times the point's distance from the axis. This distance is at most the distance at the start plus the motion
+/// of the point by the axes nearer to the body.
 Travel MachineLinks::travel(std::size_t link, std::size_t from, const BodyBall& body, const std::vector<LinkPose>& poses,
                             const Axes& by) const {
   Travel travel;
@@ -73,7 +74,8 @@ Travel MachineLinks::travel(std::size_t link, std::size_t from, const BodyBall& 
 }
 
 std::size_t MachineLinks::carrier(std::size_t a, std::size_t b) const {
-  while (a != b) (a > b ? a : b) = links_[a > b ? a : b].carried_by;  // a link has a greater number than the link that carries it
+  // Each link has a greater number than the link that carries it, so the greater number moves towards the bed
+  while (a != b) (a > b ? a : b) = links_[a > b ? a : b].carried_by;
   return a;
 }
 

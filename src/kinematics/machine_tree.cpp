@@ -11,9 +11,9 @@
 namespace kadr {
 namespace {
 
-constexpr double same_way = 1e-11;  // greatest difference of unit vectors that count as equal
+constexpr double same_way = 1e-11;  // two unit vectors that differ by less than this count as equal
 
-/// Returns the angle or distance by which the joint moves at an axis position: the position, with the opposite sign for a reversed joint.
+/// Returns the angle or distance by which the joint moves: the axis position, with the opposite sign for a reversed joint.
 double signed_way(const MachineJoint& joint, double position) { return joint.moves.reversed ? -position : position; }
 
 /// Solves m·v = b for v by Cramer's rule. Returns nullopt if m is singular: its determinant is at most `least`.
@@ -71,8 +71,8 @@ Pose MachineTree::forward(const Axes& axes, double tool_length) const {
     if (joint->moves.turns) turn(joint->moves, position(*joint, axes));
     else at.tip = at.tip + position(*joint, axes) * joint->moves.direction;
   }
-  // As seen from the part, a rotary joint that carries the part turns the tool in the opposite sense. The direction of a linear joint is
-  // that of the tool already.
+  // As seen from the part, a rotary joint that carries the part turns the tool in the opposite sense. For a linear joint, the machine file
+  // already states the direction of the tool.
   for (const MachineJoint& joint : part_) {
     if (joint.moves.turns) turn(joint.moves, -position(joint, axes));
     else at.tip = at.tip + position(joint, axes) * joint.moves.direction;
@@ -88,7 +88,8 @@ std::vector<const MachineJoint*> MachineTree::joints(bool rotary) const {
   return all;
 }
 
-/// Returns a FiveAxis that gives the same tool directions as this machine with two rotary axes. Linear axes do not influence directions.
+/// Returns a FiveAxis that gives the same tool directions as this machine with two rotary axes. Linear axes are omitted, because they do
+/// not influence directions.
 FiveAxis MachineTree::directions(const std::vector<const MachineJoint*>& rotary) const {
   const auto on_tool = std::count_if(tool_.begin(), tool_.end(), [](const MachineJoint& j) { return j.moves.turns; });
   FiveAxis five;
@@ -102,12 +103,12 @@ FiveAxis MachineTree::directions(const std::vector<const MachineJoint*>& rotary)
   return five;
 }
 
-/// Turns the tool to the direction with any number of rotary axes: damped Gauss-Newton steps, each the smallest change of the axis
-/// positions that gives the wanted change of direction.
+/// Turns the tool to the wanted direction with any number of rotary axes. It iterates damped Gauss-Newton steps; each step is the smallest
+/// change of the axis positions that gives the missing change of direction.
 bool MachineTree::turn_by_steps(Vec3 wanted, Axes& axes) const {
   const std::vector<const MachineJoint*> rotary = joints(true);
   constexpr int max_steps = 100;
-  constexpr double probe = 1e-4;  // degrees: step of the numerical derivative
+  constexpr double probe = 1e-4;  // step of the axis position, degrees, for the numerical derivative
   for (int step = 0; step < max_steps; ++step) {
     const Vec3 now = direction(axes), missing = wanted - now;
     if (length(missing) < same_way) return true;
@@ -148,7 +149,7 @@ bool MachineTree::turn_to(Vec3 wanted, Axes& axes) const {
     return true;
   }
   const Axes start = axes;
-  // Degrees from the present position: starting positions of the iteration, which are tried until one converges
+  // Starting positions of the iteration, in degrees from the present position. They are tried in this order until the iteration converges.
   constexpr double starts[] = {0, 40, -40, 85, -85, 130, -130, 175};
   for (const double first : starts)
     for (std::size_t which = 0; which < rotary.size(); ++which) {
@@ -162,7 +163,8 @@ bool MachineTree::turn_to(Vec3 wanted, Axes& axes) const {
   return false;
 }
 
-/// Moves the tip to `tip` by the smallest change of the linear axes. The tip's position is a linear function of these axes' positions.
+/// Moves the tip to `tip` by the smallest change of the linear axes. The position of the tip is a linear function of the positions of these
+/// axes.
 bool MachineTree::move_to(Vec3 tip, Axes& axes, double tool_length) const {
   const Vec3 here = forward(axes, tool_length).tip;
   std::vector<const MachineJoint*> linear = joints(false);

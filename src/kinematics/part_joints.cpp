@@ -4,8 +4,8 @@
 
 namespace kadr {
 
-/// In the machine file, the `direction` of a linear joint is the direction in which the tool moves as seen from the part (AxisJoint), so
-/// the part moves in the opposite direction.
+/// The `direction` of a linear joint in the machine file is the direction in which the tool moves as seen from the part (AxisJoint). The
+/// result has the opposite direction, in which the part moves.
 std::vector<PartJoint> part_joints(const MachineTree& tree) {
   std::vector<PartJoint> joints;
   for (const MachineJoint& joint : tree.part()) {

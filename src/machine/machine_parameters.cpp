@@ -1,4 +1,4 @@
-// Reads the parameters that the machine itself obeys (nct 4.1.1, 22). Used by machine/zones.
+// Reads the parameters that the machine itself obeys (nct 4.1.1, 22): safety zones, in-position windows. Used by machine/zones.
 
 #include "machine/machine_parameters.h"
 

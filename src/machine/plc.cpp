@@ -16,7 +16,7 @@ namespace {
 using When = SetupEvent::When;
 using Do = SetupEvent::Do;
 
-/// A code that the control reports to the machine, as the program has it: M3, T5, S1200, B90.
+/// A code that the control reports to the machine, spelled as in the program: M3, T5, S1200, B90.
 struct Code {
   char letter = 0;
   double number = 0;
@@ -55,7 +55,7 @@ double answer_value(const std::string& answer) {
   return 0;
 }
 
-/// Returns false for codes that the control executes itself, without reporting them to the machine's logic.
+/// Returns false for a code that the control executes itself, without reporting it to the machine's logic.
 bool is_seen(const std::string& code, bool control_reports_ends) {
   constexpr std::string_view letters = "MSTABCUVW";
   if (letters.find(code[0]) == std::string_view::npos) return false;

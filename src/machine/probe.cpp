@@ -1,4 +1,5 @@
-// Computes where a touch probe triggers on a straight path. Used by machine/virtual_machine; tested by tests/machine/probe_test.cpp.
+// Computes the point of a straight path at which a touch probe triggers. Used by machine/virtual_machine; tested by
+// tests/machine/probe_test.cpp.
 
 #include "machine/probe.h"
 
@@ -11,21 +12,21 @@ namespace kadr {
 namespace {
 
 constexpr int max_rim_steps = 10'000;
-constexpr double rim_reached = 1e-10;  // mm; the search along the path stops when the ball is this close to the hole's top edge
+constexpr double rim_reached = 1e-10;  // distance of the ball from the top edge of the hole, mm, at which the search along the path stops
 
-/// The path of the centre of the probe's ball. The origin is on the axis of the hole, at the top face.
+/// The path of the centre of the probe's ball. The origin of its coordinates is on the axis of the hole, at the top face.
 struct Way {
   Vec3 from;
   Vec3 along;     // vector from start to end
-  double hole;    // radius of the hole
-  double tip;     // radius of the probe's ball
-  double bottom;  // Z of the hole's bottom, negative
+  double hole;    // radius of the hole, mm
+  double tip;     // radius of the probe's ball, mm
+  double bottom;  // Z of the hole's bottom, mm, negative
 
   Vec3 at(double part) const { return from + part * along; }
   static double off_axis(Vec3 p) { return std::hypot(p.x, p.y); }
 };
 
-/// Returns the distance of a point from the workpiece, negative inside it.
+/// Returns the distance in mm between a point and the workpiece; negative if the point is inside the workpiece.
 double clearance(const Way& way, Vec3 p) {
   const double rho = Way::off_axis(p);
   if (p.z >= 0 && rho >= way.hole) return p.z;
@@ -34,7 +35,7 @@ double clearance(const Way& way, Vec3 p) {
   return std::min(way.hole - rho, p.z - way.bottom);
 }
 
-/// Returns the share of the path at which the ball's centre descends to `level`.
+/// Returns the fraction (0 to 1) of the path at which the ball's centre descends to `level`; nullopt if it does not.
 std::optional<double> down_to(const Way& way, double level) {
   if (!(way.along.z < 0)) return std::nullopt;
   const double part = (level - way.from.z) / way.along.z;
@@ -51,8 +52,8 @@ std::optional<double> bottom_face(const Way& way) {
   return part && Way::off_axis(way.at(*part)) <= way.hole - way.tip + tol::same_point ? part : std::nullopt;
 }
 
-/// Returns the share of the path at which the ball (radius r) touches the wall of the hole (radius R). There, the ball's centre leaves the
-/// cylinder of radius R − r: the share is the greater root of |from + part·along|² = (R − r)² in the XY plane.
+/// Returns the fraction (0 to 1) of the path at which the ball (radius r) touches the wall of the hole (radius R). At this point the ball's
+/// centre leaves the cylinder of radius R − r: the fraction is the greater root of |from + part·along|² = (R − r)² in the XY plane.
 std::optional<double> wall(const Way& way) {
   const double reach = way.hole - way.tip;
   const Vec2 from{way.from.x, way.from.y}, along{way.along.x, way.along.y};
@@ -63,14 +64,15 @@ std::optional<double> wall(const Way& way) {
   const double root_sq = b * b - a * c;
   if (root_sq < 0) return std::nullopt;
   const double root = std::sqrt(root_sq);
-  const double part = b > 0 ? -c / (b + root) : (root - b) / a;  // of two equivalent formulas, the one without cancellation of digits
+  // Of two equivalent formulas, the code uses the one without cancellation of digits
+  const double part = b > 0 ? -c / (b + root) : (root - b) / a;
   if (!(part >= -tol::same_point / std::sqrt(a) && part <= 1)) return std::nullopt;
   const double z = way.at(part).z;
   return z <= 0 && z > way.bottom ? std::optional(std::max(part, 0.0)) : std::nullopt;
 }
 
-/// Returns the share of the path at which the ball touches the rim, the top edge of the hole. Each step of the search advances by the
-/// ball's distance from the rim, so the search cannot pass the rim.
+/// Returns the fraction (0 to 1) of the path at which the ball touches the rim, the top edge of the hole. Each step of the search advances
+/// by the ball's distance from the rim, so the search cannot miss the rim.
 std::optional<double> rim(const Way& way) {
   const double whole = length(way.along);
   double gone = 0;

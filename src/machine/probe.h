@@ -1,6 +1,6 @@
 #pragma once
-// Computes where a touch probe triggers on a straight path: at switch positions from the set-up, or at a solid workpiece with one
-// drilled hole.
+// Computes the point of a straight path at which a touch probe triggers: at switch positions from the set-up, or at a solid workpiece with
+// one drilled hole.
 //
 //        top ─────┐   r  ┌─────     The centre of the probe's ball (radius r) is, when the ball touches:
 //                 │ ╭──╮ │            the top face: at top + r; the wall: at distance R − r from the axis of the hole (radius R);
@@ -18,17 +18,18 @@
 
 namespace kadr {
 
-/// Returns the share (0 to 1) of the path at which the probe's ball first touches the workpiece; nullopt if it does not touch.
-/// A ball that starts inside the material touches at 0. A ball that starts in contact and moves away does not touch.
+/// Returns the fraction (0 to 1) of the path at which the probe's ball first touches the workpiece; nullopt if the ball does not touch the
+/// workpiece. A ball that starts inside the material touches at 0. A ball that starts in contact and moves away does not touch.
 std::optional<double> first_touch(const ProbeHole& hole, Vec3 from, Vec3 to);
 
 class Probe {
  public:
   Probe(const std::vector<std::string>& axes, const AxisRoles& roles, const Setup& setup);
 
-  /// Returns where a straight path in work coordinates touches a switch or the workpiece; the end of the path if nothing is touched.
-  ///   input  which switches count: 1 to 8 those of this probe input, 98 (probing by torque) none, 0 all. INFERRED: the workpiece counts
-  ///          for every input
+  /// Returns the answer for a straight path in work coordinates: the point at which the ball touches a switch or the workpiece; the end of
+  /// the path if it touches nothing.
+  ///   input  number of the probe input: with 1 to 8 only the switches of this input trigger, with 98 (probing by torque) no switch, with 0
+  ///          all. INFERRED: the workpiece triggers with every number
   ProbeAnswer meet(const Axes& from, const Axes& to, int input = 0) const;
 
  private:

@@ -25,7 +25,8 @@ std::optional<Rendezvous::Met> Rendezvous::next() {
       met.at = std::max(met.at, w.at);
     }
     if (missing != 0) continue;
-    for (const std::uint8_t channel : met.channels) leave(channel);  // ends the wait; this invalidates the iterator `first`
+    // Ends the wait of the channel; this makes the iterator `first` invalid
+    for (const std::uint8_t channel : met.channels) leave(channel);
     return met;
   }
   return std::nullopt;

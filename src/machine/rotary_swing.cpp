@@ -7,9 +7,9 @@
 namespace kadr {
 namespace {
 
-constexpr double stands = 1e-6;  // mm; a tip with a shorter path counts as not moving
+constexpr double stands = 1e-6;  // a tip whose path is shorter than this number of mm counts as not moving
 
-/// Returns the rotary axis that turns farthest in the step, and its rotation.
+/// Returns the rotary axis that turns farthest in the step, and the angle by which it turns.
 RotarySwing farthest_of(const Step& step, const Motion& motion) {
   RotarySwing found;
   for (AxisMask left = step.from.space->rotary_axes(); left != 0; left &= left - 1) {

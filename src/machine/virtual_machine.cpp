@@ -15,14 +15,14 @@
 namespace kadr {
 namespace {
 
-/// A value of ±1e300 in AxisProfile means that there is no limit.
+/// Returns false if both values are ±1e300, which means in AxisProfile that there is no limit.
 bool is_limit(double least, double most) {
   constexpr double none = 1e299;
   return least > -none || most < none;
 }
 
-/// Returns the distance by which the axis stays away from its commanded position: from the set-up's entry for the axis, else from the
-/// entry for all axes.
+/// Returns the distance by which the axis remains away from its commanded position. The set-up's entry for the axis takes precedence over
+/// its entry for all axes.
 double position_error(const Setup& setup, const std::string& axis) {
   for (const std::string& name : {axis, std::string("*")})
     if (const auto found = setup.machine.find(name); found != setup.machine.end()) return found->second.position_error;
@@ -59,8 +59,8 @@ void VirtualMachine::obey_parameters(const Setup& setup) {
   }
 }
 
-/// Checks a gantry axis, which two drives move (nct 20.6). INFERRED: the parameter for the limit has no number in the manual, so the set-up
-/// gives the limit. The positions of the two drives differ, at every position, by the difference of their position errors in the set-up.
+/// Checks a gantry axis, which two drives move (nct 20.6). INFERRED: the manual gives no number for the parameter of the limit, so the
+/// set-up states the limit. The positions of the two drives always differ by the difference of their position errors in the set-up.
 void VirtualMachine::watch_gantry(const Setup& setup, std::size_t axis, std::size_t master) {
   const auto found = setup.machine.find(names_[axis]);
   if (found == setup.machine.end() || !found->second.apart || apart_) return;
@@ -128,7 +128,8 @@ Status VirtualMachine::take(const Action& action) {
 }
 
 VirtualMachine::Outcome VirtualMachine::take(ActionBatch& batch, Follows follows, const OnTouch& on_touch) {
-  const std::size_t of_before = compression_.take(batch, position_.work, follows == Follows::nothing);  // joins short motions (path/smooth)
+  // Number of actions from earlier blocks; take() joins short motions (path/smooth)
+  const std::size_t of_before = compression_.take(batch, position_.work, follows == Follows::nothing);
   ToolPosition before = position_;
   Outcome outcome;
   for (Action& action : batch) {
@@ -146,7 +147,7 @@ VirtualMachine::Outcome VirtualMachine::take(ActionBatch& batch, Follows follows
   }
   if (!outcome.refused) return outcome;
   if (outcome.done >= of_before) position_ = before;
-  outcome.done = std::min(outcome.done, of_before);  // actions from earlier blocks that were executed remain executed
+  outcome.done = std::min(outcome.done, of_before);  // executed actions of earlier blocks remain executed
   compression_.drop();
   return outcome;
 }
@@ -170,7 +171,8 @@ Status VirtualMachine::in_position() const {
   return fail(alarm(AlarmId::position_error, {}, std::string_view(names_[static_cast<std::size_t>(__builtin_ctz(missing_))])));
 }
 
-/// Replaces the end position of an axis that follows another channel by the axis' present position, which the control may not know yet.
+/// Replaces the end position of an axis that follows another channel by the axis' present position. The control may not know the present
+/// position yet.
 void VirtualMachine::leave_hung(Motion& motion) const {
   for (std::size_t i = 0; i < roles_.count; ++i) {
     if ((hung_ >> i & 1U) == 0) continue;

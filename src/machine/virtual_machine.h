@@ -1,5 +1,5 @@
 #pragma once
-// VirtualMachine: moves the axes as the actions demand, checks axis limits and zones, and computes what probe motions touch.
+// VirtualMachine: moves the axes as the actions demand, checks axis limits and zones, and computes where probe motions end.
 
 #include <functional>
 #include <optional>
@@ -16,73 +16,73 @@ namespace kadr {
 
 class VirtualMachine {
  public:
-  /// `start` is the position of the tool before the first action, as Control::ending() returns it then.
+  /// Creates the machine. `start` is the position of the tool before the first action, as Control::ending() returns it at that time.
   VirtualMachine(const std::vector<std::string>& axes, AxisMask rotary, const MachineProfile& profile, const Setup& setup,
                  const ToolPosition& start);
 
-  /// Sets the limits, in machine coordinates, of an axis for which neither the set-up nor the machine file gives limits.
+  /// Sets the limits of an axis, in machine coordinates. For an axis whose limits neither the set-up nor the machine file states.
   void limit(std::size_t axis, double least, double most);
 
-  /// Turns this into the machine of an NCT control, whose parameters define zones and in-position windows (nct 4.1.1, 22).
+  /// Makes this object a machine with an NCT control, whose parameters define zones and in-position windows (nct 4.1.1, 22).
   void obey_parameters(const Setup& setup);
 
   using OnTouch = std::function<void(const ProbeAnswer&)>;
   enum class Follows : std::uint8_t { more, nothing };
 
-  /// The outcome of a batch.
+  /// What happened to the actions of a batch.
   struct Outcome {
     std::size_t done = 0;        // number of actions of the batch that have been executed
-    bool refused = false;        // true if an action was refused: no action of its block is executed
-    std::optional<Alarm> alarm;  // alarm of the refused action, or alarm that axes did not reach their position
+    bool refused = false;        // true if an action was refused; then no action of the same block counts as executed
+    std::optional<Alarm> alarm;  // alarm of the refused action, or alarm that the axes did not reach their position
     Origin origin;               // block of the action that caused the alarm
   };
 
-  /// Executes a batch up to the first alarm. Short motions are joined (Compression), and some of them may be kept for the next batch. A
-  /// probe motion ends where it touches something.
+  /// Executes a batch up to the first alarm. Short motions are joined (Compression); some of them may be stored until the next batch. A
+  /// probe motion ends at the point where the probe touches something.
   ///   on_touch  receives the answer to each executed probe motion
   ///   alarms    those of take(const Action&) and in_position()
   Outcome take(ActionBatch& batch, Follows follows, const OnTouch& on_touch);
 
-  /// Executes one action; a probe motion ends where it touches something.
+  /// Executes one action. A probe motion ends at the point where the probe touches something.
   ///   alarms    those of take(const Action&); with N1001#2 CBM also for the path that the probe motion would travel without a signal
   Status execute(Action& action, const OnTouch& on_touch);
 
-  /// Executes an action as it is.
+  /// Executes an action unchanged: a probe motion goes to its programmed end.
   ///   alarms  limit_exceeded (axis, position, limit), also if only the extreme of a curved path exceeds the limit, or the alarms of
   ///           Zones; after an alarm nothing has moved
   ///   law     an axis that is already beyond a limit may move back towards the permitted range
   Status take(const Action& action);
 
-  /// Checks that the axes have reached their position after the last motion, if that motion requests the check.
+  /// Checks that the axes have reached their positions after the last motion, if that motion requests the check.
   ///   alarms  gantry_apart (axis, difference, limit), after any motion (nct 20.6); position_error (axis), if an axis that moved stays
   ///           farther from its commanded position than N0516 (INFERRED)
   ///   manual  NCT 4.1.1, 6.3
   Status in_position() const;
 
-  /// Returns where a straight probe motion from the present position touches something.
+  /// Returns the point at which a straight probe motion from the present position touches something.
   ProbeAnswer probe(const Motion& motion) const;
 
   /// Returns true if this machine may refuse a motion, or may stop the program after a motion.
   bool has_limits() const;
 
   const ToolPosition& position() const { return position_; }
-  /// Restores an earlier position: the actions executed since then count as not executed.
+  /// Restores an earlier position. The actions executed since that position count as not executed.
   void go_back(const ToolPosition& to) { position_ = to; }
   const AxisRoles& roles() const { return roles_; }
 
   // ---- axes that follow axes of other channels (nct 20.2, 20.3)
 
-  /// Makes the axis follow an axis of another channel, or ends this (`on` false). As long as the axis follows, motions of this channel do
-  /// not move it.
+  /// Makes the axis follow an axis of another channel, or ends this (`on` false). While the axis follows, motions of this channel do not
+  /// move it.
   void hang(std::size_t axis, bool on) { hung_ = on ? hung_ | AxisMask{1} << axis : hung_ & ~(AxisMask{1} << axis); }
-  /// Moves the axes `moved`, which follow axes of another channel, and the axes of this channel that follow these axes, to the given work
-  /// and machine coordinates.
+  /// Moves the axes `moved`, which follow axes of another channel, to the given work and machine coordinates. Axes of this channel that
+  /// follow the axes `moved` move too.
   ///   alarms  those of take(); after an alarm nothing has moved
   Status follow(const Axes& work, const Axes& machine, AxisMask moved);
   /// Exchanges an axis with an axis of another channel's machine: each axis keeps its name, its limits and its position.
   void exchange(std::size_t axis, VirtualMachine& with, std::size_t other);
 
-  /// The state that one batch leaves for the next.
+  /// The state that the next batch needs from this one.
   struct Memory {
     ToolPosition position;
     AxisMask missing = 0;
@@ -110,18 +110,18 @@ class VirtualMachine {
   AxisMask limited_ = 0;  // axes that have limits
   std::optional<Zones> zones_;
   AxisMask hung_ = 0;
-  AxisMask never_in_position_ = 0;  // axes whose position error is greater than permitted
+  AxisMask never_in_position_ = 0;  // axes whose position error in the set-up exceeds the permitted error
   AxisMask missing_ = 0;            // axes that did not reach their position in the last motion
-  std::optional<Alarm> apart_;      // alarm if the positions of the two drives of a gantry axis differ by more than permitted
-  AxisMask gantry_ = 0;             // the gantry axis of apart_ and its master
+  std::optional<Alarm> apart_;      // alarm that the two drives of a gantry axis are farther apart than permitted
+  AxisMask gantry_ = 0;             // the gantry axis that apart_ is about, and its master
   bool gantry_moved_ = false;       // the last motion moved a gantry axis
   Probe probe_;
   Compression compression_;
   ToolPosition position_;
 };
 
-/// Shortens a probe motion so that it ends where the probe gave its signal. `turn` is the rotation of the frame in which the motion is
-/// programmed.
+/// Shortens a probe motion so that it ends at the point where the probe triggered. `turn` is the rotation of the frame in which the motion
+/// is programmed.
 void end_at(Motion& motion, const ProbeAnswer& answer, const FrameTurn* turn = nullptr);
 
 }  // namespace kadr

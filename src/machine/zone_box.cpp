@@ -1,4 +1,4 @@
-// Finds where a motion first meets a box in machine coordinates. Used by machine/zones.
+// Finds the point at which a motion first meets a box in machine coordinates. Used by machine/zones.
 
 #include "machine/zone_box.h"
 
@@ -7,8 +7,8 @@
 namespace kadr {
 namespace {
 
-/// Returns the share of a straight path at which the path enters the box. For each axis, the path is between the two faces of the box over
-/// some range of shares; the path is in the box over the intersection of these ranges.
+/// Returns the fraction (0 to 1) of a straight path at which the path enters the box. For each axis, the path is between two faces of the
+/// box over a range of fractions; the path is in the box over the intersection of these ranges.
 std::optional<double> line_meets(const ZoneBox& box, const Axes& from, const Axes& to) {
   double enters = 0, leaves = 1;
   for (std::size_t i = 0; i < max_axes; ++i) {

@@ -1,5 +1,5 @@
 #pragma once
-// ZoneBox: a box in machine coordinates, and the search for where a motion first enters the box.
+// ZoneBox: a box in machine coordinates, and the search for the point at which a motion first enters the box.
 
 #include <optional>
 
@@ -7,7 +7,7 @@
 
 namespace kadr {
 
-/// The faces belong to the box. The box is unlimited along axes that are not in `axes`; it is empty if a `least` exceeds its `most`.
+/// A box whose faces belong to it. The box is unlimited along axes that are not in `axes`, and empty if a `least` exceeds its `most`.
 struct ZoneBox {
   AxisMask axes = 0;
   Axes least{};
@@ -17,18 +17,19 @@ struct ZoneBox {
   bool empty() const;
   bool holds(const Axes& point) const;
 
-  /// Returns true if this box and `box`, which limits all axes, have no common point.
+  /// Returns true if this box and the box `box`, which limits all axes, have no common point.
   bool apart(const Extents& box) const;
 
-  /// Returns this box with all faces moved outwards by `margin`, mm or degrees.
+  /// Returns a copy of this box with all faces moved outwards by `margin`, mm or degrees.
   ZoneBox grown(double margin) const;
 };
 
-/// Returns the share of the path at which the path first meets the box; nullopt if it stays outside.
+/// Returns the fraction (0 to 1) of the path at which the path first meets the box; nullopt if the path stays outside.
 ///   law  exact to the rounding error for a straight path; for any other path the point is at most MachinePath::closeness away from the box
 std::optional<double> first_meeting(const ZoneBox& box, const MachinePath& path);
 
-/// Returns the share of the path at which one axis first exceeds (`above`) or falls below (`below`) a value; nullopt if it never does.
+/// Returns the fraction (0 to 1) of the path at which one axis first exceeds a value (`above`) or falls below it (`below`); nullopt if the
+/// axis never does.
 enum class Side : std::uint8_t { above, below };
 std::optional<double> first_passing(const MachinePath& path, std::size_t axis, double value, Side side);
 

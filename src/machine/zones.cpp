@@ -11,14 +11,14 @@
 namespace kadr {
 namespace {
 
-/// Returns zone 3 of the axis from the set-up: the entry for the axis, else the entry for all axes.
+/// Returns the limits of zone 3 for the axis from the set-up. The entry for the axis takes precedence over the entry for all axes.
 std::optional<std::pair<double, double>> zone3_of(const Setup& setup, const std::string& axis) {
   for (const std::string& name : {axis, std::string("*")})
     if (const auto found = setup.machine.find(name); found != setup.machine.end() && found->second.zone3) return found->second.zone3;
   return std::nullopt;
 }
 
-/// Returns the positions of the axis' limit switches from the set-up: the entry for the axis, else the entry for all axes.
+/// Returns the positions of the axis' limit switches from the set-up. The entry for the axis takes precedence over the entry for all axes.
 std::optional<std::pair<double, double>> switches_of(const Setup& setup, const std::string& axis) {
   for (const std::string& name : {axis, std::string("*")})
     if (const auto found = setup.machine.find(name); found != setup.machine.end() && found->second.switches) return found->second.switches;
@@ -30,8 +30,8 @@ bool is_signal(const Setup& setup, const char* name) {
   return found != setup.signals.end() && found->second != 0;
 }
 
-/// Returns true if `part` is earlier on the path than `other` by more than the rounding error. So if several limits are reached at once,
-/// the first one in the order of axes and zones is reported.
+/// Returns true if the fraction `part` of the path is less than `other` by more than the rounding error. So if the path reaches several
+/// limits at once, the first limit in the order of axes and zones is reported.
 bool is_before(double part, double other) {
   constexpr double same = 1e-9;
   return part < other - same;
@@ -119,7 +119,7 @@ Status Zones::before_start(const MachinePath& path, const Axes& end) const {
   KADR_TRY(end_within(ends_, end, {AlarmId::zone1_positive, AlarmId::zone1_negative}));
   if (outside2()) {
     KADR_TRY(end_within(zone2_.box, end, {AlarmId::zone2_positive, AlarmId::zone2_negative}));
-    if (zone2_.nothing_allowed) {  // the box is one point, which is forbidden too; INFERRED: the alarm names the first axis
+    if (zone2_.nothing_allowed) {  // the box is a single point, which is forbidden too; INFERRED: the alarm names the first axis
       const auto axis = static_cast<std::size_t>(__builtin_ctz(zone2_.box.axes));
       return fail(alarm(AlarmId::zone2_positive, {}, std::string_view(names_[axis])));
     }
@@ -131,7 +131,7 @@ Status Zones::before_start(const MachinePath& path, const Axes& end) const {
   return {};
 }
 
-/// Finds the first limit of the box that an axis exceeds in an outward motion; `first` is updated if this limit is met earlier.
+/// Finds the first limit of the box that an axis exceeds in an outward motion. Updates `first` if the path meets this limit earlier.
 void Zones::limits_reached(const MachinePath& path, const ZoneBox& box, Ids ids, Reached& first) const {
   const auto bounds = [&](std::size_t i) {
     const double start = path.start()[i];
@@ -156,8 +156,8 @@ void Zones::limits_reached(const MachinePath& path, const ZoneBox& box, Ids ids,
   }
 }
 
-/// Finds the zone that the motion meets first (nct 22.1 to 22.3). With N1001#2 CBM, only the limits remain to be checked, and only for
-/// curves.
+/// Finds the zone that the motion meets first (nct 22.1 to 22.3). With N1001#2 CBM, before_start() has checked the zones, and only the
+/// limit switches and, for curves, the limits remain to be checked.
 Status Zones::on_the_way(const MachinePath& path) const {
   Reached first;
   limits_reached(path, switches_, {AlarmId::switch_positive, AlarmId::switch_negative}, first);

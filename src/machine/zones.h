@@ -8,8 +8,8 @@
 //
 // With CBM (N1001 #2) the control checks a motion before it starts: first the end point, then whether the path crosses a zone that is
 // forbidden inside. Without CBM, and for a curve whose middle exceeds a limit, the motion runs until it meets a zone, and the alarm names
-// the zone that it meets first. Boundaries (INFERRED except for zone 3): the limit value itself is permitted; a zone 2 that is forbidden
-// inside starts just within its faces, so a zone 2 without depth forbids nothing (nct 22.2: X = I, P0); zone 3 includes its faces (nct
+// the first zone that it meets. Boundaries are INFERRED except for zone 3. The limit value itself is permitted. A zone 2 that is forbidden
+// inside starts just within its faces, so a zone 2 without depth forbids nothing (nct 22.2: X = I, P0). Zone 3 includes its faces (nct
 // 22.3). For a rotary axis that rolls over, limits apply to the end of the motion only.
 
 #include <string>
@@ -25,20 +25,20 @@ namespace kadr {
 
 class Zones {
  public:
-  /// `ends` gives the end positions of the axes, which limit zone 1.
+  /// Creates the zones. `ends` states the end positions of the axes, which limit zone 1.
   Zones(const std::vector<std::string>& names, const AxisRoles& roles, const Extents& ends, const Setup& setup);
 
-  /// Applies G22 or G23. A change marked `of_parameters` changes the parameters of zone 2; if it names no axes, it switches the check
-  /// before the motion on or off (N1001 #2 CBM).
+  /// Applies G22 or G23. A change marked `of_parameters` sets the parameters of zone 2. If the change names no axes, it switches the check
+  /// before a motion on or off (N1001 #2 CBM).
   void change(const ZoneChange& zone);
 
   /// Exchanges an axis with an axis of another channel (nct 20.3): each axis keeps its name, its end positions and its limit switches.
   void exchange(std::size_t axis, Zones& with, std::size_t other);
 
-  /// Suspends or resumes the check of zone 2 or 3, at a signal of the machine's logic (CP_LIM2DIS, CP_LIM3DIS; 22.2, 22.3).
+  /// Suspends or resumes the check of zone 2 or 3 when a signal of the machine's logic changes (CP_LIM2DIS, CP_LIM3DIS; 22.2, 22.3).
   void suspend(int zone, bool on) { (zone == 2 ? suspended2_ : suspended3_) = on; }
 
-  /// Returns true if end positions, limit switches, zone 2 or zone 3 are active, so that a motion may be refused.
+  /// Returns true if end positions, limit switches, zone 2 or zone 3 are active. The machine may refuse a motion only in this case.
   bool in_force() const { return ends_.axes != 0 || switches_.axes != 0 || zone2_.on || zone3_.axes != 0; }
   bool checks_before() const { return checks_before_; }
 
@@ -68,11 +68,12 @@ class Zones {
     bool nothing_allowed = false;  // true after G22 with X = I, Y = J, Z = K and P1 (nct 22.2): the axes must not move
     ZoneBox box;
   };
-  /// The two alarm ids for the positive and the negative side of a limit.
+  /// The alarm ids for a limit: one for its positive side, one for its negative side.
   struct Ids {
     AlarmId positive, negative;
   };
-  /// The first limit or zone that a motion meets. `part` is the share of the motion before it; 2 if the motion meets none.
+  /// The first limit or zone that a motion meets. `part` is the fraction (0 to 1) of the motion before the limit; 2 if the motion meets
+  /// none.
   struct Reached {
     double part = 2;
     Alarm alarm;
@@ -96,7 +97,7 @@ class Zones {
   bool suspended2_ = false, suspended3_ = false;
 };
 
-/// The state of the zones that a program can change.
+/// The part of the zones' state that a program can change.
 struct Zones::Memory {
   Zone2 zone2, of_parameters;
   bool checks_before = false;

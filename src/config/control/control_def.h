@@ -1,6 +1,6 @@
 #pragma once
-// ControlDef: a control as its file describes it, with a row for every code, address, group, cycle, variable (docs/architecture.md, "A
-// control is a file"). Rows refer to each other by index. The strings are for people and are not read while a program runs.
+// ControlDef: a control as its file describes it, with a row for every code, address, group, cycle and variable (docs/architecture.md, "A
+// control is a file"). Rows refer to each other by index. The texts are for people and are not used while a program runs.
 
 #include <algorithm>
 #include <array>
@@ -26,26 +26,26 @@ struct Text {
 
 /// One G or M code.
 struct CodeRow {
-  std::string code;  // the code as it is printed: "G43.4"
+  std::string code;  // the code as messages print it: "G43.4"
   char letter = 'G';
-  std::int32_t tenth = 0;  // ten times the code's number, see base/code_literals
+  std::int32_t tenth = 0;  // number of the code times ten, see base/code_literals
   Function function = Function::count;
   Phase phase = Phase::none;
   int arg = 0;
-  std::uint8_t group = 0;          // index in ControlDef::groups; 0: no group, any number of such codes per block
-  bool modal = false;              // the code stays in force, because its group is modal
-  bool own_block = false;          // the code must be alone in its block, except for the words that the code uses (`takes`)
+  std::uint8_t group = 0;          // index in ControlDef::groups; 0: no group, so a block may have any number of such codes
+  bool modal = false;              // true if the code stays in force until another code of its group; its group is modal
+  bool own_block = false;          // the code must be alone in its block, apart from the words that it uses (`takes`)
   bool needs_axis = false;         // the block must have at least one axis word
-  std::uint64_t takes = 0;         // letter mask of the words that the code uses
-  std::uint64_t needs = 0;         // letter mask of the words that the block must have
-  std::vector<std::int32_t> with;  // codes of the same group, in tenths, that may be in the same block as this code (M7 and M8)
+  std::uint64_t takes = 0;         // letters (one bit each) of the words that the code uses
+  std::uint64_t needs = 0;         // letters (one bit each) of the words that the block must have
+  std::vector<std::int32_t> with;  // codes of the same group, in tenths, that the same block may have (M7 with M8)
   Text text;
   std::string manual;
   std::uint16_t cycle = 0;      // index in ControlDef::cycles plus 1; 0: the code calls no cycle
-  bool takes_all_axes = false;  // the file has `*` in `takes`: the code uses every axis word of the channel
+  bool takes_all_axes = false;  // the file has `*` in `takes`, which means that the code uses every axis word of the channel
   bool works = true;            // Kadr implements the code
   bool in_part = false;         // Kadr implements only a part of the code; the notes say what is missing
-  bool told = false;            // the control executes the code itself and reports it to the machine (nct 13.1)
+  bool told = false;            // the control reports the code to the machine although it executes the code itself (nct 13.1)
 };
 
 enum class WordUnit : std::uint8_t { none, length, angle };
@@ -53,24 +53,24 @@ enum class WordUnit : std::uint8_t { none, length, angle };
 /// One address.
 struct AddressRow {
   char letter = 0;
-  Function function = Function::count;  // count: the control has no such address
+  Function function = Function::count;  // function of the address; Function::count: the control has no such address
   Phase phase = Phase::none;
-  std::uint8_t axis = 0;    // index of an axis in ControlDef::axes, only for the functions `axis` and `center`
-  std::uint8_t number = 0;  // number of the spindle, or of the auxiliary function (1 to 3), that the address is for
+  std::uint8_t axis = 0;    // only for the functions `axis` and `center`: index of the axis in ControlDef::axes
+  std::uint8_t number = 0;  // number of the spindle or of the auxiliary function (1 to 3) that the word commands
   WordUnit unit = WordUnit::none;
-  double scale = 1;       // factor from the word's value to mm, degrees, s, …
+  double scale = 1;       // factor that converts the word's value to mm, degrees, s, …
   bool whole = false;     // the value must be a whole number
   double least = -1e300;  // a value outside least…most raises value_out_of_range
   double most = 1e300;
   Text text;
   std::string manual;
-  std::string format;  // number format as written in the file, for people
+  std::string format;  // number format as the file states it, for people
 };
 
 struct GroupRow {
   std::string name;
   bool modal = true;
-  std::int32_t power_on = -1;  // row of the group's code that is in force at power-on; -1: none
+  std::int32_t power_on = -1;  // row of the group's code that is in force at power-on; -1: no code is
   Text text;
 };
 
@@ -87,29 +87,30 @@ enum class CycleStep : std::uint8_t {
   orient,
   stop,
   peck_full,
-  peck_break,  // like peck_full, but retracts only a little between the passes
+  peck_break,  // like peck_full, but the tool retracts only a little between the pecks
   shift_out,
   shift_back,
-  feed_face,            // G87: moves out by I, J in the plane and back, and feeds up to K
-  passes_by_parameter,  // L83 of the 2С42: R1, R2, R3 give the levels of the passes
+  feed_face,            // G87: moves by I, J in the plane and back, and feeds up to K
+  passes_by_parameter,  // L83 of the 2С42: R1, R2, R3 set the depths of the pecks
   count
 };
 
 std::string_view name_of(CycleStep step);
 
 struct CycleRow {
-  std::string name;                              // "G81", "L81"
-  std::uint32_t call_number = 0;                 // number after L: 81 for L81; 0: the cycle is called by its code
-  std::vector<CycleStep> steps;                  // steps of the cycle; empty if the cycle has a `body`
-  std::string body;                              // program of the cycle in the control's own language; empty if the cycle has `steps`
-  std::string printed;                           // for a cycle of steps: the program that the manual prints for it, for people
-  std::vector<std::pair<char, int>> parameters;  // for a permanent subprogram: which word sets which formal parameter
-  std::uint64_t needs = 0;                       // letter mask of words that must be given in the block or be modal
-  // Words of `needs` (R, Q) that the manual's own example omits: if they are missing, the alarm is only a warning
+  std::string name;               // name of the cycle: "G81", "L81"
+  std::uint32_t call_number = 0;  // number after L in the call: 81 for L81; 0: the cycle is called by its code
+  std::vector<CycleStep> steps;   // steps of the cycle; empty if the cycle has a `body`
+  std::string body;               // program of the cycle in the control's own language; empty if the cycle has `steps`
+  std::string printed;            // only for a cycle of steps: the program that the manual prints for the cycle, for people
+  // For a permanent subprogram: address letter of a word, and number of the formal parameter that it sets
+  std::vector<std::pair<char, int>> parameters;
+  std::uint64_t needs = 0;  // letters (one bit each) of words that the block must state or that must be modal
+  // Words of `needs` (R, Q) that the manual's own example omits. If they are missing, Kadr reports a warning instead of an alarm.
   std::uint64_t left_out = 0;
   bool needs_spindle_cw = false;
   bool needs_spindle = false;
-  bool needs_override_off = false;  // the overrides must be off (G23): L84 of the 2С42
+  bool needs_override_off = false;  // the overrides must be switched off (G23): L84 of the 2С42
   Text text;
   std::string manual;
 };
@@ -141,7 +142,8 @@ enum class VariableKind : std::uint8_t {
       count
 };
 
-/// The first of the numbers that a program cannot write: bits of a variable, and variables that have only a symbol.
+/// The first of the variable numbers that a program cannot contain. Kadr gives them to bits of a variable, and to variables that have only
+/// a symbol.
 inline constexpr std::uint32_t first_unwritten_variable = 1'000'000;
 
 /// A range of numbers of a system variable: `count` numbers starting at `from`, repeated `repeat` times at intervals of `stride`.
@@ -157,11 +159,12 @@ inline bool is_clock(VariableKind kind) {
 }
 struct VariableRow {
   VariableKind kind = VariableKind::free;
-  std::vector<VariableRange> ranges;  // the variable's numbers: first the short ones, then the long ones; `symbol` means the last range
-  std::string symbol;                 // "ABSIO" for #_ABSIO[n]; for a family (#_WZP7[n]) "WZP"
-  std::uint32_t first_index = 1;      // index n (of #_ABSIO[n]) of the variable's first number
-  int arg = 0;   // distinguishes variables of the same kind; the head of [[variables]] in controls/nct.toml explains the values
-  int bit = -1;  // bit number, if the row is one bit of the variable `of`; -1: the row is a whole variable
+  // Numbers of the variable: first the short ones, then the long ones; `symbol` refers to the last range
+  std::vector<VariableRange> ranges;
+  std::string symbol;             // name without #_ and index: "ABSIO" for #_ABSIO[n]; for a family (#_WZP7[n]) "WZP"
+  std::uint32_t first_index = 1;  // index n (of #_ABSIO[n]) that belongs to the variable's first number
+  int arg = 0;   // distinguishes variables of the same kind; comments at [[variables]] in controls/nct.toml explain the values
+  int bit = -1;  // number of the bit if the row is one bit of the variable `of`; -1: the row is a whole variable
   std::uint32_t of = 0;
   bool read = true, write = true;
   bool works = true;  // Kadr implements the variable
@@ -175,168 +178,170 @@ enum class ParameterClass : std::uint8_t { run_time, restart, emergency };
 
 /// A parameter of the control (nct 24).
 struct ParameterRow {
-  std::string name;  // "0107"; "CLRG" if the manual gives no number
+  std::string name;  // number as text: "0107"; "CLRG" if the manual gives no number
   std::int32_t number = -1;
   ParameterScope scope = ParameterScope::channel;
   ParameterType type = ParameterType::real;
   ParameterClass when = ParameterClass::run_time;
   double least = -1e300, most = 1e300;
   double initial = 0;
-  std::vector<std::string> bits;  // names of the bits, by bit number; "": unknown; a name whose bit number is unknown follows the eighth
-  bool used = false;              // the parameter has an effect in Kadr
-  // Names under which the engine uses the parameter ("1500", "1300#7", "calculator"); for bits, one name per bit
+  // Names of the bits, by bit number; "": unknown name; from the ninth on, names whose bit number is unknown
+  std::vector<std::string> bits;
+  bool used = false;  // the parameter has an effect in Kadr
+  // Names under which the engine uses the parameter ("1500", "1300#7", "calculator"). A parameter of bits has one name per bit.
   std::vector<std::string> means;
   Text text;  // name and meaning of the parameter; `en` begins with the manual's own name
   std::string manual;
 };
 
-/// What I J K of an arc mean. incremental: the centre relative to the start point. as_distance: the centre, absolute after G90, incremental
-/// after G91; for the third axis, the word is the lead of a helix (2С42 6.6.4, 6.6.6). by_code: the centre, absolute after G90.1,
-/// incremental after G91.1.
+/// How I J K give the centre of an arc. incremental: relative to the start point. as_distance: absolute after G90, incremental after G91;
+/// the word of the third axis is the lead of a helix (2С42 6.6.4, 6.6.6). by_code: absolute after G90.1, incremental after G91.1.
 enum class ArcCenters : std::uint8_t { incremental, as_distance, by_code };
-/// How R of an arc is read. none: R is no word of an arc. alone: R may be given instead of I J K. before_centre: R may also be in a block
-/// with I J K, which R then overrides (spec/fanuc 3.2).
+/// How a block gives the radius R of an arc. none: R is no word of an arc. alone: R may replace I J K. before_centre: R may also be in a
+/// block with I J K, and then takes precedence (spec/fanuc 3.2).
 enum class ArcRadius : std::uint8_t { none, alone, before_centre };
 enum class LengthOffset : std::uint8_t { at_once, next_motion };
-/// Where the first motion after G41, G42 ends. normal: on the normal at the start of the next block. tangent: the tool touches the line to
-/// the first point (Mach3). queued: the motion is held back until the next motion determines its end (LinuxCNC:
+/// Where the first motion after G41, G42 ends. normal: on the normal at the start of the next block. tangent: where the tool touches the
+/// line to the programmed point (Mach3). queued: the motion waits until the next motion determines its end (LinuxCNC:
 /// path/compensation/queued_compensation).
 enum class CompensationEntry : std::uint8_t { normal, tangent, queued };
-/// The unit of P in a dwell: s; ms; or ms if P has no decimal point, else s (spec/haas 4.1).
+/// The unit of P in a dwell: s; ms; or ms if P has no decimal point and s if it has one (spec/haas 4.1).
 enum class DwellUnit : std::uint8_t { seconds, milliseconds, milliseconds_without_point };
-/// Where the later of two words for the same thing takes effect. nowhere: two such words are an alarm. arguments: among the arguments of a
-/// macro call (spec/fanuc 9.3), except G, L, N, O, P, which are no arguments. everywhere: also for addresses and codes of a group
-/// (spec/fanuc 1.2, 2.1).
+/// Where a block may have two words of one address, of which the later takes effect. nowhere: two such words are an alarm. arguments: among
+/// the arguments of a macro call (spec/fanuc 9.3), except G, L, N, O, P, which are no arguments. everywhere: also for other addresses, and
+/// for codes of one group (spec/fanuc 1.2, 2.1).
 enum class LaterWord : std::uint8_t { nowhere, arguments, everywhere };
-/// What the words of a drilling cycle mean. shift_by_ijk: I J K are the shift of G76, G87; I of G85, G89 and of tapping is a percentage;
-/// R alone drills nothing (nct 18). shift_by_q: Q is the shift, a parameter gives its direction, and R alone drills (spec/fanuc 10.1,
-/// 10.5). pecks_by_ijk: like shift_by_q, and I J K of G73, G83 are the first cut, the reduction of each further cut, and the least cut
-/// (spec/haas 8.3).
+/// The meaning of words in a drilling cycle. shift_by_ijk: I J K are the shift of G76, G87; I of G85, G89 and of tapping is a percentage; a
+/// block with R alone does not drill (nct 18). shift_by_q: Q is the shift, a parameter gives its direction, and a block with R alone drills
+/// (spec/fanuc 10.1, 10.5). pecks_by_ijk: like shift_by_q; in addition, I J K of G73, G83 are the first peck, the reduction of each further
+/// peck, and the least peck (spec/haas 8.3).
 enum class CycleWords : std::uint8_t { shift_by_ijk, shift_by_q, pecks_by_ijk };
 
-/// How the engine's functions behave where controls differ.
+/// Behaviour of the engine's functions in which controls differ.
 struct Behaviour {
   ArcCenters arc_centers = ArcCenters::incremental;
   ArcRadius arc_radius_word = ArcRadius::none;
-  double arc_radius_difference = 0.01;  // mm by which an arc's radii at start and end may differ
-  double arc_difference_inch = 0;       // the same limit, also in mm, while the unit is inch (G20); 0: arc_radius_difference applies
-  // If an arc's radius changes, its angle advances evenly (nct 4.3); else the length of its path does
+  double arc_radius_difference = 0.01;  // greatest difference of an arc's radii at start and end, mm
+  double arc_difference_inch = 0;       // the same limit, in mm, for programs in inches (G20); 0: arc_radius_difference applies
+  // True: on an arc with changing radius, the angle advances evenly (nct 4.3). False: the length of its path advances evenly.
   bool arc_angle_even = false;
   LengthOffset length_offset = LengthOffset::next_motion;
   CompensationEntry compensation_entry = CompensationEntry::normal;
-  // In a rapid, each axis moves at its own rate; for a control without a parameter for this (config/machine/rapid_path.h)
+  // In a rapid, each axis moves at its own rate. Used if the control has no parameter that decides this (config/machine/rapid_path.h).
   bool rapids_apart = false;
-  bool feed_required = true;  // a feed motion before any F is an alarm; if false, a warning (F0 is always an alarm)
+  bool feed_required = true;  // a feed motion before any F word is an alarm; if false, a warning (F0 is always an alarm)
   double result_most = 0;     // greatest absolute value that may be assigned to a variable (spec/fanuc 5.3); 0: no limit
-  // Values of the machine. If the control has a parameter table that contains them (under the name in `as`), the table takes precedence,
-  // and the set-up over the table (config/machine/machine_axes).
-  double feed_most = 0;                // mm/min, greatest feed; 0: no limit
-  double reference_feed = 2000;        // mm/min, feed of G25 of the 2С42
-  double return_chip_break = 1;        // mm, distance that G73 retracts to break the chip
-  double return_near = 1;              // mm above the previous bottom of the hole at which G83 ends its rapid
-  double probe_least_distance = 0;     // mm
-  double probe_retract = 0;            // mm, distance to retract along the path after the probe has touched (Mach3 10.7.12.1)
-  bool probe_in_inverse_time = false;  // Grbl: in G93, F of G38 is the time of the whole path
-  bool speed_needs_direction = false;  // 2С42: S without M3 or M4 does not change the speed
-  bool skip_asks = false;              // the set-up may say that the operator is asked before a block is skipped (spec/gost 2)
-  bool tool_and_corrector = false;     // T0404: if T has more than two digits, the last two are the offset number
-  bool end_required = false;           // a program without M2 or M30 gets a warning
-  bool ends_reading = true;            // nothing after the end of the program is read (GOST)
+  // Values of the machine. If the control has a parameter for a value (named in `as` of its table), the parameter takes precedence; a value
+  // of the set-up takes precedence over both (config/machine/machine_axes).
+  double feed_most = 0;                // greatest feed, mm/min; 0: no limit
+  double reference_feed = 2000;        // feed of G25 of the 2С42, mm/min
+  double return_chip_break = 1;        // distance by which G73 retracts to break the chip, mm
+  double return_near = 1;              // distance above the previous bottom of the hole at which the rapid of G83 ends, mm
+  double probe_least_distance = 0;     // least distance of a probe motion, mm
+  double probe_retract = 0;            // distance by which the probe retracts along its path after contact, mm (Mach3 10.7.12.1)
+  bool probe_in_inverse_time = false;  // Grbl: under G93, F of G38 is the time of the whole path
+  bool speed_needs_direction = false;  // 2С42: S in a block without M3 or M4 does not change the speed
+  bool skip_asks = false;              // the set-up may state that the control asks the operator before it skips a block (spec/gost 2)
+  bool tool_and_corrector = false;     // T0404: if T has more than two digits, its last two digits are the offset number
+  bool end_required = false;           // Kadr warns if a program has no M2 or M30
+  bool ends_reading = true;            // the control reads nothing after the end of the program (GOST)
   bool delayed_assignment = false;     // Mach3: an assignment takes effect after its block: in `#1=5 X#1`, X is the old #1
-  bool feed_of_axis = false;           // F right after an axis word, followed by more axis words, is the feed of that axis (GOST 20999-83)
-  bool label_is_number = false;        // O0001 right after % is the program number (spec/gost 1)
-  // Differences between controls with custom macros (spec/fanuc).
+  bool feed_of_axis = false;     // F directly after an axis word, and before further axis words, is the feed of that axis (GOST 20999-83)
+  bool label_is_number = false;  // O0001 directly after % is the program number (spec/gost 1)
+  // The members from here on concern controls with custom macros (spec/fanuc).
   LaterWord later_word_counts = LaterWord::nowhere;
   CycleWords cycle_words = CycleWords::shift_by_ijk;
-  // With milliseconds, the dwell words X and U are still in s, and G4 alone is an exact stop (spec/fanuc 4.1)
+  // The unit of P in a dwell. If it is not s, the dwell words X and U are still in s, and G4 alone is an exact stop (spec/fanuc 4.1).
   DwellUnit dwell_unit = DwellUnit::seconds;
-  // In any plane, cycles drill along Z and G43 acts on Z, unless a parameter decides otherwise (spec/fanuc 7.1, 10.1)
+  // In every plane, cycles drill along Z and G43 acts on Z, unless a parameter selects another axis (spec/fanuc 7.1, 10.1).
   bool tool_along_third = false;
-  bool repeats_in_program_number = false;  // M98 P51002 calls O1002 five times (spec/fanuc 9.1)
-  bool machine_move_absolute = false;      // G53 in G91 is ignored (spec/fanuc 6.5)
-  bool repeats_by_k = false;               // the repeat count of a drilling cycle is K, else L (spec/fanuc 10.1)
-  bool reference_all_axes = false;         // G28 without axis words moves all axes straight to the reference point (spec/haas 5.1)
-  bool returns_to_own_block = false;       // M99 P goes to a block of the program that contains the M99 (spec/haas 3.3)
-  bool repeats_keep_locals = false;        // G65 L: the arguments are set for the first repeat only (spec/haas 3.4)
-  bool words_passed_over = false;          // a word that nothing in the block uses gets a warning instead of an alarm (spec/fanuc 1.2)
+  bool repeats_in_program_number = false;  // M98 P51002 calls O1002 five times: P contains repetitions and program number (spec/fanuc 9.1)
+  bool machine_move_absolute = false;      // G53 has no effect under G91 (spec/fanuc 6.5)
+  bool repeats_by_k = false;               // K is the repeat count of a drilling cycle; if false, L (spec/fanuc 10.1)
+  bool reference_all_axes = false;         // G28 without axis words moves all axes directly to the reference point (spec/haas 5.1)
+  bool returns_to_own_block = false;       // M99 P jumps to a block of the program that contains the M99 (spec/haas 3.3)
+  bool repeats_keep_locals = false;        // the arguments of G65 L are set for the first repetition only (spec/haas 3.4)
+  bool words_passed_over = false;          // a word that no code of the block uses gets a warning instead of an alarm (spec/fanuc 1.2)
   std::uint32_t alarm_base = 4000;         // #3000=n raises alarm number alarm_base + n (spec/fanuc 5.5)
   std::uint32_t call_depth = 16;
-  std::uint32_t program_digits = 1;    // digits of O in written programs and in names of files that a call looks for (spec/haas 1.1)
-  std::uint32_t m_codes_of_block = 8;  // greatest number of M codes in a block (nct 13.1, spec/fanuc 2.4, spec/haas 10)
+  std::uint32_t program_digits = 1;    // number of digits of O in written programs, and in names of called files (spec/haas 1.1)
+  std::uint32_t m_codes_of_block = 8;  // greatest number of M codes in one block (nct 13.1, spec/fanuc 2.4, spec/haas 10)
   std::uint32_t offsets = 99;          // highest offset number
   std::uint32_t fixtures = 6;
-  std::uint32_t further_systems = 99;  // highest P of G54.1 (nct 10.2.2, spec/fanuc 6.1)
+  std::uint32_t further_systems = 99;  // highest P of G54.1, the number of an additional work offset (nct 10.2.2, spec/fanuc 6.1)
 
-  /// Returns true if a helix has Z and a lead, and makes whole revolutions (2С42 6.6.6).
+  /// Returns true if a block for a helix states Z and a lead, and the helix makes whole revolutions (2С42 6.6.6).
   bool helix_by_lead() const { return arc_centers == ArcCenters::as_distance; }
   bool reads_arc_radius() const { return arc_radius_word != ArcRadius::none; }
   bool queues_compensation() const { return compensation_entry == CompensationEntry::queued; }
-  /// Returns true if Q, not I J K, gives the shift of G76 and G87, and R alone drills.
+  /// Returns true if Q, not I J K, is the shift of G76 and G87, and a block with R alone drills.
   bool shifts_by_q() const { return cycle_words != CycleWords::shift_by_ijk; }
 };
 inline constexpr std::uint32_t max_further_systems = 300;
 
 struct AlarmText {
-  std::string number;  // the control's own alarm number; may be empty
+  std::string number;  // alarm number of the control's manual; may be empty
   Text text;
   Text hint;
 };
 
-/// The part of the engine that does what no row of a control's file can express (`dialect = "…"`; control/dialect.h). iso: none is
-/// needed.
+/// The part of the engine for behaviour that no row of a control's file can express (`dialect = "…"`; control/dialect.h). iso: the control
+/// needs no such part.
 enum class DialectId : std::uint8_t { iso, s2c42, correctors, nct, linuxcnc, grbl, mach3 };
 inline constexpr std::array<std::string_view, 7> dialect_names = {"iso", "s2c42", "correctors", "nct", "linuxcnc", "grbl", "mach3"};
 
-/// An M function of the machine that has another code on another control's machine.
+/// An M function of the machine that has another code on the machine of another control.
 struct MachineCodeRow {
   std::uint32_t code = 0;
   std::string control;      // id of the other control; "*": all other controls
-  std::uint32_t there = 0;  // the M code on the other control
+  std::uint32_t there = 0;  // number of the M code on the other control
 };
 
 struct ControlDef {
   std::string id;
   std::vector<std::string> aliases;  // further names for --control: "haas-vf"
   Text name;
-  std::string spec;                  // the document with the control's rules
-  std::vector<std::string> lineage;  // ids of the controls that this control extends, such as "gost"
-  std::string descriptor;            // the format string of the control's words
+  std::string spec;                  // the document that describes the control
+  std::vector<std::string> lineage;  // ids of the controls that this control extends: "gost"
+  std::string descriptor;            // format string that describes the words of the control
   DialectId dialect = DialectId::iso;
   Grammar grammar;
   Behaviour behaviour;
   std::vector<std::string> axes;                      // names of the axes, in order
   std::uint32_t rotary = 0;                           // mask of rotary axes
   std::uint32_t diameter = 0;                         // mask of axes programmed as diameters
-  bool diameter_by_setup = false;                     // the set-up says which axes are diameters (spec/gost 5)
-  std::array<std::uint8_t, max_axes> axis_numbers{};  // number of each axis, counted from 1 across all channels of the control (nct 2.1)
+  bool diameter_by_setup = false;                     // the set-up states which axes are programmed as diameters (spec/gost 5)
+  std::array<std::uint8_t, max_axes> axis_numbers{};  // numbers of the axes, counted from 1 across all channels of the control (nct 2.1)
   std::uint8_t channel = 1;
-  std::vector<GroupRow> groups;  // groups of codes; groups[0] stands for "no group"
+  std::vector<GroupRow> groups;  // groups of codes; groups[0] is for codes without group
   std::vector<CodeRow> codes;    // rows of G and M codes, in the file's order
   std::array<AddressRow, max_addresses> addresses{};
   std::vector<CycleRow> cycles;
   std::vector<VariableRow> variables;
   std::vector<ParameterRow> parameters;
-  std::array<std::uint8_t, static_cast<std::size_t>(Phase::count)> order{};  // rank of each phase in the order of execution
+  std::array<std::uint8_t, static_cast<std::size_t>(Phase::count)> order{};  // position of each phase in the order of execution
   std::vector<Phase> order_list;
-  std::vector<std::int32_t> end_codes;        // rows of the codes that the end of the program puts in force
-  std::map<AlarmId, AlarmText> alarms;        // the alarms for which the control has a number or wording of its own
-  std::map<std::int32_t, double> feed_codes;  // F and S as codes, with their values (spec/gost 3); empty: F and S are direct values
+  std::vector<std::int32_t> end_codes;  // rows of the codes that are put in force at the end of the program
+  std::map<AlarmId, AlarmText> alarms;  // texts of the alarms for which the control has its own number or wording
+  // Values of F by code, for a control with coded feeds (spec/gost 3); empty: F is the feed itself
+  std::map<std::int32_t, double> feed_codes;
   std::map<std::int32_t, double> speed_codes;
-  std::vector<MachineCodeRow> machine_codes;  // [convert]
+  std::vector<MachineCodeRow> machine_codes;  // rows of [convert]
   WrittenLetters letters;                     // letters and encoding of programs that are written for this control
 
-  static constexpr std::int32_t max_tenths = 100'000;        // greatest code that may have a row, in tenths: G9999.9, M9999.9
-  static constexpr std::int32_t most_codes = 1'000'000'000;  // greatest code that may occur at all, in tenths: M99999999
-  // Row of a G code, indexed by ten times its number; -1: unknown code; ends at the last known code
+  static constexpr std::int32_t max_tenths = 100'000;        // greatest code, in tenths, for which a file may have a row: G9999.9, M9999.9
+  static constexpr std::int32_t most_codes = 1'000'000'000;  // greatest code, in tenths, that a program may contain: M99999999
+  // Index of each G code's row, by ten times the number of the code; -1: the control has no such code. The vector ends at the last known
+  // code.
   std::vector<std::int16_t> g_rows;
   std::vector<std::int16_t> m_rows;
-  std::int32_t m_user_from = -1;  // range of the M codes without a row of their own that go to the machine (free functions, macros M100…)
+  std::int32_t m_user_from = -1;  // range of the M codes without rows of their own that go to the machine (free functions, macros M100…)
   std::int32_t m_user_to = -1;
   std::int32_t m_user_row = -1;
 
   /// Returns true if the axes and their names depend on the machine and come from the set-up (nct 2).
   bool machine_axes() const { return dialect == DialectId::nct; }
-  /// Returns true if some variables are clocks.
+  /// Returns true if the control has variables that are clocks.
   bool has_clocks() const {
     return std::any_of(variables.begin(), variables.end(), [](const VariableRow& row) { return is_clock(row.kind); });
   }
@@ -344,29 +349,29 @@ struct ControlDef {
   bool reports_program_ends() const {
     return std::any_of(codes.begin(), codes.end(), [](const CodeRow& row) { return row.told; });
   }
-  /// Returns true if the control may raise this alarm: its file has a row for the alarm. Some checks run only then, see `[alarms]` in
-  /// docs/own-control.md.
+  /// Returns true if the control may raise this alarm, because its file has a row for it. Some checks are made only in this case, see
+  /// `[alarms]` in docs/own-control.md.
   bool gives(AlarmId which) const { return alarms.contains(which); }
-  /// Returns true if the engine uses some parameter of the control under this name (`as` of its row).
+  /// Returns true if the control has a parameter that the engine uses under this name (`as` of the parameter's row).
   bool has_parameter(std::string_view meaning) const {
     return std::any_of(parameters.begin(), parameters.end(),
                        [&](const ParameterRow& row) { return std::find(row.means.begin(), row.means.end(), meaning) != row.means.end(); });
   }
-  /// Returns true if subprograms are in sections of their own, with a work offset of their own (2С42 6.3.5, last section).
+  /// Returns true if subprograms are in a section of the program, with a work offset of its own (2С42 6.3.5, last section).
   bool has_sections() const { return grammar.section_address != 0; }
-  /// Returns true if the control has a common zero that shifts all work systems (nct 10.2.3). Otherwise #5201 and G10 L2 P0 mean G52
+  /// Returns true if the control has a common zero, which shifts all work systems (nct 10.2.3). Otherwise #5201 and G10 L2 P0 refer to G52
   /// (spec/haas 2.4, 5.4).
   bool has_common_zero() const {
     return std::any_of(variables.begin(), variables.end(), [](const VariableRow& row) { return row.kind == VariableKind::zero_common; });
   }
   /// Returns true if the control has axis correctors (spec/correctors).
   bool has_correctors() const { return dialect == DialectId::correctors; }
-  /// Returns true if the control's words and frames follow RS274/NGC, with parameters in files (spec/linuxcnc).
+  /// Returns true if words and frames of the control follow RS274/NGC, with parameters in a file (spec/linuxcnc).
   bool has_parameter_file() const { return dialect == DialectId::linuxcnc; }
-  /// Returns true if the control checks each line as a whole, independently of the other lines (spec/grbl).
+  /// Returns true if the control checks each line by itself, independently of other lines (spec/grbl).
   bool has_lines_alone() const { return dialect == DialectId::grbl; }
   const AddressRow& address(char letter) const { return addresses[static_cast<std::size_t>(letter - 'A')]; }
-  /// Returns the row of a code word, or -1.
+  /// Returns the index of the row for a code; -1 if the control does not have the code.
   std::int32_t row_of(char letter, std::int32_t tenth) const;
 };
 

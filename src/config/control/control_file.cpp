@@ -21,7 +21,7 @@ namespace {
 
 using Table = tl::expected<toml::table, std::string>;
 
-/// What a built-in file is read from: the packed table, which is fast to read, or the text, whose nodes have line numbers.
+/// The form in which a built-in file is read: the packed table, which is fast to read, or the text, whose nodes have line numbers.
 enum class From : std::uint8_t { table, text };
 
 std::optional<Table> built_in(const std::string& file, From from) {
@@ -30,8 +30,8 @@ std::optional<Table> built_in(const std::string& file, From from) {
   return text ? std::optional(toml_tools::parsed(*text, file)) : std::nullopt;
 }
 
-/// Adds the section [expressions] if neither the file nor its base has one: for a control with macros the rows of nct, else the rows of
-/// mach3, which are those of RS274/NGC.
+/// Adds the section [expressions] if neither the file nor its base has one. A control with macros gets the rows of nct; any other gets
+/// those of mach3, which are the rows of RS274/NGC.
 void lay_operations(toml::table& under, const toml::table& over) {
   const auto is_on = [&](std::string_view key) {
     return over["grammar"][key].value<bool>().value_or(under["grammar"][key].value_or(false));
@@ -41,7 +41,7 @@ void lay_operations(toml::table& under, const toml::table& over) {
   if (base) under.insert("expressions", std::move(*(*base)["expressions"].as_table()));
 }
 
-/// Compares two nodes of any type.
+/// Returns true if two nodes of any type are equal.
 bool are_equal(const toml::node& a, const toml::node& b) {
   if (a.type() != b.type()) return false;
   switch (a.type()) {
@@ -55,7 +55,7 @@ bool are_equal(const toml::node& a, const toml::node& b) {
   }
 }
 
-/// Returns true if the table `below` has every key of the row, with the same value.
+/// Returns true if the table `below` contains every key of `row` with the same value.
 bool is_part_of(const toml::table& row, const toml::table& below) {
   return !row.empty() && std::all_of(row.begin(), row.end(), [&](const auto& entry) {
     const toml::node* const same = below.get(entry.first.str());
@@ -63,7 +63,7 @@ bool is_part_of(const toml::table& row, const toml::table& below) {
   });
 }
 
-/// Removes the rows of the base control that this control replaces by `false`.
+/// Removes the rows of the base control for which this control's file has the value `false`.
 void take_away(toml::table& merged_table) {
   for (const std::string_view section : {"g", "m", "address", "cycle", "groups", "alarms"}) {
     toml::table* const rows = merged_table[section].as_table();
@@ -75,7 +75,7 @@ void take_away(toml::table& merged_table) {
   }
 }
 
-/// Finds a row, or a key of a section without rows, that only repeats what the base control says. Returns a message with its location.
+/// Finds a row, or a key of a section without rows, that only repeats a value of the base control. Returns a message with its location.
 std::optional<std::string> said_again(const toml::table& under, const toml::table& over, const std::string& file) {
   constexpr std::string_view with_rows[] = {"g", "m", "address", "groups", "cycle", "alarms"};
   constexpr std::string_view one_by_one[] = {"grammar", "behaviour", "axes", "order", "feed_codes", "speed_codes", "convert"};
@@ -97,7 +97,8 @@ std::optional<std::string> said_again(const toml::table& under, const toml::tabl
   return std::nullopt;
 }
 
-/// Keeps the variables of the base control, except those whose symbol also occurs in a row of the file: that row replaces them.
+/// Inherits the variables of the base control. A variable whose symbol occurs in the file is left out, because the row of the file replaces
+/// it.
 void lay_variables(const toml::table& under, toml::table& over) {
   const toml::array* const below = under["variables"].as_array();
   toml::array* const own = over["variables"].as_array();
@@ -115,7 +116,7 @@ void lay_variables(const toml::table& under, toml::table& over) {
 
 bool is_built_in(const std::string& file) { return toml_tools::embedded_text(file).has_value(); }
 
-/// Clears all `manual` keys: they refer to the manual of the base control, and a control with another manual must not inherit them.
+/// Clears all `manual` keys. They refer to the manual of the base control, so a control with another manual must not inherit them.
 void forget_sections(toml::table& table) {
   for (auto&& [key, value] : table) {
     if (key == "manual" && value.is_string()) *value.as_string() = "";
@@ -126,15 +127,15 @@ void forget_sections(toml::table& table) {
   }
 }
 
-/// What merged() has found while it followed `extends` from file to file.
+/// The controls and files that merged() has found by following `extends` from file to file.
 struct Below {
-  std::vector<std::string>& lineage;  // ids of the bases
-  std::set<FileId> files;             // the user's own files found so far; a file that occurs twice extends itself
+  std::vector<std::string>& lineage;  // ids of the base controls
+  std::set<FileId> files;             // the user's own files so far; a file that occurs a second time extends itself, which is a fault
 };
 
 /// Returns the table of a file, merged over the tables of the controls that it extends.
 Table merged(Table table, const std::string& file, From from, Below& below, const FileAccess* door) {
-  constexpr std::size_t deepest = 16;  // greatest number of controls that extend one another
+  constexpr std::size_t deepest = 16;  // greatest number of controls that may extend one another
   if (!table) return table;
   const auto base = (*table)["extends"].value<std::string>();
   if (!base) return table;
@@ -154,14 +155,15 @@ Table merged(Table table, const std::string& file, From from, Below& below, cons
   }
   auto under = merged(std::move(*base_table), name, from, below, door);
   if (!under) return under;
-  for (const std::string_view own : {"aliases", "guess"}) under->erase(own);  // `aliases` and `guess` identify the base, not this control
+  // These keys name and identify the base control, so they are not inherited
+  for (const std::string_view own : {"aliases", "guess"}) under->erase(own);
   if (const auto spec = (*table)["spec"].value<std::string>(); spec && spec != (*under)["spec"].value<std::string>())
     forget_sections(*under);
   if (const auto fault = is_built_in(file) ? std::nullopt : said_again(*under, *table, file)) return Failed(*fault);
   lay_operations(*under, *table);
   lay_variables(*under, *table);
   if (toml::table* const alarms = (*table)["alarms"].as_table(); alarms != nullptr && (*alarms)["alone"].value_or(false)) {
-    under->erase("alarms");  // [alarms] has `alone`: the control does not inherit numbers and texts of alarms
+    under->erase("alarms");  // [alarms] has the key `alone`, so the control does not inherit numbers and texts of alarms
     alarms->erase("alone");
   }
   toml_tools::merge(*under, std::move(*table));
@@ -169,10 +171,11 @@ Table merged(Table table, const std::string& file, From from, Below& below, cons
   return under;
 }
 
-/// Returns false for files of controls/ that are not controls: texts of alarms, languages that Kadr does not read, parameter tables.
+/// Returns false for files of controls/ that do not describe a control: texts of alarms, languages that Kadr does not read, parameter
+/// tables.
 bool is_control(std::string_view name) { return name != "alarms" && name != "dialects" && !is_parameter_table(name); }
 
-/// Returns the control's id that a name means: the name itself, or the id that the alias stands for.
+/// Returns the id of the control with this name: the name itself if it is an id, or the id that the alias belongs to.
 std::string id_meant_by(const std::string& name) {
   if (toml_tools::embedded_text("controls/" + name + ".toml")) return name;
   const auto& aliases = control_aliases();
@@ -184,7 +187,7 @@ std::string id_meant_by(const std::string& name) {
 
 std::int32_t ControlDef::row_of(char letter, std::int32_t tenth) const {
   const std::vector<std::int16_t>& rows = letter == 'G' ? g_rows : m_rows;
-  const auto at = static_cast<std::size_t>(tenth);  // a negative tenth becomes an index beyond every row
+  const auto at = static_cast<std::size_t>(tenth);  // a negative number becomes an index beyond every row, and is not found
   if (at < rows.size() && rows[at] >= 0) return rows[at];
   if (letter == 'M' && m_user_row >= 0 && tenth >= m_user_from && tenth <= m_user_to && tenth % 10 == 0) return m_user_row;
   return -1;
@@ -231,7 +234,8 @@ std::vector<std::string> built_in_controls() {
   std::vector<std::string> ids;
   for (const EmbeddedFile& file : embedded_files()) {
     std::string_view name = file.name;
-    if (!name.starts_with("controls/") || !name.ends_with(".toml")) continue;  // the list of built-in files also contains macros
+    // The list of built-in files also contains machines and macros, which are skipped
+    if (!name.starts_with("controls/") || !name.ends_with(".toml")) continue;
     name.remove_prefix(9);
     name.remove_suffix(5);
     if (is_control(name)) ids.emplace_back(name);

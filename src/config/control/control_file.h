@@ -1,5 +1,5 @@
 #pragma once
-// Loads controls/*.toml as ControlDef. A user's own file may extend a built-in control: `extends = "gost"` and the differences.
+// Loads controls/*.toml as ControlDef. A user's own file may extend a built-in control: `extends = "gost"`, followed by the differences.
 
 #include <string>
 #include <string_view>
@@ -12,12 +12,12 @@
 
 namespace kadr {
 
-/// Returns the built-in control with this id or alias, in upper or lower case; if `name` ends with .toml, the control in that file.
-///   door     opens these files, and the files that they extend
+/// Returns the built-in control with this id or alias, in upper or lower case. If `name` ends with .toml, returns the control in this file.
+///   door     opens the file and the files that it extends
 ///   returns  on failure, an error sentence with file and line: unknown key, function, group, word; a code twice; …
 tl::expected<ControlDef, std::string> load_control(const std::string& name, const FileAccess* door = nullptr);
 
-/// Like load_control(), from TOML text; `file` is the name used in messages.
+/// Like load_control(), but reads the control from TOML text; messages use `file` as the name.
 tl::expected<ControlDef, std::string> parse_control(std::string_view toml, const std::string& file);
 
 /// Returns the ids of the built-in controls.
@@ -26,7 +26,7 @@ std::vector<std::string> built_in_controls();
 /// Returns the aliases of the built-in controls, sorted, each with its id: "haas-vf" → "haas".
 const std::vector<std::pair<std::string, std::string>>& control_aliases();
 
-/// Returns ids and aliases: every name that --control accepts.
+/// Returns the ids and aliases of the built-in controls: every name that --control accepts.
 std::vector<std::string> control_names();
 
 }  // namespace kadr

@@ -1,6 +1,6 @@
 #pragma once
-// ControlLoader: converts a control file (already merged with what it extends) to a ControlDef; one method per section. Only
-// control_file.cpp uses it.
+// ControlLoader: converts a control file, already merged with the files that it extends, to a ControlDef. It has one method per section.
+// Only control_file.cpp uses it.
 
 #include <initializer_list>
 #include <map>
@@ -18,7 +18,7 @@ namespace kadr {
 using Failed = tl::unexpected<std::string>;
 using Done = tl::expected<void, std::string>;
 
-/// Returns from the enclosing function with the error sentence of `expression`, if it has one.
+/// Returns from the enclosing function with the error sentence of `expression`, if `expression` has failed.
 #define KADR_LOAD(expression)                                            \
   do {                                                                   \
     if (auto done_ = (expression); !done_) return Failed(done_.error()); \
@@ -29,7 +29,7 @@ inline std::string nearest_hint(std::string_view near) {
   return near.empty() ? std::string() : translated(texts::control_file::nearest, near);
 }
 
-/// Translates an error of lang/block/format, such as `format "3G2X" is not understood: the address stands twice`, or the reason alone.
+/// Translates an error of lang/block/format, for example `format "3G2X" is not understood: the address stands twice`, or only its reason.
 std::string format_fault_message(const std::string& fault);
 
 inline constexpr std::uint32_t max_variables = first_unwritten_variable;
@@ -43,19 +43,20 @@ class ControlLoader {
   Done sections();
   Done names();
   Done known_keys(const toml::table& table, const std::vector<std::string_view>& known) const;
-  /// Returns the error for a key that is not in `known`, with the nearest known key.
+  /// Returns the error for a key that is not in `known`. The error sentence suggests the nearest known key.
   tl::unexpected<std::string> unknown_key(const toml::node& node, std::string_view key, const std::vector<std::string_view>& known,
                                           TextId<1> what = texts::control_file::unknown_key) const;
-  /// Returns the table of the file under a key. If the key holds anything else, load() fails.
+  /// Returns the table of the file under a key. If the value is not a table, load() fails.
   const toml::table* section(std::string_view key);
-  /// Returns the list under a key of a row. If the key holds anything else, load() fails.
+  /// Returns the list under a key of a row. If the value is not a list, load() fails.
   const toml::array* list(const toml::table& row, std::string_view key);
-  /// Returns the text of a key. If the key holds anything else, load() fails.
+  /// Returns the text of a key. If the value is not a text, load() fails.
   std::string text(const toml::table& row, std::string_view key);
-  /// Fails if the user's own file has this key. A key inherited from a base is accepted, because it may have an effect there.
+  /// Fails if the user's own file has this key, which has no effect. The key is accepted if it is inherited, because it may have an effect
+  /// in the base control.
   Done no_effect(const toml::table& row, std::string_view key, const std::string& why) const;
   bool is_own(const toml::node& node) const;
-  /// Returns the whole number of a key, 0 to `most`. If the key holds anything else, load() fails.
+  /// Returns the whole number of a key, 0 to `most`. If the value is anything else, load() fails.
   std::uint32_t whole(const toml::table& row, std::string_view key, std::uint32_t otherwise, std::uint32_t most);
   /// Returns the value of a key, which must have type T. If the value has another type, load() fails.
   template <class T>
@@ -66,7 +67,7 @@ class ControlLoader {
     if (bad_value_.empty()) bad_value_ = toml_tools::place(name_, *node) + translated(texts::control_file::must_be_flag, key);
     return otherwise;
   }
-  /// Reads the number of a key to `to`. If the number is outside the range, load() fails.
+  /// Reads the number of a key into `to`. If the number is outside the range, load() fails.
   void ranged(const toml::table& row, std::string_view key, const NumberRange& range, double& to);
   Done dialect();
   Done grammar();
@@ -85,10 +86,10 @@ class ControlLoader {
   Done axes();
   int axis_named(const std::string& name) const;
   Done order();
-  /// Returns `phase` of the row, or the function's own phase. The phase must be listed in the control's order.
+  /// Returns the phase of a row: its key `phase`, or else the phase of its function. The control's order must list this phase.
   tl::expected<Phase, std::string> phase_of(const toml::table& row, Function function);
   // ---- the functions of the engine (control_loader_functions.cpp)
-  /// Returns the function in `does` of a row, if the engine can execute it on this control. `name_of_row` is used in messages.
+  /// Returns the function in the key `does` of a row, if the engine can execute it on this control. `name_of_row` is used in messages.
   tl::expected<Function, std::string> function_of(const toml::table& row, CalledBy by, const std::string& name_of_row);
   std::string nearest_function(std::string_view name, CalledBy by) const;
   bool has(Needs needs) const;
@@ -110,15 +111,15 @@ class ControlLoader {
   Done word_format(char letter, const toml::table& row, const AddressRow& a);
   Done groups();
   int group_named(std::string_view name) const;
-  /// Converts letters such as "XYZ" to a letter mask. Every letter must be an address of this control; that is checked after all sections
-  /// are read.
+  /// Converts letters such as "XYZ" to a letter mask. Every letter must be an address of this control; this is checked when all sections
+  /// have been read.
   std::uint64_t letters(const std::string& text) const;
-  /// Converts the text of a key to a letter mask. If the text has characters that are neither letters nor in `beside`, load() fails.
+  /// Converts the text of a key to a letter mask. If a character is neither a letter nor in `beside`, load() fails.
   std::uint64_t letters(const toml::table& row, std::string_view key, std::string_view beside = "");
   static std::uint64_t letter_bit_of(char c) { return std::uint64_t{1} << (c - 'A'); }
   Done codes(std::string_view key, char letter);
   Done code(char letter, double number, const toml::table& row);
-  /// Reads the key "other": which M codes without a row of their own go to the machine.
+  /// Reads the key "other": the range of M codes without rows of their own that go to the machine.
   Done other_codes(const toml::table& row, char letter);
   std::uint16_t cycle_named(std::string_view name) const;
   Done cycles();
@@ -126,7 +127,7 @@ class ControlLoader {
   std::int32_t row_named(const std::string& code) const;
   Done initial_codes();
   Done variables();
-  /// Reads the key "parameters", the name of the file of controls/ that has the parameter table.
+  /// Reads the key "parameters", the name of the file of controls/ that contains the parameter table.
   Done parameters();
   Done variable(const toml::table& row);
   tl::expected<VariableRange, std::string> variable_range(const toml::node& node) const;
@@ -142,7 +143,7 @@ class ControlLoader {
   ControlDef def_;
   std::map<char, std::uint8_t> most_codes_;
   std::vector<std::string> initial_;
-  std::string bad_value_;  // message of the first error that whole(), text(), section() … found
+  std::string bad_value_;  // message of the first fault that whole(), text(), section() … have found
 };
 
 }  // namespace kadr

@@ -1,4 +1,5 @@
-// Reads the section [behaviour] of a control file: how the engine's functions act where controls differ. Used by control_loader_words.
+// Reads the section [behaviour] of a control file: the behaviour of the engine's functions where controls differ. Used by
+// control_loader_words.
 
 #include <algorithm>
 #include <set>
@@ -31,7 +32,7 @@ constexpr std::pair<std::string_view, std::string_view> gone[] = {
     {"pecks_by_ijk", "cycle_words = \"pecks_by_ijk\""},
     {"drills_third", "tool_along_third"},
     {"length_axis_third", "tool_along_third"},
-    // Keys that were replaced by a row of another table.
+    // Keys that are replaced by a row of another table.
     {"contour_blocks_checked", "[alarms] compensation_two_blocks = {}"},
     {"zero_change_checked", "[alarms] zero_change = {}"},
     {"reference_outside_cycles", "[alarms] reference_in_cycle = {}"},
@@ -52,7 +53,7 @@ constexpr std::pair<std::string_view, std::string_view> gone[] = {
     {"second_reference_usual", "[g] \"30\" = { needs = \"\" }"},
     {"taps_rigid", "[g] \"84\" = { arg = 842 }"},
     {"common_is_local_shift", "[[variables]] is = \"zero_local\""},
-    // Keys that were replaced by a parameter of the control, which the set-up gives.
+    // Keys that are replaced by a parameter of the control, whose value is in the set-up.
     {"arc_difference_free", "N3410"},
     {"arc_without_centre_straight", "N3403#5"},
     {"scale_in_increments", "N5400#7"},
@@ -70,7 +71,7 @@ constexpr std::string_view choice_keys[] = {"arc_centers",       "arc_radius_wor
 
 }  // namespace
 
-/// Reads a key whose value must be one of `words`, which are in the order of the enum's values.
+/// Reads a key whose value must be one of `words`. The words are in the order of the enum's values.
 template <class Choice>
 Done ControlLoader::choice(const toml::table& row, std::string_view key, std::initializer_list<std::string_view> words, Choice& to) {
   const std::string written = text(row, key);
@@ -93,14 +94,14 @@ Done ControlLoader::choices(const toml::table& t) {
   KADR_LOAD(choice(t, "later_word_counts", {"nowhere", "arguments", "everywhere"}, b.later_word_counts));
   KADR_LOAD(choice(t, "cycle_words", {"shift_by_ijk", "shift_by_q", "pecks_by_ijk"}, b.cycle_words));
   KADR_LOAD(choice(t, "dwell_unit", {"seconds", "milliseconds", "milliseconds_without_point"}, b.dwell_unit));
-  if (const auto flag = t["arc_radius_word"].value_exact<bool>()) {  // the value is true or false, as in earlier versions
+  if (const auto flag = t["arc_radius_word"].value_exact<bool>()) {  // earlier versions had the value true or false for this key
     b.arc_radius_word = *flag ? ArcRadius::alone : ArcRadius::none;
     return {};
   }
   return choice(t, "arc_radius_word", {"none", "alone", "before_centre"}, b.arc_radius_word);
 }
 
-/// Reads arc_radius_difference: one number, or two (while the unit is mm, while it is inch); both in mm.
+/// Reads arc_radius_difference: one number, or two numbers, the second for programs in inches; both numbers are in mm.
 Done ControlLoader::arc_difference(const toml::table& t) {
   Behaviour& b = def_.behaviour;
   const toml::array* const two = t["arc_radius_difference"].as_array();
@@ -119,7 +120,7 @@ Done ControlLoader::arc_difference(const toml::table& t) {
   return {};
 }
 
-/// For keys that [behaviour] does not have, uses the values of the parameter table.
+/// Copies values of the machine from the control's parameter table, for those keys that [behaviour] does not contain.
 void ControlLoader::figures() {
   const toml::table* const t = section("behaviour");
   for (const auto& [key, figure] : figures_of_machine)

@@ -49,8 +49,8 @@ int ControlLoader::group_named(std::string_view name) const {
   return -1;
 }
 
-/// Converts "XYZ" to a mask. Every letter must be an address of this control; that is checked after all sections are read. c, r, a mean
-/// the words ,C ,R ,A; `*` (takes_all_axes) is no letter.
+/// Converts "XYZ" to a letter mask. Every letter must be an address of this control; this is checked when all sections have been read. The
+/// characters c, r, a stand for the words ,C ,R ,A; `*` (takes_all_axes) stands for no letter.
 std::uint64_t ControlLoader::letters(const std::string& text) const {
   std::uint64_t bits = 0;
   for (const char c : text) {
@@ -161,7 +161,7 @@ Done ControlLoader::code(char letter, double number, const toml::table& row) {
   return {};
 }
 
-/// Reads the key "other": which M codes without a row of their own go to the machine.
+/// Reads the key "other": the range of M codes without rows of their own that go to the machine.
 Done ControlLoader::other_codes(const toml::table& row, char letter) {
   if (letter != 'M') return Failed(place(name_, row) + translated(texts::control_file_codes::other_is_for_m));
   constexpr std::uint32_t max_code = 99'999'999;
@@ -228,7 +228,7 @@ Done ControlLoader::cycles() {
   return {};
 }
 
-/// Reads `{ X = "R01" }`: the word X of the call sets the formal parameter R01 (spec/correctors 3).
+/// Reads `{ X = "R01" }`: the word X of the block that calls the cycle sets the formal parameter R01 (spec/correctors 3).
 Done ControlLoader::cycle_parameters(const toml::table& to, CycleRow& cycle) const {
   const std::string& letters = def_.grammar.long_parameters;
   for (const auto& [word, node] : to) {
@@ -297,8 +297,8 @@ Done ControlLoader::alarms() {
   return {};
 }
 
-/// Reads the values of a coded feed or speed, such as "12" = 400. With `progression = true`, starts from the standard's geometric
-/// progression, which the table's own rows override.
+/// Reads the values of a coded feed or speed, such as "12" = 400. With `progression = true`, the values of the standard's geometric
+/// progression apply to codes that the table does not list.
 Done ControlLoader::code_table(std::string_view key, std::map<std::int32_t, double>& to) {
   constexpr std::size_t max_digits = 8;
   const toml::table* const t = section(key);
@@ -315,8 +315,9 @@ Done ControlLoader::code_table(std::string_view key, std::map<std::int32_t, doub
   return {};
 }
 
-/// INFERRED (spec/gost 3 names the method only; GOST 20999-83 takes the series R20 of GOST 8032): code 00 means a stop, code n the 20th
-/// root of ten to the power of n: F20 is 10, F40 100, F60 1000. Code 99, the highest speed, depends on the machine: its file may give it.
+/// Returns the standard values of coded speeds. INFERRED (spec/gost 3 names only the method; GOST 20999-83 uses the series R20 of GOST
+/// 8032): code 00 means a stop, code n the 20th root of ten to the power of n: F20 is 10, F40 is 100, F60 is 1000. Code 99, the highest
+/// speed, depends on the machine, so the control's file may state its value.
 std::map<std::int32_t, double> ControlLoader::coded_progression() {
   constexpr double r20[] = {1.00, 1.12, 1.25, 1.40, 1.60, 1.80, 2.00, 2.24, 2.50, 2.80,
                             3.15, 3.55, 4.00, 4.50, 5.00, 5.60, 6.30, 7.10, 8.00, 9.00};

@@ -1,4 +1,4 @@
-// Reads `encoding` of a control file, and [convert]: which of its M functions correspond to which ones of other controls
+// Reads `encoding` of a control file, and [convert]: the M functions of other controls that correspond to the M functions of this control
 // (config/machine/machine_codes).
 
 #include <algorithm>
@@ -13,7 +13,7 @@ using toml_tools::place;
 
 namespace {
 
-/// Converts "M27" to 27; returns nullopt if the text is no M code.
+/// Converts "M27" to 27; returns nullopt if the text is not an M code.
 std::optional<std::uint32_t> m_code(std::string_view text) {
   constexpr std::size_t max_digits = 8;
   if (text.size() < 2 || text.size() > max_digits + 1 || text[0] != 'M' ||
@@ -26,7 +26,7 @@ std::optional<std::uint32_t> m_code(std::string_view text) {
 
 }  // namespace
 
-/// Reads the encoding of programs that are written for the control.
+/// Reads the encoding in which programs for the control are written.
 Done ControlLoader::encoding() {
   const toml::node* const node = file_.get("encoding");
   if (node == nullptr) return {};
@@ -36,7 +36,7 @@ Done ControlLoader::encoding() {
   return {};
 }
 
-/// Reads M27 = "M8", or M27 = { fanuc = "M51", "*" = "M8" }.
+/// Reads a row of [convert]: M27 = "M8", or M27 = { fanuc = "M51", "*" = "M8" }.
 Done ControlLoader::machine_codes() {
   const toml::table* const t = section("convert");
   if (t == nullptr) return {};

@@ -14,7 +14,8 @@ using toml_tools::place;
 
 namespace {
 
-// Characters that an operator may consist of. No operand begins with one of them, and no bracket or block ends with one.
+// Characters that an operator may consist of. No operand begins with one of these characters, and none of them closes a bracket or ends a
+// block.
 constexpr std::string_view signs = "*/+-^<>=!&|~";
 constexpr std::size_t longest_text = 16;
 constexpr std::uint32_t most_binding = 9;
@@ -23,7 +24,8 @@ bool is_of_letters(std::string_view text) {
   return std::all_of(text.begin(), text.end(), [](char c) { return c >= 'A' && c <= 'Z'; });
 }
 
-/// Returns true if the text can be an operator's name: it has only letters or, if `only_letters` is false, only characters of `signs`.
+/// Returns true if the text can be the name of an operator: it consists of letters or, if `only_letters` is false, of characters of
+/// `signs`.
 bool can_be_written(std::string_view text, bool only_letters) {
   if (text.empty() || text.size() > longest_text) return false;
   return is_of_letters(text) || (!only_letters && text.find_first_not_of(signs) == std::string_view::npos);

@@ -6,8 +6,8 @@
 namespace kadr {
 namespace {
 
-/// The reasons for which lang/block/format rejects a format string. It gives them in English, because `lang` must not include the texts of
-/// `config`.
+/// The reasons for which lang/block/format rejects a format string. The room `lang` states them in English, because it must not include the
+/// texts of `config`.
 constexpr PlainText format_faults[] = {
     texts::control_file_grammar::nothing_after_end_of_block,
     texts::control_file_grammar::count_one_to_nine,

@@ -1,6 +1,6 @@
-// Checks the rows of [address], [g] and [m]: their function, what the function needs of the control, their `arg`. A row that the engine
-// could not execute is rejected here, by name, before a program runs. Tested by tests/config/control_rules_test.cpp, tests/own_control.py
-// and fuzz/own_control_fuzz.cpp.
+// Checks the rows of [address], [g] and [m]: the function of a row, what this function needs of the control, and `arg`. A row that the
+// engine could not execute is rejected by name when the file is loaded, before a program runs. Tested by
+// tests/config/control_rules_test.cpp, tests/own_control.py and fuzz/own_control_fuzz.cpp.
 
 #include <algorithm>
 #include <array>
@@ -84,7 +84,7 @@ constexpr ArgRow args[] = {
     {Function::stored_position, 1, 2},
 };
 
-/// Modes that use no words. If a row had a word in `takes`, that would only hide that the word has no effect in a program.
+/// Modes that use no words. A word in `takes` of their rows is rejected: it would only hide that the word has no effect in a program.
 constexpr Function wordless[] = {
     Function::plane_xy,
     Function::plane_zx,
@@ -116,7 +116,7 @@ constexpr Function wordless[] = {
     Function::tool_length_off,
 };
 
-/// Functions of addresses that work only with certain letters, which are fixed in the engine. So only G and M can be letters of codes.
+/// Functions that work only with certain address letters, which are fixed in the engine. For example, only G and M can be letters of codes.
 struct LetterRow {
   Function function;
   std::string_view letters;
@@ -130,7 +130,7 @@ constexpr LetterRow letters_of[] = {
     {Function::machine_axis, "XYZUVWABC"}, {Function::tool_of_table, "T"}, {Function::speed_of_spindle, "S"},
 };
 
-/// Returns true for functions that belong to a word of a code (P, Q …): they search their block for the words that the code names.
+/// Returns true for functions of addresses (P, Q …) whose words belong to a code: they search their block for the code that uses the word.
 bool names_word_of(Function function) { return function == Function::word_of_code || function == Function::dwell_word; }
 
 constexpr std::int32_t drilling_tenths[] = {73_g, 74_g, 76_g, 81_g, 82_g, 83_g, 84_g, 84.2_g, 84.3_g, 85_g, 86_g, 87_g, 88_g, 89_g};
@@ -230,7 +230,7 @@ Done ControlLoader::check_address(char letter, const toml::table& row, const Add
   return {};
 }
 
-/// Checks `arg`, and the words that a row of [g], [m] needs.
+/// Checks `arg` of a row of [g] or [m], and the words that the row needs.
 Done ControlLoader::check_code(const toml::table& row, const CodeRow& c) const {
   const std::string who = c.code + ": ";
   const auto of_function = [&](const ArgRow& a) { return a.function == c.function; };

@@ -14,7 +14,7 @@ using toml_tools::place;
 
 namespace {
 
-/// Returns all names that mean a built-in control, each with the control's id.
+/// Returns all names of built-in controls, each with the id of its control.
 std::vector<std::pair<std::string, std::string>> taken_names() {
   std::vector<std::pair<std::string, std::string>> names = control_aliases();
   for (const std::string& id : built_in_controls()) names.emplace_back(id, id);
@@ -23,7 +23,7 @@ std::vector<std::pair<std::string, std::string>> taken_names() {
 
 }  // namespace
 
-/// Reads `aliases`, and [guess]: the marks by which a text is recognised.
+/// Reads `aliases`, and [guess]: the patterns by which a program for this control is recognised.
 Done ControlLoader::names() {
   const auto is_name = [](const std::string& word) {
     return !word.empty() && word.find_first_not_of("abcdefghijklmnopqrstuvwxyz0123456789-.") == std::string::npos &&
@@ -36,7 +36,8 @@ Done ControlLoader::names() {
       if (!is_name(*alias)) return Failed(place(name_, node) + translated(texts::control_file::alias_is_no_name, *alias));
       if (std::find(def_.aliases.begin(), def_.aliases.end(), *alias) != def_.aliases.end())
         return Failed(place(name_, node) + translated(texts::control_file::alias_twice, *alias));
-      if (node.source().path)  // tests/controls_table.py has checked the packed built-in files, which have no path
+      // Only files with a path are checked; tests/controls_table.py has checked the packed built-in files, which have none
+      if (node.source().path)
         for (const auto& [other, id] : taken_names())
           if (other == *alias && id != def_.id)
             return Failed(place(name_, node) + translated(texts::control_file::alias_of_another, *alias, id));

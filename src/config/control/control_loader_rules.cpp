@@ -1,5 +1,6 @@
-// Checks settings of a control file that need or exclude each other. A setting that the engine cannot execute is always rejected; a key
-// without effect next to the others is rejected only in the user's own file. Tested by the same tests as control_loader_functions.cpp.
+// Checks settings of a control file that need or exclude each other. A setting that the engine cannot execute is always rejected. A key
+// that has no effect together with the other keys is rejected only in the user's own file. Tested by the same tests as
+// control_loader_functions.cpp.
 
 #include <algorithm>
 #include <cmath>
@@ -18,7 +19,7 @@ using toml_tools::place;
 
 namespace {
 
-/// Settings of [grammar] that only the machine of the NCT (dialect = "nct") supports.
+/// Settings of [grammar] that have an effect only on the machine of the NCT (dialect = "nct").
 constexpr std::pair<std::string_view, bool Grammar::*> nct_grammar[] = {
     {"macro", &Grammar::custom_macros},
     {"operator_i", &Grammar::operator_i},
@@ -51,7 +52,7 @@ const std::vector<ReadBy>& behaviour_of_functions() {
   return rows;
 }
 
-/// Keys of [behaviour] that the machine of the NCT (dialect = "nct") ignores: parameters of the control replace them.
+/// Keys of [behaviour] that have no effect on the machine of the NCT (dialect = "nct"), because parameters of the control replace them.
 constexpr std::string_view not_of_nct[] = {
     "arc_centers",        "reference_feed",        "return_chip_break",  "return_near",        "probe_least_distance",
     "tool_and_corrector", "speed_needs_direction", "compensation_entry", "delayed_assignment", "fixtures"};
@@ -62,7 +63,7 @@ constexpr std::string_view only_of_nct[] = {
     "repeats_by_k",        "reference_all_axes", "tool_along_third",          "alarm_base",  "returns_to_own_block",
     "repeats_keep_locals", "further_systems",    "m_codes_of_block"};
 
-/// Functions that work in a plane, or along the axis perpendicular to it.
+/// Functions that act in a plane, or along the axis perpendicular to a plane.
 constexpr Function plane_functions[] = {
     Function::arc_cw,     Function::arc_ccw,     Function::cycle,        Function::circular_pocket,  Function::plane_xy,
     Function::plane_zx,   Function::plane_yz,    Function::polar_on,     Function::rotation_on,      Function::pole_rapid,
@@ -70,10 +71,10 @@ constexpr Function plane_functions[] = {
     Function::call_word,  Function::probe,
 };
 
-/// A function and the kind of system variables that it works with.
+/// A function, and the kind of system variables that store its data.
 struct Stores {
   Function function;
-  int arg;  // `arg` of the variables; -1: any
+  int arg;  // `arg` of the variables; -1: every value of `arg` is permitted
   VariableKind kind;
   std::string_view name;
 };
@@ -85,24 +86,24 @@ constexpr Stores stores[] = {
     {Function::set_position_restore, -1, VariableKind::set_position, "set_position"},
 };
 
-constexpr std::uint32_t stored_axes = 6;  // number of coordinates that the system variables have for one point
+constexpr std::uint32_t stored_axes = 6;  // number of axes for which the system variables store the coordinates of a point
 
 }  // namespace
 
-/// Returns true if some row of the control calls one of these functions.
+/// Returns true if at least one row of the control calls one of these functions.
 bool ControlLoader::does(std::initializer_list<Function> functions) const {
   const auto one_of = [&](Function f) { return std::find(functions.begin(), functions.end(), f) != functions.end(); };
   return std::any_of(def_.codes.begin(), def_.codes.end(), [&](const CodeRow& row) { return one_of(row.function); }) ||
          std::any_of(def_.addresses.begin(), def_.addresses.end(), [&](const AddressRow& row) { return one_of(row.function); });
 }
 
-/// Checks that a control has both the machine of the NCT (dialect = "nct") and its language, or neither: one does not work without the
-/// other.
+/// Checks that a control has both the machine and the language of the NCT (dialect = "nct"), or neither. One of them does not work without
+/// the other.
 Done ControlLoader::check_machine() {
   const Grammar& g = def_.grammar;
   const toml::table* const words = section("grammar");
   const toml::table* const behaves = section("behaviour");
-  const auto at = [&](std::string_view key) {  // returns the location of the key, or of `dialect` if the user's own file sets the dialect
+  const auto at = [&](std::string_view key) {  // returns the location of the key; of `dialect` if the user's own file sets the dialect
     const toml::node* const own = file_.get("dialect");
     const bool blames_machine = own != nullptr && is_own(*own);
     if (blames_machine) return place(name_, *own);
@@ -124,7 +125,7 @@ Done ControlLoader::check_machine() {
     if (on) return Failed(at(key) + translated(texts::control_file_behaviour::does_not_work_with_nct, "[grammar] " + std::string(key)));
   for (const std::string_view key : not_of_nct)
     KADR_LOAD(no_effect(*behaves, key, translated(texts::control_file_behaviour::no_effect_with_nct, key)));
-  // The control's parameters and the set-up say which axes are diameters.
+  // The key has no effect, because parameters and set-up of this control state which axes are diameters.
   KADR_LOAD(no_effect(*section("axes"), "diameter", translated(texts::control_file_behaviour::no_effect_with_nct, "diameter")));
   return {};
 }
@@ -197,7 +198,7 @@ Done ControlLoader::check_behaviour() {
   return {};
 }
 
-/// Checks that every axis has an address, and that a control with functions that work in a plane has three axes.
+/// Checks that every axis has an address, and that a control with functions in a plane has three axes.
 Done ControlLoader::check_axes() const {
   if (def_.machine_axes()) return {};
   const auto words = [&](Function function) {
@@ -223,7 +224,7 @@ Done ControlLoader::check_axes() const {
   return {};
 }
 
-/// Checks that the control has the system variables that its functions need, and words for coded feeds and speeds.
+/// Checks that the control has the system variables that its functions need, and address words for coded feeds and speeds.
 Done ControlLoader::check_functions() {
   const auto kept = [&](VariableKind kind) {
     return std::any_of(def_.variables.begin(), def_.variables.end(), [&](const VariableRow& v) { return v.kind == kind; });
@@ -265,7 +266,7 @@ Done ControlLoader::check_cycle(const toml::table& row, const CycleRow& c) const
   }
   if (!c.body.empty() && def_.grammar.long_parameters.empty())
     return Failed(place(name_, row, "body") + who + translated(texts::control_file_cycles::body_is_for_called));
-  if (!c.body.empty()) return {};  // this cycle is a permanent subprogram
+  if (!c.body.empty()) return {};  // a cycle with a body is a permanent subprogram, which has no steps to check
   KADR_LOAD(no_effect(row, "needs_override_off", who + translated(texts::control_file_cycles::override_off_is_for_called)));
   if (!needs('Z') || !needs('R')) return Failed(place(name_, row, "needs") + who + translated(texts::control_file_cycles::needs_z_and_r));
   if ((has(CycleStep::peck_full) || has(CycleStep::peck_break)) && !needs('Q'))
@@ -295,7 +296,8 @@ Done ControlLoader::check_variable(const toml::table& row, const VariableRow& v)
     for (const char* const key : {"stride", "repeat"})
       KADR_LOAD(no_effect(row, key, who + translated(texts::control_file_variables::there_is_one, key)));
   }
-  constexpr std::uint32_t first_system_variable = 1000;  // variables with lower numbers are ordinary variables of the program
+  // Variables with lower numbers are not system variables but ordinary variables of the program
+  constexpr std::uint32_t first_system_variable = 1000;
   const std::uint64_t last = range.from + std::uint64_t{range.stride} * (range.repeat - 1) + range.count - 1;
   if (range.from < first_system_variable || range.repeat == 0)
     return Failed(place(name_, row, "from") + who + translated(texts::control_file_variables::from_too_small));
@@ -304,7 +306,8 @@ Done ControlLoader::check_variable(const toml::table& row, const VariableRow& v)
   return {};
 }
 
-/// Checks a code that the end of the program puts in force: it may only set a mode, not move an axis, call a subprogram, stop or end.
+/// Checks a code that is put in force at the end of the program. It may only set a mode, and not move an axis, call a subprogram, stop or
+/// end.
 Done ControlLoader::check_end_code(const toml::node& node, const CodeRow& c) const {
   const FunctionTraits& traits = traits_of(c.function);
   const bool straight = c.function == Function::rapid || c.function == Function::linear || c.function == Function::mirror_off;

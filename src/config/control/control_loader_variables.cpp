@@ -83,7 +83,7 @@ Done ControlLoader::variable(const toml::table& row) {
   return {};
 }
 
-/// Reads `[from, count]` or `[from, count, stride, repeat]`.
+/// Reads a range of variable numbers: `[from, count]` or `[from, count, stride, repeat]`.
 tl::expected<VariableRange, std::string> ControlLoader::variable_range(const toml::node& node) const {
   const auto wrong = [&] { return Failed(place(name_, node) + translated(texts::control_file_variables::range_values)); };
   const toml::array* const parts = node.as_array();

@@ -57,7 +57,7 @@ constexpr std::pair<std::string_view, bool Grammar::*> grammar_flags[] = {
 
 tl::expected<ControlDef, std::string> ControlLoader::load() {
   const Done done = sections();
-  if (!bad_value_.empty()) return Failed(bad_value_);  // of two errors, bad_value_ is the earlier one
+  if (!bad_value_.empty()) return Failed(bad_value_);  // if there are two errors, the one in bad_value_ was found first
   if (!done) return Failed(done.error());
   return std::move(def_);
 }
@@ -99,7 +99,7 @@ Done ControlLoader::sections() {
   return check_functions();
 }
 
-/// Reads `dialect`: the part of the engine that does what no row can express.
+/// Reads `dialect`, which selects the part of the engine for behaviour that no row can express.
 Done ControlLoader::dialect() {
   const toml::node* const node = file_.get("dialect");
   if (node == nullptr) return {};
@@ -277,7 +277,7 @@ Done ControlLoader::order() {
   return {};
 }
 
-/// Returns `phase` of the row, or the function's own phase. The phase must be listed in the control's order.
+/// Returns the phase of a row: its key `phase`, or else the phase of its function. The control's order must list this phase.
 tl::expected<Phase, std::string> ControlLoader::phase_of(const toml::table& row, Function function) {
   Phase phase = traits_of(function).phase;
   if (row.contains("phase")) phase = phase_named(text(row, "phase"));
@@ -306,7 +306,7 @@ Done ControlLoader::addresses() {
   return {};
 }
 
-/// Adds an address that is not a letter (spec/linuxcnc 7.1, 8) to the named addresses.
+/// Adds an address that is not a letter (spec/linuxcnc 7.1, 8) to the list of named addresses.
 bool ControlLoader::sign_address(std::string_view text) {
   constexpr std::string_view signs = "$@^";
   if (text.size() != 1 || signs.find(text[0]) == std::string_view::npos) return false;
@@ -360,7 +360,7 @@ Done ControlLoader::word_format(char letter, const toml::table& row, const Addre
     if (!parsed) return Failed(place(name_, row, "format") + format_fault_message(parsed.error()));
     w = *parsed;
   }
-  // The format string lists the addresses that exist; a row with a format of its own adds one.
+  // The format string lists the addresses of the control; a row with a format of its own adds its address.
   w.known = def_.descriptor.empty() || !a.format.empty() || w.known || a.function == Function::formal_parameter;
   if (!typed(row, "point", true)) w.point = false;
   w.parameter = parameter;

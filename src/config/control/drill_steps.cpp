@@ -1,5 +1,5 @@
-// The operations of each drilling cycle (spec/nct/18.1). DrillingRun of control/fanuc executes them, kadr explain prints them. Used by
-// control/fanuc/drilling/drilling_run, out/text/explain/cycle_text.
+// The operations of each drilling cycle (spec/nct/18.1). DrillingRun (control/fanuc) executes these operations, and `kadr explain` prints
+// them. Used by control/fanuc/drilling/drilling_run, out/text/explain/cycle_text.
 
 #include "config/control/drill_steps.h"
 

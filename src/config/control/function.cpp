@@ -1,4 +1,4 @@
-// The table of the engine's functions: converts names to functions and back. Used by config, control; tested by
+// The table of the engine's functions: finds a function by its name, and a name by its function. Used by config, control; tested by
 // tests/config/function_test.cpp.
 
 #include "config/control/function.h"

@@ -1,6 +1,6 @@
 #pragma once
-// The functions of the engine. A control's file says which code or address calls which function (docs/architecture.md, "A control is a
-// file"). The phase of a function is its place in the order of execution, which the control's file lists too.
+// The functions of the engine. A control's file states which code or address calls which function (docs/architecture.md, "A control is a
+// file"). The phase of a function is its position in the order of execution, which the control's file lists too.
 
 #include <cstddef>
 #include <cstdint>
@@ -15,10 +15,10 @@ namespace kadr {
   X(length) X(zero) X(corner) X(path_mode) X(distance) X(transform) X(retract) X(data) X(positioning) X(motion) \
   X(dwell_after) X(spindle_stop) X(coolant_off) X(machine) X(stop) X(flow) X(none)
 
-// One row per function: everything the engine knows about it except what it does.
-//   phase   the phase in which it runs, unless its row in the file says otherwise
-//   axes    own: the axis words of the block belong to it, and the block has no modal motion
-//   by      what calls it: an address (word) or a code
+// One row per function, with everything that the engine knows about the function except its code.
+//   phase   the phase in which the function is executed, unless its row in the control's file states another one
+//   axes    own: the axis words of the block belong to the function, and the block has no modal motion
+//   by      what calls the function: an address (word) or a code
 //   needs   what the control must have (see Needs); the loader rejects the row on any other control
 //   order   within one phase, a cycle is cancelled before a motion, scaling and rotation before mirroring (nct 16.4); a repetition is
 //           started first, then a call is made, then an end is processed
@@ -266,14 +266,14 @@ namespace kadr {
 // clang-format on
 
 /// What a control must have so that the function works. The machine of the NCT (dialect = "nct") has its own axes, spindles, offsets and
-/// calls: functions for it do not work on other machines, and vice versa.
+/// calls. Functions for this machine do not work on other machines, and vice versa.
 enum class Needs : std::uint8_t {
   nothing,
   nct,         // the control has dialect = "nct"
-  no_nct,      // any dialect other than "nct", or no dialect
+  no_nct,      // the control has any dialect other than "nct", or no dialect
   correctors,  // the control has dialect = "correctors"
-  sections,    // the control has [grammar] section
-  labels,      // the control has [grammar] label
+  sections,    // the control has the key `section` in [grammar]
+  labels,      // the control has the key `label` in [grammar]
   rs274,       // the control has dialect = "linuxcnc"
   lines,       // the control has dialect = "grbl"
 };
@@ -295,10 +295,10 @@ enum class Function : std::uint8_t {
 enum class TakesAxes : std::uint8_t { none, own };
 enum class FunctionOrder : std::uint8_t { first, call, usual, last };
 
-/// What calls a function: a row of [address], or a row of [g] or [m].
+/// What calls a function: an address (row of [address]), or a code (row of [g] or [m]).
 enum class CalledBy : std::uint8_t { word, code };
 
-/// The facts of KADR_FUNCTIONS, one bit each.
+/// The facts in the rows of KADR_FUNCTIONS, one bit for each fact.
 namespace function_fact {
 inline constexpr std::uint8_t nothing = 0, leaves_mode = 1, ends = 2, stops = 4, calls = 8, passes_control = 16, plain_motion = 32,
                               breaks_contour = 64, steady = 128;

@@ -1,5 +1,6 @@
-// Guesses the control that a program was written for from its text: from the marks in the controls' files, and from the style of the text
-// as a whole. Used by session/folder_guess, cli/job/program_files; tested by tests/config/guess_test.cpp.
+// Guesses from a program's text the control that it was written for. The evidence is the marks in the controls' files (patterns of
+// [guess]), and the style of the text as a whole. Used by session/folder_guess, cli/job/program_files; tested by
+// tests/config/guess_test.cpp.
 
 #include "config/control/guess.h"
 
@@ -24,19 +25,20 @@ namespace kadr {
 namespace {
 
 constexpr std::uint32_t lines_of_guess = 500;
-constexpr double near = 4;  // a control whose score is lower than the best one by more than this is not considered
+constexpr double near = 4;  // a control whose score is lower than the best score by more than this is not considered
 
-/// The control that is guessed if no evidence points to another one: the most common one on hobbyists' machines.
+/// The control that is guessed if no evidence points to another control. It is the most common control on hobbyists' machines.
 constexpr std::string_view usual_control = "mach3";
 
-/// A piece of evidence: a text and its first line, or (line 0) the style of the text, the file's name or its folder's name.
+/// A piece of evidence: a text found in the program, with its first line; with line 0, the style of the program, or the name of the file or
+/// folder.
 struct Found {
   double weight = 0;
   std::uint32_t line = 0;
   std::string en, ru;
 };
 
-/// A control or a language, with the evidence found for it so far.
+/// A control or a language, with the evidence for it that has been found so far.
 struct Candidate {
   const GuessRows* rows;
   bool is_dialect;
@@ -53,7 +55,7 @@ struct Candidate {
     for (const auto& [pattern, weight, place, needs, rarest] : rows->marks)
       if (place == MarkLocation::name && is_named_like(path, pattern)) {
         const bool of_folder = pattern.find('/') != std::string::npos;
-        const std::size_t last = path.rfind('/');  // the path has the form "/folder/part.nc"
+        const std::size_t last = path.rfind('/');  // the path has the form "/folder/part.nc", so it contains '/'
         const std::string name(of_folder ? path.substr(1, last - 1) : path.substr(last + 1));
         const TextId<1> what = of_folder ? texts::guess::folder_is : texts::guess::name_is;
         found.push_back({weight, 0, translated_in(Lang::en, what, name), translated_in(Lang::ru, what, name)});
@@ -73,25 +75,25 @@ struct Candidate {
     return sum;
   }
 
-  /// Returns the strongest evidence in order of lines, then the style of the text: "line 3: M97P, line 12: G187".
+  /// Returns the strongest evidence: first that with a line, in order of lines, then the style of the text: "line 3: M97P, line 12: G187".
   std::vector<Found> strongest() const {
     constexpr std::size_t most = 5;
     std::vector<Found> all;
     std::copy_if(found.begin(), found.end(), std::back_inserter(all), [](const Found& f) { return f.weight > 0; });
     std::stable_sort(all.begin(), all.end(), [](const Found& a, const Found& b) { return a.weight > b.weight; });
-    for (std::size_t i = 0; i < all.size(); ++i)  // two patterns may match the same word, which counts once
+    for (std::size_t i = 0; i < all.size(); ++i)  // two patterns may match the same word, which must count only once
       all.erase(
           std::remove_if(all.begin() + static_cast<std::ptrdiff_t>(i) + 1, all.end(), [&](const Found& f) { return f.en == all[i].en; }),
           all.end());
     if (all.size() > most) all.resize(most);
-    // Line 0, the style of the text, becomes the greatest number in this comparison and sorts last
+    // Evidence with line 0 (the style of the text) gets the greatest number in this comparison, so that it is last.
     std::stable_sort(all.begin(), all.end(), [](const Found& a, const Found& b) { return a.line - 1U < b.line - 1U; });
     return all;
   }
 };
 
-/// The marks of all candidates that have not been found yet. Each is stored under the rarest character that it needs, so that most lines do
-/// not have to be compared with most marks.
+/// The marks of all candidates that have not been found yet. Each mark is stored under the rarest character that it needs, so that most
+/// marks need not be compared with most lines.
 class OpenMarks {
  public:
   void add(Candidate& candidate) {
@@ -99,14 +101,14 @@ class OpenMarks {
       if (mark.place != MarkLocation::name) marks_[mark.rarest].push_back({&candidate, &mark});
   }
 
-  /// Searches a line for marks. `signs`: the characters of the line as written, with its comments. `only_against`: ignore evidence for
-  /// languages that Kadr does not read.
+  /// Searches a line for marks. `signs`: the characters of the line as written, with its comments. With `only_against`, evidence for
+  /// languages that Kadr does not read is ignored.
   void take(const GuessLine& line, LineSigns signs, std::uint32_t number, bool only_against) {
     hits_.clear();
     for (LineSigns rest = signs; rest != 0; rest &= rest - 1)
       look(static_cast<std::size_t>(std::countr_zero(rest)), line, signs, only_against);
     look(any_sign, line, signs, only_against);
-    // The hits are processed in the order of the marks' rows, whatever characters the marks are stored under
+    // The hits are processed in the order of the marks' rows, independent of the characters that the marks are stored under.
     std::sort(hits_.begin(), hits_.end(), [](const Hit& a, const Hit& b) { return std::less<>()(a.mark, b.mark); });
     for (const Hit& hit : hits_) hit.of->take(hit.text, hit.mark->weight, number);
   }
@@ -145,14 +147,14 @@ std::string reason_of(const std::vector<Found>& found, std::string Found::*langu
   return all;
 }
 
-/// Orders by score, the greater first; among equal scores the usual control comes first.
+/// Sorts by score, the greatest first. Among equal scores, the usual control comes first.
 template <class Row>
 bool stands_before(const Row& a, const Row& b) {
   return a.second != b.second ? a.second > b.second : a.first == usual_control && b.first != usual_control;
 }
 
-/// Decides by the scores alone. A control with a mark that is conclusive by itself needs only a small margin over the next control. Weaker
-/// marks together need a large margin, and mere hints decide nothing.
+/// Decides by the scores alone. A control with a mark that identifies it by itself needs only a small margin over the next control. Several
+/// weaker marks need a large margin. Hints alone decide nothing.
 void decide(Guess& guess) {
   constexpr double lead = 2, great_lead = 6, more_than_hint = 5;
   auto ranked = guess.scores;
@@ -178,7 +180,7 @@ Guess guess_of(const std::vector<Candidate>& candidates) {
   return guess;
 }
 
-/// Returns the language that Kadr does not read, if one is found for certain; else nullptr.
+/// Returns the language that Kadr does not read, if the evidence identifies one; else nullptr.
 const Candidate* dialect_of(const std::vector<Candidate>& dialects) {
   const auto best =
       std::max_element(dialects.begin(), dialects.end(), [](const Candidate& a, const Candidate& b) { return a.score() < b.score(); });
@@ -208,8 +210,8 @@ Guess unknown(const KindOfText& text) {
   return guess;
 }
 
-/// Returns true if the line has a name in angle brackets (#<…>, O<…>). Such names of LinuxCNC may contain any letters, so the line is no
-/// evidence for another language.
+/// Returns true if the line has a name in angle brackets (#<…>, O<…>). Such a name of LinuxCNC may contain any letters, so the line is not
+/// used as evidence for another language.
 bool has_names(const GuessLine& line) {
   return line.written.find("#<") != std::string::npos || line.written.find("O<") != std::string::npos;
 }
@@ -295,9 +297,9 @@ std::vector<std::string> candidates_of(const Guess& guess) {
 }
 
 void take_trial(Guess& guess, const std::vector<std::pair<std::string, std::size_t>>& faults) {
-  // Score that a control loses if it finds faults: enough that a reading without faults wins over one with faults
+  // Number by which the score of a control with faults is reduced. It is so large that a control without faults wins.
   constexpr double of_faults = near + 1;
-  // If no candidate reads the program without faults, the trial proves nothing.
+  // If every candidate has faults in the trial, the trial proves nothing, and the scores stay unchanged.
   if (std::none_of(faults.begin(), faults.end(), [](const auto& row) { return row.second == 0; })) return;
   for (const auto& [id, count] : faults)
     for (auto& [control, score] : guess.scores)

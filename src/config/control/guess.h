@@ -1,6 +1,6 @@
 #pragma once
-// Guesses from a program's text and name which control the program was written for, or, if Kadr supports no such control, in which
-// language the program is written.
+// Guesses the control that a program was written for, from the program's text and name. If Kadr supports no such control, guesses the
+// language of the program.
 
 #include <map>
 #include <string>
@@ -14,61 +14,62 @@
 namespace kadr {
 
 struct Guess {
-  std::string control;  // id of the guessed control; empty: the program is for no control that Kadr supports
-  // Id (in controls/dialects.toml) of the program's language, if Kadr does not read that language; else empty.
+  std::string control;  // id of the guessed control; empty: Kadr supports no control for this program
+  // Id (in controls/dialects.toml) of the program's language, if it is one that Kadr does not read; else empty.
   std::string dialect;
-  std::string language_en, language_ru;  // name of that language
-  // Controls that would read such a text wrongly: for a lathe program, a control that Kadr reads as a mill
+  std::string language_en, language_ru;  // name of the language `dialect`, for people
+  // Controls that would execute such a program wrongly: for a lathe program, a control that Kadr reads as a mill.
   std::vector<std::string> refused_by;
-  std::string reason_en;  // the evidence in the text, with its lines, in order of lines
+  std::string reason_en;  // the evidence as a sentence, with the lines of the program, in order of lines
   std::string reason_ru;
-  bool decisive = false;                                     // the evidence suffices; if false, the guess is weak
-  std::vector<std::pair<std::string, double>> scores;        // score of every control, in the order of the controls' rows
-  std::vector<std::pair<std::string, std::string>> reasons;  // evidence for every control as sentences in English and Russian
+  bool decisive = false;                                     // the evidence suffices; false: the guess is weak
+  std::vector<std::pair<std::string, double>> scores;        // score of each control, in the order of the controls' rows
+  std::vector<std::pair<std::string, std::string>> reasons;  // evidence for each control, as sentences in English and Russian
 
-  // Score of every language that Kadr does not read; only if the guess is a control
+  // Score of each language that Kadr does not read; only if the guess is a control.
   std::vector<std::pair<std::string, double>> dialect_scores;
 
-  std::map<std::string, double> strongest_marks;  // for every control, the greatest weight of a mark (GuessMark) found in the text
+  std::map<std::string, double> strongest_marks;  // for each control, the greatest weight of a mark (GuessMark) that the text contains
 
-  /// Returns the control with the next best score; empty if no evidence points to another one.
+  /// Returns the control with the second best score; empty if no evidence points to a second control.
   std::string runner_up() const;
 };
 
-/// Guesses the control of a program. `sample`: the start of the program, UTF-8. `path`: its folder and name, may be empty. `own`: rows of
-/// the user's own controls, in addition to the built-in ones.
+/// Guesses the control of a program. `sample`: the start of the program, UTF-8. `path`: folder and name of the program; may be empty.
+/// `own`: rows of the user's own controls, which are considered in addition to the built-in ones.
 Guess guess_control(std::string_view sample, std::string_view path = {}, const std::vector<GuessRows>& own = {});
 
-/// Like guess_control(), with only these controls and languages.
+/// Like guess_control(), but considers only the given controls and languages.
 Guess guess_among(std::string_view sample, std::string_view path, const std::vector<GuessRows>& controls,
                   const std::vector<GuessRows>& dialects);
 
-/// Checks whether the text is certainly in a language for which the named control must not be used: a lathe program, where Kadr reads the
-/// control as a mill. A control file of the user's own is never refused.
-///   control  an id or alias
+/// Checks whether the text is certainly in a language for which the given control must not be used, such as a lathe program if Kadr reads
+/// the control as a mill. A control file of the user's own is never refused.
+///   control  id or alias of the control
 ///   returns  an error sentence; empty if the control may be used
 std::string refused_by_control(std::string_view sample, std::string_view control, Lang lang);
 
-/// Returns the controls that a weak guess leaves possible, most likely first: each has some evidence, and there are few enough to try
-/// them all.
+/// Returns the controls that a weak guess leaves possible, most likely first. There are at most five, few enough to try them all; each has
+/// some evidence, except for the usual control.
 std::vector<std::string> candidates_of(const Guess& guess);
 
-/// Lowers the score of the controls whose trial reading found faults in the program. If all of them found faults, nothing changes.
-///   faults  for each of candidates_of(), the number of alarms in reading the program's start
+/// Lowers the score of each control under which the program's start has faults. If the start has faults under all of them, nothing changes.
+///   faults  each control of candidates_of(), with the number of alarms while the program's start was read
 void take_trial(Guess& guess, const std::vector<std::pair<std::string, std::size_t>>& faults);
 
-/// What the guesses for neighbouring programs have in common.
+/// What the guesses for the programs of one folder have in common.
 struct CommonGuess {
-  std::string control;  // the common control; empty if there is none
-  std::string dialect;  // a language that Kadr does not read; empty if there is none
+  std::string control;  // id of the common control; empty: the guesses have no common control
+  std::string dialect;  // id of the common language that Kadr does not read; empty: there is no such language
 };
-/// Returns the control or language that all decisive guesses name, or at least three quarters of them if there are three or more. A
-/// language must be named by at least two guesses. Without a decisive guess, returns the control with the greatest sum of scores. Both
-/// fields are empty if the guesses disagree.
+/// Returns the control or language that all decisive guesses name; of three or more decisive guesses, three quarters suffice. A language
+/// must be named by at least two guesses. Without a decisive guess, returns the control with the greatest sum of scores. Both members are
+/// empty if the guesses disagree.
 CommonGuess common_guess(const std::vector<Guess>& guesses);
 
-/// Returns true if a program with a weak guess may be for the same control as its neighbours: its text has no strong evidence against it.
-///   same_ending  the file names have the same ending; if not, a language that Kadr does not read also needs some evidence in the text
+/// Returns true if a program with a weak guess may be for the same control as its neighbours, because its text has no strong evidence
+/// against this control.
+///   same_ending  the file names have the same ending; if not, a language that Kadr does not read also needs evidence in the text
 bool may_be(const Guess& guess, const CommonGuess& neighbours, bool same_ending);
 
 /// Returns true if `bytes`, the start of a file, reads like a part program of some control that Kadr supports.

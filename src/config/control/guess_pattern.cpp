@@ -1,4 +1,4 @@
-// Patterns of [guess]. Used by config/control/guess; tested by tests/config/guess_test.cpp.
+// Matches patterns of [guess] in lines of a program. Used by config/control/guess; tested by tests/config/guess_test.cpp.
 
 #include "config/control/guess_pattern.h"
 
@@ -20,7 +20,8 @@ std::size_t digits_at(std::string_view text, std::size_t at) {
   return std::min(text.find_first_not_of("0123456789", at), text.size()) - at;
 }
 
-/// Returns how many characters a class of the pattern (\d, \c, \n, \a, \l) matches at this position, or nullopt if it does not match.
+/// Returns the number of characters that a class of the pattern (\d, \c, \n, \a, \l) matches at this position; nullopt if it does not
+/// match.
 std::optional<std::size_t> taken(char sign, std::string_view line, std::size_t at) {
   if (sign == 'd') {
     const std::size_t digits = digits_at(line, at);
@@ -38,13 +39,14 @@ std::optional<std::size_t> taken(char sign, std::string_view line, std::size_t a
 
 bool is_class(char sign) { return std::string_view("dcnal").find(sign) != std::string_view::npos; }
 
-/// Returns the end of the match at this position, or nullopt. The elements of the pattern are matched one after the other.
+/// Returns the end of the match that starts at this position; nullopt if the pattern does not match. The elements of the pattern are
+/// matched one after another.
 std::optional<std::size_t> end_of_signs(std::string_view line, std::size_t at, std::string_view pattern) {
   for (std::size_t i = 0; i < pattern.size(); ++i) {
     if (pattern[i] == '$' && i + 1 == pattern.size()) return at == line.size() ? std::optional(at) : std::nullopt;
     const bool escaped = pattern[i] == '\\' && i + 1 < pattern.size();
     const char sign = escaped ? pattern[++i] : pattern[i];
-    if (escaped && sign == '*') {  // \* matches any text; the shortest match is tried first
+    if (escaped && sign == '*') {  // \* matches any text; the search tries the shortest match first
       for (std::size_t behind = at; behind <= line.size(); ++behind)
         if (const auto end = end_of_signs(line, behind, pattern.substr(i + 1))) return end;
       return std::nullopt;
@@ -66,7 +68,7 @@ std::optional<std::size_t> end_of(std::string_view line, std::size_t at, std::st
   return more_digits ? std::nullopt : end;
 }
 
-/// Removes blanks, a leading `/` and N10, and leading zeros of G and M: "/ N10 G05.1" gives "G5.1".
+/// Removes blanks, a leading `/`, a block number, and leading zeros of G and M codes: "/ N10 G05.1" becomes "G5.1".
 std::string squeezed(std::string_view written) {
   std::string text;
   for (const char c : written)
@@ -78,7 +80,7 @@ std::string squeezed(std::string_view written) {
   return text;
 }
 
-/// Returns the text in brackets and after `;`, separated by blanks.
+/// Returns the comments of a line: the texts in brackets and after `;`, separated by blanks.
 std::string comments_of(std::string_view raw) {
   const std::size_t first = std::min(raw.find_first_not_of(" \t"), raw.size());
   const std::string_view line = raw.substr(first);
@@ -93,9 +95,10 @@ std::string comments_of(std::string_view raw) {
   return text;
 }
 
-/// Finds the match of a pattern that contains a bracket, such as CYCLE800(, in the words of a line.
+/// Finds the text that matches a pattern with a bracket, such as CYCLE800(, in the words of a line.
 std::string_view found_with_bracket(std::string_view raw, std::string_view pattern) {
-  const std::size_t word = std::min(raw.find_first_not_of(" \t0123456789N"), raw.size());  // position after the block number
+  // Position of the first word after the block number
+  const std::size_t word = std::min(raw.find_first_not_of(" \t0123456789N"), raw.size());
   const bool at_beginning = pattern[0] == '^';
   if (at_beginning) pattern.remove_prefix(1);
   int depth = 0;
@@ -111,7 +114,7 @@ std::string_view found_with_bracket(std::string_view raw, std::string_view patte
 
 GuessLine guess_line(std::string_view line) {
   GuessLine forms;
-  line = line.substr(0, 1000);  // patterns with \* visit each position of a line many times
+  line = line.substr(0, 1000);  // a longer line would take too much time: patterns with \* visit each position many times
   for (const char c : bare_line(line))
     if (c != '\t' && (c != ' ' || forms.written.empty() || forms.written.back() != ' ')) forms.written += c;
   forms.squeezed = squeezed(forms.written);
@@ -124,7 +127,8 @@ GuessLine guess_line(std::string_view line) {
 std::string_view found_in(const GuessLine& line, std::string_view pattern) {
   const bool in_comments = pattern.starts_with('(') || pattern.starts_with(';');
   const bool as_written = pattern.find(' ') != std::string_view::npos;
-  const bool has_bracket = !in_comments && pattern.find('(') != std::string_view::npos;  // the bracket in CYCLE800( is not a comment
+  // In this case, the bracket of CYCLE800( is not treated as the start of a comment
+  const bool has_bracket = !in_comments && pattern.find('(') != std::string_view::npos;
   if (has_bracket) return found_with_bracket(line.raw, pattern);
   const std::string_view text = in_comments ? line.raw : as_written ? line.written : line.squeezed;
   const bool at_beginning = pattern.size() > 1 && pattern[0] == '^';
@@ -158,7 +162,7 @@ LineSigns signs_needed(std::string_view pattern) {
   LineSigns signs = 0;
   for (std::size_t i = 0; i < pattern.size(); ++i) {
     const bool at_edge = (pattern[i] == '^' && i == 0) || (pattern[i] == '$' && i + 1 == pattern.size());
-    if (at_edge || pattern[i] == ' ') continue;  // a tab counts as a blank, too
+    if (at_edge || pattern[i] == ' ') continue;  // a tab counts as a blank
     if (pattern[i] != '\\') signs |= signs_of(pattern.substr(i, 1));
     else ++i;
   }

@@ -1,4 +1,5 @@
-// Reads [guess]. Used by config/control/guess and config/control/control_loader_words; tested by tests/config/guess_test.cpp.
+// Reads the section [guess] of control files and languages. Used by config/control/guess and config/control/control_loader_words; tested by
+// tests/config/guess_test.cpp.
 
 #include "config/control/guess_rows.h"
 
@@ -23,7 +24,7 @@ tl::expected<double, std::string> weight_of(const toml::node& node, std::string_
   return Failed(toml_tools::place(file, node) + translated(texts::control_file::bad_weight, key, most));
 }
 
-/// Reads the marks of one table, without its inner tables.
+/// Reads the marks of one table, but not of the tables inside it.
 std::optional<std::string> take_marks(const toml::table& table, MarkLocation place, const std::string& file, GuessRows& rows) {
   for (const auto& [key, node] : table) {
     if (node.is_table() && place == MarkLocation::statement) continue;
@@ -78,7 +79,7 @@ const std::vector<GuessRows>& built_in_guess_rows() {
       const toml::table* const guess = table ? (*table)["guess"].as_table() : nullptr;
       if (guess == nullptr) continue;
       auto rows = guess_rows_of(*guess, file);
-      assert(rows);  // tests/controls_table.py loads every file
+      assert(rows);  // cannot fail, because tests/controls_table.py loads every built-in file
       rows->control = id;
       of.push_back(std::move(*rows));
     }
@@ -96,7 +97,7 @@ const std::vector<GuessRows>& dialect_rows() {
     for (const auto& [id, node] : *table) {
       const toml::table& dialect = *node.as_table();
       auto rows = guess_rows_of(*dialect["guess"].as_table(), file);
-      assert(rows);  // checked by tests/config/guess_test.cpp
+      assert(rows);  // cannot fail, because tests/config/guess_test.cpp reads these rows
       rows->control = std::string(id.str());
       rows->name_en = dialect["name"]["en"].value_or(std::string());
       rows->name_ru = dialect["name"]["ru"].value_or(std::string());

@@ -1,6 +1,6 @@
 #pragma once
-// The evidence by which texts are recognised: of each control, the section [guess] of its file; of each language that Kadr does not read,
-// controls/dialects.toml.
+// The evidence by which programs are recognised. For a control, it is the section [guess] of the control's file; for a language that Kadr
+// does not read, it is in controls/dialects.toml.
 
 #include <toml++/toml.h>
 
@@ -23,25 +23,25 @@ enum class MarkLocation : std::uint8_t {
 };
 
 struct GuessMark {
-  std::string pattern;  // the text to find, see guess_pattern.h
-  double weight = 0;    // how strong the evidence is; below 0: evidence against the control
+  std::string pattern;  // pattern of the text to find, in the form of guess_pattern.h
+  double weight = 0;    // strength of the evidence; below 0: evidence against the control
   MarkLocation place = MarkLocation::statement;
-  LineSigns needs = 0;            // the characters without which the pattern cannot match
-  std::size_t rarest = any_sign;  // the rarest of these characters
+  LineSigns needs = 0;            // characters without which the pattern cannot match
+  std::size_t rarest = any_sign;  // bit of the rarest character in `needs`
 };
 
-/// The evidence for one control or language.
+/// The evidence that points to one control or language.
 struct GuessRows {
-  std::string control;           // id of the control, or of the language
-  std::string name_en, name_ru;  // only for a language: its name for people
-  // Only for a language: controls that must not be used for its programs, because Kadr reads these controls differently.
+  std::string control;           // id of the control or of the language
+  std::string name_en, name_ru;  // name of a language, for people; empty for a control
+  // Only for a language: controls that must not be used for its programs, because Kadr reads programs of these controls differently.
   std::vector<std::string> refused_by;
   std::vector<GuessMark> marks;
   std::vector<std::pair<TextTrait, double>> traits;
 };
 
-/// A mark with this weight identifies the control by itself. A language is identified if the weights of all its evidence add up to at least
-/// this number.
+/// A mark with at least this weight identifies the control by itself. A language is identified if the weights of all its evidence add up to
+/// at least this number.
 inline constexpr double decisive_weight = 10;
 
 /// Reads a section [guess].

@@ -1,4 +1,4 @@
-// Traits of a text. Used by config/control/guess; tested by tests/config/guess_test.cpp.
+// Traits: finds the style of a program's text. Used by config/control/guess; tested by tests/config/guess_test.cpp.
 
 #include "config/control/guess_traits.h"
 
@@ -35,7 +35,7 @@ bool is_program_number(std::string_view line) {
   return line[0] == 'O' && line.size() > 1 && line.find_first_not_of("0123456789", 1) == std::string_view::npos;
 }
 
-/// Returns true if the letter is an address: a number follows and no letter precedes it.
+/// Returns true if the letter at index i is an address: a number follows it, and no letter precedes it.
 bool is_address(std::string_view line, std::size_t i) {
   const char next = i + 1 < line.size() ? line[i + 1] : ' ';
   const bool alone = i == 0 || !is_capital(line[i - 1]);
@@ -125,13 +125,13 @@ void Traits::letter(std::string_view line, std::size_t i) {
   const bool digit_after = i + 2 < line.size() && is_digit(line[i + 2]);
   if ((c == 'G' || c == 'M') && is_digit(next)) ++(digit_after ? two_digit_codes_ : one_digit_codes_);
   if (std::string_view("XYZIJK").find(c) != std::string_view::npos && next == '+' && digit_after) ++plus_signs_;
-  // A word of G65, G66 is an argument: often a mere number, not a length
+  // A word in a block with G65 or G66 is an argument, which often is a mere number and not a length, so it is not counted.
   const bool argument = line.find("G65") != std::string_view::npos || line.find("G66") != std::string_view::npos;
   if (!argument && std::string_view("XYZIJKR").find(c) != std::string_view::npos) length(line, i + 1, c == 'X' || c == 'Y' || c == 'Z');
 }
 
-/// Counts a length. Four or more digits without a decimal point, such as `X8000`, suggest increments of 0.001 mm. `X10` may mean 10 mm, and
-/// `X0` means the same on all controls.
+/// Counts a length by its form. Four or more digits without a decimal point (`X8000`) suggest increments of 0.001 mm. `X10` may mean 10 mm.
+/// `X0` is not counted, because it means the same on all controls.
 void Traits::length(std::string_view line, std::size_t at, bool of_axis) {
   if (line[at] == '+' || line[at] == '-') ++at;
   const std::size_t end = std::min(line.find_first_not_of("0123456789", at), line.size());

@@ -1,5 +1,5 @@
 #pragma once
-// Traits of a text as a whole, found before any control is considered: block numbers, decimal points, letters in use.
+// Traits of a program's text as a whole, found without regard to any control: block numbers, decimal points, letters in use.
 
 #include <cstdint>
 #include <string>
@@ -12,20 +12,20 @@ namespace kadr {
 enum class TextTrait : std::uint8_t {
   all_numbered,     // every block has a number
   few_numbered,     // less than half of the blocks have a number
-  decimal_points,   // some number has a decimal point
-  trailing_points,  // `X10.`: numbers without a digit after the decimal point
-  long_integers,    // coordinates of four or more digits, and no decimal point anywhere
-  whole_lengths,    // X10, Y-5: coordinates of one to three digits, and no coordinate has a decimal point
-  plus_signs,       // `X+10.`: plus signs are written, and no code has one digit
-  two_digit_codes,  // G01: codes have two digits, none has one, and every block is numbered
-  program_number,   // `%`, then a program number such as O0001; does not count if all blocks are numbered and all codes have two digits
+  decimal_points,   // at least one number has a decimal point
+  trailing_points,  // `X10.`: some numbers have no digit after the decimal point
+  long_integers,    // coordinates have four or more digits, and no coordinate has a decimal point
+  whole_lengths,    // X10, Y-5: coordinates have one to three digits, and no coordinate has a decimal point
+  plus_signs,       // `X+10.`: numbers have plus signs, and no code has a single digit
+  two_digit_codes,  // G01: all codes have two digits, and every block has a number
+  program_number,   // `%`, then a program number such as O0001; not set if all blocks are numbered and all codes have two digits
   percent,          // the text starts with `%`
   no_percent,       // the text has no `%`
-  no_tools,         // the text has no T, no M6, no H
-  without_y,        // X and Z are used, Y never
-  u_w_words,        // U or W is used, and A, B, C, Y are not
-  changing_power,   // S in blocks without M3, M4 or T, at least three times
-  feed_everywhere,  // most feed motions have an F
+  no_tools,         // the text contains no T, no M6 and no H
+  without_y,        // X and Z occur, and Y does not
+  u_w_words,        // U or W occurs, and A, B, C, Y do not
+  changing_power,   // S occurs at least three times in blocks without M3, M4 or T
+  feed_everywhere,  // most motions at feed have an F word
   count
 };
 
@@ -36,7 +36,7 @@ struct TraitText {
 };
 const TraitText& text_of(TextTrait trait);
 
-/// Collects the traits of a text, whose lines it receives one by one, in upper case and without comments.
+/// Collects the traits of a text. It receives the lines of the text one by one, in upper case and without comments.
 class Traits {
  public:
   void take(std::string_view line);

@@ -20,7 +20,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Converts the path of a control file, which is relative to the .kadr.toml, to one relative to the current folder.
+/// Converts the path of a control file from one relative to the folder of .kadr.toml to one relative to the current folder.
 std::string seen_from_here(const fs::path& folder, const std::string& control) {
   if (!control.ends_with(".toml") || fs::path(control).is_absolute()) return control;
   return (folder / control).lexically_normal().string();

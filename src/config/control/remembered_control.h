@@ -1,11 +1,11 @@
 #pragma once
-// The control that .kadr.toml in a folder remembers for the programs of this folder and the folders below it:
+// The file .kadr.toml of a folder, which remembers the control for the programs of this folder and of the folders below it:
 //
 //   control = "haas"              # an id of `kadr controls`, or a control file, relative to this one
 //   [control_for]
 //   "*.ngc" = "linuxcnc"          # as --control-for
 //
-// Only --remember writes it.
+// Kadr writes the file only with the option --remember.
 
 #include <functional>
 #include <map>
@@ -20,16 +20,16 @@ namespace kadr {
 
 inline constexpr const char* remembering_file = ".kadr.toml";
 
-/// Reads the .kadr.toml of each folder once.
+/// Reads each .kadr.toml once and stores what it states.
 class RememberedControls {
  public:
-  ///   complain  is called with a sentence for each fault in a .kadr.toml
-  ///   door      opens the files; nullptr: the file system. It must outlive this object
+  ///   complain  receives a sentence for each fault in a .kadr.toml
+  ///   door      opens the files; nullptr: files are opened in the file system directly. It must exist longer than this object
   explicit RememberedControls(std::function<void(const std::string&)> complain, const FileAccess* door = nullptr)
       : complain_(std::move(complain)), door_(door) {}
 
-  /// Returns the control for a program. The nearest .kadr.toml decides, in the program's folder or above.
-  ///   returns  empty if nothing is remembered
+  /// Returns the control for a program. The nearest .kadr.toml decides: in the program's folder, or in a folder above it.
+  ///   returns  empty if no .kadr.toml states a control for the program
   std::string of(const std::string& program);
 
  private:
@@ -44,7 +44,7 @@ class RememberedControls {
   std::map<std::string, std::optional<Remembered>> folders_;
 };
 
-/// Writes `control` to the .kadr.toml in the program's folder. Other lines of the file are kept.
+/// Writes `control` to the .kadr.toml in the program's folder. Other lines of the file stay unchanged.
 ///   returns  an error sentence; empty on success
 std::string save_control_choice(const std::string& control, const std::string& program);
 

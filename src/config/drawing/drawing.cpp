@@ -1,4 +1,4 @@
-// Contours: drawings to edges. Used by cli, config, path; tested by tests/config/drawing_test.cpp.
+// Reads contours: converts drawings to edges (lines and arcs). Used by cli, config, path; tested by tests/config/drawing_test.cpp.
 
 #include "config/drawing/drawing.h"
 
@@ -14,7 +14,7 @@ Vec2 around(Vec2 centre, double radius, double deg) {
   return centre + radius * Vec2{turn.cos, turn.sin};
 }
 
-/// Returns true for a text that starts like DXF, with a pair of lines whose first line is a number, usually 0 or 999.
+/// Returns true if the text starts like a DXF file: with a pair of lines whose first line is a number, usually 0 or 999.
 bool looks_like_dxf(std::string_view text) {
   const std::size_t at = text.find_first_not_of(" \t\r\n");
   if (at == std::string_view::npos) return false;
@@ -54,7 +54,7 @@ void EdgeList::line(Vec2 from, Vec2 to) { add({from, to}); }
 void EdgeList::bulged(Vec2 from, Vec2 to, double bulge) {
   if (!(std::abs(bulge) > 1)) return add({from, to, bulge});
   const Vec2 way = to - from;
-  // The middle of the arc; its distance from the chord (sagitta) is bulge · chord / 2
+  // Middle of the arc. Its distance from the chord (sagitta) is bulge · chord / 2.
   const Vec2 middle = 0.5 * (from + to) + (bulge / 2) * Vec2{way.y, -way.x};
   const double half = std::tan(std::atan(bulge) / 2);
   add({from, middle, half});
@@ -63,7 +63,7 @@ void EdgeList::bulged(Vec2 from, Vec2 to, double bulge) {
 
 void EdgeList::arc(Vec2 centre, double radius, double from_deg, double to_deg) {
   if (!std::isfinite(from_deg) || !std::isfinite(to_deg) || !std::isfinite(radius)) {
-    return add({centre, {std::nan(""), 0}});  // a coordinate NaN, which the check against contour_reach rejects
+    return add({centre, {std::nan(""), 0}});  // the coordinate NaN makes the check against contour_reach reject the edge
   }
   const double sweep = std::max(-360.0, std::min(360.0, to_deg - from_deg));
   const int pieces = std::abs(sweep) > 180 ? 2 : 1;

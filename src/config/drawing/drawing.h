@@ -1,6 +1,6 @@
 #pragma once
-// Reads contours from drawings as lists of edges: DXF, SVG, or the small text format of docs/commands/mill.md. path/pocketing/closed_loops
-// finds out what the edges enclose.
+// Reads contours from drawings as lists of edges. A drawing is DXF, SVG, or the small text format of docs/commands/mill.md.
+// path/pocketing/closed_loops determines the areas that the edges enclose.
 
 #include <cstdint>
 #include <string>
@@ -13,20 +13,21 @@
 
 namespace kadr {
 
-/// A line or an arc of a contour, mm.
+/// An edge: a line or an arc of a contour; coordinates in mm.
 struct Edge {
   Vec2 from;
   Vec2 to;
-  // Tangent of a quarter of the swept angle, counter-clockwise positive; 0: a straight line; at most 1: a semicircle
+  // Tangent of a quarter of the swept angle, counter-clockwise positive. 0 is a straight line; 1, the greatest absolute value, a
+  // semicircle.
   double bulge = 0;
-  bool open = false;       // there is no wall at this edge: the tool may cross it
-  std::uint32_t line = 0;  // line of the edge in the file; 0: the edge is not from a file
+  bool open = false;       // the edge has no wall, so the tool may cross it
+  std::uint32_t line = 0;  // line number of the edge in the file; 0: the edge is not from a file
   friend bool operator==(const Edge&, const Edge&) = default;
 };
 
 struct DrawingFault {
   Alarm alarm;
-  std::uint32_t line = 0;  // line of the fault in the file, from 1; 0: the fault concerns the whole file
+  std::uint32_t line = 0;  // line number of the fault in the file, from 1; 0: the fault concerns the whole file
 };
 
 using Edges = std::vector<Edge>;
@@ -37,12 +38,12 @@ inline tl::unexpected<DrawingFault> drawing_fault(std::uint32_t line, const Alar
 }
 
 namespace limits {
-inline constexpr std::size_t drawing_bytes = 16u << 20;  // greatest size of a drawing file
-inline constexpr std::size_t drawing_edges = 20'000;     // greatest number of edges; each costs time in the later geometry
-inline constexpr double contour_reach = 100'000;         // mm, greatest distance of a point from the origin; no milling machine is larger
+inline constexpr std::size_t drawing_bytes = 16u << 20;  // greatest size of a drawing file, bytes
+inline constexpr std::size_t drawing_edges = 20'000;  // greatest number of edges, because each edge costs time in the computation of areas
+inline constexpr double contour_reach = 100'000;      // greatest distance of a point from the origin, mm; no milling machine is larger
 }  // namespace limits
 
-/// Reads the edges of a drawing in the order of the file. Arcs are split into pieces of at most a semicircle.
+/// Reads the edges of a drawing in the order of the file. An arc of more than a semicircle is split into several edges.
 ///   text     DXF if it starts with a DXF pair, SVG if it starts with '<', else the text format
 ///   alarms   contour_syntax, contour_word_missing, contour_unit, contour_radius, contour_reach, contour_empty, contour_too_large
 DrawingResult read_drawing(std::string_view text);
@@ -51,21 +52,21 @@ DrawingResult read_dxf(std::string_view text);
 DrawingResult read_svg(std::string_view text);
 DrawingResult read_drawing_text(std::string_view text);
 
-/// Collects the edges that a reader (DXF, SVG, text format) finds, and checks the limits.
+/// Collects the edges that a reader (DXF, SVG, text format) finds, and checks their number and coordinates.
 class EdgeList {
  public:
   void line(Vec2 from, Vec2 to);
-  /// Adds an arc with a bulge of any size (DXF).
+  /// Adds an arc of a DXF file, whose bulge may be greater than 1.
   void bulged(Vec2 from, Vec2 to, double bulge);
-  /// Adds an arc around `centre` between two angles in degrees; counter-clockwise if `to_deg` is greater.
+  /// Adds an arc around `centre` between two angles in degrees. The arc is counter-clockwise if `to_deg` is greater than `from_deg`.
   void arc(Vec2 centre, double radius, double from_deg, double to_deg);
-  /// Adds an arc with exactly these end points, so that neighbouring edges meet exactly.
+  /// Adds an arc whose end points are exactly `from` and `to`, so that neighbouring edges meet exactly.
   void arc_between(Vec2 from, Vec2 to, Vec2 centre, bool ccw);
   void at(std::uint32_t line) { line_ = line; }
   void open(bool is) { open_ = is; }
-  /// Returns true if no more edges are accepted: there are too many, or one was invalid.
+  /// Returns true if the list accepts no more edges, because there are too many or one was invalid.
   bool full() const { return failed_; }
-  /// Returns the edges, or the reason why they are no contour.
+  /// Returns the edges, or an alarm with the reason why they are no contour.
   DrawingResult take();
 
  private:

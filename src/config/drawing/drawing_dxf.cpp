@@ -17,7 +17,7 @@ namespace {
 struct Pair {
   int code = -1;
   std::string_view value;
-  std::uint32_t line = 0;  // line of the pair's value in the file
+  std::uint32_t line = 0;  // line number of the pair's value in the file
 };
 
 std::string_view trimmed(std::string_view text) {
@@ -25,11 +25,11 @@ std::string_view trimmed(std::string_view text) {
   return begin == std::string_view::npos ? std::string_view() : text.substr(begin, end - begin + 1);
 }
 
-/// Returns the length in mm of a unit of $INSUNITS; 0 for a unit in which nobody draws a part.
+/// Returns the length in mm of a unit of $INSUNITS; 0 for a unit in which no part is drawn, so that the caller rejects it.
 double unit_of(int insunits) {
   switch (insunits) {
     case 0:
-    case 4: return 1;  // unit 0 means "not stated": mm is assumed
+    case 4: return 1;  // mm per unit; the unit 0 means "not stated", and Kadr assumes mm
     case 1: return mm_per_inch;
     case 2: return 12 * mm_per_inch;
     case 5: return 10;
@@ -43,17 +43,17 @@ bool names_open(std::string_view layer) {
   return layer.size() >= 4 && (layer[0] | 32) == 'o' && (layer[1] | 32) == 'p' && (layer[2] | 32) == 'e' && (layer[3] | 32) == 'n';
 }
 
-/// An entity whose pairs are being read.
+/// An entity while its pairs (group code and value) are read.
 struct Entity {
   std::string_view type;
   std::uint32_t line = 0;
   bool open = false;
-  std::map<int, double> value;  // values by group code, for codes that occur once per entity
+  std::map<int, double> value;  // by group code: values of the codes that occur once per entity
   struct Vertex {
     Vec2 at;
     double bulge = 0;
   };
-  std::vector<Vertex> vertices;  // vertices of a polyline, only for LWPOLYLINE
+  std::vector<Vertex> vertices;  // vertices of a polyline; used only for LWPOLYLINE
   bool closed() const { return std::fmod(of(70), 2) == 1; }
   double of(int code) const {
     const auto found = value.find(code);
@@ -159,7 +159,7 @@ class DxfReader {
     if (!in_entities_ || entity_.type.empty()) return;
     edges_.at(entity_.line);
     edges_.open(entity_.open);
-    const bool mirrored = entity_.of(230) < 0;  // extrusion towards −Z mirrors X
+    const bool mirrored = entity_.of(230) < 0;  // an extrusion direction towards −Z means that X is mirrored
     if (entity_.type == "LINE")
       edges_.line({unit_ * entity_.of(10), unit_ * entity_.of(20)}, {unit_ * entity_.of(11), unit_ * entity_.of(21)});
     else if (entity_.type == "CIRCLE") edges_.arc(point(10, 20), unit_ * entity_.of(40), 0, 360);
@@ -196,7 +196,7 @@ class DxfReader {
       edges_.bulged(at(i), at((i + 1) % count), mirrored ? -vertices[i].bulge : vertices[i].bulge);
   }
 
-  static constexpr double max_angle = 36'000;  // degrees; greatest angle of an arc that is accepted: no drawing has a hundred revolutions
+  static constexpr double max_angle = 36'000;  // greatest angle of an arc, degrees; a real drawing has no arc of a hundred revolutions
 
   std::string_view rest_;
   std::uint32_t line_ = 0;

@@ -1,6 +1,6 @@
-// Reads SVG: the elements path, rect, circle, ellipse, line, polygon, polyline, with their transforms. Y is flipped to point upwards, and
-// the origin is the lower left corner of the page. A width with a unit, together with viewBox, gives the scale; without a unit, Kadr takes
-// one user unit as 1 mm. An element or group of class "open", or with an id that begins with "open", has no wall.
+// Reads SVG: the elements path, rect, circle, ellipse, line, polygon, polyline, with their transforms. Y is reversed so that it points
+// upwards, and the origin is the lower left corner of the page. A page width with a unit, together with viewBox, gives the scale; without a
+// unit, one user unit is 1 mm. An element or group of class "open", or with an id that begins with "open", is an edge without a wall.
 
 #include <algorithm>
 #include <cstring>
@@ -15,9 +15,9 @@ namespace {
 
 using svg::Matrix;
 
-constexpr int deepest_group = 100;  // greatest nesting depth of groups
+constexpr int deepest_group = 100;  // greatest nesting depth of SVG groups
 
-/// A length as written, and the size of its unit in mm; `unit` is 0 if the text has no unit.
+/// A length as a number, and the size of its unit in mm; `unit` is 0 if the text states no unit.
 struct Length {
   double value = 0;
   double unit = 0;
@@ -102,7 +102,7 @@ class SvgReader {
     const auto end = text_.begin() + std::min(offset, static_cast<std::ptrdiff_t>(text_.size()));
     return static_cast<std::uint32_t>(1 + std::count(text_.begin(), end, '\n'));
   }
-  /// Returns the line of a node. Nodes come in the order of the text, so each line end is counted once only.
+  /// Returns the line number of a node. The nodes are visited in the order of the text, so each line end is counted once only.
   std::uint32_t line_of(const pugi::xml_node& node) {
     const std::ptrdiff_t offset = std::max(node.offset_debug(), counted_);
     line_ += static_cast<std::uint32_t>(std::count(text_.begin() + counted_, text_.begin() + offset, '\n'));
@@ -113,7 +113,7 @@ class SvgReader {
     return DrawingFault{alarm(AlarmId::contour_syntax, {}, text), line_of(node)};
   }
 
-  /// Sets the transformation of the page: user units to mm, Y upwards.
+  /// Sets the transformation of the page, which converts user units to mm and makes Y point upwards.
   bool set_page(const pugi::xml_node& root) {
     std::vector<double> box;
     if (root.attribute("viewBox") && (!svg::read_numbers(root.attribute("viewBox").value(), box) || box.size() != 4)) return false;

@@ -1,4 +1,4 @@
-// SVG: the pen, and the reader of path data (SVG 1.1, 8.3; arcs F.6).
+// SVG: the pen, which converts shapes to edges, and the reader of path data (SVG 1.1, 8.3; arcs F.6).
 
 #include <fast_float/fast_float.h>
 
@@ -13,7 +13,7 @@
 namespace kadr::svg {
 namespace {
 
-/// Returns the distance of `p` from the circle through a, b, c, or from the line a c if the three points are collinear.
+/// Returns the distance of `p` from the circle through a, b, c; if these three points are collinear, from the line through a and c.
 double off_arc(Vec2 p, Vec2 a, Vec2 b, Vec2 c) {
   const double doubled = 2 * cross(b - a, c - a);
   if (std::abs(doubled) < tol::same_point * length(c - a)) return std::abs(cross(c - a, p - a)) / std::max(length(c - a), tol::same_point);
@@ -23,7 +23,7 @@ double off_arc(Vec2 p, Vec2 a, Vec2 b, Vec2 c) {
 }
 
 double bulge_through(Vec2 a, Vec2 b, Vec2 c) {
-  const double at_b = std::atan2(cross(b - a, c - b), dot(b - a, c - b));  // half the swept angle
+  const double at_b = std::atan2(cross(b - a, c - b), dot(b - a, c - b));  // half the angle that the arc sweeps
   return std::tan(at_b / 2);
 }
 
@@ -126,12 +126,12 @@ class PathReader {
       line_to(to);
       return true;
     }
-    const Vec2 half = rotated(0.5 * (from - to), -e.turn);  // SVG 1.1, F.6.5
+    const Vec2 half = rotated(0.5 * (from - to), -e.turn);  // half the chord in the axes of the ellipse (SVG 1.1, F.6.5)
     const double x = half.x / e.rx, y = half.y / e.ry, beyond = x * x + y * y;
     if (beyond > 1) e.rx *= std::sqrt(beyond), e.ry *= std::sqrt(beyond);
     const double ux = half.x / e.rx, uy = half.y / e.ry;
     const double k = (large == towards_y ? -1 : 1) * std::sqrt(std::max(0.0, 1 / std::max(ux * ux + uy * uy, 1e-300) - 1));
-    const Vec2 c{k * uy, -k * ux};  // centre in the coordinates of the unit circle
+    const Vec2 c{k * uy, -k * ux};  // centre of the arc in coordinates in which the ellipse is the unit circle
     e.centre = 0.5 * (from + to) + rotated({e.rx * c.x, e.ry * c.y}, e.turn);
     e.from = angle_deg(Vec2{ux, uy} - c);
     e.sweep = angle_deg(-1.0 * Vec2{ux, uy} - c) - e.from;
@@ -167,7 +167,7 @@ void Pen::piece(const std::function<Vec2(double)>& at, double from, double to, i
 }
 
 void Pen::curve(const std::function<Vec2(double)>& at) {
-  constexpr int pieces = 4;  // enough pieces that the middle of an S is not mistaken for a line
+  constexpr int pieces = 4;  // number of parts of the curve, so many that the middle of an S-shaped curve is not mistaken for a line
   for (int i = 0; i < pieces; ++i) piece(at, double(i) / pieces, double(i + 1) / pieces, 0);
 }
 

@@ -1,5 +1,5 @@
 #pragma once
-// The pen that the SVG reader draws with: converts shapes in user units to edges in mm.
+// The pen of the SVG reader: converts shapes in user units to edges in mm.
 
 #include <functional>
 
@@ -17,8 +17,8 @@ struct Matrix {
   }
 };
 
-/// An elliptical arc. Its axis is turned by `turn` degrees; it starts at the angle `from` and covers `sweep` (degrees of the ellipse's
-/// parameter, positive towards +Y).
+/// An elliptical arc. The axis of the ellipse is rotated by `turn` degrees. The arc starts at the angle `from` and covers `sweep`, both in
+/// degrees of the ellipse's parameter, positive towards +Y.
 struct EllipseArc {
   Vec2 centre;
   double rx = 0, ry = 0, turn = 0, from = 0, sweep = 360;
@@ -29,9 +29,9 @@ class Pen {
   Pen(EdgeList& edges, const Matrix& to_mm) : edges_(edges), to_mm_(to_mm) {}
 
   void line(Vec2 from, Vec2 to) { edges_.line(to_mm_(from), to_mm_(to)); }
-  /// Draws a curve, given by its points at 0..1, as arcs and lines, within tol::contour_curve.
+  /// Draws a curve as arcs and lines, within tol::contour_curve. The function `at` returns the point for a fraction (0 to 1) of the curve.
   void curve(const std::function<Vec2(double)>& at);
-  /// Draws an ellipse. A circle stays an exact circle if the matrix keeps it round.
+  /// Draws an elliptical arc. A circle remains an exact circle if the matrix maps it to a circle.
   void ellipse(const EllipseArc& arc);
   bool full() const { return edges_.full(); }
 
@@ -42,8 +42,8 @@ class Pen {
   Matrix to_mm_;
 };
 
-/// Draws the attribute `d` of a path.
-///   returns  the position in `d` that cannot be read, or npos
+/// Draws the path that the attribute `d` of an SVG element describes.
+///   returns  the position in `d` at which it cannot be read; npos if all of `d` was read
 std::size_t draw_path(std::string_view d, Pen& pen);
 
 /// Reads a list of numbers, separated by blanks or commas.

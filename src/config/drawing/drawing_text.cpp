@@ -1,4 +1,4 @@
-// Reads the small text format of docs/commands/mill.md, one element per line:
+// Reads the small text format for contours of docs/commands/mill.md, one element per line:
 //   from X Y | line X Y [open] | arc X Y I J cw|ccw [open] | close [open] | circle X Y R [open]     # comment
 
 #include <fast_float/fast_float.h>
@@ -60,7 +60,7 @@ class TextReader {
     return alarm(AlarmId::contour_syntax, {words.at[i], words.at[i] + size}, words.word[i]);
   }
 
-  /// Reads one line: the numbers after the first word, then the words after the numbers.
+  /// Reads one line: the first word, the numbers after it, then the words after the numbers.
   std::optional<Alarm> take(std::string_view line) {
     Words words = split(line);
     if (words.count == 0) return std::nullopt;
@@ -101,7 +101,7 @@ class TextReader {
     return std::nullopt;
   }
 
-  static constexpr double radius_off = 0.01;  // mm by which the radii at both ends of an arc may differ, as the controls themselves allow
+  static constexpr double radius_off = 0.01;  // greatest difference of the radii at both ends of an arc, mm; the limit of the controls
 
   EdgeList edges_;
   std::optional<Vec2> at_;

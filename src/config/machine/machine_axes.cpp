@@ -1,5 +1,5 @@
-// Adapts a control whose axes depend on the machine (ControlDef::machine_axes()) to one channel of a machine: takes the addresses of
-// axes, spindles and auxiliary functions from the set-up (spec/nct/02, 05 5.1, 11 11.1.1, 13 13.2). Used by config, control.
+// Adapts a control whose axes depend on the machine (ControlDef::machine_axes()) to one channel of a machine: reads the addresses of axes,
+// spindles and auxiliary functions from the set-up (spec/nct/02, 05 5.1, 11 11.1.1, 13 13.2). Used by config, control.
 
 #include "config/machine/machine_axes.h"
 
@@ -20,7 +20,7 @@ class Fitter {
 
   std::string run() {
     for (const char letter : axis_letters) free_letter(letter);
-    // RI0.1: R takes the operator I, for data of G10 and levels of cycles (nct 5.1)
+    // The operator I after R, as in RI0.1, makes R incremental: for data of G10, and for levels of cycles (nct 5.1).
     if (def_.grammar.operator_i) def_.grammar.word('R').increment = true;
     axes();
     auxiliary();
@@ -47,7 +47,7 @@ class Fitter {
     }
   }
 
-  /// Returns true if the set-up gives a parameter with this meaning a value other than 0.
+  /// Returns true if the set-up gives a value other than 0 to a parameter that the engine uses under this name.
   bool is_set(std::string_view meaning) const {
     for (const ParameterRow& row : def_.parameters)
       for (std::size_t k = 0; k < row.means.size(); ++k) {
@@ -72,7 +72,7 @@ class Fitter {
     format(letter);
   }
 
-  /// Gives an address a format with sign, any number of digits and a decimal point, any number of times in a block (macro arguments).
+  /// Gives an address the format of a macro argument: sign, any number of digits, a decimal point; any number of times in a block.
   WordFormat& format(char at) {
     WordFormat& w = def_.grammar.word(at);
     w = {};
@@ -83,7 +83,7 @@ class Fitter {
 
   AddressRow& address(char at) { return def_.addresses[static_cast<std::size_t>(at - 'A')]; }
 
-  /// Returns the address of a name: its letter, or a new code for a longer name.
+  /// Returns the address code for a name: its letter; for a longer name, a new code.
   char address_of(const std::string& name) {
     if (name.size() == 1) return name[0];
     for (const AddressName& row : def_.grammar.names)
@@ -112,7 +112,7 @@ class Fitter {
       def_.axis_numbers[a] = static_cast<std::uint8_t>(number);
       axis(a, def_.axes[a]);
     }
-    def_.grammar.word('R').increment = def_.grammar.operator_i;  // R takes the operator I in drilling cycles (nct 5.1)
+    def_.grammar.word('R').increment = def_.grammar.operator_i;  // R accepts the operator I in drilling cycles (nct 5.1)
   }
 
   void axis(std::size_t a, const std::string& name) {
@@ -137,7 +137,7 @@ class Fitter {
     def_.grammar.axis_numbers[static_cast<std::size_t>(code - 'A')] = def_.axis_numbers[a];
   }
 
-  /// Creates the addresses of auxiliary functions: parameters N1333 … N1335 select them from A, B, C, U, V, W (nct 13.2).
+  /// Creates the addresses of auxiliary functions. Parameters N1333 … N1335 select their letters from A, B, C, U, V, W (nct 13.2).
   void auxiliary() {
     constexpr const char* names[] = {"1333", "1334", "1335"};
     for (std::uint8_t i = 0; i < 3; ++i) {
@@ -145,18 +145,18 @@ class Fitter {
       if (letter.empty()) letter = letter_of(names[i], "");
       if (letter.size() != 1 || axis_letters.find(letter[0]) == std::string_view::npos) continue;
       AddressRow& row = address(letter[0]);
-      if (row.function == Function::axis) continue;  // INFERRED: if an axis has the same name, the axis wins
+      if (row.function == Function::axis) continue;  // INFERRED: if an axis has the same name, the address is that of the axis
       row.function = Function::auxiliary_word;
       row.phase = Phase::machine;
       row.number = static_cast<std::uint8_t>(i + 1);
-      row.least = 0;  // nct 13.2: at most eight digits, INFERRED: a whole number
+      row.least = 0;  // the number must not be negative and has at most eight digits (nct 13.2); INFERRED: it must be whole
       row.most = 99'999'999;
       row.whole = true;
     }
   }
 
-  /// Creates U, V, W as incremental X, Y, Z, if they are neither axes nor auxiliary functions (nct 5.1). Only for controls with the
-  /// operator I, which makes a single word incremental.
+  /// Creates U, V, W as incremental X, Y, Z, if these letters are neither axes nor auxiliary functions (nct 5.1). Only for controls with
+  /// the operator I, which makes a single word incremental.
   void increments() {
     if (!def_.grammar.operator_i) return;
     for (int i = 0; i < 3; ++i) {
@@ -166,7 +166,7 @@ class Fitter {
       row.function = Function::increment_axis;
       row.axis = main.axis;
       row.unit = main.unit;
-      format(row.letter).increment = true;  // U, V, W also accept the operator I, which is redundant (nct 1.1)
+      format(row.letter).increment = true;  // U, V, W also accept the operator I, which changes nothing (nct 1.1)
     }
   }
 
@@ -195,7 +195,7 @@ class Fitter {
     format(code).increment = function == Function::spindle_axis_word;
   }
 
-  /// Returns a parameter that holds a character, given as text or as character code.
+  /// Returns the value of a parameter that is a character. The set-up may give it as text or as character code.
   std::string letter_of(const std::string& name, const std::string& index) const {
     const auto found = setup_.parameters.find({name, index, ""});
     if (found == setup_.parameters.end()) return {};
@@ -213,7 +213,7 @@ class Fitter {
       if (row.takes_all_axes) row.takes |= mask | letter_bit(indirect_axis);
   }
 
-  /// Collects the names of system variables; families (#_WZP1 … #_WZP99) are listed one by one.
+  /// Collects the names of the system variables. The members of a family (#_WZP1 … #_WZP99) are listed one by one.
   void symbols() {
     std::vector<VariableName>& all = def_.grammar.symbols;
     all.clear();

@@ -1,6 +1,6 @@
 #pragma once
-// Adapts a control whose axes depend on the machine (ControlDef::machine_axes()) to one channel of a machine: takes the addresses of
-// axes, spindles and auxiliary functions from the set-up (spec/nct/02, 05 5.1, 11 11.1.1, 13 13.2).
+// Adapts a control whose axes depend on the machine (ControlDef::machine_axes()) to one channel of a machine: reads the addresses of axes,
+// spindles and auxiliary functions from the set-up (spec/nct/02, 05 5.1, 11 11.1.1, 13 13.2).
 
 #include <string>
 
@@ -9,12 +9,12 @@
 
 namespace kadr {
 
-/// Creates the rows of the axis, spindle and auxiliary addresses. For a control whose own file names its axes, only takes the machine's
-/// values that the set-up gives as parameters.
-///   returns  an error sentence (duplicate name, too many names); empty if all is well
+/// Creates the rows for the addresses of axes, spindles and auxiliary functions. If the control's own file names its axes, only reads
+/// values of the machine that are parameters in the set-up.
+///   returns  an error sentence (duplicate name, too many names); empty if there is no fault
 std::string fit_to_machine(ControlDef& def, const Setup& setup);
 
-/// Values of the machine that a parameter table may contain: the name by which the engine knows the parameter (`as`), and the field.
+/// Values of the machine that a parameter table may contain: the name under which the engine uses the parameter (`as`), and the member.
 inline constexpr std::pair<std::string_view, double Behaviour::*> figures_of_machine[] = {
     {"feed_most", &Behaviour::feed_most},
     {"reference_feed", &Behaviour::reference_feed},
@@ -24,7 +24,7 @@ inline constexpr std::pair<std::string_view, double Behaviour::*> figures_of_mac
     {"probe_retract", &Behaviour::probe_retract},
 };
 
-/// Returns a parameter of the set-up as a number; 0 if it is not given. `index`: an axis name, or a number as text.
+/// Returns a parameter of the set-up as a number; 0 if the set-up does not state it. `index`: name of an axis, or a number as text.
 double setup_number(const Setup& setup, const std::string& name, const std::string& index = "", const std::string& bit = "");
 bool setup_gives(const Setup& setup, const std::string& name, const std::string& index, const std::string& bit);
 

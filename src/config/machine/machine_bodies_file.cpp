@@ -22,11 +22,11 @@ using Done = tl::expected<void, std::string>;
 using toml_tools::place;
 
 constexpr std::size_t max_bodies = 256;
-constexpr std::size_t longest_name = 100;  // bytes
+constexpr std::size_t longest_name = 100;  // greatest length of a body's name, bytes
 constexpr std::string_view body_keys[] = {"name", "on", "box", "cylinder", "file"};
 constexpr std::string_view body_forms[] = {"box", "cylinder", "file"};
 
-/// Returns a list of exactly `count` numbers; nullopt if the node is anything else.
+/// Returns a list of exactly `count` numbers; nullopt if the node is not a list of this form.
 std::optional<std::vector<double>> numbers_of_list(const toml::node& node, std::size_t count) {
   const toml::array* const list = node.as_array();
   if (list == nullptr || list->size() != count) return std::nullopt;
@@ -59,7 +59,7 @@ Done cylinder_of_body(const std::string& file, const toml::node& node, BodyShape
   return {};
 }
 
-/// Reads the path of a body's mesh file, which is relative to the machine's file.
+/// Reads the path of a body's mesh file. The path is relative to the folder of the machine's file.
 Done file_of_body(const std::string& file, const toml::node& node, BodyShape& shape) {
   const std::string name = node.value_or(std::string());
   const std::string small = in_small_letters(name);
@@ -78,7 +78,7 @@ Done shape_of_body(const std::string& file, const toml::table& row, BodyShape& s
   return file_of_body(file, *row.get("file"), shape);
 }
 
-/// Returns the axes that may carry a body: the axes of [kinematics]; without that section X, Y, Z, which carry the tool.
+/// Returns the axes that may carry a body: those of [kinematics]; without this section, X, Y, Z, which then carry the tool.
 std::vector<std::string> carriers_of(const MachineProfile& profile) {
   if (!profile.chains.given()) return {"X", "Y", "Z"};
   std::vector<std::string> all = profile.chains.tool;

@@ -1,5 +1,5 @@
 #pragma once
-// Reads [[bodies]]. Used by config/machine/machine_profile.
+// Reads [[bodies]] of machines/*.toml. Used by config/machine/machine_profile.
 
 #include <toml++/toml.h>
 
@@ -10,7 +10,7 @@
 
 namespace kadr {
 
-/// Adds the bodies in a machine's file to the profile, whose axes and chains must be set already.
+/// Adds the bodies of a machine's file to the profile. The axes and chains of the profile must be set before.
 ///   returns  on failure, an error sentence with file and line
 tl::expected<void, std::string> bodies_of(const std::string& file, const toml::table& table, MachineProfile& profile);
 

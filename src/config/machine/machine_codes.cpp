@@ -9,7 +9,7 @@ namespace {
 
 constexpr std::int32_t tenths = 10;
 
-/// Returns how specifically a row names the other control; 0 if the row does not apply to that control.
+/// Returns a number that is greater the more specifically the row names the other control; 0 if the row does not apply to that control.
 std::size_t nearness(const MachineCodeRow& row, const ControlDef& other) {
   if (row.control == other.id) return other.lineage.size() + 2;
   const auto found = std::find(other.lineage.begin(), other.lineage.end(), row.control);
@@ -44,7 +44,7 @@ void MachineCodes::take(const ControlDef& own, const ControlDef& other, bool own
     const CodeRow* const there = machine_row(other, row.there);
     if (there == nullptr || !is_of_machine(*there)) {
       if (near > 1 && !fault_) fault_ = Fault{own.id, row.code, other.id, row.there};
-      continue;  // a row for "*" is no fault: not every control has its code
+      continue;  // a row for "*" is no fault, because not every control has this code
     }
     const Pair pair = own_is_from ? Pair{row.code, row.there} : Pair{row.there, row.code};
     if (!this->there(pair.here) && !here(pair.there)) pairs_.push_back(pair);

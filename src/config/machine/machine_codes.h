@@ -1,5 +1,5 @@
 #pragma once
-// MachineCodes: maps the M functions of one control's machine to those of another's, by the tables [convert] of both files.
+// MachineCodes: maps the M functions of one control's machine to those of another control's machine, by the tables [convert] of both files.
 
 #include <cstdint>
 #include <optional>
@@ -12,12 +12,12 @@ namespace kadr {
 
 class MachineCodes {
  public:
-  /// A row with the id of the other control has priority over a row with an id that the other control extends, and that one over a row with
-  /// "*". The table of `from` has priority over the table of `to`.
+  /// A row with the id of the other control has priority over a row with the id of a base of this control; a row with "*" has the lowest
+  /// priority. The table of `from` has priority over the table of `to`.
   MachineCodes(const ControlDef& from, const ControlDef& to);
 
-  /// there() returns the M function of `to` for an M function of `from`, here() the reverse. Both return nullopt if no table has the
-  /// function.
+  /// there() returns the M function of `to` for an M function of `from`; here() returns the M function of `from` for one of `to`. Both
+  /// return nullopt if no table contains the function.
   std::optional<std::uint32_t> there(std::uint32_t code) const;
   std::optional<std::uint32_t> here(std::uint32_t code) const;
   /// Two corresponding M codes: `here` on the control `from`, `there` on the control `to`.
@@ -25,10 +25,10 @@ class MachineCodes {
     std::uint32_t here = 0, there = 0;
   };
   const std::vector<Pair>& pairs() const { return pairs_; }
-  /// A row that names the other control, but with a code that is neither an M function of its machine nor coolant; nullopt if there is
-  /// none.
+  /// A row that names the other control with a code that is neither an M function of that control's machine nor switches coolant; nullopt
+  /// if no row has this fault.
   struct Fault {
-    std::string control;  // the control whose table has the row
+    std::string control;  // the control whose table contains the faulty row
     std::uint32_t code = 0;
     std::string other;
     std::uint32_t there = 0;
@@ -42,9 +42,9 @@ class MachineCodes {
   std::optional<Fault> fault_;
 };
 
-/// Returns the row of an M code; nullptr if the control has no such row, or Kadr does not implement the code.
+/// Returns the row of an M code; nullptr if the control has no row for it, or if Kadr does not implement the code.
 const CodeRow* machine_row(const ControlDef& def, std::uint32_t code);
-/// is_of_machine() returns true for a function of the machine, and for switching coolant; switches_coolant() only for the latter.
+/// is_of_machine() returns true for functions of the machine and for functions that switch coolant; switches_coolant() only for the latter.
 bool is_of_machine(const CodeRow& row);
 bool switches_coolant(Function function);
 

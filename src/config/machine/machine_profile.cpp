@@ -1,4 +1,5 @@
-// Reads machines/*.toml: the capabilities of a machine. Used by cli, machine, motion; tested by tests/config/machine_profile_test.cpp.
+// Reads machines/*.toml, which describe the capabilities of machines. Used by cli, machine, motion; tested by
+// tests/config/machine_profile_test.cpp.
 
 #include "config/machine/machine_profile.h"
 
@@ -30,7 +31,7 @@ Done known_keys(const std::string& file, const toml::table& table, std::initiali
   return {};
 }
 
-/// Reads `planner`, if the key is present.
+/// Reads the key `planner`, if the file has it.
 Done mode_of(const std::string& file, const toml::table& table, PlannerMode& to) {
   const toml::node* const node = table.get("planner");
   if (node == nullptr) return {};
@@ -41,7 +42,7 @@ Done mode_of(const std::string& file, const toml::table& table, PlannerMode& to)
   return {};
 }
 
-/// Reads a key with three numbers, if it is present.
+/// Reads a key whose value is three numbers, if the key is present.
 Done vector_of(const std::string& file, const toml::table& row, std::string_view key, Vec3& to) {
   const toml::node* const node = row.get(key);
   if (node == nullptr) return {};
@@ -58,7 +59,7 @@ Done vector_of(const std::string& file, const toml::table& row, std::string_view
   return {};
 }
 
-/// Reads a direction like vector_of() and normalises it.
+/// Reads a direction in the same way as vector_of(), and scales it to length 1.
 Done direction_of(const std::string& file, const toml::table& row, std::string_view key, Vec3& to) {
   if (auto done = vector_of(file, row, key, to); !done) return done;
   const double l = length(to);
@@ -75,7 +76,7 @@ Done flag_of(const std::string& file, const toml::table& row, std::string_view k
   return {};
 }
 
-/// Reads `along` of a linear axis, `turns` and `through` of a rotary one, `reversed`, `roll_over`.
+/// Reads the keys of a joint: `along` of a linear axis, `turns` and `through` of a rotary axis, `reversed`, `roll_over`.
 Done joint_of(const std::string& file, const std::string& name, const toml::table& row, AxisJoint& joint) {
   constexpr std::string_view letters = "XYZUVWABC";
   const auto letter = name.empty() ? std::string_view::npos : letters.find(name[0]);
@@ -97,7 +98,7 @@ Done joint_of(const std::string& file, const std::string& name, const toml::tabl
   return {};
 }
 
-/// Reads a list of axis names from the bed outwards. `seen`: the names in both chains so far.
+/// Reads a list of axis names in order from the bed. `seen`: the names that both chains have contained so far.
 Done chain_of(const std::string& file, const toml::table& table, std::string_view key, const MachineProfile& profile,
               std::vector<std::string>& to, std::vector<std::string>& seen) {
   const toml::node* const node = table.get(key);

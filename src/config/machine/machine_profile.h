@@ -1,5 +1,5 @@
 #pragma once
-// MachineProfile: the capabilities of a machine, from machines/*.toml. Times, limits, kinematics and bodies; the control does not use it.
+// MachineProfile: the capabilities of a machine, from machines/*.toml: rates, limits, kinematics and bodies. The control does not use them.
 
 #include <cstdint>
 #include <map>
@@ -13,34 +13,35 @@
 
 namespace kadr {
 
-/// How an axis moves what it carries. Without data in the file, its letter decides: X, U along X …, A about X, B about Y, C about Z.
+/// How an axis moves what it carries. If the file does not state this, the letter of the axis decides: X, U along X …, A about X, B about
+/// Y, C about Z.
 struct AxisJoint {
   bool turns = false;
   Vec3 direction;  // unit vector of the motion, or of the axis of rotation, with all axes at 0
-  Vec3 through;    // a point of the axis of rotation, machine coordinates, with all axes at 0 and the spindle's gauge point at the origin
-  // If reversed, a positive rotation is left-handed; a positive linear motion moves the tool against `direction`, seen from the part.
+  Vec3 through;    // a point on the axis of rotation, machine coordinates, with all axes at 0 and the spindle's gauge point at the origin
+  // If reversed, a positive rotation is left-handed, and a positive linear motion moves the tool, seen from the part, against `direction`.
   bool reversed = false;
   bool rolls_over = false;
 };
 
 struct AxisProfile {
-  double rapid = 10000;   // mm/min or degrees/min
-  double least = -1e300;  // end of the axis' travel, machine coordinate, mm or degrees
+  double rapid = 10000;   // rapid rate, mm/min or degrees/min
+  double least = -1e300;  // lower end of the axis' travel, machine coordinate, mm or degrees; `most` is the upper end
   double most = 1e300;
-  double acceleration = 500;  // mm/s² or degrees/s²; for samples and times, if neither set-up nor parameters give an acceleration
+  double acceleration = 500;  // mm/s² or degrees/s²; used for samples and times if neither set-up nor parameters state an acceleration
   double jerk = 10000;        // mm/s³ or degrees/s³
   AxisJoint joint{};
 };
 
-/// Which axis carries which ([kinematics]). Each list has axis names from the bed outwards: an axis carries the next one, and the last axis
+/// The chains of axes ([kinematics]). Each list contains axis names in order from the bed: an axis carries the next axis, and the last axis
 /// carries the tool or the part.
 struct AxisChains {
   std::vector<std::string> tool, part;
-  Vec3 tool_direction{0, 0, 1};  // unit vector from the tip into the spindle, with all axes at 0
+  Vec3 tool_direction{0, 0, 1};  // unit vector from the tip towards the spindle, with all axes at 0
   bool given() const { return !tool.empty() || !part.empty(); }
 };
 
-/// What determines the machine's speed. programmed: the programmed feeds and the rapid rates; with accelerations in the set-up, as
+/// What determines the machine's speed. programmed: the programmed feeds and the rapid rates; if the set-up states accelerations, like
 /// `control`. control: what a conventional control achieves with the machine's accelerations (docs/motion.md). optimal: the least-time
 /// planner (docs/planner.md).
 enum class PlannerMode : std::uint8_t { programmed, control, optimal };
@@ -48,17 +49,17 @@ enum class PlannerMode : std::uint8_t { programmed, control, optimal };
 struct MachineProfile {
   std::string id = "generic";
   std::string name_en, name_ru;
-  std::map<std::string, AxisProfile> axes;  // axes of the machine by name; axes that are not listed have AxisProfile{}
+  std::map<std::string, AxisProfile> axes;  // axes of the machine by name; an axis that is not listed has the values of AxisProfile{}
   AxisChains chains;
   std::vector<MachineBody> bodies;
   double tool_change_s = 10;
   double spindle_start_s = 0;
-  double most_rpm = 0;      // highest spindle speed, rev/min; 0: not stated
-  double tolerance = 0.01;  // mm by which a corner may be rounded if the program states no tolerance
+  double most_rpm = 0;      // highest spindle speed, rev/min; 0: the file does not state it
+  double tolerance = 0.01;  // permitted rounding of corners if the program states no tolerance, mm
   PlannerMode planner = PlannerMode::programmed;
 };
 
-/// `name`: a built-in id, in upper or lower case, or a file that ends with .toml. Returns an error sentence on failure.
+/// Loads a machine. `name`: a built-in id, in upper or lower case, or a file that ends with .toml. Returns an error sentence on failure.
 tl::expected<MachineProfile, std::string> load_machine(const std::string& name, const FileAccess* door = nullptr);
 
 /// Returns the ids of the built-in machines.

@@ -7,7 +7,7 @@
 namespace kadr {
 namespace {
 
-/// The name by which the engine knows a parameter that makes rapid motions straight.
+/// The name under which the engine uses a parameter that makes rapid motions straight.
 constexpr std::string_view straight = "rapids_straight";
 
 }  // namespace
@@ -21,7 +21,7 @@ bool rapids_apart(const ControlDef& def, const Setup& setup, const std::vector<s
       if (bits ? given.of_channel(row.name.c_str(), {int(k), row.bits[k].c_str()}) : given.of_channel(row.name.c_str()) != 0) return false;
     }
   return def.has_parameter(straight) || def.behaviour.rapids_apart ||
-         given.of_channel("0421", {0, "ROL"});  // nct 4.1.2; the parameter's number is INFERRED (nct 4.1.1)
+         given.of_channel("0421", {0, "ROL"});  // nct 4.1.2; INFERRED: number of the parameter (nct 4.1.1)
 }
 
 }  // namespace kadr

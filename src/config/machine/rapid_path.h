@@ -1,7 +1,7 @@
 #pragma once
-// How the axes move in a rapid: together along a straight line, or each at its own rate until it arrives. A parameter of the set-up
-// decides: Fanuc 1401#1 LRP, Setting 335 of the Haas, N0421 ROL; for a control without such a parameter, its file does (`rapids_apart` of
-// [behaviour]).
+// Decides how the axes move in a rapid: together along a straight line, or each at its own rate until it reaches its end. A parameter of
+// the set-up decides: Fanuc 1401#1 LRP, Setting 335 of the Haas, N0421 ROL. For a control without such a parameter, its file decides
+// (`rapids_apart` of [behaviour]).
 
 #include <string>
 #include <vector>

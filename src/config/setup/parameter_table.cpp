@@ -23,13 +23,13 @@ constexpr std::array<std::string_view, 4> types = {"bits", "whole", "real", "tex
 constexpr std::array<std::string_view, 3> classes = {"run_time", "restart", "emergency"};
 constexpr std::array<std::string_view, 12> keys_of_row = {"scope", "type", "when", "least", "most",   "initial",
                                                           "bits",  "used", "en",   "ru",    "manual", "as"};
-constexpr std::size_t bits_with_number = 8;  // greatest number of bits of a parameter that have a bit number (nct 24.0)
-// Greatest number of bits of a parameter: its value is a double, which holds whole numbers up to 2^53
+constexpr std::size_t bits_with_number = 8;  // number of bits of a parameter that have a bit number (nct 24.0)
+// Greatest number of bits of a parameter. The value is a double, which represents whole numbers up to 2^53 exactly.
 constexpr std::size_t max_bits = 48;
-constexpr double whole_least = -2147483648.;  // least whole number: nct 24.0 has 32 bits, signed or unsigned
+constexpr double whole_least = -2147483648.;  // least whole number that a parameter may have: nct 24.0 has 32 bits, signed or unsigned
 constexpr double whole_most = 4294967295.;
 
-/// Reads one row and keeps the first fault.
+/// Reads one row of the table and stores the first fault that it finds.
 class RowReader {
  public:
   RowReader(const std::string& file, const toml::table& table) : file_(file), table_(table) {}
@@ -83,7 +83,7 @@ class RowReader {
     return otherwise;
   }
 
-  /// Converts "0107" to 107; returns -1 for letters: for such a parameter the manual gives no number.
+  /// Converts "0107" to 107; returns -1 for letters, which are the name of a parameter whose number the manual does not give.
   std::int32_t number_of(std::string_view key) {
     const bool digits = key.find_first_not_of("0123456789") == std::string_view::npos;
     const bool letters = key.find_first_not_of("ABCDEFGHIJKLMNOPQRSTUVWXYZ") == std::string_view::npos;
@@ -92,7 +92,7 @@ class RowReader {
     return digits && key.size() == 4 ? std::stoi(std::string(key)) : -1;
   }
 
-  /// Returns the index of the key's value in `words`.
+  /// Returns the index, in `words`, of the word that is the key's value.
   template <std::size_t N>
   std::size_t one_of(std::string_view key, const std::array<std::string_view, N>& words, std::size_t otherwise) {
     const toml::node* const node = table_.get(key);
@@ -105,7 +105,8 @@ class RowReader {
     return 0;
   }
 
-  /// Reads "REN ASH - ABS | cut": names from bit 0 on. Names after the bar, whose bit number is unknown, are stored from the ninth on.
+  /// Reads a text such as "REN ASH - ABS | cut": names of the bits from bit 0 on. Names after the bar have no known bit number, and are
+  /// stored from the ninth element on.
   void bits(ParameterRow& row) {
     const std::string text = value("bits", std::string(), "a text");
     if (!text.empty() && row.type != ParameterType::bits) fault_at("bits", "bits, but the type is not bits");
@@ -141,7 +142,7 @@ Rows rows_of(const toml::table& table, const std::string& file) {
     rows.push_back(reader.row(key.str()));
     if (!reader.fault().empty()) return Failed(reader.fault());
   }
-  // As an unsigned number, -1 is the greatest, so parameters without a number are last
+  // The unsigned value of -1 is the greatest, so parameters without a number come last.
   const auto rank = [](const ParameterRow& row) { return static_cast<std::uint32_t>(row.number); };
   std::stable_sort(rows.begin(), rows.end(), [&](const ParameterRow& a, const ParameterRow& b) { return rank(a) < rank(b); });
   return rows;
@@ -161,7 +162,8 @@ Rows load_parameters(const std::string& name) {
   const auto text = is_parameter_table(name) ? toml_tools::embedded_text(file) : std::nullopt;
   if (!text) return Failed(translated(texts::control_file::no_parameter_table, name));
   auto rows = rows_of(toml_tools::embedded_table(file).value(), file);
-  return rows ? rows : parse_parameters(*text, file);  // on failure, the text is parsed again, so that the error has a line number
+  // On failure, the text is parsed again, because only its nodes have line numbers for the message
+  return rows ? rows : parse_parameters(*text, file);
 }
 
 }  // namespace kadr

@@ -1,6 +1,6 @@
 #pragma once
-// Reads controls/NAME-parameters.toml as rows of parameters (nct 24). Such a table belongs to a control (`parameters = "NAME-parameters"`
-// in its file) and is no control itself.
+// Reads controls/NAME-parameters.toml as rows of parameters (nct 24). A control names this table in its file (`parameters =
+// "NAME-parameters"`); the table itself is no control.
 
 #include <string>
 #include <string_view>

@@ -1,4 +1,4 @@
-// Reads set-ups (--setup FILE.json). Used by config, control, machine, motion, session; tested by tests/config/setup_test.cpp.
+// Setup: reads set-ups (--setup FILE.json). Used by config, control, machine, motion, session; tested by tests/config/setup_test.cpp.
 
 #include "config/setup/setup.h"
 
@@ -14,7 +14,7 @@ namespace kadr {
 namespace setup_reader {
 namespace {
 
-/// Reads "XC": two axes of up to three characters each.
+/// Reads the plane, such as "XC": the names of two axes, of up to three characters each.
 void plane(const Json& value, const std::string& key, Setup& setup) {
   constexpr std::size_t longest = 6;
   setup.plane = word(value, key);
@@ -25,7 +25,7 @@ void plane(const Json& value, const std::string& key, Setup& setup) {
   if (!known) wrong(key, "the names of its two axes, \"XY\"");
 }
 
-/// Returns readers for the keys about the state in which a run starts: axes, start position, modes …
+/// Returns readers for the keys of the state in which a run starts: axes, start position, modes …
 Readers readers_of_state(Setup& s) {
   return {
       {"axes", [&](const Json& v, const std::string& k) { s.axes = list(v, k, word); }},
@@ -58,7 +58,7 @@ Readers readers_of(Setup& setup) {
   readers.merge(readers_of_tables(setup));
   readers.merge(readers_of_machine(setup));
   readers.merge(readers_of_events(setup));
-  // Keys that Kadr accepts and ignores: they are for the runner of the golden cases, or for people, or are not supported yet.
+  // Reader for keys that Kadr accepts and ignores: they are for the runner of the golden cases, or for people, or are not supported yet.
   const Reader nothing = [](const Json&, const std::string&) {};
   for (const char* key : {"frame", "files", "main_file", "notes"}) readers.emplace(key, nothing);
   return readers;
@@ -77,15 +77,15 @@ namespace {
 
 using setup_reader::Json;
 
-/// Returns the sentence with its place in front: "shop.json:3: …", "--zero G54=X1: …". If `place` is empty, returns the sentence alone.
+/// Returns the sentence with its location in front: "shop.json:3: …", "--zero G54=X1: …". If `place` is empty, returns the sentence alone.
 std::string placed(const std::string& place, std::uint32_t line, const std::string& sentence) {
   std::string text = place;
   if (line != 0 && !place.empty() && !place.starts_with("--")) text += ":" + std::to_string(line);
   return text.empty() ? sentence : text + ": " + sentence;
 }
 
-/// Merges `from` into `to`: tables are merged key by key, anything else replaces the old value. Even null replaces it, for it may have a
-/// meaning (an acceleration without limit).
+/// Merges `from` into `to`. Tables are merged key by key; any other value replaces the old value. Null replaces it too, because null may
+/// have a meaning (an acceleration without limit).
 void lay_over(Json& to, const Json& from) {
   for (const auto& [key, value] : from.items()) {
     if (value.is_object() && to.contains(key) && to[key].is_object()) lay_over(to[key], value);
@@ -113,14 +113,15 @@ tl::expected<PlacedSetup, std::string> read_setup(const std::vector<SetupSource>
     try {
       Setup read;
       setup_reader::read_table(parts[i].value, "", setup_reader::readers_of(read));
-    } catch (const setup_reader::Wrong& error) {  // faults that the check of keys does not find: dates, combinations, limits with unit
+      // Faults that the check of keys does not find: dates, combinations of keys, limits with a unit
+    } catch (const setup_reader::Wrong& error) {
       return tl::unexpected(placed(sources[i].place, line(error.key), error.sentence));
     }
   }
   try {
     setup_reader::read_table(whole, "", setup_reader::readers_of(result.setup));
     setup_reader::give_kinematics(result.setup);
-  } catch (const setup_reader::Wrong& error) {  // each source is valid by itself, but the merged set-up is not
+  } catch (const setup_reader::Wrong& error) {  // each source is valid by itself, but the merged set-up is not valid
     return tl::unexpected(error.sentence);
   }
   result.stated = stated_in(whole);

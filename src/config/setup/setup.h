@@ -1,6 +1,6 @@
 #pragma once
-// Setup: the state before the start (--setup FILE.json). RunState: the state after a run. tests/golden/README.md defines the keys. Kadr
-// has some more: for offsets `length_x`, `length_x_wear`, `length_y`, `length_y_wear`, `tip_position`; for tool rows `G`, `W`,
+// Setup: the state before a run starts (--setup FILE.json). RunState: the state after a run. tests/golden/README.md defines the keys. Kadr
+// has additional keys: for offsets `length_x`, `length_x_wear`, `length_y`, `length_y_wear`, `tip_position`; for tool rows `G`, `W`,
 // `user_bits` and `user` (a list); and the keys of a printed state: `form_table`, `shifts`, and for a spindle `loop`, `surface_speed`,
 // `css_axis`, `master`.
 
@@ -20,7 +20,7 @@
 
 namespace kadr {
 
-using AxisValues = std::map<std::string, double>;  // axis name → mm or degrees
+using AxisValues = std::map<std::string, double>;  // name of an axis → its value, mm or degrees
 
 /// A row of the offset table, mm. Each offset is the sum of its geometry and its wear (`…_wear`).
 struct ToolOffset {
@@ -28,34 +28,34 @@ struct ToolOffset {
   double radius = 0;
   double length_wear = 0;
   double radius_wear = 0;
-  double corner = 0;  // corner radius of the tool
+  double corner = 0;  // corner radius of the tool, mm
   double corner_wear = 0;
-  double length_x = 0, length_y = 0, length_x_wear = 0, length_y_wear = 0;  // turning offsets (nct 23.1.18, TOL=1)
-  double tip_position = 0;                                                  // code of the orientation of a turning tool's tip
+  double length_x = 0, length_y = 0, length_x_wear = 0, length_y_wear = 0;  // turning offsets, mm (nct 23.1.18, TOL=1)
+  double tip_position = 0;                                                  // code for the orientation of a turning tool's tip
   double whole_length() const { return length + length_wear; }
   double whole_radius() const { return radius + radius_wear; }
   friend bool operator==(const ToolOffset&, const ToolOffset&) = default;
 };
 
 struct AxisLimits {
-  std::optional<double> rapid;                      // mm/min
-  std::optional<std::pair<double, double>> limits;  // mm, machine coordinates
-  // mm, machine coordinates: the least and greatest position of zone 3, which the tool must not enter (nct 22.3)
+  std::optional<double> rapid;                      // rapid rate, mm/min
+  std::optional<std::pair<double, double>> limits;  // ends of the axis' travel, mm, machine coordinates
+  // The least and the greatest position, mm in machine coordinates, of zone 3, which the tool must not enter (nct 22.3).
   std::optional<std::pair<double, double>> zone3;
-  std::optional<std::pair<double, double>> switches;  // mm, machine coordinates: positions of the end-position switches (nct 22.1)
-  std::optional<double> apart;                        // mm: permitted deviation of a gantry axis from its master (nct 20.6)
-  bool no_acceleration = false;                       // `"acceleration": null`: motions need no time to accelerate
-  std::optional<double> acceleration;                 // mm/s²
-  std::optional<double> jerk_time;                    // s, time in which the acceleration reaches its value; 0: at once (linear)
-  double position_error = 0;                          // mm; the axis stops short of its commanded position by this much
+  std::optional<std::pair<double, double>> switches;  // positions of the end-position switches, mm, machine coordinates (nct 22.1)
+  std::optional<double> apart;                        // permitted deviation of a gantry axis from its master, mm (nct 20.6)
+  bool no_acceleration = false;                       // `"acceleration": null`: motions need no time for acceleration
+  std::optional<double> acceleration;                 // acceleration, mm/s²
+  std::optional<double> jerk_time;                    // time in which the acceleration reaches its value, s; 0: at once (linear)
+  double position_error = 0;                          // distance by which the axis stops short of its commanded position, mm
 };
 
-/// The rotary axes of a five-axis machine, in words (nct 25.1).
+/// The rotary axes of a five-axis machine, as words and letters of the set-up (nct 25.1).
 struct KinematicsSetup {
-  std::string type;                                    // machine type: head-head, table-table, head-table; empty: not given
-  std::string axes, reversed;                          // letters of the axes
-  std::map<std::string, std::vector<double>> vectors;  // by the manual's names T1, T2, E, D; mm
-  double singular = 0.01;  // degrees by which a tool direction may be changed if one rotary axis then need not move
+  std::string type;            // machine type: head-head, table-table, head-table; empty: the set-up does not state it
+  std::string axes, reversed;  // letters of the rotary axes; letters of those that are reversed
+  std::map<std::string, std::vector<double>> vectors;  // vectors, mm, by their names in the manual: T1, T2, E, D
+  double singular = 0.01;  // permitted change of a tool direction if one rotary axis then need not move, degrees
 };
 
 struct SpindleSetup {
@@ -63,17 +63,17 @@ struct SpindleSetup {
   int channel = 1;
   double rpm = 0;
   std::string dir = "stop";
-  std::optional<double> angle;                    // degrees
+  std::optional<double> angle;                    // angle of the spindle, degrees
   std::vector<std::pair<double, double>> ranges;  // least and greatest spindle speed of each gear, rev/min
-  // The following members are used only if the set-up is the state that an earlier run printed.
+  // The following members are used only if the set-up is the printed state of an earlier run.
   std::string loop = "open";  // position loop of the spindle: open or closed
-  double surface_speed = 0;   // m/min
+  double surface_speed = 0;   // surface speed, m/min
   int css_axis = 0;
-  int master = 0;  // number of the master spindle; 0: none
+  int master = 0;  // number of the master spindle; 0: the spindle has no master
 };
 
-/// Letters of a tool's info bits, from bit 0 upwards. Of each pair, the first letter means that the bit is 0, the second that it is 1 (nct
-/// 12.3.1). The letters are printed from the highest bit down: "SENCV".
+/// Letters for the bits of a tool's info word, from bit 0 upwards. The first letter of each pair means that the bit is 0, the second letter
+/// that it is 1 (nct 12.3.1). The letters are printed from the highest bit down: "SENCV".
 inline constexpr std::array<std::string_view, 5> tool_info_letters = {"IV", "CT", "NL", "ED", "US"};
 
 /// A row of the tool management table (nct 12.3.1).
@@ -93,11 +93,12 @@ struct ToolForm {
   friend bool operator==(const ToolForm&, const ToolForm&) = default;
 };
 
-using PocketTable = std::map<std::pair<int, int>, int>;  // {magazine, pocket} → row of the tool table; 0: empty
+// {number of the magazine, number of the pocket} → row of the tool table; 0: the pocket is empty
+using PocketTable = std::map<std::pair<int, int>, int>;
 
-/// The name of a parameter: "N0107.4#0" is name "0107", index "4", bit "0".
+/// The name of a parameter. For "N0107.4#0", the name is "0107", the index "4", the bit "0".
 struct ParameterKey {
-  std::string name;   // "0107": the four digits after N; or "CLRG", a name without N
+  std::string name;   // the four digits after N: "0107"; or a name without N: "CLRG"
   std::string index;  // name or number of the axis, or number of the channel or spindle; empty: no index
   std::string bit;    // number or name of the bit; empty: the parameter as a whole
   friend bool operator==(const ParameterKey&, const ParameterKey&) = default;
@@ -105,18 +106,18 @@ struct ParameterKey {
     return std::tie(a.name, a.index, a.bit) < std::tie(b.name, b.index, b.bit);
   }
 };
-/// Reads "N0107.4#0" or "N107.4#0" (the same parameter), or "CLRG#C03". Returns nullopt for a text of another form.
+/// Reads "N0107.4#0" or "N107.4#0", which are the same parameter, or "CLRG#C03". Returns nullopt for a text of another form.
 std::optional<ParameterKey> parameter_key(std::string_view text);
-/// Returns the form in which a parameter is printed: "N0107.4#0".
+/// Returns the text of a parameter's name in the form in which messages and files have it: "N0107.4#0".
 std::string text_of(const ParameterKey& key);
 
 using ParameterValue = std::variant<double, std::string>;
 using Parameters = std::map<ParameterKey, ParameterValue>;
 
-/// What the machine's logic can do with an axis (nct 20.2 to 20.4).
+/// The changes that the machine's logic can make to an axis (nct 20.2 to 20.4).
 enum class AxisLink : std::uint8_t { follows, exchanged, reversed, parked };
 
-/// An action of the machine's logic (nct: PLC) or of the operator, and when it takes place.
+/// An action of the machine's logic (nct: PLC) or of the operator, and the time at which it occurs.
 struct SetupEvent {
   enum class When : std::uint8_t { block_start, block_end, code, stop, message, program_end };
   enum class Do : std::uint8_t {
@@ -134,21 +135,21 @@ struct SetupEvent {
     park
   };
   When when = When::program_end;
-  std::string block;  // "N30"
-  std::string code;   // "M90"
-  int count = 0;      // the event occurs only the n-th time; 0: each time
+  std::string block;  // number of the block: "N30"
+  std::string code;   // code of the block: "M90"
+  int count = 0;      // number of the occurrence at which the event takes place; 0: at every occurrence
   Do what = Do::start;
   std::string signal;
   double value = 0;
   int switch_number = 0;
   bool on = false;
-  std::string answer;  // ok, yes, no, cancel
+  std::string answer;  // the operator's answer: ok, yes, no, cancel
   int spindle = 0, master = 0;
   std::vector<std::string> axes;
 };
 
 struct ChannelSetup {
-  std::string program;  // text of the program
+  std::string program;  // text of the channel's program
   std::vector<std::string> axes;
 };
 
@@ -159,76 +160,79 @@ struct ProbeHole {
 };
 
 struct Setup {
-  std::vector<std::string> axes;  // names of the axes; empty: the axes of the control
+  std::vector<std::string> axes;  // names of the axes; empty: the axes that the control's file names
   AxisValues start;
   bool start_in_work = false;
-  std::vector<std::string> modal;  // code words
-  std::optional<double> feed;      // mm/min
+  std::vector<std::string> modal;  // code words in force at the start
+  std::optional<double> feed;      // feed at the start, mm/min
   std::map<int, ToolOffset> offsets;
-  // By code: "G54", "G59 P7", "common". A basic rotation other than 0 has the key "G17", "G18", "G19"; degrees.
+  // Work offsets by code: "G54", "G59 P7", "common". A basic rotation other than 0 has the axis name "G17", "G18" or "G19", and is in
+  // degrees.
   std::map<std::string, AxisValues> work_offsets;
   std::map<int, AxisValues> zeros;
   std::map<int, double> correctors;
-  std::map<std::string, std::optional<double>> variables;  // "#100", "#_ALM", "#_FOFS1[1]", "R2"; nullopt: vacant variable
-  std::map<std::string, AxisLimits> machine;               // limits of the axes by axis name, or "*" for all axes
-  // Limits that the session combines from set-up and machine file; not a key of the file
+  // By name, "#100", "#_ALM", "#_FOFS1[1]", "R2": value of the variable; nullopt: it is vacant
+  std::map<std::string, std::optional<double>> variables;
+  std::map<std::string, AxisLimits> machine;  // limits by axis name; "*": limits of all axes
+  // Limits that the session combines from set-up and machine file. The set-up has no key for them.
   std::map<std::string, std::pair<double, double>> axis_limits;
-  KinematicsSetup kinematics;  // the same data may be given as parameters, which take precedence
+  KinematicsSetup kinematics;  // the set-up may also give these data as parameters, which take precedence
   std::map<int, SpindleSetup> spindles;
   int tool = 0;
   std::map<int, ToolRow> tool_table;
   PocketTable place_table;
   std::map<int, ToolForm> form_table;
   Parameters parameters;
-  std::string plane;                     // the first and the second axis of the plane: "XC"
-  std::map<std::string, bool> diameter;  // axes programmed as diameters
+  std::string plane;                     // names of the first and the second axis of the plane: "XC"
+  std::map<std::string, bool> diameter;  // by axis name: true if the axis is programmed as a diameter
   bool single_block = false;
-  std::string search;                     // "N50": the run starts with a block search for this block (nct 13.1); empty: at the beginning
+  std::string search;  // "N50": the run starts with a block search for this block (nct 13.1); empty: at the beginning of the program
   std::map<std::string, double> signals;  // signals of the PLC
   std::vector<SetupEvent> events;
-  // Date and time at the start: "2014-05-18T15:32:41"; empty: a fixed day, so that the same input gives the same output
+  // Date and time at the start: "2014-05-18T15:32:41". If empty, a fixed day is used, so that the same input gives the same output.
   std::string clock;
-  std::string ini;  // name of the control's ini file, relative to the folder of the program memory; empty: no such file
+  std::string ini;  // name of the control's ini file, relative to the folder of the program memory; empty: there is no ini file
   int channel = 1;
-  std::map<int, ChannelSetup> channels;  // the other channels
+  std::map<int, ChannelSetup> channels;  // channels other than `channel`, by number
   std::vector<int> skip;                 // numbers of the block skip switches that are on
-  // The operator's answers to whether to skip a block; the last answer applies to all further blocks; empty: the operator is not asked
+  // The operator's answers to the question whether to skip a block. The last answer applies to all further blocks. If empty, the operator
+  // is not asked.
   std::vector<bool> skip_answers;
   bool optional_stop = false;
-  std::vector<AlarmId> disabled;               // warnings and notes that are not reported
+  std::vector<AlarmId> disabled;               // ids of the warnings and notes that are not reported
   std::vector<std::string> mirror;             // mirrored axes
-  std::map<int, AxisValues> reference_points;  // machine coordinates
-  // By number of the probe input: position in work coordinates at which the probe gives its signal; nullopt: it never does
+  std::map<int, AxisValues> reference_points;  // positions of the reference points, by number, in machine coordinates
+  // Position in work coordinates at which the probe triggers, by number of the probe input; nullopt: it never triggers.
   std::map<int, std::optional<AxisValues>> probe;
   std::optional<ProbeHole> probe_hole;
   std::vector<double> points;
   std::vector<std::string> watch;
-  std::map<std::string, AxisValues> shifts;                                  // by code, "G92", "G52"; only if the set-up is a printed state
+  std::map<std::string, AxisValues> shifts;  // shifts by code, "G92", "G52"; only if the set-up is a printed state
   double feed_override = 100, rapid_override = 100, spindle_override = 100;  // %
 
   /// Returns spindle 1, for controls that have a single spindle.
   const SpindleSetup& spindle() const;
 };
 
-/// The state at the end of a run: the tables, and also what a set-up cannot set.
+/// The state at the end of a run: the tables, and also values that a set-up cannot state.
 struct RunState {
-  Setup tables;  // offsets, work_offsets, parameters, tool and place tables, plane, diameter, as a set-up for the next run
-  std::map<std::string, AxisValues> shifts;  // "G92", "G52"
+  Setup tables;  // the tables as a set-up for the next run: offsets, work_offsets, parameters, tool and place tables, plane, diameter
+  std::map<std::string, AxisValues> shifts;  // shifts by code: "G92", "G52"
   struct SpindleState {
     std::string loop = "open";  // position loop of the spindle: open or closed
     double rpm = 0;
     std::string dir = "stop";
-    double surface_speed = 0;  // m/min
+    double surface_speed = 0;  // surface speed, m/min
     int css_axis = 0;
-    int master = 0;  // number of the master spindle; 0: none
+    int master = 0;  // number of the master spindle; 0: the spindle has no master
     std::optional<double> angle;
   };
   std::map<int, SpindleState> spindles;
-  std::map<std::string, AxisValues> frame{};  // frame of G68.1, G68.2 in work coordinates: "origin", "x", "y", "z"; empty: none
+  std::map<std::string, AxisValues> frame{};  // frame of G68.1, G68.2 in work coordinates: "origin", "x", "y", "z"; empty: no frame
 };
 
 /// Reads a set-up from JSON text.
-///   returns  on failure, an error sentence with the key that is unknown, of the wrong form, or not supported yet
+///   returns  on failure, an error sentence with the key that is unknown, has a wrong form, or is not supported yet
 tl::expected<Setup, std::string> parse_setup(std::string_view json);
 tl::expected<Setup, std::string> load_setup(const std::string& file);
 

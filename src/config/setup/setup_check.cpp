@@ -24,7 +24,8 @@ std::string joined(const std::vector<std::string>& names) {
   return names.size() > most ? text + ", …" : text;
 }
 
-/// Returns true for null, false, 0, "", and for tables and lists of such values: they state nothing that is not the default.
+/// Returns true for null, false, 0, "", and for tables and lists that contain only such values. A key with such a value states only the
+/// default.
 bool is_neutral(const Json& value) {
   if (value.is_null() || (value.is_boolean() && !value.get<bool>()) || (value.is_number() && value.get<double>() == 0)) return true;
   if (value.is_string()) return value.get_ref<const std::string&>().empty();
@@ -33,7 +34,7 @@ bool is_neutral(const Json& value) {
 
 bool is_unsupported(std::string_view path) { return path == "frame"; }
 
-/// Returns the range in words, such as "at most 5" or "0 to 9"; empty if the range has no ends.
+/// Returns the range in words, such as "at most 5" or "0 to 9"; empty if the range has neither a lower nor an upper limit.
 std::string range_words(SetupRange range, Lang lang) {
   const bool least = range.least > -1e299, most = range.most < 1e299;
   if (least && most && range.least == -range.most) return translated_in(lang, setup_faults::at_most, range.most);
@@ -41,7 +42,7 @@ std::string range_words(SetupRange range, Lang lang) {
   return least ? plain_text(setup_faults::zero_or_above, lang) : "";
 }
 
-/// Returns the words, which blanks separate, each in quotes: "cw", "ccw" or "stop".
+/// Returns the words (separated by blanks) as a list for a sentence, each word in quotes: "cw", "ccw" or "stop".
 std::string quoted_words(std::string_view words, Lang lang) {
   std::vector<std::string> all;
   while (!words.empty()) {
@@ -52,7 +53,7 @@ std::string quoted_words(std::string_view words, Lang lang) {
   return alternatives(all, lang);
 }
 
-/// Returns the text of the fault that a name does not exist among the names of a kind. Its placeholders are the key, the name, and the
+/// Returns the text for the fault that no name of this kind equals the given name. Its placeholders are the key, the name, and the
 /// suggested names.
 TextId<3> no_such(SetupNames kind) {
   switch (kind) {
@@ -200,7 +201,7 @@ class Checker {
   const Lang lang_;
 };
 
-/// Returns the axes that the set-up names, else the axes of the control.
+/// Returns the axes that the set-up names; if it names none, the axes of the control.
 std::vector<std::string> axes_in(const Json& table, const ControlDef& def) {
   std::vector<std::string> axes;
   if (def.machine_axes() && table.is_object() && table.contains("axes") && table["axes"].is_array())

@@ -1,4 +1,4 @@
-// Reads keys of the set-up about what happens in parallel with the program: signals and events of the machine's logic, clock, channels.
+// Reads keys of the set-up for what happens in parallel with the program: signals and events of the machine's logic, clock, channels.
 
 #include <array>
 #include <chrono>
@@ -10,7 +10,7 @@
 namespace kadr::setup_reader {
 namespace {
 
-/// Reads a block number: "N50".
+/// Reads the block number at which a block search ends: "N50".
 void search_target(const Json& value, const std::string& key, Setup& setup) {
   setup.search = word(value, key);
   const bool fits = setup.search.size() > 1 && setup.search.size() <= 9 && (setup.search[0] == 'N' || setup.search[0] == ':') &&
@@ -34,7 +34,7 @@ constexpr std::array<std::pair<std::string_view, Do>, 12> deeds = {{{"set", Do::
                                                                     {"reverse", Do::reverse},
                                                                     {"park", Do::park}}};
 
-/// Returns true for words such as "N30", ":5", "M90", "G53.1".
+/// Returns true for an address letter and a number: "N30", ":5", "M90", "G53.1".
 bool is_word(std::string_view text, bool (*letter)(char)) {
   const auto digit_or_point = [](char c) { return is_digit(c) || c == '.'; };
   return text.size() >= 2 && letter(text[0]) && text[1] != '.' && std::all_of(text.begin() + 1, text.end(), digit_or_point);
@@ -47,7 +47,7 @@ Reader to_code_word(std::string& to, bool (*letter)(char), std::string form) {
   };
 }
 
-/// Reads one of {block, at}, {code, count}, {action}, {program}.
+/// Reads the time of an event, which has one of the forms {block, at}, {code, count}, {action}, {program}.
 void when(const Json& value, const std::string& key, SetupEvent& event) {
   std::string at = "start", action, program;
   read_table(value, key,
@@ -79,7 +79,7 @@ Do deed(const Json& value, const std::string& key) {
   wrong(key, "one of " + form);
 }
 
-/// Checks that an event has the keys that its `do` needs.
+/// Checks that an event has the keys that the value of its key `do` requires.
 void check_event(const Json& value, const std::string& key, const SetupEvent& event) {
   const auto needs = [&](const char* name) {
     if (!value.contains(name)) wrong(key, "a table with '" + std::string(name) + "'");
@@ -112,7 +112,7 @@ SetupEvent event(const Json& value, const std::string& key) {
   return event;
 }
 
-/// Reads "2014-05-18T15:32:41", which must be an existing date and time.
+/// Reads a date with time, "2014-05-18T15:32:41", which must exist in the calendar.
 void clock(const Json& value, const std::string& key, Setup& setup) {
   constexpr std::string_view form = "0000-00-00T00:00:00";
   setup.clock = word(value, key);

@@ -221,7 +221,7 @@ constexpr SetupSignal signals[] = {
 };
 // clang-format on
 
-/// Checks that each path occurs once, and after the table that contains it.
+/// Checks, at compile time, that each path occurs once, and after the path of the table that contains it.
 constexpr bool paths_in_order() {
   for (std::size_t i = 0; i < std::size(keys); ++i) {
     const std::string_view path = keys[i].path;

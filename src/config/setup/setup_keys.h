@@ -1,7 +1,7 @@
 #pragma once
-// The keys of a set-up (--setup FILE.json): one table, one row per key. The check of a file (config/setup/setup_check), its documentation
-// (docs/setup.md) and `kadr explain ID setup` (out/text/explain/setup_page) are generated from it. tests/golden/README.md defines what the
-// keys mean.
+// The keys of a set-up (--setup FILE.json): one table, one row per key. Three things are generated from this table: the check of a file
+// (config/setup/setup_check), the page docs/setup.md, and `kadr explain ID setup` (out/text/explain/setup_page). tests/golden/README.md
+// defines the meaning of the keys.
 
 #include <cstdint>
 #include <span>
@@ -12,17 +12,17 @@
 
 namespace kadr {
 
-/// The form of a key's value.
+/// The form that the value of a key must have.
 enum class SetupForm : std::uint8_t {
-  table,           // a table { … }, with fixed keys or names (SetupNames)
+  table,           // a table { … }, with fixed keys or with names as keys (SetupNames)
   tables,          // a list of tables [ { … }, … ]
   number,          //
   whole,           // a whole number
   flag,            // true, false
   text,            //
-  one_of,          // one of the words in `words`
+  one_of,          // one of the words that `words` lists
   number_or_text,  // the value of a parameter: a number or a text
-  info,            // info bits of a tool, written as five letters or as a number
+  info,            // info bits of a tool, stated as five letters or as a number
   span,            // a range [least, most]
   numbers,         // a list of numbers [1, 2]
   wholes,          //
@@ -32,13 +32,13 @@ enum class SetupForm : std::uint8_t {
 
 /// The names that are allowed as keys of a table, or as the text of a value.
 enum class SetupNames : std::uint8_t {
-  fixed,  // only the keys that have rows of their own in the table of keys
+  fixed,  // only the keys that have rows of their own in this table
   any,
   axis,
-  axis_of_any,    // name of an axis of any channel
+  axis_of_any,    // name of an axis, of any channel
   axis_or_all,    // name of an axis, or "*" for all axes
   axis_or_plane,  // name of an axis, or "G17", "G18", "G19" for a basic rotation
-  offset,         // number of a row of the offset table; the names below, to `channel`, are numbers too
+  offset,         // number of a row of the offset table; the names from here to `channel` are numbers too
   corrector,
   zero,
   reference_point,
@@ -50,27 +50,27 @@ enum class SetupNames : std::uint8_t {
   work_offset,  // "G54", "G54.1 P2", "common"
   variable,     // "#100", "#_ALM", "R2"
   parameter,    // "N0106.X#1"
-  place,        // place of a tool as magazine/pocket: "10/1"
+  place,        // name of a magazine pocket, magazine/pocket: "10/1"
   signal,       // name of a signal of the machine's logic
   shift,        // "G92", "G52"
 };
 
-/// What a control must have so that the key applies to it; its file decides (config/setup/setup_names).
+/// What a control must have so that the key applies to it. The control's file states whether it has this (config/setup/setup_names).
 enum class SetupNeeds : std::uint8_t {
   nothing,
-  work_offsets,   // work offsets G54 … that are named by their codes
-  zeros,          // work offsets by number, in an order that the codes need not have (2С42: G55 is zero 3)
+  work_offsets,   // work offsets with codes as names: G54 …
+  zeros,          // work offsets with numbers as names; the order of the numbers may differ from that of the codes (2С42: G55 is zero 3)
   correctors,     // axis correctors
-  variables,      // variables #n or R0 … R9
+  variables,      // the control has variables #n or R0 … R9
   parameters,     // a parameter table
-  corner_radius,  // variables for the corner radius of the tool offsets
+  corner_radius,  // the control has variables for the corner radius in its tool offsets
   turning_lengths,
   tool_management,
   clock,
-  ini,  // an ini file with settings of the control (spec/linuxcnc 10.1)
+  ini,  // the control reads an ini file with its settings (spec/linuxcnc 10.1)
   probe,
-  diameters,      // axes may be programmed as diameters
-  skip_question,  // the operator may be asked before a block is skipped
+  diameters,      // the control allows axes that are programmed as diameters
+  skip_question,  // the control may ask the operator before it skips a block
   machine_axes,   // axes, channels, spindles and the machine's logic depend on the machine
 };
 
@@ -79,26 +79,26 @@ enum class SetupUnit : std::uint8_t { none, mm, axis, mm_min, mm_s2, seconds, de
 /// The permitted range of a number.
 struct SetupRange {
   double least = -1e300, most = 1e300;
-  bool by_reader = false;  // the range is one of config/range.h: the reader of the key checks it, with its unit
+  bool by_reader = false;  // the range depends on the quantity (config/range.h), and the reader of the key checks it, with the unit
 };
 
 struct SetupKey {
   std::string_view path;  // full name of the key: "offsets.*.length"; `*` stands for a name
   SetupForm form;
-  SetupNames names;  // the names that the keys of a table, or the texts, may have
-  SetupRange range;  // range of the numbers
+  SetupNames names;  // the names that are permitted as keys of a table, or as texts
+  SetupRange range;  // permitted range of the numbers
   SetupUnit unit;
-  bool null;  // the value null is allowed and means the same as a missing key
+  bool null;  // the value null is permitted and means that the key is missing
   SetupNeeds needs;
-  std::string_view words;    // the permitted words, separated by blanks; only for one_of
-  std::string_view example;  // JSON
-  std::string_view instead;  // key that another type of control has for the same purpose
+  std::string_view words;    // the permitted words, separated by blanks; used only for the form one_of
+  std::string_view example;  // an example of the value, as JSON
+  std::string_view instead;  // key that controls of another type have for the same purpose
   PlainText about;
 };
 
 std::span<const SetupKey> setup_keys();
 
-/// Returns the row of a path, written with `*` for names; nullptr if there is none.
+/// Returns the row of a key's path, which has `*` in place of names; nullptr if the table has no such row.
 const SetupKey* setup_key(std::string_view path);
 
 /// A signal of the machine's logic that has an effect on the control or the machine (nct).
@@ -106,7 +106,7 @@ struct SetupSignal {
   std::string_view name;
   PlainText about;
   std::string_view manual;
-  bool of_axis = false;  // each axis has a signal of this name with the axis as ending: AP_SYNCR.Z
+  bool of_axis = false;  // each axis has its own signal of this name, with the axis as ending: AP_SYNCR.Z
 };
 std::span<const SetupSignal> setup_signals();
 

@@ -1,4 +1,4 @@
-// Reads keys of the set-up about the machine and its switches: axes, spindles, probes, overrides.
+// Reads keys of the set-up for the machine and its switches: axes, spindles, probes, overrides.
 
 #include "config/setup/setup_reader.h"
 
@@ -55,14 +55,14 @@ SpindleSetup spindle(const Json& value, const std::string& key) {
   return spindle;
 }
 
-/// Reads the id of a warning or note.
+/// Reads the id of a warning or note that is not to be reported.
 AlarmId finding(const Json& value, const std::string& key) {
   const AlarmId id = alarm_named(word(value, key));
   if (id == AlarmId::count) wrong(key, "the id of a warning or note");
   return id;
 }
 
-/// Reads the hole to be probed. All its keys are required.
+/// Reads the keys of the hole that the probe touches. All these keys are required.
 void hole(const Json& value, const std::string& key, ProbeHole& to) {
   const Reader center = [&](const Json& item, const std::string& name) {
     read_table(item, name, {{"X", to_range(to.center_x, ranges::position)}, {"Y", to_range(to.center_y, ranges::position)}});
@@ -72,7 +72,8 @@ void hole(const Json& value, const std::string& key, ProbeHole& to) {
               {"diameter", to_range(to.diameter, ranges::diameter)},
               {"top", to_range(to.top, ranges::position)},
               {"depth", to_range(to.depth, ranges::distance)}});
-  if (to.diameter == 0) wrong(key + ".diameter", range_in_words(ranges::diameter));  // the diameter 0 means that the key is missing
+  // The diameter 0 means that the key is missing, which is a fault
+  if (to.diameter == 0) wrong(key + ".diameter", range_in_words(ranges::diameter));
 }
 
 void probe_workpiece(const Json& value, const std::string& key, Setup& setup) {
@@ -109,7 +110,7 @@ void kinematics(const Json& value, const std::string& key, KinematicsSetup& to) 
               {"D", vector}});
 }
 
-/// Reads an answer of the operator: "yes" skips the block.
+/// Reads an answer of the operator; "yes" means that the block is skipped.
 bool skips(const Json& value, const std::string& key) {
   const std::string answer = word(value, key);
   if (answer != "yes" && answer != "no") wrong(key, "\"yes\" or \"no\"");
@@ -152,7 +153,8 @@ Readers readers_of_machine(Setup& s) {
   };
 }
 
-/// Sets the parameters that correspond to `kinematics` (nct 25.1, spec/nct/25a). Parameters in the set-up take precedence.
+/// Sets the parameters that correspond to `kinematics` (nct 25.1, spec/nct/25a). A parameter that the set-up states itself takes
+/// precedence.
 void give_kinematics(Setup& setup) {
   const KinematicsSetup& k = setup.kinematics;
   if (k.type.empty() || k.axes.size() != 2) return;
@@ -165,7 +167,7 @@ void give_kinematics(Setup& setup) {
   for (int n = 0; n < 2; ++n) {
     const std::string letter(1, k.axes[static_cast<std::size_t>(n)]);
     const auto at = std::find(setup.axes.begin(), setup.axes.end(), letter);
-    if (at == setup.axes.end()) continue;  // the first code that needs the axes reports that they are missing
+    if (at == setup.axes.end()) continue;  // the axis is unknown; the first code that needs it reports the fault
     give(n == 0 ? "3204" : "3208", "", static_cast<double>(at - setup.axes.begin() + 1));
     give(n == 0 ? "3205" : "3209", "", letter[0] >= 'A' && letter[0] <= 'C' ? letter[0] - 'A' + 1 : 3);
     give("3212", n == 0 ? "RD1" : "RD2", k.reversed.find(letter) != std::string::npos ? 1 : 0);

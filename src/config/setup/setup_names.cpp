@@ -1,4 +1,4 @@
-// Decides which keys and names of a set-up exist on a control, from the control's file. Used by cli, config, control, out.
+// Decides which keys and names of a set-up exist on a control, by the control's file. Used by cli, config, control, out.
 
 #include "config/setup/setup_names.h"
 
@@ -17,12 +17,13 @@
 namespace kadr {
 namespace {
 
-constexpr int max_row = 999'999'999;                               // greatest number that may be the name of a row
-constexpr int turning_zeros = 9;                                   // number of zeros on turning machines: G92 /A/ of the 2С42
-constexpr int dynamic_systems = 8;                                 // number of dynamic offsets: G54.2 P1 … P8 (nct 25.4)
-constexpr std::int32_t first_system = 54_g, last_system = 59.3_g;  // codes in tenths: G54 … G59, G59.3
+constexpr int max_row = 999'999'999;  // greatest number that a row of a table may have as its name
+constexpr int turning_zeros = 9;      // number of zeros (work offsets) of the 2С42 on a turning machine: G92 /A/
+constexpr int dynamic_systems = 8;    // number of dynamic work offsets: G54.2 P1 … P8 (nct 25.4)
+// First and last code, in tenths, of the usual work offsets: G54 … G59, G59.3
+constexpr std::int32_t first_system = 54_g, last_system = 59.3_g;
 
-/// Returns true for the form of a macro variable's name: "#100", "#_ALM", "#_FOFS1[1]".
+/// Returns true if the name has the form of a macro variable: "#100", "#_ALM", "#_FOFS1[1]".
 bool names_macro_variable(std::string_view name) {
   constexpr std::size_t longest_number = 7, longest_symbol = 31;
   if (name.size() < 2 || name[0] != '#') return false;
@@ -38,7 +39,7 @@ bool names_macro_variable(std::string_view name) {
 
 bool names_formal_parameter(std::string_view name) { return name.size() == 2 && name[0] == 'R' && is_digit(name[1]); }
 
-/// Returns true for the form of a pocket's name, magazine/pocket: "10/1".
+/// Returns true if the name has the form of a magazine pocket, magazine/pocket: "10/1".
 bool names_pocket(std::string_view name) {
   constexpr std::size_t max_digits = 9;
   const std::size_t slash = name.find('/');
@@ -47,7 +48,7 @@ bool names_pocket(std::string_view name) {
   return all_are(magazine, is_digit) && all_are(pocket, is_digit) && std::max(magazine.size(), pocket.size()) <= max_digits;
 }
 
-/// Returns true for the form of a work offset's name on any control: "common", "G54", "G54.1 P2".
+/// Returns true if the name has the form of a work offset on any control: "common", "G54", "G54.1 P2".
 bool is_like_work_offset(std::string_view name) {
   if (name == "common") return true;
   if (!name.starts_with("G")) return false;
@@ -57,7 +58,7 @@ bool is_like_work_offset(std::string_view name) {
   return blank == std::string_view::npos || (name.substr(blank).starts_with(" P") && all_are(name.substr(blank + 2), is_digit));
 }
 
-/// Returns true if the numbers of the work offsets do not follow their codes: on the 2С42, G55 is zero 3.
+/// Returns true if the control numbers its work offsets in an order other than that of their codes: on the 2С42, G55 is zero 3.
 bool numbers_zeros_itself(const ControlDef& def) {
   return std::any_of(def.codes.begin(), def.codes.end(), [](const CodeRow& row) {
     return row.function == Function::work_zero && row.arg > 0 && row.arg != row.tenth / 10 - first_system / 10 + 1;
@@ -107,7 +108,7 @@ std::vector<WorkSystem> work_systems(const ControlDef& def) {
   std::uint32_t plain = 0;
   for (const CodeRow& row : def.codes) {
     const bool usual = row.tenth >= first_system && row.tenth <= last_system;
-    // Function::work_system includes G110 of the Haas.
+    // G110 of the Haas has Function::work_system, so this condition includes it.
     if (row.letter != 'G' || row.arg <= 0 || !(usual || row.function == Function::work_system)) continue;
     const bool is_plain = row.function == Function::work_zero || row.function == Function::fixture ||
                           row.function == Function::work_system || row.function == Function::table_system;
@@ -181,7 +182,8 @@ bool SetupNamesOf::allows(SetupNames kind, std::string_view name) const {
       const bool macro = def_ == nullptr || def_->grammar.variables > 0;
       const bool formal = def_ == nullptr || def_->grammar.parameter_address != 0;
       if (!(macro && names_macro_variable(name)) && !(formal && names_formal_parameter(name))) return false;
-      if (def_ == nullptr || def_->grammar.has_vacant_variables() || formal) return true;  // the control checks which variables exist
+      // Every name of this form is accepted here; the control itself checks which variables exist
+      if (def_ == nullptr || def_->grammar.has_vacant_variables() || formal) return true;
       const int number = name[1] == '_' ? 0 : std::atoi(std::string(name.substr(1)).c_str());
       return number >= 1 && static_cast<std::uint32_t>(number) <= def_->grammar.variables;
     }
@@ -290,7 +292,7 @@ std::optional<std::string> SetupNamesOf::parameter_fault(std::string_view name, 
   const bool whole = value == std::floor(value);
   if (text) {
     if (row->type != ParameterType::text) return plain_text(id::value_number, lang);
-    return std::nullopt;  // the control checks the characters of the value when it reads the parameter
+    return std::nullopt;  // accepted here, because the control checks the characters of the value when it reads the parameter
   }
   if (!key->bit.empty()) {
     const bool number = key->bit.size() == 1 && key->bit[0] >= '0' && key->bit[0] <= '7';

@@ -1,6 +1,6 @@
 #pragma once
-// Decides which keys of a set-up exist on a control, and which names its tables may have: axes, work systems, numbers. The control's file
-// is the source.
+// Decides, by the control's file, which keys of a set-up exist on a control, and which names the tables of the set-up may have: axes, work
+// systems, numbers.
 
 #include <optional>
 #include <string>
@@ -12,38 +12,40 @@
 
 namespace kadr {
 
-/// Returns true if the control's file has what the key needs.
+/// Returns true if the control's file provides what the key needs.
 bool has(const ControlDef& def, SetupNeeds needs);
 
-/// A work system of the control, by its name in a set-up.
+/// A work system of the control, with the name that it has in a set-up.
 struct WorkSystem {
   std::string name;   // "G54", "G54.1 P2"
-  std::uint32_t row;  // row in the table of work offsets or fixtures
+  std::uint32_t row;  // number of the row in the table of work offsets or fixtures
   bool works = true;  // Kadr implements the work system
 };
 std::vector<WorkSystem> work_systems(const ControlDef& def);
-/// Returns the names of the work systems by `row`. Name 0 is the code that selects no work system ("G53"), or empty.
+/// Returns the names of the work systems by `row`. Element 0 is the code that selects no work system ("G53"); empty if there is no such
+/// code.
 std::vector<std::string> system_names(const ControlDef& def);
 
-/// Joins names to a text such as "N5114, N5200#1 or N1006.X".
+/// Joins names to a text with the last two joined by "or": "N5114, N5200#1 or N1006.X".
 std::string alternatives(const std::vector<std::string>& all, Lang lang);
 
 class SetupNamesOf {
  public:
-  /// `def`: nullptr for all controls. `axes`: of the program's channel; `all_axes`: of all channels.
+  /// `def`: the control; nullptr: all controls. `axes`: axes of the program's channel. `all_axes`: axes of all channels.
   SetupNamesOf(const ControlDef* def, std::vector<std::string> axes, std::vector<std::string> all_axes);
 
   bool knows(const SetupKey& row) const { return def_ == nullptr || has(*def_, row.needs); }
   bool allows(SetupNames kind, std::string_view name) const;
-  /// Returns all names of this kind, from which a suggestion is chosen; empty if the names are numbers or have a fixed form.
+  /// Returns all names of this kind, from which a message suggests one; empty if the names are numbers or have a fixed form.
   std::vector<std::string> all(SetupNames kind) const;
-  /// Returns the form that names of this kind have: "named by a whole number, 1 to 9"; "named common, G54 or …".
+  /// Returns in words the form of names of this kind: "named by a whole number, 1 to 9"; "named common, G54 or …".
   std::string form(SetupNames kind, Lang lang) const;
-  /// Returns one parameter name of each form that the control's table has, for messages and pages: N5114, N5200#1, N1006.X.
+  /// Returns an example of each form of name that the control's parameter table has, for messages and pages: N5114, N5200#1, N1006.X.
   std::vector<std::string> forms_of_parameters() const;
   /// Returns true for a work system that the control has, but that Kadr does not support yet.
   bool unsupported(SetupNames kind, std::string_view name) const;
-  /// Returns the form that the value of a parameter needs, if it is not valid. `text`: the value is given as text.
+  /// Returns the form that the value of a parameter must have, if the value does not have it; else nullopt. `text`: the value is given as
+  /// text.
   std::optional<std::string> parameter_fault(std::string_view name, double value, bool text, Lang lang) const;
   /// Returns the range that the numbers of this key have on this control.
   SetupRange range(const SetupKey& row) const;

@@ -1,5 +1,5 @@
-// Parameters of the set-up, as the rooms after the control read them: for an axis of the channel, or for the channel itself. Used by
-// machine, motion.
+// Reads parameters of the set-up, for an axis of the channel or for the channel itself, in the rooms after the control. Used by machine,
+// motion.
 
 #include "config/setup/setup_parameters.h"
 

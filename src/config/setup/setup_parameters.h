@@ -1,6 +1,7 @@
 #pragma once
-// Parameters of the set-up, as the rooms after the control read them: for an axis of the channel, or for the channel itself. A value with
-// an index takes precedence over one without, and a bit over the whole value (as in ParameterStore). A parameter that is not given is 0.
+// Reads parameters of the set-up, for an axis of the channel or for the channel itself, in the rooms after the control. A value with an
+// index takes precedence over a value without index, and a single bit over the whole value (as in ParameterStore). A parameter that the
+// set-up does not state is 0.
 
 #include <string>
 #include <vector>
@@ -9,7 +10,7 @@
 
 namespace kadr {
 
-/// A bit, by its number and its name.
+/// A bit of a parameter, given by its number and its name.
 struct ParameterBit {
   int number;
   const char* name;
@@ -17,7 +18,8 @@ struct ParameterBit {
 
 class SetupParameters {
  public:
-  /// `axes`: names of the channel's axes. Axis numbers continue through the channels (nct 1.2). The set-up must outlive this object.
+  /// Stores the set-up, which must exist longer than this object. `axes`: names of the channel's axes. Axis numbers continue from one
+  /// channel to the next (nct 1.2).
   SetupParameters(const Setup& setup, const std::vector<std::string>& axes);
 
   /// Returns the number of the channel's first axis.
@@ -28,7 +30,7 @@ class SetupParameters {
   bool of_axis(const char* parameter, std::size_t axis, ParameterBit bit) const { return value(parameter, axes_[axis], bit); }
 
  private:
-  using Indices = std::vector<std::string>;  // the indices under which a value may be given, the most specific one first
+  using Indices = std::vector<std::string>;  // indices under which the set-up may state a value, the most specific index first
   double value(const char* parameter, const Indices& indices) const;
   bool value(const char* parameter, const Indices& indices, ParameterBit bit) const;
 

@@ -1,4 +1,4 @@
-// Reads values of the set-up file; errors name the key. Used by the rest of config.
+// Reads values of the set-up file; error sentences name the key. Used by the rest of config.
 
 #include "config/setup/setup_reader.h"
 
@@ -56,7 +56,7 @@ const Json& table(const Json& value, const std::string& key) {
 }
 
 AxisValues axis_values(const Json& value, const std::string& key) {
-  constexpr double farthest = 1e7;  // mm, greatest absolute value of a position: 10 km, as for positions in a program
+  constexpr double farthest = 1e7;  // greatest absolute value of a position, mm: 10 km, as in programs
   AxisValues axes;
   for (const auto& [axis, position] : table(value, key).items()) {
     axes[axis] = number(position, key + "." + axis);

@@ -1,5 +1,5 @@
 #pragma once
-// Reads values of the set-up file; errors name the key. Only setup*.cpp use it.
+// Reads values of the set-up file; error sentences name the key. Only setup*.cpp use it.
 
 #include <algorithm>
 #include <functional>
@@ -19,12 +19,12 @@ namespace kadr::setup_reader {
 
 using Json = nlohmann::json;
 
-inline constexpr int max_number = 999'999'999;  // greatest number that may be the name of a row
+inline constexpr int max_number = 999'999'999;  // greatest number that a row of a table may have as its name
 inline constexpr int max_channels = 8;
 inline constexpr int max_spindles = 16;
-inline constexpr int max_inputs = 8;  // greatest number of inputs for probes
+inline constexpr int max_inputs = 8;  // greatest number of probe inputs
 
-/// Thrown inside the reader for a key or value that is wrong; read_setup() converts it to its error sentence.
+/// Exception inside the reader for a key or value that is wrong. read_setup() catches it and returns its error sentence.
 struct Wrong {
   std::string key;
   std::string sentence;
@@ -32,7 +32,7 @@ struct Wrong {
 
 [[noreturn]] void wrong(const std::string& key, const std::string& form);
 
-/// Readers of one value. `key` is its full name, "machine.X.rapid", for the error sentence.
+/// Readers of one value each. `key` is the full name of the key, "machine.X.rapid", for the error sentence.
 double number(const Json& value, const std::string& key);
 double within(const Json& value, const std::string& key, const NumberRange& range);
 int whole(const Json& value, const std::string& key);
@@ -47,7 +47,7 @@ std::optional<double> number_or_vacant(const Json& value, const std::string& key
 
 inline constexpr std::pair<int, int> any_number = {0, max_number};
 
-/// Converts a key that is the number of a row, such as "3", to this number.
+/// Converts a key that is the number of a row, such as "3", to an integer.
 int row_number(const std::string& name, const std::string& key, std::pair<int, int> range = any_number);
 
 template <class T>
@@ -67,18 +67,18 @@ void numbered(const Json& value, const std::string& key, std::map<int, T>& to, T
 using Reader = std::function<void(const Json&, const std::string&)>;
 using Readers = std::map<std::string, Reader>;
 
-/// Passes each key of a table to its reader; `inside` is the table's name, empty for the set-up itself. The keys have been checked
+/// Calls the reader of each key of a table. `inside` is the name of the table; empty for the set-up itself. The keys have been checked
 /// against config/setup/setup_keys already, so a key without a reader is a bug.
 void read_table(const Json& value, const std::string& inside, const Readers& readers);
 
 Reader to_number(double& to);
 Reader to_range(double& to, const NumberRange& range);
-Reader to_count(double& to);  // a whole number, 0 to 99 999 999
+Reader to_count(double& to);  // creates a reader for a whole number, 0 to 99 999 999
 Reader to_whole(int& to, int least, int most);
 Reader to_flag(bool& to);
 Reader to_word(std::string& to);
 Reader to_one_of(std::string& to, std::initializer_list<std::string_view> words);
-Reader or_null(Reader reader);  // a reader that takes null as a missing key
+Reader or_null(Reader reader);  // creates a reader that treats null as a missing key
 
 /// Readers for the keys of setup_tables.cpp, setup_machine.cpp and setup_events.cpp.
 Readers readers_of_tables(Setup& setup);

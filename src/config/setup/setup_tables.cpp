@@ -1,4 +1,4 @@
-// Reads keys of the set-up that are tables of the control: offsets, tools, parameters.
+// Reads keys of the set-up for tables of the control: offsets, tools, parameters.
 
 #include "base/ascii.h"
 #include "config/setup/setup_reader.h"
@@ -66,14 +66,14 @@ ToolOffset tool_offset(const Json& value, const std::string& key) {
 
 double not_stated_is_0(const Json& value, const std::string& key) { return value.is_null() ? 0 : number(value, key); }
 
-/// Reads axis values. A null means "not stated" and is left out.
+/// Reads one value per axis. The value null means that the set-up does not state it, so it is left out.
 AxisValues stated_axes(const Json& value, const std::string& key) {
   Json stated = table(value, key);
   for (auto axis = stated.begin(); axis != stated.end();) axis = axis->is_null() ? stated.erase(axis) : std::next(axis);
   return axis_values(stated, key);
 }
 
-/// Reads the axes of a work offset and its basic rotations. A rotation of 0 is left out.
+/// Reads a work offset: its axes and its basic rotations. A rotation of 0 is left out.
 AxisValues work_offset(const Json& value, const std::string& key) {
   AxisValues axes = stated_axes(value, key);
   for (const char* plane : {"G17", "G18", "G19"})
@@ -81,7 +81,7 @@ AxisValues work_offset(const Json& value, const std::string& key) {
   return axes;
 }
 
-/// Reads a tool's info bits: letters such as "SENCV", from the highest bit down, or a number.
+/// Reads the info bits of a tool: letters such as "SENCV", from the highest bit down, or a number.
 std::uint32_t tool_info(const Json& value, const std::string& key) {
   if (value.is_number()) return bits(value, key);
   const std::string text = value.is_string() ? value.get<std::string>() : "";
@@ -137,7 +137,7 @@ ToolForm tool_form(const Json& value, const std::string& key) {
   return form;
 }
 
-/// Reads a place table: for each place such as "10/1" (magazine/pocket), the row of the tool table.
+/// Reads a place table: for each pocket, such as "10/1" (magazine/pocket), the row of the tool table.
 void place_table(const Json& value, const std::string& key, PocketTable& to) {
   constexpr std::size_t max_digits = 9;
   for (const auto& [name, row] : table(value, key).items()) {

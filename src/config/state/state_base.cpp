@@ -1,4 +1,5 @@
-// The SQLite database of a state file: its connection, its application id and version, errors in words. Used by config/state/state_content.
+// The SQLite database of a state file: its connection, its application id and version, and its errors in words. Used by
+// config/state/state_content.
 
 #include "config/state/state_base.h"
 
@@ -13,8 +14,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// The pages are small, because a save writes only the pages that it changes. Merging the log into the file flushes the disk, so it is rare
-// (state_file.cpp).
+// The pages are small, because a save writes only the pages that it changes. Merging the log into the file flushes the disk, so the log is
+// merged rarely (state_file.cpp).
 constexpr const char* before_opening = "PRAGMA page_size = 1024; PRAGMA locking_mode = EXCLUSIVE; PRAGMA trusted_schema = OFF";
 
 }  // namespace
@@ -31,7 +32,7 @@ std::string_view text_at(sqlite3_stmt* statement, int column) {
 Base::~Base() {
   sqlite3_close(connection_);
   if (merges_ || had_log_) return;
-  std::error_code none;  // opening a database already creates an empty log
+  std::error_code none;  // opening the database may have created an empty log, which is removed here
   const std::string log = path_ + "-wal";
   if (fs::exists(log, none) && fs::file_size(log, none) == 0) fs::remove(log, none);
 }
@@ -39,7 +40,8 @@ Base::~Base() {
 Done Base::connect() {
   std::error_code none;
   had_log_ = fs::exists(path_ + "-wal", none);
-  const std::string name = path_[0] == '/' ? path_ : "./" + path_;  // the prefix keeps SQLite from interpreting ":memory:" and "file:…"
+  // With this prefix, SQLite does not treat ":memory:" and "file:…" as special names
+  const std::string name = path_[0] == '/' ? path_ : "./" + path_;
   constexpr int how = SQLITE_OPEN_READWRITE | SQLITE_OPEN_NOMUTEX;
   if (const int code = sqlite3_open_v2(name.c_str(), &connection_, how, nullptr); code != SQLITE_OK) return failed(code);
   merges(false);
@@ -96,7 +98,7 @@ Done vetted(const std::string& path) {
   if (path.empty()) return tl::unexpected(translated(texts::state_file::no_name));
   if (const std::string kind = file_type_in_words(path); !kind.empty())
     return tl::unexpected(translated(texts::state_file::is_not_a_file, path, kind));
-  std::error_code none;  // file_size() does not open the file: closing it would release the locks of this process
+  std::error_code none;  // file_size() does not open the file; closing the file would release the locks of this process
   const std::uintmax_t size = fs::file_size(path, none);
   if (!none && size == 0) return tl::unexpected(translated(texts::state_file::is_empty, path));
   if (!none && size > max_bytes) return tl::unexpected(translated(texts::state_file::too_long, path));

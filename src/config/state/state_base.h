@@ -1,5 +1,5 @@
 #pragma once
-// The SQLite database of a state file: its connection, its application id and version, errors in words. Only state_*.cpp use it.
+// The SQLite database of a state file: its connection, its application id and version, and its errors in words. Only state_*.cpp use it.
 
 #include <sqlite3.h>
 
@@ -16,13 +16,13 @@ namespace kadr::state {
 
 using Done = tl::expected<void, std::string>;
 
-inline constexpr int application_id = 0x4B616472;  // "Kadr"
-inline constexpr int major_version = 2;            // changes if an older Kadr must not read the file; version 1 had no checksums
-inline constexpr int minor_version = 0;            // changes if the file gets additional data that an older Kadr ignores
+inline constexpr int application_id = 0x4B616472;  // the bytes of "Kadr", which identify a state file
+inline constexpr int major_version = 2;            // is raised if an older Kadr must not read the file; files of version 1 had no checksums
+inline constexpr int minor_version = 0;            // is raised if the file gets additional data that an older Kadr may ignore
 inline constexpr int minors_of_major = 1000;
-inline constexpr std::uintmax_t max_bytes = 256u << 20;  // greatest size of a state file; one with all tables full has 1 MB
+inline constexpr std::uintmax_t max_bytes = 256u << 20;  // greatest size of a state file in bytes; a file with all tables full has 1 MB
 
-/// The statements that create the tables, by version. A file with any other table is not a state file.
+/// The SQL statements that create the tables, by version. A file with any other table is not a state file.
 inline constexpr const char* about_table = "CREATE TABLE about (name TEXT PRIMARY KEY, value NOT NULL) WITHOUT ROWID";
 inline constexpr const char* state_table =
     "CREATE TABLE state (kind TEXT, key TEXT, value NOT NULL, turn INTEGER NOT NULL, rows INTEGER NOT NULL, whole INTEGER NOT NULL, "
@@ -39,41 +39,42 @@ struct Finalize {
 };
 using SqlStatement = std::unique_ptr<sqlite3_stmt, Finalize>;
 
-void bind_text(sqlite3_stmt* statement, int index, std::string_view text);  // the text must live until the statement is reset
+void bind_text(sqlite3_stmt* statement, int index, std::string_view text);  // the text must exist until the statement is reset
 std::string_view text_at(sqlite3_stmt* statement, int column);
 
 class Base {
  public:
-  /// `path` is the file to open, `name` is used in messages: for a copy, the name of the original.
+  /// `path` is the file to open. Messages use `name`: for a copy, the name of the original file.
   Base(std::string path, std::string name) : path_(std::move(path)), name_(std::move(name)) {}
   explicit Base(const std::string& path) : Base(path, path) {}
   Base(const Base&) = delete;
   Base& operator=(const Base&) = delete;
   ~Base();
 
-  /// Opens the existing file and locks it. As long as merges(false) applies, the file is not changed, not even by closing.
+  /// Opens the existing file and locks it. Unless merges(true) is called, the file is not changed, not even when it is closed.
   Done connect();
-  void merges(bool may);  // says whether closing may merge the log into the file
-  /// To be called if the path now means another file. Closing the database then changes neither that other file nor its log.
+  void merges(bool may);  // sets whether closing the database may merge the log into the file
+  /// Makes closing the database leave the file and its log unchanged. The caller must call this function if the path now leads to another
+  /// file.
   void let_go() {
     merges(false);
     had_log_ = true;
   }
 
   SqlStatement prepared(const char* statement) const;
-  /// Executes a query and returns the first column of its first row as text; nullopt if the query has no rows, or fails.
+  /// Executes a query and returns the first column of its first row as text; nullopt if the query returns no rows, or fails.
   std::optional<std::string> answer(const char* question) const;
   int run(const char* statements) const { return sqlite3_exec(connection_, statements, nullptr, nullptr, nullptr); }
   int last_error() const { return sqlite3_extended_errcode(connection_); }
   bool in_transaction() const { return sqlite3_get_autocommit(connection_) == 0; }
-  int version() const;  // major and minor version as one number
+  int version() const;  // returns the major and minor version as one number
 
-  /// Returns an error with this text. The text's first placeholder is the file's name; `args` are for the others.
+  /// Returns an error with this text. The first placeholder of the text is replaced by the file's name, the others by `args`.
   template <std::size_t Holes, typename... Args>
   tl::unexpected<std::string> error(TextId<Holes> text, const Args&... args) const {
     return tl::unexpected(translated(text, name_, args...));
   }
-  /// Returns an error with the sentence for a result code of SQLite.
+  /// Returns an error with a sentence that explains the result code of SQLite.
   tl::unexpected<std::string> failed(int code) const;
 
  private:
@@ -83,10 +84,11 @@ class Base {
   bool merges_ = false;
 };
 
-/// Returns the error sentence "… is no state file of Kadr".
+/// Returns the error sentence that a file is no state file of Kadr.
 std::string no_state_file_message(const std::string& name);
 
-/// Checks the file without opening it: the path is not empty, and the file is regular, not empty, and not too large. Never blocks.
+/// Checks the file without opening it: the path must not be empty, and the file must be regular, not empty, and not too large. Never
+/// blocks.
 ///   returns  on failure, an error sentence
 Done vetted(const std::string& path);
 

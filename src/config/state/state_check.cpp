@@ -1,4 +1,5 @@
-// kadr state: checks a state file, and recovers what is readable in a damaged one. Used by cli/job/state, cli/state_command.
+// The functions of `kadr state`: check a state file, and recover the readable rows of a damaged file. Used by cli/job/state,
+// cli/state_command.
 
 #include "config/state/state_check.h"
 
@@ -24,7 +25,7 @@ namespace fs = std::filesystem;
 
 constexpr std::size_t page_bytes = 1024;
 
-/// A temporary folder, which the destructor removes.
+/// A temporary folder. The destructor deletes it.
 class Folder {
  public:
   Folder() {
@@ -44,7 +45,7 @@ class Folder {
   fs::path path_;
 };
 
-/// Returns true if a run has the file open, that is, holds SQLite's lock.
+/// Returns true if a run has the file open, because SQLite then holds a lock on the file.
 bool in_use(const std::string& path) {
   constexpr off_t lock_bytes = 0x40000000, lock_count = 512;  // sqlite.org/fileformat, "the lock-byte page"
   const int file = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
@@ -59,7 +60,7 @@ bool in_use(const std::string& path) {
   return asked && lock.l_type != F_UNLCK;
 }
 
-/// Copies the file and its log.
+/// Copies the file and its log into the temporary folder, and returns the path of the copy.
 tl::expected<std::string, std::string> copied(const std::string& path, const Folder& folder) {
   const auto failed = [&] { return tl::unexpected(translated(texts::state_file::cannot_be_copied, path)); };
   if (folder.path().empty()) return failed();
@@ -83,13 +84,13 @@ tl::expected<Content, std::string> content_of(const std::string& copy, const std
   return content;
 }
 
-/// Replaces the first page of the copy by the first page of a new state file, which has our tables at the same positions.
+/// Replaces the first page of the copy by the first page of a new state file, in which the tables are at the same positions.
 bool lay_new_head(const std::string& copy, const Folder& folder) {
   const std::string made = folder.path() / "new";
   if (!make_state(made, "", {})) return false;
   std::array<char, page_bytes> head{};
   std::ifstream(made, std::ios::binary).read(head.data(), head.size());
-  // Byte offsets of two numbers; if the numbers differ, SQLite takes the page count from the file's size
+  // Byte offsets of two numbers of the header. If these numbers differ, SQLite computes the page count from the file's size.
   constexpr std::size_t change_counter = 24, valid_for = 92;
   head[change_counter] = 1, head[valid_for] = 2;
   std::error_code none;
@@ -99,7 +100,7 @@ bool lay_new_head(const std::string& copy, const Folder& folder) {
   return static_cast<bool>(file);
 }
 
-/// Reads the file as it is; if its first page is damaged, reads it also with a new first page. Returns the result that has more rows.
+/// Reads the file unchanged. If its first page is damaged, also reads it with a new first page, and returns the result that has more rows.
 tl::expected<Content, std::string> best_content(const std::string& path) {
   const Folder folder;
   const auto copy = copied(path, folder);

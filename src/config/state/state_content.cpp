@@ -1,4 +1,4 @@
-// Reads a state file with its checksums: the valid rows, and all faults. Used by the rest of config.
+// Reads a state file with its checksums: finds the valid rows, and all faults. Used by the rest of config.
 
 #include "config/state/state_content.h"
 
@@ -33,9 +33,9 @@ class Fnv {
   std::uint64_t hash_ = 0xCBF29CE484222325;
 };
 
-constexpr std::size_t max_faults = 1000;  // limit of faults reported per file
+constexpr std::size_t max_faults = 1000;  // greatest number of faults that are reported per file
 
-/// Replaces characters that are not printable: kinds and keys of a damaged file may contain anything.
+/// Replaces characters that are not printable, because kinds and keys of a damaged file may contain any bytes.
 std::string printable(std::string_view text) {
   constexpr std::size_t longest = 60;
   std::string shown;
@@ -62,10 +62,11 @@ class Reader {
     if (content_.faults.size() < max_faults) content_.faults.push_back(std::move(sentence));
   }
 
-  /// Checks the application id, the version, and that the file has exactly our tables: no others, no triggers.
+  /// Checks the application id, the version, and the tables: the file must have exactly the tables of a state file, and no triggers.
   void tables() {
     const bool marked = base_.answer("PRAGMA application_id") == std::to_string(application_id);
-    int about = 0, state = 0, others = 0;  // format version of the tables `about` and `state`, 0 if missing; number of other tables
+    // Format version of the tables `about` and `state`, 0 if the table is missing; number of other tables
+    int about = 0, state = 0, others = 0;
     const SqlStatement all = base_.prepared("SELECT sql FROM sqlite_master");
     while (all && sqlite3_step(all.get()) == SQLITE_ROW) {
       const std::string_view sql = text_at(all.get(), 0);
@@ -97,7 +98,7 @@ class Reader {
     else fault(translated(texts::state_content::whole_does_not_fit));
   }
 
-  /// Reports what SQLite's own check finds.
+  /// Reports the faults that SQLite's own check finds.
   void order() {
     const SqlStatement check = base_.prepared("PRAGMA integrity_check(20)");
     if (!check) return fault(translated(texts::state_content::order_broken));
@@ -111,7 +112,7 @@ class Reader {
     if (code != SQLITE_DONE) fault(translated(texts::state_content::order_broken));
   }
 
-  /// Reads the rows forwards; if a page in between is unreadable, reads them also backwards from the last row.
+  /// Reads the rows from the first to the last. If a page between them is unreadable, also reads from the last row backwards.
   void rows() {
     const bool checked = content_.checked;
     const auto read = [&](const char* order) {
@@ -131,7 +132,7 @@ class Reader {
     sort();
   }
 
-  /// Adds one row to the content, or reports its fault. Returns false if the row was already read forwards.
+  /// Adds one row to the content, or reports its fault. Returns false if this row has already been read in forward order.
   bool take(sqlite3_stmt* row) {
     const std::string kind(text_at(row, 0)), key(text_at(row, 1));
     if (back_ && seen_ && std::pair(kind, key) <= *seen_) return false;
@@ -184,8 +185,8 @@ class Reader {
 
   const Base& base_;
   Content content_;
-  Whole last_;                                               // totals as the latest turn recorded them
-  std::optional<std::pair<std::string, std::string>> seen_;  // last row read forwards
+  Whole last_;                                               // totals of the file, as the latest turn recorded them
+  std::optional<std::pair<std::string, std::string>> seen_;  // kind and key of the last row that was read in forward order
   bool back_ = false;
 };
 
@@ -198,7 +199,7 @@ std::uint64_t sum_of_row(std::string_view kind, std::string_view key, const Stat
   sum.byte(static_cast<unsigned char>(value.index()));
   if (const auto* const text = std::get_if<std::string>(&value)) sum.text(*text);
   else if (const auto* const number = std::get_if<double>(&value))
-    sum.whole(std::bit_cast<std::uint64_t>(*number + 0.0));  // -0 is stored as 0
+    sum.whole(std::bit_cast<std::uint64_t>(*number + 0.0));  // adding 0.0 changes -0 to 0, which is the stored value
   return sum.hash();
 }
 

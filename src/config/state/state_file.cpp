@@ -1,4 +1,4 @@
-// The state file (--state FILE): keeps what survives power-off. Used by cli, config, control; tested by tests/config/state_file_test.cpp.
+// The state file (--state FILE): stores what survives power-off. Used by cli, config, control; tested by tests/config/state_file_test.cpp.
 
 #include "config/state/state_file.h"
 
@@ -18,7 +18,7 @@ using namespace state;
 
 namespace {
 
-// Merging the log into the file flushes the disk, so it is done rarely; 4000 pages are 4 MB.
+// Merging the log into the file flushes the disk, so the log is merged rarely: when it has 4000 pages, which are 4 MB.
 constexpr const char* after_opening = "PRAGMA synchronous = NORMAL; PRAGMA wal_autocheckpoint = 4000";
 
 }  // namespace
@@ -55,24 +55,25 @@ class StateFile::Database {
   SqlStatement begin_, commit_, put_, remove_, whole_row_;
   Sums sums_;  // checksums of the rows in the file, by table and key
   Whole whole_;
-  // Checksums that the rows had before the save in progress, to be restored if the save fails.
+  // Checksums that the rows had before the save in progress. They are restored if the save fails.
   std::vector<std::pair<std::string, std::optional<std::uint64_t>>> before_;
-  std::vector<StateRow> unchecked_;   // all rows of a file without checksums
+  std::vector<StateRow> unchecked_;   // all rows of the file, if the file has no checksums yet
   bool old_ = false;                  // the file has no checksums yet
-  std::optional<FileId> file_, log_;  // identity of file and log when they were opened; nullopt: not opened yet
+  std::optional<FileId> file_, log_;  // identities of the file and its log at the time when they were opened; nullopt: not opened yet
 };
 
-/// Returns true if the paths of file and log still mean the files that were opened. Otherwise, whatever is written to them is lost.
+/// Returns true if the paths of file and log still lead to the files that were opened. Otherwise, data written to the open files would be
+/// lost.
 bool StateFile::Database::stands() const { return (!file_ || file_id_of(path_) == file_) && (!log_ || file_id_of(path_ + "-wal") == log_); }
 
-/// Returns the message for a damaged file, with advice. The file is left as it is.
+/// Returns the message for a damaged file, with advice to the user. The file is not changed.
 tl::unexpected<std::string> StateFile::Database::damaged(const std::vector<std::string>& faults) const {
   const std::size_t more = faults.size() - 1;
   if (more == 0) return base_.error(texts::state_file::damaged, faults[0]);
   return base_.error(texts::state_file::damaged_more, faults[0], more);
 }
 
-/// Checks that the file is a valid state of this control, in a readable version.
+/// Checks that the file is a valid state of the control with this id, in a version that this program can read.
 Done StateFile::Database::check(const std::string& control_id) {
   if (const std::string newer = newer_version_message(base_, path_); !newer.empty()) return tl::unexpected(newer);
   Content content = read_content(base_);
@@ -127,10 +128,10 @@ tl::expected<StoredState, std::string> StateFile::Database::load() {
 
 int StateFile::Database::step(const SqlStatement& statement) {
   sqlite3_step(statement.get());
-  return sqlite3_reset(statement.get());  // sqlite3_reset() returns the error of the last step
+  return sqlite3_reset(statement.get());  // sqlite3_reset() returns the error code of the last step
 }
 
-/// Records the new checksum of a row in the file; nullopt: the row is removed.
+/// Records the new checksum of a row of the file; nullopt: the row is removed from the file.
 void StateFile::Database::sum_is(const std::string& row, std::optional<std::uint64_t> sum) {
   const auto old = sums_.find(row);
   before_.emplace_back(row, old == sums_.end() ? std::nullopt : std::optional(old->second));
@@ -154,12 +155,12 @@ int StateFile::Database::step(const StateRow& row) {
   sum_is(name, sum);
   bind_row(put_.get(), row, sum, whole_);
   const int code = step(put_);
-  // After a new row, the totals are recorded as `whole` too. Otherwise the loss of the new row would not be detected: the totals of the
-  // previous turn fit a file without this row.
+  // After a new row, the totals are also stored as `whole`. Otherwise the loss of the new row would not be detected, because a file without
+  // the row still fits the totals of the previous turn.
   return code == SQLITE_OK && is_new ? put_whole() : code;
 }
 
-/// Stores the totals as `whole` in the table `about`: a turn that writes no row (state_content.h).
+/// Stores the totals as `whole` in the table `about`. This is a turn that writes no row (state_content.h).
 int StateFile::Database::put_whole() {
   ++whole_.turn;
   const std::string text = whole_.text();
@@ -167,7 +168,7 @@ int StateFile::Database::put_whole() {
   return step(whole_row_);
 }
 
-/// Converts a file without checksums: creates the tables again, within the transaction of its first save.
+/// Converts a file without checksums: creates the tables again, in the same transaction as the first save.
 int StateFile::Database::upgrade() {
   put_.reset(), remove_.reset(), whole_row_.reset();
   const std::string make = std::string("ALTER TABLE about RENAME TO about_1; DROP TABLE state;") + about_table + ";" + state_table +
@@ -198,7 +199,7 @@ Done StateFile::Database::save(const std::vector<StateRow>& rows) {
   before_.clear();
   const bool alone = rows.size() == 1 && !old_ && !std::holds_alternative<std::monostate>(rows[0].value) &&
                      sums_.contains(static_cast<char>(rows[0].table) + rows[0].key);
-  int code = alone ? SQLITE_OK : step(begin_);  // a single statement needs no BEGIN: it is a transaction by itself
+  int code = alone ? SQLITE_OK : step(begin_);  // a single statement is a transaction by itself, and needs no BEGIN
   if (code == SQLITE_OK && old_) code = upgrade();
   for (std::size_t i = 0; i < rows.size() && code == SQLITE_OK; ++i) code = step(rows[i]);
   if (code == SQLITE_OK && !alone) code = step(commit_);

@@ -1,5 +1,5 @@
 #pragma once
-// The state file (--state FILE): keeps what survives power-off. NCT 9, 12.3, 23.1.4, 23.1.9, 24.1.
+// The state file (--state FILE): stores what survives power-off. NCT 9, 12.3, 23.1.4, 23.1.9, 24.1.
 //
 // It is an SQLite database with one row per value. Only one process opens it at a time, and each save is one transaction in a write-ahead
 // log:
@@ -25,14 +25,15 @@
 
 namespace kadr {
 
-/// The table that a row belongs to. A new table makes a new minor version of the file; an older Kadr keeps rows that it does not know.
+/// The table that a row belongs to. If a table is added, the minor version of the file is raised; an older Kadr keeps rows of unknown
+/// tables in the file.
 enum class StateTable : std::uint8_t { offsets, work_offsets, variables, parameters, tool_table, place_table, form_table, panel };
 
-/// Names of the tables in the file, by StateTable; they are the names in the set-up.
+/// Names of the tables in the file, by StateTable. A set-up has the same names.
 inline constexpr std::array<std::string_view, 8> state_table_names = {"offsets",    "work_offsets", "variables",  "parameters",
                                                                       "tool_table", "place_table",  "form_table", "panel"};
 
-using StateValue = std::variant<std::monostate, double, std::string>;  // in a change, monostate means that the row is removed
+using StateValue = std::variant<std::monostate, double, std::string>;  // in a change, monostate means that the row is to be removed
 
 /// One value. The keys use the names of the set-up:
 ///   offsets "5/length_wear" · work_offsets "G54.1 P2/X", "G54/G17" · variables "#500", the counters "#3901" and "#3902", the cutting
@@ -46,29 +47,30 @@ struct StateRow {
 };
 
 struct StoredState {
-  std::vector<StateRow> rows;  // the rows of the file, sorted by table and key; none in a new file
+  std::vector<StateRow> rows;  // rows of the file, sorted by table and key; a new file has no rows
 };
 
 struct StateChanges {
-  std::vector<StateRow> rows;  // changes of one block; if two rows have the same key, the last one counts
+  std::vector<StateRow> rows;  // changes of one block; if several rows have the same key, the last one applies
 };
 
 class StateFile {
  public:
-  /// Opens the state of a control, or creates a new one if there is no file.
+  /// Opens the state file of a control; creates a new file if it does not exist.
   ///   control_id  "nct"
-  ///   returns     on failure, an error sentence with the file's name: not a state of Kadr, damaged, of another control, of a newer
-  ///               version, in use by another process, or not writable; the file is then left as it was
+  ///   returns     on failure, an error sentence with the file's name: the file is not a state of Kadr, damaged, of another control, of a
+  ///               newer version, in use by another process, or not writable; the file is not changed
   static tl::expected<StateFile, std::string> open(const std::string& path, const std::string& control_id);
 
   StateFile(StateFile&&) noexcept;
   StateFile& operator=(StateFile&&) noexcept;
   ~StateFile();
 
-  /// Returns all rows that this version supports.
+  /// Returns all rows of the tables that this version of Kadr supports.
   tl::expected<StoredState, std::string> load();
 
-  /// Saves the changes of one block, all or none. After an error, the file holds what it held before, and the object remains usable.
+  /// Saves the changes of one block, all or none. After an error, the file contains what it contained before, and this object remains
+  /// usable.
   tl::expected<void, std::string> save(const StateChanges& changes);
 
  private:
@@ -80,10 +82,10 @@ class StateFile {
 /// Sorts the rows by table, then by key.
 void sort_rows(std::vector<StateRow>& rows);
 
-/// Returns the rows of all tables that survive power-off; of the variables, those with a value in the set-up.
+/// Returns the rows of all tables that survive power-off. A variable has a row only if it has a value in the set-up.
 std::vector<StateRow> rows_of(const Setup& tables);
 
-/// Returns the tables of a stored state.
+/// Returns a set-up with the tables of a stored state.
 ///   returns  on failure, an error sentence with the first invalid row
 ///   law      setup_of({rows_of(tables)}) gives the same tables
 tl::expected<Setup, std::string> setup_of(const StoredState& state);

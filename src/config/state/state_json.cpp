@@ -1,4 +1,4 @@
-// Prints the state after a run as JSON: `state` of the trace's last line (tests/golden/README.md). Used by cli/run,
+// Prints the state after a run as JSON: the key `state` in the trace's last line (tests/golden/README.md). Used by cli/run,
 // config/state/state_rows; tested by tests/config/state_json_test.cpp.
 
 #include "config/state/state_json.h"
@@ -11,7 +11,7 @@ namespace {
 
 using OrderedJson = nlohmann::ordered_json;
 
-// 2^53: a whole number below it is exact in a double and is printed without a decimal point
+// 2^53: whole numbers below this are exact in a double, and are printed without a decimal point.
 constexpr double most_exact = 9007199254740992;
 
 OrderedJson json_number(double value) {
@@ -30,7 +30,7 @@ OrderedJson axes(const AxisValues& values) {
   return to;
 }
 
-/// Adds the table `key` to the object, with {"name": row} for each row. Adds nothing if there are no rows.
+/// Adds the table `key` to the object, as {"name": row} for each row. A table without rows is not added.
 template <class Map, class Name, class Row>
 void put_table(OrderedJson& to, const char* key, const Map& rows, Name name, Row row) {
   for (const auto& [number_or_name, value] : rows) to[key][name(number_or_name)] = row(value);
@@ -93,7 +93,7 @@ OrderedJson parameter_value(const ParameterValue& value) {
   return json_number(std::get<double>(value));
 }
 
-/// Combines the constant data of the set-up with the present state of the run.
+/// Returns the state of a spindle: the constant data of the set-up, and the present state of the run.
 OrderedJson spindle(const SpindleSetup& fixed, const RunState::SpindleState& now) {
   OrderedJson to = OrderedJson::object();
   if (!fixed.name.empty()) to["name"] = fixed.name;

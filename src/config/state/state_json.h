@@ -1,5 +1,5 @@
 #pragma once
-// Prints the state after a run as JSON: `state` of the trace's last line (tests/golden/README.md).
+// Prints the state after a run as JSON: the key `state` in the trace's last line (tests/golden/README.md).
 
 #include <string>
 
@@ -7,7 +7,7 @@
 
 namespace kadr {
 
-/// Returns one object in the form of the set-up: tables after the run, shifts, spindles, tool, switches.
+/// Returns a JSON object in the form of a set-up: tables after the run, shifts, spindles, tool, switches.
 ///   offsets            only rows with a value other than 0
 ///   numbers            the shortest text that reads back as the same double; null for NaN and infinity
 ///   tables.shifts      not printed; state.shifts is printed instead

@@ -1,5 +1,5 @@
-// Creates a new state file with rows: it is written completely under a temporary name, then renamed if the name is free. Used by
-// config/state/state_check, config/state/state_file.
+// Creates a new state file with rows. The file is written completely under a temporary name, then renamed, if no file with the new name
+// exists. Used by config/state/state_check, config/state/state_file.
 
 #include "config/state_new.h"
 
@@ -35,7 +35,7 @@ bool put_about(sqlite3* base, const char* name, const std::string& value) {
   return sqlite3_step(put.get()) == SQLITE_DONE;
 }
 
-/// Returns the bytes of the file: fills a database in memory and serialises it.
+/// Returns the bytes of the file: fills a database in memory, and serialises it.
 Image image_of(const std::string& control, const std::vector<StateRow>& rows, sqlite3_int64& size) {
   sqlite3* opened = nullptr;
   if (sqlite3_open(":memory:", &opened) != SQLITE_OK) return {};
@@ -61,7 +61,7 @@ Image image_of(const std::string& control, const std::vector<StateRow>& rows, sq
   return Image(sqlite3_serialize(base.get(), "main", &size, 0));
 }
 
-/// Writes and flushes the file. Returns 0, or the errno of the failure.
+/// Writes the file and flushes it to the disk. Returns 0, or the errno of the failure.
 int write_out(const std::string& path, const unsigned char* bytes, sqlite3_int64 size) {
   const int file = ::open(path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0644);
   if (file < 0) return errno;
@@ -76,11 +76,12 @@ int write_out(const std::string& path, const unsigned char* bytes, sqlite3_int64
   return error;
 }
 
-/// Renames a file if the new name is free. Returns 0 or errno.
+/// Renames a file if no file with the new name exists. Returns 0, or the errno of the failure.
 int name_anew(const std::string& from, const std::string& to) {
   if (::renameat2(AT_FDCWD, from.c_str(), AT_FDCWD, to.c_str(), RENAME_NOREPLACE) == 0) return 0;
   if (errno != EINVAL && errno != ENOSYS) return errno;
-  if (::link(from.c_str(), to.c_str()) == 0) {  // link() also works on a file system that does not support RENAME_NOREPLACE
+  // link() fails if the new name exists, and also works on file systems without RENAME_NOREPLACE
+  if (::link(from.c_str(), to.c_str()) == 0) {
     ::unlink(from.c_str());
     return 0;
   }
@@ -102,7 +103,8 @@ void bind_row(sqlite3_stmt* put, const StateRow& row, std::uint64_t sum, Whole& 
 
 Done make_state(const std::string& path, const std::string& control, const std::vector<StateRow>& rows) {
   std::error_code none;
-  for (const char* const log : {"-wal", "-journal"})  // SQLite would apply the log of a deleted file to the new one
+  // A log of a former file with this name is a fault, because SQLite would apply it to the new file
+  for (const char* const log : {"-wal", "-journal"})
     if (fs::exists(path + log, none)) return tl::unexpected(translated(texts::state_file::old_log, path, path + log));
   sqlite3_int64 size = 0;
   const Image image = image_of(control, rows, size);
@@ -113,7 +115,7 @@ Done make_state(const std::string& path, const std::string& control, const std::
   if (error == 0) return {};
   ::unlink(beside.c_str());
   if (error == EEXIST) return tl::unexpected(translated(texts::state_file::there_already, path));
-  if (error == ENOENT || error == ENOTDIR) error = ENOTDIR;  // both errors mean that the folder is missing
+  if (error == ENOENT || error == ENOTDIR) error = ENOTDIR;  // both error codes mean that the folder does not exist
   return tl::unexpected(translated(texts::state_file::cannot_be_made_why, path, errno_message(error)));
 }
 

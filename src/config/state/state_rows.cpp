@@ -14,7 +14,7 @@ namespace {
 
 using Json = nlohmann::json;
 
-/// Returns true if a row of this table of the set-up has several values ("5/length"), not a single one.
+/// Returns true if the rows of this set-up table have several values ("5/length"), false if a row is a single value.
 constexpr bool has_columns(StateTable table) {
   return table == StateTable::offsets || table == StateTable::work_offsets || table == StateTable::tool_table ||
          table == StateTable::form_table;
@@ -38,7 +38,8 @@ Json to_json(const StateValue& value) {
   return nullptr;
 }
 
-/// Stores a value under its key in the set-up: "5/length" is table[5].length, "2/user/3" the third item of the list table[2].user.
+/// Stores a value under its key in the set-up: for "5/length" in table[5].length, for "2/user/3" in the third element of the list
+/// table[2].user.
 void put(Json& table, const std::string& key, const Json& value) {
   const std::size_t first = key.find('/');
   const std::string row = key.substr(0, first), rest = first == std::string::npos ? "" : key.substr(first + 1);
@@ -50,7 +51,7 @@ void put(Json& table, const std::string& key, const Json& value) {
   const std::size_t number = rest.size() < 8 ? std::strtoul(rest.c_str() + 5, nullptr, 10) : 0;
   while (list.size() < std::min(number, ToolRow{}.user.size())) list.push_back(0);
   if (number > 0 && number <= list.size()) list[number - 1] = value;
-  else table[row][rest] = value;  // the reader of set-ups rejects the row by its name
+  else table[row][rest] = value;  // the row is invalid; the reader of set-ups rejects it and names it
 }
 
 }  // namespace

@@ -8,9 +8,9 @@
 namespace kadr {
 namespace {
 
-constexpr double same_line = 1e-9;  // mm²: three points are collinear if twice the area of their triangle is less
+constexpr double same_line = 1e-9;  // three points are collinear if twice the area of their triangle is less than this number of mm²
 
-/// Returns twice the area of a triangle, positive if counter-clockwise.
+/// Returns twice the area of a triangle in mm², positive if its corners are in counter-clockwise order.
 double turn(const InsertPoint& a, const InsertPoint& b, const InsertPoint& c) {
   return (b.x - a.x) * (c.z - a.z) - (b.z - a.z) * (c.x - a.x);
 }

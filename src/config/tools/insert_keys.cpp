@@ -42,7 +42,7 @@ Done tip_of(const std::string& file, const toml::table& row, InsertGeometry& ins
   return Failed(place(file, row, "points") + translated(texts::tool_inserts::points_form));
 }
 
-/// Reads [[x, z], …].
+/// Reads a polygon as a list of points: [[x, z], …].
 Done polygon_of(const std::string& file, const toml::table& row, std::string_view key, std::size_t fewest, InsertOutline& to) {
   const toml::node* const node = row.get(key);
   if (node == nullptr) return {};
@@ -64,7 +64,7 @@ std::string polygon_fault_message(std::string_view key, const InsertOutline& out
   return translated(texts::tool_inserts::polygon_crosses, key);
 }
 
-/// Returns what is wrong with the nose, such as cutting edges that are too short for their nose radius.
+/// Returns a message about a wrong nose, such as cutting edges that are too short for their nose radius; empty if the nose is valid.
 std::string nose_fault_message(const ToolGeometry& t) {
   const double nose = t.corner, width = t.insert.width;
   if (width > 0) {

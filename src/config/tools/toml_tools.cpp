@@ -27,7 +27,8 @@ std::optional<toml::table> embedded_table(std::string_view name) {
 
 namespace {
 
-/// Translates the error of toml++, such as "Error while parsing array: …". Other languages than English only say what was being read.
+/// Translates the error of toml++, such as "Error while parsing array: …". In languages other than English, the message states only what
+/// was being read.
 std::string parse_error_message(std::string_view description) {
   if (thread_language() == Lang::en) return std::string(description);
   static constexpr std::pair<std::string_view, PlainText> what[] = {
@@ -67,13 +68,13 @@ void merge(toml::table& under, toml::table&& over) {
   for (auto&& [key, node] : over) {
     toml::table* const old = under[key].as_table();
     if (toml::table* const table = node.as_table(); table != nullptr && old != nullptr) merge(*old, std::move(*table));
-    // The value is moved, because a copy of a node loses its position in the file
+    // The value is moved and not copied, because a copy of a node loses its position in the file.
     else node.visit([&, &name = key](auto& value) { under.insert_or_assign(name, std::move(value)); });
   }
 }
 
 std::string place(const std::string& file, const toml::node& node) {
-  const toml::source_path_ptr& path = node.source().path;  // path of the base file if the node comes from a file that `file` extends
+  const toml::source_path_ptr& path = node.source().path;  // path of the base file, if the node comes from a file that `file` extends
   const auto line = node.source().begin.line;
   return (path ? *path : file) + ":" + (line == 0 ? "" : std::to_string(line) + ":") + " ";
 }
@@ -90,14 +91,14 @@ namespace {
 std::optional<double> within(const toml::node* node, const NumberRange& range) {
   if (node == nullptr || !node->is_number()) return std::nullopt;
   const double value = node->value<double>().value_or(0);
-  return is_within(value, range) ? std::optional(value) : std::nullopt;  // NaN is within no range
+  return is_within(value, range) ? std::optional(value) : std::nullopt;  // NaN is outside every range
 }
 
 tl::unexpected<std::string> must_be(const std::string& file, const toml::node& node, std::string_view key, const std::string& form) {
   return tl::unexpected(place(file, node) + translated(texts::toml_faults::must_be, key, form));
 }
 
-/// Returns the number of letters to change, add or remove (Levenshtein distance).
+/// Returns the number of letters that must be changed, added or removed to convert one text to the other (Levenshtein distance).
 std::size_t changes(std::string_view a, std::string_view b) {
   std::vector<std::size_t> row(b.size() + 1);
   std::iota(row.begin(), row.end(), std::size_t{0});
@@ -139,7 +140,7 @@ tl::expected<void, std::string> span(const std::string& file, const toml::table&
 }
 
 std::string_view nearest(std::string_view word, const std::vector<std::string_view>& names) {
-  constexpr std::size_t longest = 64;  // longer words are not compared: no key is longer
+  constexpr std::size_t longest = 64;  // longer words are not compared, because no key is so long
   if (word.size() > longest) return {};
   std::string_view best;
   std::size_t least = std::max<std::size_t>(word.size(), 3) / 3 + 1;

@@ -15,8 +15,8 @@
 namespace kadr {
 namespace {
 
-constexpr double assumed_length = 100;  // mm; assumed length of a tool, which a table of offsets does not contain
-constexpr double assumed_edge = 10;     // mm; assumed length of an insert's cutting edge, which the table does not contain either
+constexpr double assumed_length = 100;  // assumed length of a tool, mm, because a table of offsets does not state the length
+constexpr double assumed_edge = 10;     // assumed length of an insert's cutting edge, mm, because the table does not state it
 
 bool ends_with_any(const std::string& path, std::initializer_list<std::string_view> endings) {
   const std::string small = in_small_letters(path);
@@ -35,7 +35,7 @@ std::optional<double> number_after(std::string_view line, char letter) {
   return std::nullopt;
 }
 
-/// Derives the kind of tool from the comment of a table: "6mm ball nose", "drill 118 deg".
+/// Derives the kind of a tool from its comment in the table: "6mm ball nose", "drill 118 deg".
 ToolKind kind_in_words(std::string_view comment) {
   const std::string words = in_small_letters(comment);
   const auto says = [&](std::string_view word) { return words.find(word) != std::string::npos; };
@@ -44,12 +44,12 @@ ToolKind kind_in_words(std::string_view comment) {
   return ToolKind::flat;
 }
 
-/// Direction from the nose's centre to the tip, along x and z; the index is the orientation Q. As in LinuxCNC's drawing of the tool
+/// Direction, along x and z, from the nose's centre to the tip. The index is the orientation Q of LinuxCNC's drawing of the tool
 /// (rs274/glcanon.py).
 constexpr struct { int x, z; } tips_by_q[] = {{0, 0}, {-1, 1}, {-1, -1}, {1, -1}, {1, 1}, {0, 1}, {-1, 0}, {0, -1}, {1, 0}, {0, 0}};
 
-/// Converts the direction of a cutting edge, in degrees from +z towards +x, to its angle from the feed direction along z that the
-/// tip points to; 0 to 360.
+/// Converts the direction of a cutting edge, in degrees from +z towards +x, to its angle from the feed direction, 0 to 360. The feed
+/// direction is the direction along z in which the tip points.
 double from_feed(double direction, int tip_x, int tip_z) {
   const double turned = tip_x > 0 ? -direction : direction, angle = std::fmod(tip_z > 0 ? turned : 180 - turned, 360);
   return angle < 0 ? angle + 360 : angle;
@@ -57,8 +57,8 @@ double from_feed(double direction, int tip_x, int tip_z) {
 
 double edge_of(const ToolGeometry& insert) { return std::max(assumed_edge, 3 * insert.corner / std::sin(insert.angle * rad_per_deg)); }
 
-/// Returns the insert of a row, which needs an orientation Q and the angles I, J of both edges; Q9 is a round insert. Returns nullopt for
-/// any other row.
+/// Returns the insert of a row. The row must have an orientation Q and the angles I, J of both cutting edges; Q9 is a round insert. Returns
+/// nullopt for any other row.
 std::optional<ToolGeometry> insert_of_table(std::string_view line) {
   const auto q = number_after(line, 'Q'), front = number_after(line, 'I'), back = number_after(line, 'J');
   if (!q || !front || !back || !(*q >= 1 && *q <= 9) || *q != std::floor(*q)) return std::nullopt;
@@ -101,7 +101,7 @@ void take_unit(double mm, ToolLibrary& library) {
   }
 }
 
-/// Reads T, P, D and the comment after ; (LinuxCNC, tool table). Lengths are in the machine's units.
+/// Reads T, P, D and the comment after `;` from LinuxCNC's tool table. The lengths are in the units of the machine.
 tl::expected<ToolLibrary, std::string> tools_of_linuxcnc(std::string_view text, const std::string& file) {
   ToolLibrary library;
   library.in_machine_units = true;

@@ -26,7 +26,7 @@ tl::expected<json, std::string> parsed_json(std::string_view text, const std::st
   return value;
 }
 
-/// Returns a member of an object, or an empty value.
+/// Returns the member `key` of an object; an empty value if the object does not have it.
 const json& part(const json& of, const char* key) {
   static const json none;
   if (!of.is_object()) return none;
@@ -36,7 +36,7 @@ const json& part(const json& of, const char* key) {
 
 std::string word_of(const json& value) { return value.is_string() ? value.get<std::string>() : std::string(); }
 
-/// Returns a number, or a number with its unit: "5.000 mm", "0.25 in", "60.00 °".
+/// Returns a length or an angle that is stated as a number, or as a text with unit: "5.000 mm", "0.25 in", "60.00 °".
 double amount(const json& value, double unit) {
   if (value.is_number()) return value.get<double>() * unit;
   if (!value.is_string()) return 0;
@@ -48,7 +48,7 @@ double amount(const json& value, double unit) {
   return number * (rest.find("in") != std::string_view::npos || rest.find('"') != std::string_view::npos ? mm_per_inch : 1);
 }
 
-/// Adds the tool to the library if its shape is valid; else adds a note that says why the tool is left out.
+/// Adds the tool to the library if its shape is valid; else adds a note with the reason why the tool is left out.
 void take(ToolLibrary& library, ToolGeometry tool, const std::string& file, const std::string& shape) {
   complete(tool);
   const std::string fault = tool_fault_message(tool);
@@ -65,7 +65,7 @@ tl::expected<ToolLibrary, std::string> not_empty(ToolLibrary library, const std:
   return Failed(library.notes.empty() ? file + ": " + translated(texts::tool_formats::no_tools) : library.notes.front());
 }
 
-/// Returns the number of teeth, also from a text such as "2"; 0 if the value is no valid number of teeth.
+/// Returns the number of teeth, which may also be a text such as "2"; 0 if the value is no valid number of teeth.
 int teeth_in(const json& value) {
   const double teeth = amount(value, 1);
   return teeth >= 1 && teeth <= limits::teeth && teeth == std::floor(teeth) ? int(teeth) : 0;
@@ -73,7 +73,7 @@ int teeth_in(const json& value) {
 
 double degrees(double radians) { return radians / rad_per_deg; }
 
-/// Returns the outline of an ellipsoid of revolution.
+/// Returns the outline of an ellipsoid of revolution with this diameter and length.
 std::vector<ProfilePoint> spheroid(double diameter, double length) {
   constexpr int steps = 64;
   std::vector<ProfilePoint> outline;
@@ -105,7 +105,7 @@ bool mentions_any(const std::string& text, std::initializer_list<std::string_vie
   return std::any_of(words.begin(), words.end(), [&](std::string_view w) { return text.find(w) != std::string::npos; });
 }
 
-/// Recognises FreeCAD's names of shapes, such as endmill.fcstd or endmill.
+/// Recognises a shape by its name in FreeCAD, such as endmill.fcstd or endmill.
 bool freecad_shape(ToolGeometry& tool, const std::string& shape, const json& sizes) {
   const double full = amount(part(sizes, "CuttingEdgeAngle"), 1);
   if (mentions_any(shape, {"ballend"})) tool.kind = ToolKind::ball;
@@ -141,7 +141,8 @@ bool fusion_shape(ToolGeometry& tool, const std::string& type, const json& sizes
     tool.kind = ToolKind::chamfer;
     tool.angle = 2 * amount(part(sizes, "TA"), 1);
     tool.tip = length("tip-diameter");
-  } else if (mentions_any(type, {"tapered mill"})) {  // DC: diameter at the tip; Kadr supports tapered mills only without corner radius
+    // The diameter DC is that at the tip; Kadr supports tapered mills only without corner radius
+  } else if (mentions_any(type, {"tapered mill"})) {
     if (length("RE") > 0) return false;
     tool.kind = ToolKind::taper;
     tool.angle = amount(part(sizes, "TA"), 1);
@@ -152,7 +153,7 @@ bool fusion_shape(ToolGeometry& tool, const std::string& type, const json& sizes
   return true;
 }
 
-/// Reads segments from below upwards: {"height", "lower-diameter", "upper-diameter"}.
+/// Reads the segments of an outline from the lowest upwards: {"height", "lower-diameter", "upper-diameter"}.
 std::vector<ProfilePoint> segments_of(const json& body, double unit, double from) {
   std::vector<ProfilePoint> outline;
   double height = from;
@@ -196,7 +197,7 @@ tl::expected<ToolLibrary, std::string> tools_of_camotics(std::string_view text, 
   return not_empty(std::move(library), file);
 }
 
-/// Reads a single tool, which has no number: the library then returns it for every tool that a program calls (ToolLibrary::find()).
+/// Reads a single tool, which has no number. ToolLibrary::find() returns this tool for every number that a program states.
 tl::expected<ToolLibrary, std::string> tools_of_freecad(std::string_view text, const std::string& file) {
   const auto root = parsed_json(text, file);
   if (!root) return Failed(root.error());

@@ -1,4 +1,4 @@
-// Reads tools.toml: the shapes of the tools. Used by session and cli; tested by tests/config/tool_library_test.cpp.
+// Reads tools.toml, which describes the shapes of the tools. Used by session and cli; tested by tests/config/tool_library_test.cpp.
 
 #include "config/tools/tool_library.h"
 
@@ -34,8 +34,8 @@ constexpr std::string_view tool_keys[] = {"number",  "name",         "kind",   "
                                           "tip",     "flute_length", "length", "profile",  "shank",  "holder",
                                           "plunges", "flute_count",  "points", "lead",     "width"};
 
-/// Keys of files for earlier versions of Kadr, and their replacements. The old names mean something else in the trade (`flutes` was a
-/// length), but they are still read.
+/// Keys of files for earlier versions of Kadr, with their replacements. Kadr still reads the old names. They were replaced because they
+/// mean something else in the trade (`flutes` was a length).
 struct OldKey {
   std::string_view old, now;
 };
@@ -53,7 +53,7 @@ std::string assumed_flutes_message(const std::vector<std::uint32_t>& tools) {
   return translated(texts::tool_library::assumed_heights, numbers);
 }
 
-/// Returns the key, new or old, that the row uses.
+/// Returns the key that the row uses, the new one or an old one.
 std::string_view key_in(const toml::table& row, std::string_view now) {
   for (const OldKey& k : old_keys)
     if (k.now == now && row.contains(k.old)) return k.old;
@@ -106,7 +106,7 @@ Done kind_of(const std::string& file, const toml::table& row, ToolGeometry& tool
   return Failed(place(file, row, "kind") + translated(texts::tool_library::kind_form));
 }
 
-/// Reads [[diameter, height], …].
+/// Reads an outline as a list of points: [[diameter, height], …].
 Done outline_of(const std::string& file, const toml::table& row, std::string_view key, std::vector<ProfilePoint>& to) {
   const toml::node* const node = row.get(key);
   if (node == nullptr) return {};
@@ -123,7 +123,7 @@ Done outline_of(const std::string& file, const toml::table& row, std::string_vie
   return Failed(place(file, *node) + translated(texts::tool_library::outline_form, key, range_in_words(size_range)));
 }
 
-/// Returns what is wrong with an outline; empty if it is valid.
+/// Returns a message about a wrong outline; empty if the outline is valid.
 std::string outline_fault_message(std::string_view key, const std::vector<ProfilePoint>& outline) {
   double widest = 0;
   for (std::size_t i = 0; i < outline.size(); ++i) {
@@ -169,7 +169,7 @@ const ToolGeometry* ToolLibrary::find(std::uint32_t number) const {
 }
 
 bool assume_heights(ToolGeometry& t) {
-  // Assumed lengths as multiples of the diameter, as in most catalogues.
+  // Assumed lengths as multiples of the diameter; most catalogues have such lengths.
   constexpr double flutes_share = 3, length_share = 5, drill_flutes_share = 8, drill_length_share = 10;
   const bool is_known = t.flutes != 0 || t.length != 0 || !t.profile.empty() || !t.shank.empty() || t.kind == ToolKind::turning;
   if (is_known || !(t.diameter > 0)) return false;

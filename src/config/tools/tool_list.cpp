@@ -1,5 +1,5 @@
-// Reads tools from a JSON list: converts them to the tables of a tools file, so that the same checks apply. Used by view/page/page_part;
-// tested by tests/config/tool_list_test.cpp.
+// Reads tools from a JSON list. The list is converted to the tables of a tools file, so that the same checks apply. Used by
+// view/page/page_part; tested by tests/config/tool_list_test.cpp.
 
 #include "config/tools/tool_list.h"
 
@@ -19,7 +19,7 @@ using Failed = tl::unexpected<std::string>;
 toml::table table_of(const json& object);
 toml::array array_of(const json& list);
 
-/// Converts a JSON value to a value of toml++ and passes it to `take`; null is skipped.
+/// Converts a JSON value to a value of toml++, and calls `take` with it; for null, does not call `take`.
 template <class Take>
 void each_kind(const json& value, const Take& take) {
   if (value.is_object()) take(table_of(value));
@@ -42,7 +42,7 @@ toml::array array_of(const json& list) {
   return array;
 }
 
-/// Returns how messages name a tool of the list: "T5", or its position in the list if it has no number.
+/// Returns the name of a list element for messages: "T5", or the position in the list if the tool has no number.
 std::string called_in_list(const json& row, std::size_t i) {
   const auto number = row.find("number");
   if (number != row.end() && number->is_number_integer()) return "T" + number->dump();

@@ -1,5 +1,5 @@
 #pragma once
-// Converts tools to JSON and back, with the keys of a tools file. The web page and its session exchange tools in this form.
+// Converts tools to JSON and back, with the keys of a tools file. The web page and its session exchange tools as JSON.
 
 #include <nlohmann/json_fwd.hpp>
 #include <string_view>
@@ -9,7 +9,7 @@
 
 namespace kadr {
 
-/// Reads [{"number": 1, "kind": "flat", …}, …].
+/// Reads a list of tools: [{"number": 1, "kind": "flat", …}, …].
 ///   returns  on failure, an error sentence that names the tool
 tl::expected<ToolLibrary, std::string> tools_of_list(std::string_view json);
 

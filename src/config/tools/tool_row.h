@@ -10,10 +10,10 @@
 
 namespace kadr {
 
-/// Returns the tool of a row; on failure, an error sentence with its location.
+/// Returns the tool of a TOML row; on failure, an error sentence with the location of the fault.
 tl::expected<ToolGeometry, std::string> tool_of(const std::string& file, const toml::table& row);
 
-/// Adds a tool. Returns an error sentence if its number occurs already.
+/// Adds a tool to the library. Returns an error sentence if the library already has a tool with this number.
 tl::expected<void, std::string> add_tool(const std::string& file, const toml::table& row, ToolGeometry tool, ToolLibrary& to);
 
 }  // namespace kadr

@@ -6,7 +6,7 @@
 
 namespace kadr {
 
-/// True if the control has no modal code that cancels the work offsets, only G53 for a single block.
+/// True if the control has no modal code that cancels the work offsets, but only G53 for a single block.
 bool FlatProgram::has_no_zeroless_system() const { return row_that_does(blocks_.def(), {{Function::work_zero, 0}}) == nullptr; }
 
 namespace {
@@ -15,7 +15,7 @@ constexpr std::initializer_list<Wanted> machine_codes = {
     {Function::machine_coordinates, any_argument}, {Function::machine_block, any_argument}, {Function::machine_move, any_argument}};
 
 const CodeRow* reference_code(const ControlDef& def, int point) {
-  const int row = std::min(point, 2);  // row number of the code: G28, G30
+  const int row = std::min(point, 2);  // row of the code in the table: G28, G30
   const CodeRow* const found = row_that_does(
       def,
       {{Function::reference_return, row}, {Function::home_through, row}, {Function::reference_move, row}, {Function::stored_move, row}});
@@ -24,8 +24,8 @@ const CodeRow* reference_code(const ControlDef& def, int point) {
 
 }  // namespace
 
-/// True if the target control has a modal code that cancels the work offset (G53 of the 2С42 and of GOST): its words are then machine
-/// coordinates, except for the tool length.
+/// True if the target control has a modal code that cancels the work offset (G53 of the 2С42 and of GOST). Words after this code are
+/// machine coordinates, except for the tool length.
 bool FlatProgram::is_without_zero(const Motion& motion) const {
   return way_ != FlatForm::plain && motion.end_reference == EndReference::by_machine &&
          row_that_does(blocks_.def(), machine_codes) == nullptr && !has_no_zeroless_system();
@@ -54,7 +54,7 @@ bool FlatProgram::is_in_machine(const Motion& motion) const {
   return way_ != FlatForm::plain && source_.has_systems && motion.system == 0 && has_no_zeroless_system();
 }
 
-/// True if the target control allows motions at feed (G1), and not only rapids, in machine coordinates.
+/// True if the target control allows motions at feed (G1), not only rapids, in machine coordinates.
 bool FlatProgram::cuts_in_machine() const {
   return row_that_does(blocks_.def(), {{Function::machine_coordinates, any_argument}, {Function::machine_block, any_argument}}) != nullptr;
 }
@@ -79,7 +79,7 @@ bool FlatProgram::is_by_reference(const Motion& motion) const {
   return point != 0 && reference_code(blocks_.def(), point) != nullptr;
 }
 
-/// Writes a motion to a reference point. Its intermediate point is the present position (increments of 0), so that the axes move straight
+/// Writes a motion to a reference point. The intermediate point is the present position (increments of 0), so that the axes move directly
 /// to the reference point.
 Status FlatProgram::reference_motion(const Motion& motion) {
   const int point = reference_of(motion.end_reference);

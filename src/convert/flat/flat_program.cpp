@@ -18,9 +18,9 @@ namespace {
 
 constexpr double same_value = 1e-9;
 constexpr int max_turns = 1000;
-constexpr int first_system = 53;  // G54 is work system number 1
+constexpr int first_system = 53;  // the work system of G54 has the number 1, so code = number + 53
 
-/// Returns 17, 18 or 19 for the plane of an arc; 0 if the arc lies in no coordinate plane.
+/// Returns the plane code 17, 18 or 19 for the plane of an arc; 0 if the arc lies in no coordinate plane.
 int plane_of(const Motion& motion, const std::vector<std::string>& axes) {
   const auto is = [&](const char* a, const char* b) {
     const std::string &first = axes[motion.first], &second = axes[motion.second];
@@ -40,7 +40,7 @@ Status FlatProgram::begin(const ToolPosition& stand, const Placement& placement)
   written_origin_ = placement.origin;
   at_ = stand.machine;
   blocks_.begin();
-  if (blocks_.def().grammar.percent_frames) {  // the number under which the control stores the program
+  if (blocks_.def().grammar.percent_frames) {  // writes the number under which the control stores the program
     blocks_.text(blocks_.program_label(1));
     KADR_TRY(blocks_.end());
   }
@@ -76,7 +76,8 @@ Axes FlatProgram::base() const {
 Status FlatProgram::take(const Action& action, const OffsetsInForce& now) {
   const bool is_act = by_kind(
       action, same<Motion, FrameChange>(false),
-      [](const MachineFunction& function) { return !function.by_control; },  // the flat program has its own calls and ends
+      // Codes that the control executes itself are omitted, because the flat program has its own calls and ends
+      [](const MachineFunction& function) { return !function.by_control; },
       same<Dwell, Spindle, Speed, CoolantSwitch, ToolSelect, ToolChange, AuxiliaryFunction, Stop, Message, SurfaceSpeed, Sync, ZoneChange,
            Couple, Uncouple, CompensationBreak, CompensationCorner, CompensationCheck>(true));
   has_acts_ = has_acts_ || is_act;
@@ -164,7 +165,7 @@ Status FlatProgram::close(const FlatBefore& after) {
   return blocks_.end();
 }
 
-/// Writes the codes that need blocks of their own before the motion: plane and work offset.
+/// Writes the codes that must precede the motion in blocks of their own: plane and work offset.
 Status FlatProgram::write_before_motion(const Motion& motion, const OffsetsInForce& now) {
   if (is_arc(motion.kind) || motion.side != 0) {
     const int plane = plane_of(motion, axes_);
@@ -179,9 +180,9 @@ Status FlatProgram::write_before_motion(const Motion& motion, const OffsetsInFor
   KADR_TRY(length_by_word(now));
   if (is_between() && system_is_written_) system_ = motion.system;
   if (way_ == FlatForm::plain || motion.system == system_ || !source_.has_systems) return {};
-  known_ = 0;  // work offsets that are equal in this set-up may differ on the machine, so all axes are written again
+  known_ = 0;  // offsets that are equal in this set-up may differ on the machine, so all axes are written again
   const int system = motion.system;
-  if (system == 0 && has_no_zeroless_system()) return {};  // each motion is then written in machine coordinates
+  if (system == 0 && has_no_zeroless_system()) return {};  // each motion is then written in machine coordinates, and no code is needed here
   if (std::size_t(system) < source_.systems.size() && !source_.systems[std::size_t(system)].empty())
     blocks_.text(source_.systems[std::size_t(system)]);
   else if (!blocks_.code_if_there({{Function::work_system, system},
@@ -194,7 +195,7 @@ Status FlatProgram::write_before_motion(const Motion& motion, const OffsetsInFor
   return blocks_.end();
 }
 
-/// Writes the codes that go into the block of the motion: tool length and cutter compensation.
+/// Writes the codes that belong to the block of the motion: tool length and cutter compensation.
 Status FlatProgram::write_with_motion(const Motion& motion, const OffsetsInForce& now) {
   if (is_by_codes() && motion.side != side_) {
     if (motion.side == 0)
@@ -254,7 +255,7 @@ Status FlatProgram::motion(const Motion& motion, const OffsetsInForce& now) {
       break;
     case MotionKind::probe:
       KADR_TRY(feed(motion));
-      // another code of the same group may have replaced the motion code, so the next motion writes its code again
+      // Another code of the same modal group may have replaced the motion code, so the next motion writes its code again.
       code_ = Function::count;
       KADR_TRY(blocks_.code({{Function::probe, any_argument}, {Function::measure, any_argument}, {Function::probe_move, 2}}));
       KADR_TRY(axis_words(motion));
@@ -263,7 +264,8 @@ Status FlatProgram::motion(const Motion& motion, const OffsetsInForce& now) {
     case MotionKind::spline: return no_code("spline");
   }
   at_ = motion.machine;
-  // The work coordinates of these axes now depend on the work offset, so they are written again.
+  // The work coordinates of these axes are not known here, because they depend on the work offset. So the next motion writes these axes
+  // again.
   if (motion.end_reference != EndReference::by_work) known_ &= ~motion.named;
   else note_system(motion);
   ++motions_;
@@ -281,7 +283,7 @@ Status FlatProgram::motion_code(Function function) {
   return blocks_.code({{function, any_argument}});
 }
 
-/// Writes a straight motion without the axes that are already at their target. Axes whose position is not known are always written.
+/// Writes a straight motion, without the axes that are already at their target. Axes whose position is not known are always written.
 Status FlatProgram::straight(Function function, const Motion& motion) {
   KADR_TRY(motion_code(function));
   return axis_words(motion);
@@ -320,7 +322,7 @@ Status FlatProgram::arc(const Motion& motion) {
   if (pieces > max_turns) return no_code("arc_cw");
   const double radius = arms.begin, begin = std::atan2(from[second] - centre.y, from[first] - centre.x);
   const double sense = function == Function::arc_ccw ? 1 : -1;
-  for (int i = 1; i <= pieces; ++i) {  // each revolution separately, all with the same angle
+  for (int i = 1; i <= pieces; ++i) {  // each revolution is a block of its own, and all revolutions have the same angle
     Axes end = motion.machine;
     if (i < pieces) {
       const double part = double(i) / pieces, angle = begin + sense * 2 * pi * motion.turns * part;
@@ -335,8 +337,8 @@ Status FlatProgram::arc(const Motion& motion) {
   return {};
 }
 
-/// Returns the start of the arc as the target control computes it from the rounded words of the preceding blocks. The centre of the arc is
-/// measured from this position.
+/// Returns the start of the arc as the target control computes it from the rounded words of the preceding blocks. The words for the centre
+/// of the arc are relative to this position.
 Axes FlatProgram::written_position(const Axes& zero) const {
   Axes place = at_;
   for (std::size_t a = 0; a < axes_.size() && a < max_axes && !relative_; ++a)
@@ -344,7 +346,7 @@ Axes FlatProgram::written_position(const Axes& zero) const {
   return place;
 }
 
-/// Returns how far the rounded words move an axis to the position `to`, in the unit of the axis.
+/// Returns the travel of an axis to the position `to`, counted from the rounded words before, in the unit of the axis.
 double FlatProgram::rise_of(std::size_t axis, const Axes& to) const {
   const Words form(blocks_.def(), axes_[axis].front());
   const double zero = base()[axis];
@@ -363,7 +365,7 @@ bool FlatProgram::is_written_by_lead(const Motion& motion, int turns) const {
 }
 
 ///   centre, to  machine coordinates
-///   turns       number of revolutions, rounded up: the last one may be incomplete
+///   turns       number of revolutions, rounded up, since the last one may be incomplete
 Status FlatProgram::one_arc(Function function, const Motion& motion, Vec2 centre, const Axes& to, int turns) {
   KADR_TRY(motion_code(function));
   const Axes zero = base();

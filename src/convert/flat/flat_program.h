@@ -1,7 +1,7 @@
 #pragma once
 // FlatProgram: writes the actions of a run of the source program as flat blocks of the target control: single motions and codes, without
-// calls, loops, canned cycles and variables. It does not check the result; the proof checks that both programs do the same
-// (convert/conversion).
+// calls, loops, canned cycles and variables. The class does not check the result; the proof (convert/conversion) checks that both programs
+// do the same.
 
 #include <array>
 #include <map>
@@ -16,20 +16,20 @@
 
 namespace kadr {
 
-/// How the path is expressed in flat blocks.
+/// The form in which flat blocks express the path.
 enum class FlatForm : std::uint8_t {
-  contours,  // as programmed: cutter compensation, tool lengths and work offsets are codes
-  lengths,   // cutter compensation is applied to the coordinates; tool lengths and work offsets are codes
-  plain,     // all offsets are applied: the words are machine coordinates
-  places,    // like `contours`, for ranges between rewritten blocks, which may have put shifts in force: coordinates as programmed
-  centres,   // like `places`, with cutter compensation applied to the coordinates
+  contours,  // the path as programmed: cutter compensation, tool lengths and work offsets stay codes
+  lengths,   // cutter compensation is applied to the coordinates; tool lengths and work offsets stay codes
+  plain,     // all offsets are applied to the coordinates: the words are machine coordinates
+  places,    // like `contours`, for ranges between rewritten blocks, which may have put shifts in force: the coordinates are as programmed
+  centres,   // like `places`, but cutter compensation is applied to the coordinates
 };
 
 /// The rows of the offset tables that are in force.
 struct OffsetsInForce {
-  std::int8_t length_sign = 0;      // +1 (G43), -1 (G44); 0: no length compensation
-  std::uint32_t length_number = 0;  // number of the length offset: H, or the word that the control uses for it
-  std::uint32_t radius_number = 0;  // number of the radius offset: D
+  std::int8_t length_sign = 0;      // sense of the length compensation: +1 (G43), -1 (G44); 0: none
+  std::uint32_t length_number = 0;  // number of the length offset: the number after H, or after the word that the control uses for it
+  std::uint32_t radius_number = 0;  // number of the radius offset: the number after D
   friend bool operator==(const OffsetsInForce&, const OffsetsInForce&) = default;
 };
 
@@ -40,16 +40,17 @@ struct FlatBefore {
   CornerSpeed corners = CornerSpeed::limited;
 };
 
-/// Properties of the source program that its actions do not contain.
+/// Properties of the source program that its actions do not state.
 struct FlatSource {
   std::vector<std::string> axes;  // axis names
-  std::map<int, Axes> zeros;      // work offsets of the set-up, by number of the work system
+  std::map<int, Axes> zeros;      // work offsets of the set-up, mm, by number of the work system
   bool has_systems = true;        // the source control has work systems
-  bool same_messages = true;      // both controls display messages in the same way, without a code; false: messages become comments
-  // by M function: its number on the target control, if the tables of both controls state another one
+  bool same_messages = true;      // both controls display messages in the same way, without a code; if false, messages become comments
+  // Number of each M function on the target control, by number on the source control, if the tables of both controls state another number.
   std::map<std::uint32_t, std::uint32_t> machine_codes{};
-  std::array<std::optional<std::uint32_t>, 3> coolants{};  // target control's M codes by Coolant, if its tables state them
-  std::vector<std::string> systems{};                      // work system codes of the target control, by number: "G54", "G54.1 P1"
+  std::array<std::optional<std::uint32_t>, 3> coolants{};  // M codes of the target control, by Coolant, if the tables state them
+  // Codes of the target control that select a work system, by number of the work system: "G54", "G54.1 P1"
+  std::vector<std::string> systems{};
 };
 
 class FlatProgram {
@@ -59,29 +60,29 @@ class FlatProgram {
 
   ///   stand  position of the axes at the beginning; `placement` contains the work offset in force
   Status begin(const ToolPosition& stand, const Placement& placement);
-  /// Writes an action.
-  ///   alarms  function_has_no_code  the target control has no code for it
+  /// Writes one action of the run.
+  ///   alarms  function_has_no_code  the target control has no code for the action
   ///           word_has_no_room
   Status take(const Action& action, const OffsetsInForce& now);
-  /// Ends the flat blocks that express one block of the source program.
+  /// Ends the flat blocks that together express one block of the source program.
   Status end_block();
   Status finish();
 
-  /// Call this function for an action that other blocks express. It only tracks the state after the action.
+  /// Tracks the state after an action without writing it. The caller must call this function for an action that other blocks express.
   void pass(const Action& action);
   /// Begins flat blocks after rewritten blocks.
   ///   before, now  modes and offsets that the rewritten blocks have put in force
   Status open(const FlatBefore& before, const OffsetsInForce& now);
-  /// Declares that from here on only flat blocks, and no rewritten ones, select the work system.
+  /// Makes the flat blocks write the code of the work system again: from here on, only they, and no rewritten blocks, select it.
   void system_changes() { system_is_written_ = false; }
-  /// Ends flat blocks: restores the modes that the source program has in force here, since the rewritten blocks that follow rely on them.
+  /// Ends flat blocks. Restores the modes that the source program has in force here, because the rewritten blocks that follow rely on them.
   Status close(const FlatBefore& after);
-  /// Allows motions after a probe motion: the caller checks whether their coordinates depend on what the probe touched.
+  /// Allows motions after a probe motion. The caller must check whether the coordinates of these motions depend on what the probe touched.
   void allow_after_probe() { after_probe_allowed_ = true; }
   bool has_probed() const { return has_probed_; }
-  /// Returns the work system that all motions in work coordinates use; nullopt if there are several or none.
+  /// Returns the number of the work system that all motions in work coordinates use; nullopt if they use several, or none.
   std::optional<std::uint16_t> counts_from() const { return counts_from_several_ ? std::nullopt : counts_from_; }
-  /// Number of motions written so far.
+  /// Returns the number of motions written so far.
   std::size_t motions() const { return motions_; }
 
  private:
@@ -93,7 +94,7 @@ class FlatProgram {
   Status axis_words(const Motion& motion);
   Status arc(const Motion& motion);
   struct Arms {
-    double begin = 0, end = 0;  // radii at the beginning and the end of a spiral, mm
+    double begin = 0, end = 0;  // radii of a spiral at its beginning and its end, mm
   };
   bool is_spiral(const Arms& arms) const;
   Status spiral(const Motion& motion, Vec2 centre, const Arms& arms);
@@ -138,7 +139,7 @@ class FlatProgram {
   double word_of(std::size_t axis, double to, double zero) const { return relative_ ? to - at_[axis] : to - zero; }
   bool is_by_codes() const { return way_ == FlatForm::contours || way_ == FlatForm::places; }
   bool is_between() const { return way_ == FlatForm::places || way_ == FlatForm::centres; }
-  /// Machine coordinates of the origin of the words in the target text.
+  /// Returns the origin, in machine coordinates, from which the words of the target text count.
   Axes base() const;
 
   BlockMaker& blocks_;
@@ -147,7 +148,7 @@ class FlatProgram {
   const FlatForm way_;
   const PathModes modes_;  // path modes of the target control
 
-  Axes at_{};  // position in machine coordinates
+  Axes at_{};  // position of the axes in machine coordinates
   Placement placement_;
   AxisMask known_ = 0;
   Function code_ = Function::count;
@@ -162,21 +163,22 @@ class FlatProgram {
   std::size_t motions_ = 0;
   std::optional<std::uint16_t> counts_from_;
   bool counts_from_several_ = false;
-  Axes written_origin_{};  // origin of the work system in the target text, with the shifts that the rewritten blocks have put in force
+  Axes written_origin_{};  // origin of the work system in the target text, including the shifts that rewritten blocks have put in force
   bool after_probe_allowed_ = false;
-  bool has_probed_ = false;  // a probe motion was written; later coordinates may depend on what the probe touched in this run
+  bool has_probed_ = false;  // a probe motion was written, so later coordinates may depend on what the probe touched in this run
   bool system_is_written_ = true;
   bool relative_ = false;  // incremental programming is in force in the target text
   double rpm_ = -1;
   SpindleDir turns_ = SpindleDir::stop;
   Coolant coolant_ = Coolant::off;
-  double written_length_ = 0;  // tool length written last, mm; on a control whose code states the length itself as a word
+  double written_length_ = 0;  // tool length written last, mm; only for a control whose length code states the length itself
   bool surface_ = false, has_acts_ = false;
   bool is_exact_ = false;  // exact stop mode is in force in the target text
-  double tolerance_ = 0;   // mm by which corners may be rounded (G64 P)
+  double tolerance_ = 0;   // greatest rounding of corners, mm (G64 P)
   CornerSpeed corners_ = CornerSpeed::limited;
-  std::uint8_t smoothing_ = 0, smoothing_before_ = 0;  // smoothing (Q of G5.1): in the flat blocks, in the rewritten blocks before them
-  bool wants_direction_ = false;                       // the block has an S word, so it needs M3 or M4 too
+  // Q of G5.1: smoothing_ in the flat blocks, smoothing_before_ in the rewritten blocks before them
+  std::uint8_t smoothing_ = 0, smoothing_before_ = 0;
+  bool wants_direction_ = false;  // the block has an S word, so it also needs M3 or M4
 };
 
 }  // namespace kadr

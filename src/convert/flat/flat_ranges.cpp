@@ -35,7 +35,7 @@ class RangeWriter {
     Outlets& outlets = session_.outlets();
     outlets.stop = stop;
     if (centres_) {
-      // A compensated motion arrives after later blocks were read, so the origin of an action determines its block.
+      // A compensated motion arrives after later blocks were read, so its block is found by the origin of the action.
       outlets.step = [this](const Step& step) {
         if (step.action.origin.number != number_) begin_block(step.action.origin);
         take(step.action);
@@ -49,7 +49,7 @@ class RangeWriter {
       };
     }
     if (const Status begun = flat_.begin(session_.stand(), control_.placement()); !begun) return fail(begun.error());
-    text_.clear();  // discards what begin() has written: the rewritten blocks express it
+    text_.clear();  // discards what begin() has written, because the rewritten blocks express it already
     while (!is_over_ && !is_full_ && session_.go_on() == Session::State::running) {
     }
     close();
@@ -66,7 +66,7 @@ class RangeWriter {
     return !is_full_;
   }
 
-  /// Returns the range that a block belongs to: the range of the outermost line of the main program that led to the block.
+  /// Returns the index of the range that a block belongs to: the range of the line of the main program from which calls led to the block.
   std::size_t place_of(const Origin& origin, std::uint32_t& line, bool& is_own) const {
     if (origin.depth > 0)
       for (const AlarmReport::Call& call : control_.calls_of(origin))
@@ -100,7 +100,7 @@ class RangeWriter {
     else is_over_ = straight_on_ && origin.depth == 0 && origin.file == 0 && origin.line > places_.back().lines.last;
   }
 
-  ///   afresh  true: rewritten blocks come directly before this range
+  ///   afresh  true if the block executed before this range is a rewritten block
   void open(std::size_t place, bool afresh) {
     open_ = place;
     text_.clear();
@@ -112,7 +112,7 @@ class RangeWriter {
   }
   FlatBefore in_force() const {
     FlatBefore modes;
-    for (const std::string& code : control_.state_now().modal) {  // only the codes, not the variables, of which there may be thousands
+    for (const std::string& code : control_.state_now().modal) {  // reads only the codes, because there may be thousands of variables
       for (const CodeRow* const row : codes_of_modes_) {
         if (row->code != code) continue;
         modes.incremental = modes.incremental || row->function == Function::incremental;
@@ -126,12 +126,12 @@ class RangeWriter {
     return modes;
   }
 
-  ///   at_end  true: rewritten blocks follow this range
+  ///   at_end  true if rewritten blocks follow this range
   void close(bool at_end = true) {
     if (open_ == nowhere) return;
     note(at_end ? close_flat() : flat_.end_block());
     FlatRange& place = places_[open_];
-    // Lines that the control only skips, such as a subprogram before it is called, do not count as executed.
+    // A range that has done nothing is not counted as executed: its lines were only skipped, such as a subprogram before its call.
     if (!std::exchange(has_acted_, false)) return void(open_ = nowhere);
     place.probed = place.probed || flat_.has_probed();
     if (place.times++ == 0) place.text = text_, kept_ += text_.size(), place.motions = flat_.motions() - begun_at_;
@@ -166,10 +166,10 @@ class RangeWriter {
   BlockMaker blocks_;
   FlatProgram flat_;
   const bool centres_, straight_on_;
-  std::vector<const CodeRow*> codes_of_modes_;  // codes of the modes in FlatBefore
+  std::vector<const CodeRow*> codes_of_modes_;  // rows of the codes for the modes in FlatBefore
   OffsetsInForce now_;
   std::uint32_t number_ = ~std::uint32_t{0};  // sequence number of the block in the run
-  std::size_t kept_ = 0;                      // bytes of all ranges so far
+  std::size_t kept_ = 0;                      // size in bytes of the texts of all ranges so far
   std::size_t open_ = nowhere, begun_at_ = 0;
   bool is_new_ = true, has_acted_ = false, inch_ = false, is_over_ = false, is_full_ = false;
 };

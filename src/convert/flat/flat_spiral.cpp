@@ -1,4 +1,4 @@
-// Writes arcs with different start and end radii as short lines, for controls that do not allow such arcs. Used by
+// Writes arcs with different radii at start and end as short lines, for controls that do not allow such arcs. Used by
 // convert/flat/flat_program; tested by tests/convert_real.py.
 
 #include <algorithm>
@@ -11,7 +11,7 @@ namespace kadr {
 namespace {
 
 constexpr int max_pieces = 20'000;
-// greatest chord error, in increments; the rounding error, half an increment of each axis, is added to it
+// Greatest chord error, in increments of the control. The rounding error of the words, half an increment of each axis, is added to it.
 constexpr double chord_of_increment = 1.0 / 8;
 
 double increment_of(const ControlDef& def, const std::string& axis) {
@@ -23,18 +23,18 @@ double increment_of(const ControlDef& def, const std::string& axis) {
 
 bool FlatProgram::is_spiral(const Arms& arms) const {
   const ControlDef& def = blocks_.def();
-  const bool is_free = def.has_parameter("arc_difference");  // its default 0 switches the check off
+  const bool is_free = def.has_parameter("arc_difference");  // the parameter's default 0 switches the check of radii off
   return !is_free && std::fabs(arms.end - arms.begin) > def.behaviour.arc_radius_difference;
 }
 
-/// Writes the lines. The radius grows linearly with the angle; all other axes move in proportion.
+/// Writes the arc as short lines. The radius grows linearly with the angle, and all other axes move in proportion to the angle.
 Status FlatProgram::spiral(const Motion& motion, Vec2 centre, const Arms& arms) {
   const std::size_t first = motion.first, second = motion.second;
   const double increment = std::max(increment_of(blocks_.def(), axes_[first]), increment_of(blocks_.def(), axes_[second]));
   const double angle = 2 * pi * motion.turns, chord = increment * chord_of_increment;
   const double pieces = std::ceil(std::fabs(angle) / std::sqrt(8 * chord / std::max(arms.begin, arms.end)));
-  const bool is_led = motion.side != 0 && is_by_codes();   // the cutter compensation of the target control is active
-  const bool is_whole = motion.unit == FeedUnit::per_min;  // the feed is for the arc as a whole
+  const bool is_led = motion.side != 0 && is_by_codes();   // true if the target control's cutter compensation is active
+  const bool is_whole = motion.unit == FeedUnit::per_min;  // true if the feed is an inverse time for the arc as a whole
   if (is_led || is_whole || !(pieces >= 1 && pieces <= max_pieces)) return fail(alarm(AlarmId::function_has_no_code, {}, "arc_cw"));
   const Axes from = at_;
   const double begin = std::atan2(from[second] - centre.y, from[first] - centre.x), sense = motion.kind == MotionKind::arc_ccw ? 1 : -1;

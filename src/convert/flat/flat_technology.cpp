@@ -65,7 +65,7 @@ Status FlatProgram::coolant(Coolant what) {
   return blocks_.code({{by[std::size_t(what)], any_argument}});
 }
 
-/// True for a control without a tool table whose length code contains the length as a word (spec/grbl 4.15).
+/// True for a control without a tool table, whose length code contains the length itself as a word (spec/grbl 4.15).
 bool FlatProgram::is_length_by_word() const {
   const auto has = [&](std::initializer_list<Wanted> wanted) { return row_that_does(blocks_.def(), wanted) != nullptr; };
   return has({{Function::length_by_word, any_argument}}) &&
@@ -117,7 +117,7 @@ Status FlatProgram::tool(std::uint32_t number, std::uint32_t corrector, bool cha
         {{Function::change_tool, any_argument}, {Function::exchange_tool, any_argument}, {Function::load_tool, any_argument}}));
   if (!change) return {};
   KADR_TRY(end_block());
-  KADR_TRY(spindle_on());  // some controls stop the spindle at the tool change
+  KADR_TRY(spindle_on());  // restarts the spindle, because some controls stop it at the tool change
   return end_block();
 }
 
@@ -142,8 +142,8 @@ Status FlatProgram::feed_unit(FeedUnit unit) {
   return blocks_.code({{by[std::size_t(unit)], any_argument}});
 }
 
-/// Writes the feed. A feed per revolution that the target control cannot write, or that its format would round to 0, becomes a feed per
-/// minute at the spindle speed in force.
+/// Writes the feed. If the target control cannot express a feed per revolution, or its format would round it to 0, the feed becomes a feed
+/// per minute at the spindle speed in force.
 Status FlatProgram::feed(const Motion& motion) {
   FeedUnit unit = source_unit_ = motion.unit;
   double feed = motion.feed;
@@ -171,8 +171,8 @@ Status FlatProgram::stop_mode(bool exact) {
   return exact ? blocks_.code({{Function::exact_stop_mode, any_argument}}) : blocks_.code(continuous_path_codes);
 }
 
-/// Writes, in the block of the motion, whether the axes stop exactly at the end of the motion. A control without a code for exact stops
-/// does not stop there; the conversion reports that (convert/conversion).
+/// Writes, in the block of the motion, whether the axes stop exactly at its end. Without a code for exact stops, the target control does
+/// not stop there; the conversion reports this difference (convert/conversion).
 Status FlatProgram::end_of_motion(bool exact) {
   if (exact == is_exact_) return {};
   const bool has_modes = has_stop_modes();
@@ -187,14 +187,14 @@ Status FlatProgram::rounding(const Motion& motion) {
   if (!modes_.tolerance) return {};
   is_exact_ = false;
   KADR_TRY(blocks_.code({{Function::constant_velocity, any_argument}}));
-  constexpr int more = 3;  // additional decimals if P may have any number of them: 0.000001 mm
+  constexpr int more = 3;  // additional decimals, down to 0.000001 mm, if P may have any number of decimals
   return tolerance_ > 0 ? blocks_.word('P', tolerance_, more) : Status();
 }
 
 /// Writes the corner mode in the block of the motion: G62, G63 or the code that ends them.
 Status FlatProgram::corners(const Motion& motion) {
   if (motion.corner_speed == corners_ || !modes_.speeds) return {};
-  const bool exact_by_mode = motion.exact && !is_between() && has_stop_modes();  // exact stop mode already replaces the corner modes
+  const bool exact_by_mode = motion.exact && !is_between() && has_stop_modes();  // the exact stop mode is used instead of a corner mode
   return exact_by_mode ? Status() : corner_mode(motion.corner_speed);
 }
 
@@ -205,7 +205,7 @@ Status FlatProgram::corner_mode(CornerSpeed corners) {
   return blocks_.code({{Function::feed_control, by[std::size_t(corners)]}});
 }
 
-/// Writes G5.1 before the block of the motion. Only straight motions can be smoothed (nct 4.7); Q1 joins short motions.
+/// Writes G5.1 before the block of the motion. Q1 joins short motions. Only straight motions can be smoothed (nct 4.7).
 Status FlatProgram::smoothing(const Motion& motion) {
   if (motion.kind != MotionKind::feed || motion.exact || !modes_.smoothing) return {};
   const std::uint8_t wanted = motion.smoothing != 0 ? motion.smoothing : std::uint8_t(motion.join != 0 ? 1 : 0);
@@ -220,8 +220,8 @@ Status FlatProgram::smoothing_mode(std::uint8_t smoothing) {
   return blocks_.end();
 }
 
-/// Writes an M code. Its number is mapped by the tables of both controls, or stays unchanged if the target control also passes this number
-/// to its machine.
+/// Writes an M code. Its number is mapped by the tables of both controls. Without a table row, the number stays unchanged if the target
+/// control also passes it to its machine.
 Status FlatProgram::machine_code(std::uint32_t code) {
   const ControlDef& def = blocks_.def();
   const auto mapped = source_.machine_codes.find(code);
