@@ -8,7 +8,7 @@
 namespace kadr {
 namespace {
 
-// Time of motion, s, that the planner computes at a time, so that a program with long motions starts at once.
+// Time of motion, s, that the planner computes in one step. It is short, so that a program with long motions starts at once.
 constexpr double planned_each = 1;
 
 }  // namespace

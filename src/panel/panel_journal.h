@@ -44,7 +44,7 @@ class PanelJournal {
   /// Deletes all data of the machine except its log.
   Done forget(const std::string& machine);
   Done log(const std::string& machine, std::string entry);
-  /// Log entries of the machine, oldest first.
+  /// The log entries of the machine, the oldest entry first.
   std::vector<std::string> log_of(const std::string& machine) const;
 
  private:
@@ -52,7 +52,7 @@ class PanelJournal {
   Done save(const std::vector<StateRow>& rows);
 
   mutable std::mutex lock_;
-  std::unique_ptr<StateFile> file_;  // nullptr: all data are in memory only
+  std::unique_ptr<StateFile> file_;  // the state file; nullptr: all data are in memory only
   std::vector<StateRow> unsaved_;
   std::map<std::string, std::string> all_;
   std::map<std::string, std::map<std::uint64_t, std::string>> logs_;  // log entries by machine, then by entry number

@@ -260,7 +260,7 @@ PanelMachine::Answer PanelMachine::hold() {
 }
 
 PanelMachine::Answer PanelMachine::reset() {
-  stops_ = true;  // This interrupts a block that would never end.
+  stops_ = true;  // The flag interrupts a block that would never end.
   return ask([this]() -> Answer {
     kept_.told.clear(), kept_.why.clear();
     for (const auto& lane : lanes_) lane->clock.release();
@@ -275,7 +275,8 @@ PanelMachine::Answer PanelMachine::reset() {
 void PanelMachine::stop_at_once() {
   for (const auto& lane : lanes_) lane->clock.stop_at_once();
   stops_ = true;
-  const std::lock_guard hold(lock_);  // While this lock is held, the thread is waiting, or it checks for a stop before it waits.
+  // While this function owns the lock, the machine's thread is waiting, or the thread checks for a stop before it waits.
+  const std::lock_guard hold(lock_);
   wakes_.notify_all();
 }
 

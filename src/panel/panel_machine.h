@@ -208,7 +208,7 @@ class PanelMachine {
   /// Evaluates expressions written in the syntax of the program.
   tl::expected<std::vector<PanelWatch>, std::string> watch_values(const std::vector<std::string>& expressions);
   tl::expected<PanelTables, std::string> tables();
-  /// Checks that the machine is at rest at a block at which take_tables() can apply tables.
+  /// Checks whether take_tables() can apply tables at present. The machine must be at rest at a suitable block.
   Answer may_apply_tables();
   /// Applies edited tables at the present block. The SessionOpener must already open sessions with these tables.
   Answer take_tables();
@@ -358,7 +358,7 @@ class PanelMachine {
   std::uint32_t last_line_ = 0;                  // program line of the present block
   PanelState kept_;                              // The part of the state that show() does not compute: switches, stop points, message.
 
-  // Several threads use the members below. This lock protects them.
+  // Several threads use the members below; the mutex lock_ protects these members.
   std::mutex lock_;
   std::condition_variable wakes_;
   std::deque<Asked> asked_;

@@ -208,7 +208,8 @@ void PanelMachine::execute(std::deque<PanelApproach::Line>& lines) {
   begin_line(line.text, line.channel);
 }
 
-/// Sets the state as if the program had been executed up to the restart position. The machine calls it when the axes have arrived there.
+/// Sets the state as if the program had been executed up to the restart position. The machine calls it when the axes have arrived at this
+/// position.
 PanelMachine::Answer PanelMachine::arrive(const RestartPoint& place) {
   lane_->clock.stand_at(place.restart.stand.machine);
   for (const OtherChannelState& channel : place.beside) lanes_[channel.channel]->clock.stand_at(channel.restart.stand.machine);
@@ -248,8 +249,8 @@ void PanelMachine::set_other_channel(const OtherChannelState& channel) {
   lane.go_on();
 }
 
-/// True if each other channel has executed as many blocks as at the restart position, and the axes of each waiting channel are at the same
-/// position as there.
+/// True if each other channel has executed as many blocks as at the restart position, and if the axis positions of each waiting channel are
+/// the same as at the restart position.
 bool PanelMachine::stand_as_in(const RestartPoint& place) const {
   for (const OtherChannelState& channel : place.beside) {
     const ChannelAxes& lane = *lanes_[channel.channel];

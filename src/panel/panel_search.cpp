@@ -27,7 +27,7 @@ void PanelSearch::begin(const PanelStart& start) {
   {
     const std::lock_guard hold(lock_);
     to_begin_ = start;
-    stops_ = true;  // This interrupts the search that is in progress.
+    stops_ = true;  // The flag interrupts the search that is in progress.
     answer_.reset();
   }
   wakes_.notify_all();

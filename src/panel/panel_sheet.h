@@ -41,8 +41,8 @@ Result<PanelSheet> sheet_of(const Restart& restart, bool in_block, const ToolPos
 ///   left     keys of items that keep their present value
 ///   alarms   word_has_no_room
 Result<std::vector<std::string>> lines_before(const PanelSheet& sheet, const std::set<std::string>& left, const ControlDef& def);
-/// Returns the lines that the control must execute after the restart. They set the items that the operator keeps again, because restoring
-/// the control's memory sets every item to the program's value.
+/// Returns the lines that the control must execute after the restart. These lines restore the items whose present value the operator keeps,
+/// because restoring the control's memory sets every item to the program's value.
 Result<std::vector<std::string>> lines_after(const PanelSheet& sheet, const std::set<std::string>& left, const ControlDef& def);
 
 }  // namespace kadr

@@ -59,8 +59,8 @@ class ServoClock {
   std::atomic<Playback*> playback_{nullptr};
   std::atomic<bool> stopped_{false}, ends_{false};
   std::mutex idle_lock_;
-  std::condition_variable wakes_;  // notified when motion is to be played
-  std::condition_variable idles_;  // notified when the clock's thread waits
+  std::condition_variable wakes_;  // notified when the clock has motion to play
+  std::condition_variable idles_;  // notified when the clock's thread begins to wait
   bool idle_ = false;
   ServoSample now_;  // The present sample. Other threads may write it only while the clock's thread waits.
 

@@ -35,7 +35,7 @@ struct Spent {
   }
 };
 
-/// Faults of the finished plan: segments without a solution, and positions where the path exceeds its tolerance.
+/// Faults of the finished plan: segments without a solution, and positions at which the path exceeds its tolerance.
 struct PlanFaults {
   std::size_t unsolved = 0;    // number of segments for which no speed was found (TimedCells::unsolved)
   double unsolved_length = 0;  // total length of the segments without a speed, mm
@@ -57,8 +57,8 @@ class AxisMotion {
   /// Sets the rotation of the spindles at the program start and the parameters of smoothing (G5.1).
   void start(const Setup& setup, const std::vector<std::string>& axes);
 
-  /// A callback for each motion before the motion is planned. `number` is the motion's number, which its cells have as CellSource::motion.
-  /// `way` is the approximate total length of these cells in mm.
+  /// A callback for each motion before the motion is planned. `number` is the motion's number; the cells of the motion have this number as
+  /// CellSource::motion. `way` is the approximate total length of these cells in mm.
   std::function<void(std::uint64_t number, double way)> on_motion;
 
   /// A callback for each motion before the motion is planned. `number` is the motion's number; `from` has its start position and coordinate

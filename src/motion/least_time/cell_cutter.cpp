@@ -64,7 +64,7 @@ void CellCutter::begin() {
 
 bool CellCutter::feed_changes(std::size_t vertex) const {
   // Relative changes of feed that are ignored. The feed is computed as length / time, with numerical errors. In polar or cylindrical
-  // interpolation the feed varies along the whole path, so a greater change is ignored there.
+  // interpolation the feed varies along the whole path, so a greater change is ignored in these motions.
   constexpr double of_way = 1e-3, on_surface = 0.05;
   if (path_->is_paced(vertex)) return false;
   const double same = path_->on_curve(vertex) ? on_surface : of_way;
@@ -117,9 +117,10 @@ double CellCutter::size_at(double s, std::size_t piece, bool last, double curve_
   return std::min(size, size_in_chain(s, piece, reach));
 }
 
-/// Returns the size of a cell, mm, among gentle corners that are rounded together (a chain, path/smooth/smooth_path.h). Between programmed
-/// lines the length of a cell is the width of the rounded corners, so that the cell smooths the path further. Between the chords of a curve
-/// the path is already smooth. The cells are shorter on such a curve, because shorter cells follow the changes of speed better.
+/// Returns the size of a cell, mm, in a chain. A chain consists of gentle corners that are rounded together (path/smooth/smooth_path.h).
+/// Between programmed lines the length of a cell is the width of the rounded corners, so that the cell smooths the path further. Between
+/// the chords of a curve the path is already smooth. The cells are shorter on such a curve, because shorter cells follow the changes of
+/// speed better.
 double CellCutter::size_in_chain(double s, std::size_t piece, double reach) const {
   constexpr double between_lines = 1, on_curves = 0.45;  // cell size as a fraction of the width of the rounded corners
   double away = reach;
@@ -165,7 +166,8 @@ double CellCutter::next_size(bool last) {
 
 void CellCutter::set_knot(double s, std::size_t piece) { path_->evaluate(s, piece, knot_.x.data(), knot_.x1.data(), knot_.x2.data()); }
 
-/// Returns the type (corner or curve) of the tightest rounded corner that extends into the cell from the last knot to the path length `to`.
+/// Returns the type (corner or curve) of the tightest rounded corner that extends into a cell. The cell starts at the last knot (the end of
+/// the previous cell) and ends at the path length `to`.
 Bend CellCutter::bend_at(double to, std::size_t end_piece) const {
   const double from = cut_, chain_before = path_->width_at(from, piece_).w, chain_after = path_->width_at(to, end_piece).w;
   Bend bend = Bend::none;
@@ -182,8 +184,8 @@ Bend CellCutter::bend_at(double to, std::size_t end_piece) const {
 }
 
 /// Returns by how much the deviation of a cell from the path exceeds the tolerance, as a fraction of the tolerance. The cell starts at the
-/// last knot and has the polynomial coefficients `c`. The deviation is checked at the vertices and halfway between them. If the cell has
-/// few pieces, it is checked at more positions.
+/// end of the previous cell and has the polynomial coefficients `c`. The deviation is checked at the vertices and halfway between them. If
+/// the cell has few pieces, it is checked at more positions.
 double CellCutter::beyond(const double* c, double to, std::size_t last_piece) const {
   constexpr double dense = 16;    // number of checked positions in a cell that lies within one piece
   constexpr double used = 0.992;  // Fraction of the tolerance that is used. The rest is a reserve for the positions between the samples.
@@ -209,8 +211,8 @@ double CellCutter::beyond(const double* c, double to, std::size_t last_piece) co
   return most;
 }
 
-/// Returns the lowest feed, mm/s, of the pieces of a cell that starts at the last knot. Where the feed varies along the path, it is the
-/// lowest feed at sample positions of the cell.
+/// Returns the lowest feed, mm/s, of the pieces of a cell that starts at the end of the previous cell. Where the feed varies along the
+/// path, it is the lowest feed at sample positions of the cell.
 double CellCutter::feed_between(double from, double to) const {
   double feed = path_->feed(piece_);
   bool paced = piece_ > 0 && path_->is_paced(piece_);
@@ -234,7 +236,7 @@ double CellCutter::feed_between(double from, double to) const {
   return feed;
 }
 
-/// Computes the polynomials of a cell from the last knot to the path length `to`, and the knot at `to`.
+/// Computes the polynomials of a cell from the end of the previous cell to the path length `to`, and the end of the new cell.
 ///   returns  the excess of the cell's deviation over the tolerance, as a fraction of the tolerance
 double CellCutter::draw_cell(double to, std::size_t end_piece, double* c, Knot& end) {
   const bool straight = bend_at(to, end_piece) == Bend::none;
@@ -297,7 +299,7 @@ void CellCutter::divide(double width, CutCells& out) const {
   for (std::size_t k = last; k < out.count(); ++k) out.path.most[k] = most_in(out.path.shape(k, 0), out.path.h[k], out.sources[k].feed);
 }
 
-/// Adds a cell from the last knot to the path length `to`. If this cell would exceed the tolerance, a shorter cell is added.
+/// Adds a cell from the end of the previous cell to the path length `to`. If this cell would exceed the tolerance, a shorter cell is added.
 ///   returns  the path length at the end of the cell
 double CellCutter::add_cell(double to, double least, bool turns, CutCells& out) {
   constexpr double smaller = 0.6;

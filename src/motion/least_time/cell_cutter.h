@@ -24,7 +24,7 @@ struct CutCells {
 
   std::size_t count() const { return path.cells(); }
   void clear();
-  /// Appends the cells of `more`.
+  /// Appends the cells of the list `more`.
   void append(const CutCells& more);
   /// Removes the first `count` cells.
   void forget(std::size_t count);
@@ -71,10 +71,10 @@ class CellCutter {
   std::size_t axes_;
   MotionLimits limits_;
   SmoothPath* path_ = nullptr;  // the path that cut() divides; set during cut() only
-  Knot knot_;                   // The end of the last cell; a knot is the boundary between two cells.
+  Knot knot_;                   // end of the last cell; a knot is the boundary between two cells
   bool has_knot_ = false;
-  double cut_ = 0;          // path length at the last knot, mm
-  std::size_t piece_ = 0;   // the piece that contains the last knot
+  double cut_ = 0;          // path length at the end of the last cell, mm
+  std::size_t piece_ = 0;   // the path piece that contains the end of the last cell
   std::size_t passed_ = 0;  // number of pieces before `piece_`; the pieces that the path has dropped are included
   double needed_from_ = 0;
   struct {

@@ -113,7 +113,7 @@ class LeastTime {
   std::vector<std::array<Mix, 2>> mixes_;  // the first and the last Bézier ordinate of each cell as linear combinations of the variables
   std::vector<double> cap_;
   std::vector<double> m_;                            // the middle Bézier ordinates of b, one per cell
-  std::vector<double> y_, trial_, step_, gradient_;  // vectors with one entry per variable
+  std::vector<double> y_, trial_, step_, gradient_;  // vectors with one entry per variable of the solver
   Diagonals hessian_, factors_;                      // `factors_` is the decomposition L D Lᵀ of the Hessian.
   std::vector<char> broken_, was_broken_;  // One flag per group of cells. The flag is set if the step violates a limit in the group.
   Height height_{};                        // the terms of the objective at y_

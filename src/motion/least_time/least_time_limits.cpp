@@ -12,7 +12,7 @@ namespace kadr {
 namespace {}  // namespace
 
 /// Numbers the variables. A cell of the length h next to a stop has b = b₁ (σ/h)^(4/3), where σ is the distance from the stop and b₁ the
-/// value of b at the other knot. At this knot b′ = 4/3 b₁/h, so the middle ordinate is a third of b₁.
+/// value of b at the other end of the cell. At this end b′ = 4/3 b₁/h, so the middle ordinate is a third of b₁.
 void LeastTime::number_variables() {
   const std::vector<double>& h = path_->h;
   variable_.assign(n_, 0);
@@ -55,8 +55,9 @@ void LeastTime::prepare() {
   if (ends_.to_stop) keep_stop(n_ - 1);
 }
 
-/// Expresses the ordinates at the cell boundaries by variables. At a knot b is interpolated linearly between the middle ordinates of the
-/// two cells. At a reversal b is 0, and at the end of a path that ends at crawling speed b equals the middle ordinate of the last cell.
+/// Expresses the ordinates at the cell boundaries by variables. At a knot (the boundary of two cells) b is interpolated linearly between
+/// the middle ordinates of these cells. At a reversal b is 0, and at the end of a path that ends at crawling speed b equals the middle
+/// ordinate of the last cell.
 void LeastTime::find_mixes() {
   mixes_.assign(n_, {});
   for (std::size_t k = 0; k < n_; ++k) {

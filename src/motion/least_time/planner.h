@@ -81,7 +81,7 @@ class Planner {
     std::vector<double> at;   // axis positions at the end of the last piece, mm or degrees
     std::vector<double> way;  // direction of the last piece, a unit vector; empty before the first piece
     std::size_t fresh = 0;    // number of pieces received since the last plan
-    double fresh_s = 0;       // time of the `fresh` pieces at the commanded feeds, s
+    double fresh_s = 0;       // time, at the commanded feeds, of the pieces received since the last plan, s
     PlanEnd ended = PlanEnd::none;
   };
 

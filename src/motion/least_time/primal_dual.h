@@ -158,18 +158,23 @@ class PrimalDual {
   std::size_t blocks_end_ = 0;  // blocks 1 … blocks_end_ − 1 contain cells
   std::vector<Moving> moving_;
   std::vector<double> cells_;  // the table rows (Row) of all blocks
-  std::vector<float> limits_;  // per_axis table rows of each block and moving axis
-  // middle ordinates, their steps, the gradient: one entry per cell, with dummy entries before and after
+  std::vector<float> limits_;  // The table rows of the limits: `per_axis` rows for each block and each moving axis.
+  // The middle ordinates, their steps and the gradient. Each vector has one entry per cell, and dummy entries before and after the cells.
   std::vector<double> m_, step_, gradient_;
-  // each cell's contribution to the matrix, one element for each pair of the previous, own and next middle ordinates
+  // The contribution of each cell to the matrix. There is one element for each pair of the middle ordinates of the previous cell, the cell
+  // itself and the next cell.
   std::array<std::vector<double>, 6> products_;
-  std::array<std::vector<double>, 3> slopes_;  // each cell's contribution to the gradient, for the previous, own and next middle ordinate
+  // The contribution of each cell to the gradient, for the middle ordinates of the previous cell, the cell itself and the next cell.
+  std::array<std::vector<double>, 3> slopes_;
   std::array<std::vector<double>, 3> diagonals_;
-  // One per cell. For a cell after a reversal: its middle ordinate divided by that of the previous cell; for other cells 0.
+  // One value per cell. For a cell after a reversal it is the middle ordinate of the cell divided by the middle ordinate of the previous
+  // cell; for other cells it is 0.
   std::vector<double> tied_;
-  bool turns_ = false;                       // true if the path has reversals
-  std::vector<char> restless_;               // one flag per block: it has not converged
-  double first_share_ = 0, last_share_ = 0;  // middle ordinate of the cell next to the stop at the start or end, divided by its neighbour's
+  bool turns_ = false;          // true if the path has reversals
+  std::vector<char> restless_;  // one flag per block; the flag is set if the block has not converged
+  // The middle ordinate of the cell next to the stop at the start and at the end of the path, divided by the middle ordinate of the
+  // neighbouring cell.
+  double first_share_ = 0, last_share_ = 0;
   std::vector<double> middles_;
   std::vector<CellSpeeds> speeds_;
   double steps_ = 0;

@@ -16,8 +16,8 @@
 
 namespace kadr {
 
-/// The parameters of the control; lengths are in mm. INFERRED: the value 0 switches a limit off, as in chapter 7 of the NCT manual. If
-/// neither N3104 nor N3106 is set, nothing is smoothed.
+/// The smoothing parameters of the NCT control; lengths are in mm. INFERRED: the value 0 switches a limit off, as in chapter 7 of the NCT
+/// manual. If neither N3104 nor N3106 is set, nothing is smoothed.
 struct SmoothingRules {
   double longest = 0;   // N3100, mm: pieces longer than this length stay straight
   double shortest = 0;  // N3101, mm: pieces shorter than this length stay straight

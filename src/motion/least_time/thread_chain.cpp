@@ -97,7 +97,8 @@ std::vector<double> ThreadChain::moments(const Weight& weight) const {
 }
 
 /// Appends the polynomials of the axis positions between two times, as functions of time.
-///   over  index of the last knot whose speed step is finished if `moves` is true; otherwise the index of the first knot
+///   over  index of the last knot (the junction of two threads) whose speed step is finished if `moves` is true; otherwise the index of the
+///         first knot
 void ThreadChain::add_shape(double from, double to, std::size_t over, bool moves, const Weight& weight, std::vector<double>& path) const {
   const std::size_t axes = limits_.speed.size(), row = path.size();
   const double middle = (from + to) / 2;

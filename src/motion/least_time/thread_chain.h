@@ -50,8 +50,8 @@ class ThreadChain {
   struct Knot {
     double time;
     Axes at;
-    Axes speed;         // axis speeds after this knot, mm/s or degrees/s
-    std::uint64_t tag;  // tag of the thread after this knot
+    Axes speed;         // axis speeds in the thread that starts at this knot, mm/s or degrees/s
+    std::uint64_t tag;  // tag of the thread that starts at this knot
   };
   struct Weight {
     double longer = 0, shorter = 0;  // `longer` is W1 and `shorter` is W2: the durations of the two rectangular pulses, s.

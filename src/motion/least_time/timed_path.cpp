@@ -113,7 +113,7 @@ void find_envelope(const TimedPath& path, const PathEnds& ends, std::vector<doub
   const double soonest = soonest_rise(path);
   const auto to_three_quarters = [](double b) { return std::sqrt(b * std::sqrt(b)); };
   middles.resize(n);
-  double reached = ends.from_stop ? 0 : to_three_quarters(ends.from.b);  // the value of b^(3/4) at the current knot
+  double reached = ends.from_stop ? 0 : to_three_quarters(ends.from.b);  // value of b^(3/4) at the boundary before the current cell
   for (std::size_t k = 0; k < n; ++k) {
     if (k > 0 && path.turns[k - 1] != 0) reached = 0;
     reached = std::min(to_three_quarters(fastest_alone(path, k)), reached + soonest * path.h[k]);
@@ -132,7 +132,8 @@ void find_envelope(const TimedPath& path, const PathEnds& ends, std::vector<doub
 }
 
 /// Computes the bound from the motion in a cell of the length h next to a stop. At the distance τ h from the stop b = b₁ τ^(4/3), where b₁
-/// is b at the other knot. Therefore ṡ s̈ = ±2/3 τ b₁^(3/2) / h and s⃛ = 2/9 b₁^(3/2) / h². The middle ordinate is a third of b₁.
+/// is b at the other end of the cell. Therefore ṡ s̈ = ±2/3 τ b₁^(3/2) / h and s⃛ = 2/9 b₁^(3/2) / h². The middle ordinate is a third of
+/// b₁.
 double max_next_to_stop(const TimedPath& path, std::size_t cell, bool is_first, const LimitMargins& margins) {
   constexpr std::array<double, 8> places = {0, 0.12, 0.28, 0.43, 0.57, 0.72, 0.88, 1};
   const double h = path.h[cell], ahead = is_first ? 1 : -1;

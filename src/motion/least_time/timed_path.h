@@ -76,7 +76,7 @@ struct CellSpeeds {
 /// The conditions at the start and the end of a path.
 struct PathEnds {
   bool from_stop = true;
-  PathSpeed from{};  // the speed that an earlier solution has at the first knot; used if `from_stop` is false
+  PathSpeed from{};  // the speed that an earlier solution has at the start of the first cell; used if `from_stop` is false
   // True: the axes stop at the end of the path. False: they crawl at the end of the path, slowly enough either to continue or to stop soon
   // after the end.
   bool to_stop = true;

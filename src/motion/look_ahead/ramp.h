@@ -13,10 +13,9 @@ namespace kadr {
 
 /// The acceleration with which the speed along a path may change.
 struct Acceleration {
-  double most = std::numeric_limits<double>::infinity();  // mm/s²; infinite: the speed changes instantly
+  double most = std::numeric_limits<double>::infinity();  // greatest acceleration, mm/s²; infinite: the speed changes instantly
+  double build_up = 0;                                    // time until `most` is reached, s; 0: linear ramp
   // Parameter N0421 #1 JRK. INFERRED: the acceleration builds up along half a cosine; the ramp has the same time and the same length.
-  double build_up = 0;
-  // N0421 #1 JRK; INFERRED: the acceleration follows half a cosine, with the same time and distance
   bool jerk_free = false;
 };
 

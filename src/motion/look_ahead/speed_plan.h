@@ -30,7 +30,7 @@ struct PathPiece {
   bool steady = true;
 };
 
-/// Computes the plan. Reuses its allocated memory from one plan to the next.
+/// The planner of the speeds of a path. It reuses its allocated memory for the next path.
 class SpeedPlan {
  public:
   /// Plans the speeds from the speed `start`, mm/s, to rest at the end of the last piece.

@@ -49,7 +49,7 @@ struct SpeedRules {
   double inner_part = 1;
   // Lengths of the slow zones before and after an inner corner, mm (N1407 DecDist, N1408 AccDist).
   double inner_before = 0, inner_after = 0;
-  bool overlaps_rapids = false;  // true: a rapid motion may start before the previous one has ended (N0421 ROL)
+  bool overlaps_rapids = false;  // true: a rapid motion may start before the previous rapid motion has ended (N0421 ROL)
   // Parameter N0422 Rapid Reduct. Ratio: the fraction (0 to 1) of the speed that a rapid motion must have lost before the next rapid motion
   // starts.
   double overlap_from = 1;

@@ -27,7 +27,7 @@ namespace kadr {
 
 class Playback {
  public:
-  /// `rate`: frequency of the servo clock, Hz. `cells`: capacity of the cell ring.
+  /// `rate` is the frequency of the servo clock in Hz. `cells` is the capacity of the cell ring in cells.
   Playback(MotionLimits limits, double rate, std::size_t cells = 8192);
 
   // The planning thread calls the functions below.
@@ -88,8 +88,9 @@ class Playback {
     double on_ramp = 0;    // time since the start of `ramp`, s
     double played = 0;     // plan time of the completed cells, s
     std::uint64_t instant = 0, tag = 0, motion = 0, starved = 0;
-    double spindle = 0, slip = 0;  // Both are in degrees. `slip` is the actual spindle angle minus the planned angle.
-    double last_override = 1;      // the last requested override above 0, as a factor of the planned speed
+    // `spindle` is the spindle angle, and `slip` is the actual spindle angle minus the planned angle, both in degrees.
+    double spindle = 0, slip = 0;
+    double last_override = 1;  // the last requested override above 0, as a factor of the planned speed
     bool started = false, done = false;
 
     // The fields below belong to the next ramp, which is checked before it is used.

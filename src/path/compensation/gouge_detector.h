@@ -66,7 +66,7 @@ class GougeDetector {
     std::array<Box2, groups> boxes;
     std::vector<Seen> first;
     std::uint64_t count = 0;
-    std::size_t place = 0;  // index for the next piece
+    std::size_t place = 0;  // index at which the next piece is stored
     /// True if the next piece overwrites one of the first pieces. The caller must then copy the first piece to `first`.
     // The difference is unsigned, so the result is false while `count` is below at.size().
     bool loses_first() const { return count - at.size() < at.size(); }
@@ -94,8 +94,8 @@ class GougeDetector {
   ContourGouge& cut_into(std::uint64_t number);
 
   Ring contour_, path_;
-  std::array<ContourGouge, group_size * groups> cuts_;  // the deepest cuts into the pieces of the ring
-  std::vector<ContourGouge> first_cuts_;                // the deepest cuts into the first pieces
+  std::array<ContourGouge, group_size * groups> cuts_;  // the deepest cut into each piece of the ring buffer
+  std::vector<ContourGouge> first_cuts_;                // the deepest cut into each of the first pieces
   ContourGouge worst_;  // the deepest cut into pieces that have left the ring buffer and are not among the first pieces
   bool any_ = false;
 };

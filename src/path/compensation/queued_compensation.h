@@ -49,7 +49,7 @@ class QueuedCompensation {
 
   struct Queued {
     Action action;
-    bool moves = false;              // false for an action that is not a motion and only waits in the queue
+    bool moves = false;              // true for a motion; false for an action that only waits in the queue
     Vec2 end;                        // end position of the tool's centre in the plane, mm
     Vec2 direction;                  // programmed direction of a straight motion; zero for a motion along the third axis
     std::optional<QueuedArc> arc{};  // The tool's path along an arc. The member `end` above replaces the end in this path.

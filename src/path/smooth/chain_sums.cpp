@@ -1,5 +1,5 @@
-// ChainSums computes with running sums how far the path moves if all corners of a chain are rounded together. Used by
-// path/smooth/smooth_path; tested by tests/path/chain_sums_test.cpp.
+// ChainSums computes with running sums how far the path moves if all corners of a chain (gentle corners close together) are rounded
+// together. Used by path/smooth/smooth_path; tested by tests/path/chain_sums_test.cpp.
 
 #include "path/smooth/chain_sums.h"
 

@@ -31,7 +31,7 @@ class ChainSums {
   explicit ChainSums(std::size_t axes) : axes_(axes), groups_((axes + group - 1) / group) {}
 
   /// The corners of the path. `at` is the path length at each corner, mm. `bend` is Δu of each corner, with one entry per axis.
-  /// `is_chained` is 1 if the corner belongs to the chain.
+  /// `is_chained` is 1 if the corner belongs to a chain of corners that are rounded together.
   struct Corners {
     const std::vector<double>& at;
     const std::vector<double>& bend;

@@ -62,8 +62,8 @@ bool SmoothPath::overlaps(std::size_t vertex) const {
   return any;
 }
 
-/// Returns the fraction of the tolerance that a single rounding may use. Next to a chain, a part of the tolerance is reserved for the
-/// rounding of the chain.
+/// Returns the fraction of the tolerance that a single rounding may use. Next to a chain of corners that are rounded together, a part of
+/// the tolerance is reserved for the rounding of these corners.
 double SmoothPath::share_alone(std::size_t vertex) const {
   constexpr double beside_chain = 0.8;
   // Fraction of the tolerance. Corners that move the path by less than this fraction, even at the greatest width, are ignored.

@@ -1,4 +1,4 @@
-// SlowWidth computes the width of the roundings of a chain along the path. Used by path/smooth/smooth_path; tested by
+// SlowWidth computes the width of the roundings of a chain of corners along the path. Used by path/smooth/smooth_path; tested by
 // tests/path/slow_width_test.cpp.
 
 #include "path/smooth/slow_width.h"

@@ -1,6 +1,7 @@
 #pragma once
 // SmoothPath is a path of straight pieces in the axes' space whose corners are rounded within a tolerance, so that a chain of short pieces
-// becomes one smooth curve. SmoothPath stores a window of a longer path: pieces are added at the end and removed at the start.
+// becomes one smooth curve. SmoothPath stores a window of a longer path: pieces are added at the end and removed at the start. A chain
+// consists of gentle corners that are rounded together.
 //
 //   gentle corners           rounded together, with a width that varies along the path (path/smooth/chain_sums, slow_width): the work per
 //                            piece does not depend on how many roundings overlap
@@ -63,7 +64,7 @@ class SmoothPath {
   bool on_curve(std::size_t vertex) const { return on_curve_[vertex] != 0; }
   /// True if the vertex is rounded together with its neighbours. The width of the rounding is then width_at().
   bool is_chained(std::size_t vertex) const { return is_chained_[vertex] != 0; }
-  /// The width of the chain's roundings at the path length s, mm.
+  /// The width, mm, of the roundings of a chain of corners at the path length s.
   WidthAt width_at(double s, std::size_t piece) const { return slow_.at(squeezed(s, piece)); }
   /// How far, mm, the rounding of the vertex extends to either side, evaluated at the path length s.
   double felt(std::size_t vertex, double s, std::size_t piece) const { return is_chained(vertex) ? width_at(s, piece).w : width_[vertex]; }
@@ -136,21 +137,22 @@ class SmoothPath {
   void corners_near(double s, std::size_t around, double reach, const Take& take) const;
 
   std::size_t axes_;
-  std::vector<double> point_;      // coordinates of each vertex
-  std::vector<double> bend_;       // change of direction Δu at each vertex, per axis; 0 at the ends of the path
-  std::vector<double> turn_;       // |Δu| of each vertex
-  std::vector<double> at_;         // path length at each vertex, mm
-  std::vector<double> squeezed_;   // path length at each vertex, mm, in which no piece counts more than squeezed_to
-  std::vector<double> width_;      // width of the rounding at each vertex, mm
-  std::vector<double> in_chain_;   // Limit in mm that each vertex sets to the width of the chain; 0: the limit is not computed yet.
-  std::vector<double> tolerance_;  // corner tolerance of each vertex
+  std::vector<double> point_;     // coordinates of each vertex
+  std::vector<double> bend_;      // change of direction Δu at each vertex, per axis; 0 at the ends of the path
+  std::vector<double> turn_;      // |Δu| of each vertex
+  std::vector<double> at_;        // path length at each vertex, mm
+  std::vector<double> squeezed_;  // path length at each vertex, mm, in which no piece counts more than squeezed_to
+  std::vector<double> width_;     // width of the rounding at each vertex, mm
+  // Limit in mm that the vertex sets to the width of the roundings in its chain of corners; 0: the limit is not computed yet.
+  std::vector<double> in_chain_;
+  std::vector<double> tolerance_;  // corner tolerance of each vertex, mm
   std::vector<double> room_;       // room() of each vertex
-  std::vector<double> direction_;  // unit vector of each piece
+  std::vector<double> direction_;  // direction of each piece, a unit vector
   std::vector<double> length_, feed_;
   std::vector<std::uint64_t> tag_;
   std::vector<char> on_curve_, paced_, is_chained_;  // flags of each vertex
   struct Rounding {                                  // The rounding of one vertex of the path.
-    double inverse = 0;                              // 1 / width of the rounding
+    double inverse = 0;                              // reciprocal of the width of the rounding, 1/mm
     const SoftCorner* shape = nullptr;
   };
   std::vector<Rounding> roundings_;  // one rounding per vertex; used during settle()
@@ -160,7 +162,7 @@ class SmoothPath {
   std::vector<std::size_t> narrowed_;
   ChainSums sums_;
   SlowWidth slow_;
-  double last_width_ = widest;     // width that was computed last in the chain, mm
+  double last_width_ = widest;     // width of a rounding that was computed last in a chain of corners, mm
   bool has_one_tolerance_ = true;  // true if all corners have the same tolerance
   double reach_ = 0;               // the greatest width of a single rounding, mm
   std::size_t done_ = 0;           // number of settled vertices at the start of the path

@@ -19,9 +19,9 @@ constexpr double sharp = 0.3;  // The change of direction |Δu| from which a cor
 constexpr double alike = 0.1;
 // Relative difference of feeds that count as equal. Small differences occur because a feed is calculated as length / time.
 constexpr double feed_alike = 1e-6;
-// Fraction of the tolerance that the chain uses. The rest is a reserve for the positions between the samples.
+// Fraction of the tolerance that the roundings of a chain of corners use. The rest is a reserve for the positions between the samples.
 constexpr double used_by_chain = 0.95;
-// Distance in mm. The width of a corner in the chain can be computed when the path is known this far beyond the corner.
+// Distance in mm by which the path must be known beyond a corner of a chain before the width of this corner can be computed.
 constexpr double felt_ahead = 2.5 * SoftCorner::widest;
 
 }  // namespace
@@ -80,7 +80,7 @@ void SmoothPath::settle(bool last, StopToken stop) {
   while (done_ < at_.size() && (last || at_[done_] < settled_ + widest)) ++done_;
 }
 
-/// Returns the squared displacement of the path, mm², at the path length s if the roundings of the chain have the given width.
+/// Returns the squared displacement of the path, mm², at the path length s if the roundings of the chain of corners have the given width.
 double SmoothPath::square_moved(double s, std::size_t around, double width) {
   std::array<double, max_axes> sum{};
   sums_.move(chained(), s, width, sum.data());
@@ -107,8 +107,8 @@ double SmoothPath::square_near_vertex(std::size_t vertex, double width, double m
   return square;
 }
 
-/// Returns the greatest width, mm, of the chain's roundings at which the path keeps the tolerance at a vertex. The search starts at
-/// `width`.
+/// Returns the greatest width, mm, of the roundings of a chain of corners at which the path keeps the tolerance at a vertex. The search
+/// starts at `width`.
 double SmoothPath::widest_in_chain(std::size_t vertex, double width) {
   constexpr double narrowest = 1e-4;  // least width of a rounding, mm
   constexpr double enough = 0.98;     // The search ends at this fraction of the squared tolerance.
@@ -146,8 +146,8 @@ void SmoothPath::open_widths() {
   slow_.close();
 }
 
-/// Rounds the corners of chains in three steps. First each corner becomes as wide as its tolerance allows. Then the width is smoothed along
-/// the path. Finally the width is reduced where the path still exceeds the tolerance.
+/// Rounds the corners of all chains (corners that are rounded together) in three steps. First each corner becomes as wide as its tolerance
+/// allows. Then the width is smoothed along the path. Finally the width is reduced where the path still exceeds the tolerance.
 void SmoothPath::round_chain(bool last, const StopToken& stop) {
   constexpr int max_rounds = 30;
   const double known = last ? at_.back() : at_.back() - felt_ahead;
@@ -191,7 +191,9 @@ SmoothPath::Looks SmoothPath::looks(std::size_t piece, double tolerance) const {
 template <class Look>
 void SmoothPath::look_at_edges(std::size_t piece, const Look& look) const {
   constexpr double just = 1e-6;  // distance of these positions from the end of the rounding, mm
-  constexpr int rounds = 4;  // Number of iterations. A few are sufficient, because the width of the chain changes by at most 0.15 mm/mm.
+  // Number of iterations. A few are sufficient, because the width of the roundings in a chain changes by at most 0.15 mm per mm of the
+  // path.
+  constexpr int rounds = 4;
   const double from = at_[piece], length = length_[piece];
   corners_near(from, piece, widest + length, [&](std::size_t i) {
     for (const double side : {-1.0, 1.0}) {
@@ -232,7 +234,7 @@ double SmoothPath::farthest(std::size_t piece) {
 bool SmoothPath::narrow(double known, bool first_round) {
   // Relative tolerance for numerical errors. It is needed where a single corner uses exactly its tolerance.
   constexpr double rounding = 1e-9;
-  // Fraction of the tolerance that a chain may use. The rest is a reserve for the positions between the samples.
+  // Fraction of the tolerance that a chain of corners may use. The rest is a reserve for the positions between the samples.
   constexpr double in_chain = 0.997;
   const double felt = SlowWidth::felt() + 2 * widest;
   std::vector<std::size_t> last;
