@@ -32,8 +32,8 @@ struct PanelOverrides {
 /// Several channels that wait for each other at a waiting code (nct 14.5).
 struct PanelMeeting {
   std::uint32_t code = 0;
-  std::set<int> channels;  // numbers of all channels that must arrive
-  std::set<int> here;      // numbers of the channels whose axes have arrived
+  std::set<int> channels;  // numbers of all channels that must arrive at the waiting code
+  std::set<int> here;      // numbers of the channels whose axes have arrived at the waiting code
   bool is_met = false;     // True if the controls of all these channels have reached the code. The controls are ahead of the axes.
   bool is_over() const { return is_met && here == channels; }
 };
@@ -124,7 +124,7 @@ class ChannelAxes {
     std::deque<PanelLimit> limits;   // limits of the motion that is not played yet, in the order of time
     std::deque<TimedCells> to_come;  // cells of the plan that are not yet offered to the playback
     std::size_t offered = 0;         // number of cells in the first element of to_come that are already offered
-    double seconds = 0;              // planned duration of the leg, s
+    double seconds = 0;              // planned duration of the leg (the motion up to the next stop), s
     bool planned_all = false;
     std::shared_ptr<PanelMeeting> meeting;  // the meeting at the end of the leg
     Origin waits_in;                        // the block with the waiting code of this meeting

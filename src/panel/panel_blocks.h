@@ -21,9 +21,9 @@ struct PanelModes {
 struct PanelBlock {
   Origin origin;
   std::uint64_t motion = 0;  // Number of the motion. AxisMotion counts from 1 at each start of motion; 0 means no motion.
-  Axes work{}, machine{};    // coordinates at the end of the motion
+  Axes work{}, machine{};    // work and machine coordinates at the end of the motion, mm or degrees
   Placement placement;       // position of the work coordinate system
-  double feed = 0;           // programmed feed, mm/min; 0 at rapid
+  double feed = 0;           // programmed feed, mm/min; 0 in a rapid motion
   bool by_turn = false;      // true if the feed was programmed per revolution of the spindle
   std::uint32_t number = 0;  // Number of the block in the run, without the operator's lines; 0: the block is not part of the program.
   bool entered = false;      // True if the motion comes from a line that the operator entered. Such a line is in no file.

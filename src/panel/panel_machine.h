@@ -34,7 +34,7 @@ enum class PanelMode : std::uint8_t {
   running,
   held,       // feed hold: the axes are slowing down or at rest
   ended,      // the program has ended
-  alarm,      // an alarm has stopped the program
+  alarm,      // an alarm has stopped the program; reset() ends this mode
   emergency,  // emergency stop; only reset() ends this mode
 };
 
@@ -44,7 +44,7 @@ struct PanelChannel {
   std::vector<std::string> axes;
   ServoSample sample;
   PanelBlock block;                   // the block that the channel's axes are executing, or executed last
-  AlarmReport::Line line;             // text and location of this block
+  AlarmReport::Line line;             // text and location of the block in the program
   std::optional<PanelMeeting> waits;  // The waiting code at which this channel waits. It is set when the axes of the channel have stopped.
 };
 
@@ -334,7 +334,7 @@ class PanelMachine {
   // Only the machine's thread uses the members below, except stops_.
   std::atomic<bool> stops_{false};  // If it is true, the session stops. Any thread may set it.
   std::optional<Axes> start_;       // machine coordinates at the start of the run: PanelStart::axes
-  std::vector<Axes> stands_;        // the start position of each channel: PanelStart::stands
+  std::vector<Axes> stands_;        // start position of each channel in machine coordinates: PanelStart::stands
   std::unique_ptr<Session> session_;
   std::unique_ptr<Stepping> stepping_;
   std::optional<Stretch> stretch_;
@@ -355,7 +355,7 @@ class PanelMachine {
   bool has_moved_ = false;  // false until a motion starts after the machine was switched on
   std::map<std::string, double> variables_;
   std::map<std::string, std::uint32_t> set_by_;  // The program line that set each variable last. The key is the name of the variable.
-  std::uint32_t last_line_ = 0;                  // program line of the present block
+  std::uint32_t last_line_ = 0;                  // number of the program line of the present block
   PanelState kept_;                              // The part of the state that show() does not compute: switches, stop points, message.
 
   // Several threads use the members below; the mutex lock_ protects these members.

@@ -88,7 +88,7 @@ class AxisMotion {
   /// The segment that the planner did not emit because of a planner error. `at` is the activity and the program line of the cell that would
   /// have taken the longest time.
   struct Refused {
-    double way = 0;  // length of the refused segment, mm
+    double way = 0;  // length of the segment that was not emitted, mm
     Spent at;
   };
   Refused refused() const;
@@ -114,7 +114,7 @@ class AxisMotion {
     TcpPiece led;       // the last planned piece, if tool centre point control was active in this piece
     SpindleClock spindle;
     Smoothing smoothing;
-    ThreadChain threads;  // consecutive threads that are not planned yet
+    ThreadChain threads;  // consecutive threads that the planner has not planned yet
     Spent thread_spent;   // activity and program line of the first thread in `threads`
     PlanFaults faults;
     double thread_angle = 0;  // spindle angle at which the next thread starts, in degrees after a zero pulse

@@ -48,7 +48,7 @@ class CellRing {
     end_.store(end + count, std::memory_order_release);
     return count;
   }
-  /// Marks that no more cells follow.
+  /// Marks the end of the cells. After this call the writer must not offer further cells.
   void finish() { finished_.store(true, std::memory_order_release); }
 
   // The reader's thread calls the functions below. Cells are numbered from 0 in the order in which the writer offered them; `cell` is such

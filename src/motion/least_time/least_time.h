@@ -116,7 +116,7 @@ class LeastTime {
   std::vector<double> y_, trial_, step_, gradient_;  // vectors with one entry per variable of the solver
   Diagonals hessian_, factors_;                      // `factors_` is the decomposition L D Lᵀ of the Hessian.
   std::vector<char> broken_, was_broken_;  // One flag per group of cells. The flag is set if the step violates a limit in the group.
-  Height height_{};                        // the terms of the objective at y_
+  Height height_{};                        // time and sum of logarithms for the current values y_ of the variables
   std::vector<CellSpeeds> speeds_;
   int steps_ = 0;
 };

@@ -66,7 +66,7 @@ class PrimalDual {
   /// The numbers stored for each cell. Each of them is one table row of a block and has one number for each of the block's eight cells.
   enum Row : std::size_t {
     length,
-    inverse,  // 1 / length of the cell
+    inverse,  // reciprocal of the length of the cell, 1/mm
     // Value 1: the acceleration and jerk limits of the cell apply. Value 0: these limits do not apply, because the cell is next to a stop
     // or is a dummy cell.
     limited,
@@ -167,7 +167,7 @@ class PrimalDual {
   // The contribution of each cell to the gradient, for the middle ordinates of the previous cell, the cell itself and the next cell.
   std::array<std::vector<double>, 3> slopes_;
   std::array<std::vector<double>, 3> diagonals_;
-  // One value per cell. For a cell after a reversal it is the middle ordinate of the cell divided by the middle ordinate of the previous
+  // A ratio for each cell. For a cell after a reversal it is the middle ordinate of the cell divided by the middle ordinate of the previous
   // cell; for other cells it is 0.
   std::vector<double> tied_;
   bool turns_ = false;          // true if the path has reversals

@@ -17,7 +17,7 @@ constexpr double least_slack = 1e-5;   // lower bound of a slack, as a fraction 
 constexpr double greatest_dual = 1e3;  // upper bound of a dual variable, s per limit
 constexpr double least_dual = 0.05;    // lower bound of a dual variable, as a fraction of μ
 constexpr double kept = 0.2;           // A step leaves at least this fraction of a slack or a dual variable.
-constexpr double first_slack = 0.2;    // the least initial value of a slack
+constexpr double first_slack = 0.2;    // lower bound of a slack in the initial guess
 // Factor in the second derivative of m^(−1/2). The time of a cell is proportional to m^(−1/2), where m is the middle ordinate.
 constexpr double second_derivative_of_time = 0.75;
 

@@ -9,13 +9,13 @@
 
 namespace kadr {
 
-/// A straight piece of the axes' path.
+/// A straight piece of the path of the axes from one position to the next.
 struct TcpPiece {
   bool known = false;
   double length = 0;  // length of the axes' path, mm and degrees combined
   Axes along{};       // direction of the axes' path, a unit vector
   Vec3 tip;           // displacement of the tool tip in mm per mm of the axes' path
-  double feed = 0;    // speed along the axes' path, mm/s
+  double feed = 0;    // programmed speed along the axes' path in this piece, mm/s
   /// True if the tip has the same speed in both pieces, whatever the speeds of the axes are.
   bool keeps_pace(const TcpPiece& before) const;
 };

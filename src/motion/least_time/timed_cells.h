@@ -34,7 +34,7 @@ struct TimeLaw {
   static TimeLaw from_rest(double length, double v, bool reversed);
 };
 
-/// How the path bends in a cell.
+/// The shape of the path in a cell: straight, or part of a rounding.
 enum class Bend : std::uint8_t {
   none,    // the path is straight
   corner,  // the cell lies in the rounding of a programmed corner

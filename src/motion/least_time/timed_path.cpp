@@ -137,7 +137,7 @@ void find_envelope(const TimedPath& path, const PathEnds& ends, std::vector<doub
 double max_next_to_stop(const TimedPath& path, std::size_t cell, bool is_first, const LimitMargins& margins) {
   constexpr std::array<double, 8> places = {0, 0.12, 0.28, 0.43, 0.57, 0.72, 0.88, 1};
   const double h = path.h[cell], ahead = is_first ? 1 : -1;
-  double most = unbounded;  // the greatest b₁ that the limits allow
+  double most = unbounded;  // the greatest value of b₁ that the limits allow, mm²/s²
   for (std::size_t a = 0; a < path.axes; ++a)
     for (const double place : places) {
       const Derivatives x = Derivatives::at(path.shape(cell, a), place * h);

@@ -25,9 +25,9 @@ namespace kadr {
 
 struct TimedPath {
   std::size_t axes = 0;
-  std::vector<double> acceleration, jerk;  // limits of each axis, mm/s², mm/s³
+  std::vector<double> acceleration, jerk;  // acceleration and jerk limit of each axis, mm/s² and mm/s³
   std::vector<double> h;                   // length of each cell, mm
-  std::vector<double> most;                // greatest ṡ² in each cell, mm²/s²
+  std::vector<double> most;                // greatest squared path speed ṡ² in each cell, mm²/s²
   std::vector<char> turns;                 // 1: the path reverses after this cell
   // The coefficients c_i of x(s) = Σ c_i s^i for each cell and axis. The index of c_0 is (cell * axes + axis) * terms.
   std::vector<double> shapes;

@@ -10,7 +10,7 @@ enum class Limit : std::uint8_t {
   feed,          // the programmed feed, or the rapid rate with its override
   corner,        // acceleration or jerk limit of an axis, in the rounding of a corner
   curve,         // acceleration or jerk limit of an axis in a curve, caused by the curvature
-  axis_speed,    // speed limit of an axis
+  axis_speed,    // the speed limit of the axis itself
   acceleration,  // acceleration limit of an axis, while the path speed rises or falls
   jerk,          // jerk limit of an axis, while the acceleration along the path changes
   pause,         // the axes are at rest: dwell, tool change

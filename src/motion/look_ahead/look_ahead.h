@@ -46,7 +46,7 @@ class LookAhead {
  private:
   struct Held {
     KeptStep kept;      // a copy of the step and of the tool position before the step; the step is emitted later
-    double longer = 0;  // time added to the programmed time, s
+    double longer = 0;  // time that the planning has added to the programmed time, s
     // Number of path pieces of this motion. 0: the time of the motion is already known, or the motion is the open motion.
     std::size_t pieces = 0;
   };

@@ -34,7 +34,7 @@ class Playback {
 
   /// Appends the cells with the index `first` and above to the ring, as many as fit. Returns the number of appended cells.
   std::size_t offer(const TimedCells& cells, std::size_t first) { return ring_.offer(cells, first); }
-  /// Marks that no more cells follow.
+  /// Marks the end of the cells. After this call the planner must not offer further cells.
   void finish() { ring_.finish(); }
 
   /// The plan time of all cells offered so far, s.
@@ -85,7 +85,7 @@ class Playback {
   struct Place {
     Cursor at;
     OverrideRamp ramp{1};  // the ramp that is being played
-    double on_ramp = 0;    // time since the start of `ramp`, s
+    double on_ramp = 0;    // time since the start of the ramp that is being played, s
     double played = 0;     // plan time of the completed cells, s
     std::uint64_t instant = 0, tag = 0, motion = 0, starved = 0;
     // `spindle` is the spindle angle, and `slip` is the actual spindle angle minus the planned angle, both in degrees.

@@ -115,7 +115,7 @@ double TimeEstimate::thread_minutes(const Motion& motion, const Curve& curve) co
 
 /// Returns the time, min, at a feed in mm/rev, for a spindle whose speed depends on the tool's position (nct 11.5).
 double TimeEstimate::turning_minutes(const Motion& motion, const Curve& curve, double feed) const {
-  constexpr double error = 1e-9;  // relative error of the integration
+  constexpr double error = 1e-9;  // relative error of the integration of the time
   const SpindleTurning& spindle = turning(motion);
   return integral([&](double part) { return curve.rate(motion.along, part) / (feed * spindle.at(curve.at(part))); }, 0, 1, error);
 }

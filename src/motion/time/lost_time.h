@@ -34,7 +34,7 @@ class LostTime {
   ///   law  the result is exact if the program has no more lines than the table; otherwise only the last executions may count for a line
   ///        that lost little time in each execution
   std::vector<Place> worst(std::size_t count) const;
-  /// Time lost in all lines, s.
+  /// Time lost in all lines of the program together, s.
   double all() const { return all_; }
 
  private:
@@ -51,7 +51,7 @@ class LostTime {
   // The key is the file and the line, packed into one number; the value is the index in rows_.
   std::unordered_map<std::uint64_t, std::size_t> index_;
   std::uint64_t last_ = ~std::uint64_t{0};
-  std::size_t at_ = 0;  // index in rows_ of the row with the key `last_`
+  std::size_t at_ = 0;  // index in rows_ of the program line that was looked up last
   double all_ = 0;
 };
 

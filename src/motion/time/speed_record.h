@@ -36,7 +36,7 @@ class SpeedRecord {
   void take(const TimedCells& cells);
 
   const std::vector<Column>& columns() const { return columns_; }
-  /// Width of each column, s.
+  /// The interval of time that each column covers, s.
   double width() const { return width_; }
   /// Total time of the recorded plan, s.
   double seconds() const { return now_; }

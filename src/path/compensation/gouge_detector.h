@@ -27,7 +27,7 @@ struct ContourGouge {
 /// A range of contour pieces, by their numbers, with which a piece of the tool's path is not compared. The corner rules guarantee that the
 /// path lies on the offset of these pieces.
 struct ContourSpan {
-  std::uint64_t first = 1, last = 0;  // The default is an empty range.
+  std::uint64_t first = 1, last = 0;  // The default is an empty range: the path is compared with all contour pieces.
 };
 
 class GougeDetector {

@@ -73,7 +73,8 @@ std::optional<ContourJoin> join_by_offsets(Window window, std::size_t j) {
   if (!first.plain || !next.plain || first.side != next.side) return std::nullopt;
   const Vec2 point = first.element->to;
   OffsetElement beyond = offset_at_start(*next.element, first.radius, next.side);
-  beyond.distance += dot(beyond.normal, next.element->from - point);  // The correction is needed for a line that does not start at `point`.
+  // This correction of the distance is needed for a line that does not start at `point`.
+  beyond.distance += dot(beyond.normal, next.element->from - point);
   const auto meet = intersection(offset_at_end(*first.element, first.radius, first.side), beyond, point);
   if (!meet) return std::nullopt;
   return ContourJoin{j + 1, single(*meet), point + *meet - next.element->from};

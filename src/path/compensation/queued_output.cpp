@@ -14,8 +14,10 @@ namespace {
 // greatest difference of the two radii of an arc, in the length unit of the block (move_endpoint_and_flush)
 constexpr double radii_apart = 0.01;
 constexpr double more_swept_mm = 0.0254;  // How much the swept angle of an arc may exceed the programmed swept angle in a block in mm, rad.
-constexpr double more_swept_inch = 0.001;  // The same limit for a block in inches. LinuxCNC's source converts this angle like a length.
-constexpr double no_arc = 1e-9;            // Angle in rad. A smaller swept angle counts as a full circle.
+// How much the swept angle of an arc may exceed the programmed swept angle in a block in inches, rad. LinuxCNC's source converts this angle
+// like a length.
+constexpr double more_swept_inch = 0.001;
+constexpr double no_arc = 1e-9;  // Angle in rad. A smaller swept angle counts as a full circle.
 
 /// The directions from the centre of a turning tool's nose radius to the programmed tip, as (Z, X) (latheorigin_z, latheorigin_x).
 //       +X

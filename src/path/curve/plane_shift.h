@@ -9,7 +9,8 @@ namespace kadr {
 /// in the same manner as the coordinate frame. Slave axes of these two axes (nct 20.2) move too.
 inline void shift_in_plane(Motion& motion, std::size_t first, std::size_t second, Vec2 by, const FrameTurn* turn) {
   if (by == Vec2{}) return;
-  if (turn == nullptr && !motion.detail) {  // The usual case: there is neither a rotated frame nor a slave axis.
+  // The usual case: there is neither a rotated frame nor a slave axis, so the same vector applies in work and machine coordinates.
+  if (turn == nullptr && !motion.detail) {
     motion.to[first] += by.x;
     motion.to[second] += by.y;
     motion.machine[first] += by.x;

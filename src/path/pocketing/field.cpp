@@ -54,7 +54,7 @@ std::vector<Edges> recovered(const Polygons& areas, const Carriers& carriers) {
   return loops;
 }
 
-/// Computes the fields of one zone.
+/// Computes the fields of one zone: the connected areas that the tool's centre may reach.
 class Fields {
  public:
   Fields(const Zone& zone, const Job& job, double off_walls) : job_(job), off_walls_(off_walls) {
@@ -111,7 +111,7 @@ class Fields {
 std::vector<Field> fields_of(const Zone& zone, const Job& job) {
   const double off_walls = job.radius + job.allowance;
   std::vector<Field> fields = Fields(zone, job, off_walls).make();
-  // The smaller distance from the walls is needed for a slot whose width is exactly the tool's diameter.
+  // The smaller distance from the walls allows a slot whose width is exactly the tool's diameter.
   if (fields.empty()) fields = Fields(zone, job, off_walls - tol::area_wall / 2).make();
   return fields;
 }

@@ -194,8 +194,8 @@ class Layers {
   void down_ramp(const Ramp& ramp) {
     const Polygon& corners = ramp.corners;
     const double drop = ground_ - level_, slope = std::tan(job_.ramp_deg * rad_per_deg), step = job_.level_step;
-    // The greatest number of strokes. It is needed if the rounding of Z prevents progress between close corners. The last motions are then
-    // as steep as necessary.
+    // Limit of the number of strokes. The limit is needed if the rounding of Z prevents progress between close corners. The last motions
+    // are then as steep as necessary.
     const int most = 4 * ramp.times + 4;
     double gone = 0, z = ground_;
     for (int i = 0; i < ramp.times || (z > level_ && i < most) || (!ramp.round && i % 2 == 1); ++i)

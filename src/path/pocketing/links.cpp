@@ -15,7 +15,7 @@ namespace {
 struct Place {
   std::size_t edge = 0;
   double part = 0;
-  double far = 1e300;  // distance, mm, between this position and the point for which it was found
+  double far = 1e300;  // distance, mm, between this position and the point to which it is nearest
 };
 
 Place nearest(const Edges& ring, Vec2 p) {

@@ -72,9 +72,9 @@ struct Move {
 
 /// The number of plunges into uncut material, by the type of the plunge.
 struct Plunges {
-  std::size_t ramps = 0;     // plunges back and forth along a ramp
+  std::size_t ramps = 0;     // number of plunges back and forth along a ramp
   std::size_t helices = 0;   // plunges along a helix
-  std::size_t straight = 0;  // vertical plunges into the material, for Plunge::tangential
+  std::size_t straight = 0;  // number of vertical plunges into the material, for Plunge::tangential
   std::size_t drilled = 0;   // plunges into predrilled holes
   std::size_t no_room = 0;   // plunges into predrilled holes at positions where a ramp has no clearance
 };

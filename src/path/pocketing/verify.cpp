@@ -51,7 +51,7 @@ class Check {
     Polygons left = job_.allowance > 0 ? less(area, swept(walls, job_.allowance, verified_chord)) : area;
     outcome_.out_of_reach += area_of(left) - area_of(area);
     Polygons wanted = reachable(area, open, walls);
-    // The union is needed for a slot whose width is exactly the tool's diameter.
+    // The areas of the fields are added for a slot whose width is exactly the tool's diameter, which reachable() ignores.
     for (const Field& field : fields_of(zone, job_)) wanted = joined(wanted, field.wanted);
     outcome_.out_of_reach = std::max(0.0, outcome_.out_of_reach - area_of(common(wanted, left)));
     wanted_ = joined(wanted_, wanted);
@@ -124,7 +124,7 @@ class Check {
   Outcome outcome_;
   std::vector<std::pair<Edge, Bounds>> walls_;
   Polygons allowed_, wanted_;
-  Room room_;  // the area allowed_, slightly enlarged
+  Room room_;  // the area allowed_, enlarged by tol::area_wall
   std::vector<double> levels_;
   std::vector<Edges> cut_;  // the cut edges of the path, one list per level
 };

@@ -15,7 +15,7 @@ namespace {
 constexpr double stretch = 16;  // path length, mm, for which the sums are computed at once
 
 struct Pulse {
-  std::array<double, 5> node, kink;  // `node` has the positions r_n of the nodes; `kink` has the changes of slope κ_n.
+  std::array<double, 5> node, kink;  // The nodes of a pulse: `node` has the positions r_n, and `kink` has the changes of slope κ_n.
 };
 
 /// Returns the nodes of the pulse k of a gentle corner. The pulse is the acceleration of an axis that starts as SoftCorner defines it,

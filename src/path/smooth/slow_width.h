@@ -41,7 +41,7 @@ class SlowWidth {
   // Indices of intervals, counted from the path length 0: the first stored interval, and the end of the settled intervals.
   std::size_t first_ = 0, settled_ = 0;
   std::vector<double> raw_, width_;  // Widths in mm, one per interval: `raw_` after the slope limit, `width_` the final width.
-  std::vector<double> now_, next_;   // temporary values of the filters
+  std::vector<double> now_, next_;   // temporary values of the minimum and mean filters
 };
 
 }  // namespace kadr

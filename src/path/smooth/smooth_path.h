@@ -155,7 +155,7 @@ class SmoothPath {
     double inverse = 0;                              // reciprocal of the width of the rounding, 1/mm
     const SoftCorner* shape = nullptr;
   };
-  std::vector<Rounding> roundings_;  // one rounding per vertex; used during settle()
+  std::vector<Rounding> roundings_;  // one rounding per vertex; used only while settle() computes
   std::vector<double> factor_;       // used during settle()
   std::vector<std::size_t> marks_;
   // Indices of the pieces that the roundings moved farther than the tolerance in the last pass; used during settle().

@@ -190,7 +190,7 @@ SmoothPath::Looks SmoothPath::looks(std::size_t piece, double tolerance) const {
 /// positions.
 template <class Look>
 void SmoothPath::look_at_edges(std::size_t piece, const Look& look) const {
-  constexpr double just = 1e-6;  // distance of these positions from the end of the rounding, mm
+  constexpr double just = 1e-6;  // distance of the sampled positions from the end of the rounding, mm
   // Number of iterations. A few are sufficient, because the width of the roundings in a chain changes by at most 0.15 mm per mm of the
   // path.
   constexpr int rounds = 4;
