@@ -332,7 +332,7 @@ class PanelMachine {
   std::size_t own_ = 0;
 
   // Only the machine's thread uses the members below, except stops_.
-  std::atomic<bool> stops_{false};  // If it is true, the session stops. Any thread may set it.
+  std::atomic<bool> stops_{false};  // A flag that stops the session while it is set. Any thread may set the flag.
   std::optional<Axes> start_;       // machine coordinates at the start of the run: PanelStart::axes
   std::vector<Axes> stands_;        // start position of each channel in machine coordinates: PanelStart::stands
   std::unique_ptr<Session> session_;

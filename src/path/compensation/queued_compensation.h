@@ -45,7 +45,8 @@ class QueuedCompensation {
   bool beside() const { return now_.dropped || dot(now_.beside, now_.beside) > tol::same_point * tol::same_point; }
 
  private:
-  static constexpr std::size_t max_queued = 4096;  // The limit of this implementation. LinuxCNC has no limit except its memory.
+  // The greatest number of queued actions in this implementation. LinuxCNC's queue is limited only by the memory.
+  static constexpr std::size_t max_queued = 4096;
 
   struct Queued {
     Action action;
