@@ -1,4 +1,4 @@
-// ChannelAxes: the axes of one channel at a panel. Used by panel/panel_machine; tested by tests/panel/panel_channels_test.cpp.
+// ChannelAxes is the axes of one channel at a panel. Used by panel/panel_machine; tested by tests/panel/panel_channels_test.cpp.
 
 #include "panel/channel_axes.h"
 
@@ -8,7 +8,8 @@
 namespace kadr {
 namespace {
 
-constexpr double planned_each = 1;  // s of motion that the planner computes at a time, so that a program with long motions starts at once
+// Time of motion, s, that the planner computes in one step. It is short, so that a program with long motions starts at once.
+constexpr double planned_each = 1;
 
 }  // namespace
 
@@ -36,7 +37,7 @@ void ChannelAxes::take(Leg& leg, const TimedCells& cells, const MotionLimits& li
 
 void ChannelAxes::plan(Planned& planned, double dry_feed) {
   planned_ = &planned;
-  Leg& leg = legs_.emplace_back(planned.limits(), rate_);  // a deque: the address of its element stays valid
+  Leg& leg = legs_.emplace_back(planned.limits(), rate_);  // The container is a deque, so the address of its element stays valid.
   planned.on_cells = [this, &leg, &limits = planned.limits()](const TimedCells& cells) { take(leg, cells, limits); };
   planned.number_motions([this, &leg](std::uint64_t motion) {
     pending.motion = motion;
@@ -67,7 +68,7 @@ double ChannelAxes::ahead() const {
   return seconds - (playing_ != nullptr && at.plays ? at.played : 0);
 }
 
-/// Offers the first stored cells of the leg's plan to its playback. Returns false if not all of them fit.
+/// Offers the first stored cells of the leg's plan to the leg's playback. Returns false if some of these cells do not fit.
 bool ChannelAxes::offer_first(Leg& leg) {
   const TimedCells& cells = leg.to_come.front();
   leg.offered += leg.playback.offer(cells, leg.offered);
@@ -112,7 +113,7 @@ void ChannelAxes::note_block() {
   if (const PanelBlock* const block = legs_.front().blocks.at(clock.sample().motion)) on = *block;
 }
 
-/// Sets the share of the planned speed that applies to the present motion, feed or rapid. When rapid motion changes to feed, the new share
+/// Sets the override of the current motion: the feed override or the rapid override. When rapid motion changes to feed, the new override
 /// applies some thousandths of a second late.
 void ChannelAxes::apply_overrides(const PanelOverrides& shares, bool stands) {
   const double spindle = on.by_turn ? std::min(1.0, shares.spindle) : 1;

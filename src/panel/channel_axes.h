@@ -1,7 +1,7 @@
 #pragma once
-// ChannelAxes: the axes of one channel at an operator panel. It passes their planned motion to the channel's servo clock, leg by leg. A leg
-// is the motion from one stop of the axes to the next; after a leg, the channel waits for other channels, or its motion is over. Only the
-// machine's thread uses a ChannelAxes; the servo clock has a thread of its own.
+// ChannelAxes is the axes of one channel at an operator panel. It passes the planned motion of these axes to the channel's servo clock, leg
+// by leg. A leg is the motion from one stop of the axes to the next stop. After a leg the channel waits for other channels, or its motion
+// is over. Only the machine's thread uses a ChannelAxes; the servo clock has its own thread.
 //
 //   plan() ──▶ Planned ──cells──▶ the last leg … the first ──▶ Playback ──▶ ServoClock
 
@@ -19,34 +19,35 @@
 
 namespace kadr {
 
-/// The overrides that the operator selects, as shares of the programmed speeds.
+/// The overrides that the operator selects, as factors of the programmed speeds.
 struct PanelOverrides {
   static constexpr double least_spindle = 0.5, max_spindle = 1.2;
-  double feed = 1, rapid = 1;  // share of the planned feed or rapid speed, 0 … 1
-  double spindle = 1;          // share of the programmed spindle speed
-  double dry_feed = 0;         // dry run: mm/min for all feeds except threads, from the next start of motion on; 0: off
+  double feed = 1, rapid = 1;  // factor of the planned feed and of the planned rapid speed, 0 to 1
+  double spindle = 1;          // factor of the programmed spindle speed
+  // Dry run: the feed in mm/min that replaces all feeds except thread feeds, from the next start of motion; 0: the dry run is off.
+  double dry_feed = 0;
   friend bool operator==(const PanelOverrides&, const PanelOverrides&) = default;
 };
 
-/// Some channels that wait for each other at a waiting code (nct 14.5).
+/// Several channels that wait for each other at a waiting code (nct 14.5).
 struct PanelMeeting {
   std::uint32_t code = 0;
-  std::set<int> channels;  // numbers of all channels that must arrive
-  std::set<int> here;      // numbers of the channels whose axes have arrived
-  bool is_met = false;     // all these channels' controls, which are ahead of the axes, have reached the code
+  std::set<int> channels;  // numbers of all channels that must arrive at the waiting code
+  std::set<int> here;      // numbers of the channels whose axes have arrived at the waiting code
+  bool is_met = false;     // True if the controls of all these channels have reached the code. The controls are ahead of the axes.
   bool is_over() const { return is_met && here == channels; }
 };
 
-/// What limits the speed of the axes.
+/// The limit that determines the speed of the axes.
 struct PanelLimit {
   LimitedBy by;
-  bool rapid = false;  // the motion is rapid
-  double until = 0;    // the limit applies until this time of the plan, s
+  bool rapid = false;  // true if the motion is rapid
+  double until = 0;    // time of the plan until which the limit applies, s
 };
 
 class ChannelAxes {
  public:
-  /// `stand`: machine coordinates of the axes at the start.
+  /// `stand` is the position of the axes at the start, in machine coordinates.
   ChannelAxes(int its_number, std::vector<std::string> names, const AxisRoles& its_roles, double rate, const Axes& stand)
       : number(its_number), axes(std::move(names)), roles(its_roles), rate_(rate), clock(rate, stand, its_roles) {}
 
@@ -59,76 +60,77 @@ class ChannelAxes {
 
  public:
   ServoClock clock;
-  PanelBlock pending;                            // the motion that the planner is working on
-  PanelBlock on;                                 // the block that the axes are executing, or executed last
-  Placement placement;                           // position of the work coordinate system
-  std::uint32_t modes_of = ~0u;                  // Origin::number of the block to which pending.modes belongs
-  bool holds_next = false, holds_again = false;  // the control must hold before the next block; it will ask once more before that block
-  bool has_ended = false;                        // the channel's program has ended: nothing is left to plan
-  bool enters = false;        // this channel, which is not the program's own, is executing a line that the operator entered
+  PanelBlock pending;            // the motion on which the planner is working
+  PanelBlock on;                 // the block that the axes are executing, or executed last
+  Placement placement;           // position of the work coordinate system
+  std::uint32_t modes_of = ~0u;  // Origin::number of the block to which the modes in `pending` belong
+  // `holds_next`: the control must hold before the next block. `holds_again`: the control will ask once more before this block.
+  bool holds_next = false, holds_again = false;
+  bool has_ended = false;  // True if the channel's program has ended, so that nothing is left to plan.
+  bool enters = false;     // True if this channel, which is not the program's own channel, is executing a line that the operator entered.
   std::uint64_t entered = 0;  // number of blocks executed in lines that the operator entered in this channel
 
-  /// Drops all motion and state, for a restart of the program from its beginning.
+  /// Discards all motion and state, for a restart of the program from its beginning.
   void start_over();
-  /// Starts a new leg where the last leg ends. The planner `planned`, which must be unused, plans the leg and numbers its motions.
+  /// Starts a new leg at the end of the last leg. The planner `planned` plans the leg and numbers its motions; it must be unused.
   void plan(Planned& planned, double dry_feed);
-  /// Ends the leg that is being planned: the axes stop at its end.
-  ///   meeting  where the channel waits after the leg; nullptr: nothing follows the leg
-  ///   at       the block of that waiting code
+  /// Ends the leg that is being planned. The axes stop at the end of this leg.
+  ///   meeting  the meeting at which the channel waits after the leg; nullptr: nothing follows the leg
+  ///   at       the block with the waiting code of this meeting
   void end_leg(std::shared_ptr<PanelMeeting> meeting = {}, const Origin& at = {});
   /// Replaces the meeting at the end of the leg that was planned last.
   void meet(const std::shared_ptr<PanelMeeting>& meeting) {
     if (!legs_.empty()) legs_.back().meeting = meeting;
   }
-  /// True if the control waits at a waiting code for other channels, so that nothing can be planned.
+  /// True if the control waits at a waiting code for other channels. Nothing can be planned for this channel then.
   bool waits() const { return !legs_.empty() && legs_.back().meeting != nullptr && !legs_.back().meeting->is_met; }
-  /// The waiting code at the end of the planned motion; nullptr if there is none.
+  /// The waiting code at the end of the planned motion; nullptr if the motion does not end at a waiting code.
   const PanelMeeting* meeting() const { return legs_.empty() ? nullptr : legs_.back().meeting.get(); }
-  /// Called before each block of this channel. Returns true if the control must hold before that block.
+  /// Returns true if the control must hold before the next block. The control calls is_held() before each block of this channel.
   bool is_held();
   bool is_planned() const { return planned_ != nullptr; }
-  /// True if less than `enough` seconds are planned ahead of the clock, so that planning should continue.
+  /// True if less than `enough` seconds are planned ahead of the clock. Planning should then continue.
   bool wants_more() const { return planned_ != nullptr && ahead() < enough; }
   /// True if the memory for planned motion is full.
   bool is_full() const { return cells_ > max_cells; }
 
-  /// Offers planned cells to the playback, and starts the next leg when the clock has finished one.
+  /// Offers planned cells to the playback. When the clock has finished a leg, the function starts the next leg.
   void go_on();
   /// Sets `on` to the block that the axes are executing.
   void note_block();
-  /// Sets the share of the planned speed from the operator's overrides; 0 if `stands`, that is, if a feed hold is active.
+  /// Sets the override of the axes from the operator's overrides. The override is 0 if `stands` is true, that is, if a feed hold is active.
   void apply_overrides(const PanelOverrides& shares, bool stands);
-  /// Returns what limits the speed of the axes now; nullopt if they are at rest.
+  /// Returns the limit that determines the speed of the axes at present; nullopt if the axes are at rest.
   std::optional<PanelLimit> limit();
-  /// True if all planned motion has been played, and the channel need not continue: it waits at a meeting, or nothing follows.
+  /// True if all planned motion has been played and the channel need not continue, because it waits at a meeting or nothing follows.
   bool is_over() const;
-  /// True if the axes are at rest now; planned motion may follow.
+  /// True if the axes are at rest at present. Planned motion may follow.
   bool stands() const;
-  /// The meeting at which the axes are waiting now, after their motion; nullptr if they are not waiting.
+  /// The meeting at which the axes are waiting at present, after their motion; nullptr if the axes are not waiting.
   const PanelMeeting* waits_for() const;
-  /// The block of the waiting code if the channel is waiting, else the block that the axes are executing.
+  /// The block with the waiting code if the channel is waiting; otherwise the block that the axes are executing.
   const Origin& block() const { return waits_for() != nullptr ? legs_.front().waits_in : on.origin; }
-  /// Called when the motion of all channels is over: drops the finished legs. Keeps them if the control waits at a meeting.
+  /// Discards the finished legs, unless the control waits at a meeting. Call it when the motion of all channels is over.
   void settle();
-  /// Drops all motion. The axes stop where they are.
+  /// Discards all motion. The axes stop at their current position.
   void drop();
 
  private:
-  /// Motion from one stop of the axes to the next.
+  /// The motion from one stop of the axes to the next stop.
   struct Leg {
     Leg(const MotionLimits& of_axes, double rate) : playback(of_axes, rate) {}
     Playback playback;
     PanelBlocks blocks;
-    std::deque<PanelLimit> limits;   // limits of the motion not played yet, by time
+    std::deque<PanelLimit> limits;   // limits of the motion that is not played yet, in the order of time
     std::deque<TimedCells> to_come;  // cells of the plan that are not yet offered to the playback
-    std::size_t offered = 0;         // number of cells of the first element of to_come that are offered
-    double seconds = 0;              // planned duration
+    std::size_t offered = 0;         // number of cells in the first element of to_come that are already offered
+    double seconds = 0;              // planned duration of the leg (the motion up to the next stop), s
     bool planned_all = false;
     std::shared_ptr<PanelMeeting> meeting;  // the meeting at the end of the leg
-    Origin waits_in;                        // the block of that meeting's waiting code
+    Origin waits_in;                        // the block with the waiting code of this meeting
   };
-  static constexpr double enough = 3 * Playback::reserve;  // planning continues while less than this is planned ahead of the clock, s
-  // limit of stored cells, some 40 MB; reached only if another channel needs much more planning than this one
+  static constexpr double enough = 3 * Playback::reserve;  // Planning continues while less than this time is planned ahead of the clock, s.
+  // Limit of stored cells, about 40 MB. It is reached only if another channel needs much more planning than this channel.
   static constexpr std::size_t max_cells = 100'000;
 
   double ahead() const;
@@ -137,11 +139,11 @@ class ChannelAxes {
   void offer(Leg& leg);
   void take(Leg& leg, const TimedCells& cells, const MotionLimits& limits);
 
-  Planned* planned_ = nullptr;  // plans the last leg; nullptr when that leg is completely planned
+  Planned* planned_ = nullptr;  // The planner of the last leg; nullptr when this leg is completely planned.
   std::deque<Leg> legs_;
   std::size_t cells_ = 0;         // number of cells in all legs that are not yet offered to a playback
-  const Leg* playing_ = nullptr;  // the first leg, while the clock plays it; else nullptr
-  double share_ = 1;              // share of the planned speed that was requested last
+  const Leg* playing_ = nullptr;  // The first leg while the clock plays it; otherwise nullptr.
+  double share_ = 1;              // the last requested override, as a factor of the planned speed
 };
 
 }  // namespace kadr

@@ -1,6 +1,6 @@
 #pragma once
-// PanelBlocks: the queue of motions that the control has executed and the machine has not. It finds the block to which an instant of the
-// servo clock belongs, and the modes, tool and spindle that are in force in that block.
+// PanelBlocks is the queue of the motions that the control has executed and the machine has not executed yet. It finds the block to which
+// an instant of the servo clock belongs, and the modes, the tool and the spindle that are in force in this block.
 
 #include <deque>
 #include <memory>
@@ -11,7 +11,7 @@
 
 namespace kadr {
 
-/// The modes, tool and spindle in force after a block.
+/// The modes, the tool and the spindle that are in force after a block.
 struct PanelModes {
   std::vector<InForce> in_force;
   std::vector<AlarmReport::Call> calls;
@@ -20,13 +20,13 @@ struct PanelModes {
 /// A motion that the machine executes.
 struct PanelBlock {
   Origin origin;
-  std::uint64_t motion = 0;  // number of the motion; AxisMotion counts from 1 at each start of motion; 0: no motion
-  Axes work{}, machine{};    // coordinates at the end of the motion
+  std::uint64_t motion = 0;  // Number of the motion. AxisMotion counts from 1 at each start of motion; 0 means no motion.
+  Axes work{}, machine{};    // work and machine coordinates at the end of the motion, mm or degrees
   Placement placement;       // position of the work coordinate system
-  double feed = 0;           // programmed feed, mm/min; 0 at rapid
-  bool by_turn = false;      // the feed was programmed per revolution of the spindle
-  std::uint32_t number = 0;  // number of the block in the run, without the operator's lines; 0: not of the program
-  bool entered = false;      // the motion comes from a line that the operator entered; that line is in no file
+  double feed = 0;           // programmed feed, mm/min; 0 in a rapid motion
+  bool by_turn = false;      // true if the feed was programmed per revolution of the spindle
+  std::uint32_t number = 0;  // Number of the block in the run, without the operator's lines; 0: the block is not part of the program.
+  bool entered = false;      // True if the motion comes from a line that the operator entered. Such a line is in no file.
   std::shared_ptr<const PanelModes> modes;
 
   /// Returns the work coordinates at the machine position `at`, which the axes reach during this motion.
@@ -42,7 +42,7 @@ class PanelBlocks {
  public:
   void clear() { blocks_.clear(); }
   void add(PanelBlock block) { blocks_.push_back(std::move(block)); }
-  /// Returns the block of the motion with this number and drops the blocks before it. Returns nullptr if no block has this number.
+  /// Returns the block of the motion with this number and removes the blocks before it. Returns nullptr if no block has this number.
   const PanelBlock* at(std::uint64_t motion) {
     while (blocks_.size() > 1 && blocks_[1].motion <= motion) blocks_.pop_front();
     return blocks_.empty() || motion == 0 ? nullptr : &blocks_.front();

@@ -1,6 +1,6 @@
 #pragma once
-// PanelHub: the machines that are switched on, for all pages that display them. Several pages may display one machine; one page has
-// control.
+// PanelHub has the machines that are switched on, for all pages that display them. Several pages may display one machine; only one of these
+// pages has control.
 
 #include <cstdint>
 #include <map>
@@ -17,13 +17,14 @@ class PanelHub {
  public:
   static constexpr std::size_t max_machines = 16;
 
-  /// A machine that is switched on. The object exists as long as some pointer to it exists, even after the machine is switched off.
+  /// A machine that is switched on. The object exists while any pointer to it exists, even after the machine is switched off.
   struct HubMachine {
     std::string name;
-    std::shared_ptr<void> content;  // program and tables that the machine uses; destroyed after the machine
+    std::shared_ptr<void> content;  // program and tables that the machine uses; they must be destroyed after the machine
     std::unique_ptr<PanelMachine> machine;
-    std::atomic<std::uint64_t> holder{0};  // number of the page that has control; 0: none
-    std::string stood;  // PanelLocation, as JSON, of the machine when the server last ended; empty: it was not in mid-program
+    std::atomic<std::uint64_t> holder{0};  // number of the page that has control; 0: no page has control
+    // The PanelLocation of the machine, as JSON, at the last end of the server; empty: the machine was not in mid-program.
+    std::string stood;
   };
 
   /// Returns a unique number for each page.
@@ -34,13 +35,13 @@ class PanelHub {
     const auto found = places_.find(name);
     return found == places_.end() ? nullptr : found->second;
   }
-  /// Adds a machine. Returns false if a machine with its name is already on, or if too many machines are on.
+  /// Adds a machine. Returns false if a machine with the same name is already on, or if too many machines are on.
   bool add(const std::shared_ptr<HubMachine>& place) {
     const std::lock_guard hold(lock_);
     return places_.size() < max_machines && places_.emplace(place->name, place).second;
   }
   void remove(const std::string& name) {
-    std::shared_ptr<HubMachine> last;  // destroys the machine after the lock is released
+    std::shared_ptr<HubMachine> last;  // this pointer destroys the machine after the lock is released
     const std::lock_guard hold(lock_);
     const auto found = places_.find(name);
     if (found == places_.end()) return;

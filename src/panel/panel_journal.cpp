@@ -1,4 +1,4 @@
-// PanelJournal: saved data of panel machines. Used by view/page/page_panel; tested by tests/panel/panel_journal_test.cpp,
+// PanelJournal stores data of panel machines. Used by view/page/page_panel; tested by tests/panel/panel_journal_test.cpp and
 // tests/panel_kills.py.
 
 #include "panel/panel_journal.h"
@@ -10,11 +10,11 @@
 namespace kadr {
 namespace {
 
-constexpr const char* control = "panel";  // name of the control that the journal's state file states
+constexpr const char* control = "panel";  // the name of the control in the journal's state file
 const std::string log_ = "log:";
 
-/// Renames a log file that a killed server has left after its state file was deleted. That log would prevent a new state file from being
-/// created; it is kept under another name, because somebody may need its data.
+/// Renames a log file that a killed server has left after its state file was deleted. This log would prevent the creation of a new state
+/// file. It gets another name and is not deleted, because somebody may need its data.
 void put_left_log_aside(const std::string& path) {
   std::error_code none;
   if (!path.empty() && !std::filesystem::exists(path, none) && std::filesystem::exists(path + "-wal", none))

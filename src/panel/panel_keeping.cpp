@@ -1,4 +1,4 @@
-// PanelMachine: saved data and tables. Used by panel/panel_machine; tested by tests/panel/panel_tables_test.cpp, tests/panel_kills.py.
+// PanelMachine, saved data and tables. Used by panel/panel_machine; tested by tests/panel/panel_tables_test.cpp and tests/panel_kills.py.
 
 #include <algorithm>
 
@@ -11,10 +11,10 @@ namespace {
 
 using Failed = tl::unexpected<std::string>;
 
-constexpr double same_place = 1e-9;  // mm, degrees: positions with a smaller difference are the same
-constexpr double beside = 1e-6;      // mm, degrees: an axis farther than this from the programmed position is off the programmed path
+constexpr double same_place = 1e-9;  // Positions whose difference is smaller than this value are equal; mm, degrees.
+constexpr double beside = 1e-6;      // An axis farther than this from the programmed position is off the programmed path; mm, degrees.
 
-/// Returns the set-up `now` without the changes caused by tool use (they are not edits of the operator).
+/// Returns the set-up `now` without the changes that the use of tools has caused, because these are not edits of the operator.
 Setup by_hand(const Setup& before, Setup now) {
   for (auto& [number, row] : now.tool_table) {
     const auto then = before.tool_table.find(number);
@@ -32,7 +32,7 @@ bool are_same(const Setup& a, const Setup& b) {
 
 bool is_same(const PanelLocation& a, const PanelLocation& b) {
   if (a.mode != b.mode || a.number != b.number || a.line != b.line || a.file != b.file) return false;
-  if (a.mode == PanelMode::running) return true;  // while the program runs, one save per block is enough
+  if (a.mode == PanelMode::running) return true;  // While the program runs, one save per block is sufficient.
   const auto are_near = [](const Axes& one, const Axes& other) {
     return std::equal(one.begin(), one.end(), other.begin(), [](double x, double y) { return std::abs(x - y) <= same_place; });
   };
@@ -45,7 +45,7 @@ void PanelMachine::tell(const char* kind, const std::string& text, std::uint32_t
   if (keeper_.event) keeper_.event(kind, text, line);
 }
 
-/// Saves the machine's location: the block that it is executing, or is held before, or to which it moves for a restart.
+/// Saves the location of the machine: the block that the machine is executing, or is held before, or to which it moves for a restart.
 void PanelMachine::save_location(const PanelState& now) {
   if (!keeper_.spot) return;
   const bool runs = stretch_ && stretch_->of == Stretch::Of::program;
@@ -53,11 +53,11 @@ void PanelMachine::save_location(const PanelState& now) {
   spot.mode = now.mode;
   spot.machine = now.sample.machine;
   for (const PanelChannel& channel : now.channels) spot.stands.push_back(channel.sample.machine);
-  // a line of the operator does not change the location in the program
+  // A line of the operator does not change the location in the program.
   const bool leads_elsewhere = stretch_ && stretch_->of == Stretch::Of::line;
   if (runs) spot.number = lane_->on.number;
   else if (stepping_->next()) spot.number = stepping_->next()->number - std::uint32_t(entered_);
-  // at a block without a motion the number saved before stays
+  // At a block without a motion the saved number does not change.
   if (leads_elsewhere || (runs && spot.number == 0)) spot.number = saved_location_.number;
   spot.line = now.line.number, spot.text = now.line.text;
   const std::uint16_t file = going_              ? going_->place->restart.at.file
@@ -79,7 +79,8 @@ void PanelMachine::save_location(const PanelState& now) {
   saved_location_ = std::move(spot);
 }
 
-/// Finds the variables that have changed since the last call, and stores `line` as the program line that set them; 0: no program line did.
+/// Finds the variables that have changed since the last call, and stores `line` as the program line that set them. 0 means that no program
+/// line set them.
 void PanelMachine::note_variables(std::uint32_t line) {
   std::map<std::string, double> now;
   for (auto& [name, value] : session_->control().ending().variables) now.emplace(std::move(name), value);
@@ -92,18 +93,19 @@ void PanelMachine::note_variables(std::uint32_t line) {
   variables_ = std::move(now);
 }
 
-/// Saves the changes that a line of the operator (G10) has made in the tables. They count as an edit of the tables: neither a reset nor
-/// another edit reverts them.
+/// Saves the changes that a line of the operator (G10) has made in the tables. These changes count as an edit of the tables, so neither a
+/// reset nor another edit reverts them.
 void PanelMachine::keep_tables(const Setup& before) {
   if (!keeper_.tables) return;
   const Setup now = by_hand(before, session_->control().tables_now());
   if (are_same(before, now)) return;
   if (const std::string fault = keeper_.tables(before, now); !fault.empty()) kept_.told = fault;
-  begin_search();  // the search must use the changed tables
+  begin_search();  // The search must use the changed tables, so it starts again.
 }
 
 tl::expected<PanelTables, std::string> PanelMachine::tables() {
-  const auto tables = std::make_shared<PanelTables>();  // shared with the request, which may run after this call has timed out
+  // The result is shared with the request, which may be executed after this call has timed out.
+  const auto tables = std::make_shared<PanelTables>();
   const Answer answer = ask([this, tables]() -> Answer {
     if (!stretch_) note_variables(last_line_);
     tables->state = session_->control().run_state();
@@ -130,8 +132,8 @@ tl::expected<std::vector<PanelWatch>, std::string> PanelMachine::watch_values(co
   return std::move(*values);
 }
 
-/// True if the machine is not at the position that the control has reached, because motions of a compensated contour are not executed yet,
-/// or are offset from the contour.
+/// True if the machine is not at the position that the control has reached. The motions of a compensated contour are then not executed yet,
+/// or they are offset from the contour.
 bool PanelMachine::is_in_contour() const {
   for (std::size_t i = 0; i < lanes_.size(); ++i) {
     const Axes stand = session_->stand(i).machine, programmed = session_->channels()[i].control->tool_position().machine;
@@ -171,7 +173,7 @@ PanelMachine::Answer PanelMachine::take_tables() {
   });
 }
 
-/// Applies edited tables as if the program had run with them up to the present block. The axes stay where they are.
+/// Applies edited tables as if the program had been executed with these tables up to the present block. The axes do not move.
 void PanelMachine::apply_edited_tables() {
   const PanelSearch::Answer found = search_->find(*retables_);
   if (!found.ready) return;

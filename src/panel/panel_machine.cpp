@@ -1,4 +1,4 @@
-// PanelMachine: its thread, and the operator's requests. Used by view/page/page_panel; tested by tests/panel/panel_machine_test.cpp.
+// PanelMachine, its thread and the operator's requests. Used by view/page/page_panel; tested by tests/panel/panel_machine_test.cpp.
 
 #include "panel/panel_machine.h"
 
@@ -16,14 +16,15 @@ namespace {
 
 using Failed = tl::unexpected<std::string>;
 
-constexpr auto look_every = std::chrono::milliseconds(4);    // interval at which the machine's thread checks a motion
-constexpr double seen_share = 1e-6;                          // share of the planned speed: the least decrease that counts as seen
-constexpr auto seen_within = std::chrono::milliseconds(20);  // time limit for seeing the effect, since some axes can hardly brake
-// time limit for starting a request; if it expires, the machine is busy and the request is dropped
+constexpr auto look_every = std::chrono::milliseconds(4);  // interval at which the machine's thread checks a motion
+constexpr double seen_share = 1e-6;  // least decrease of the override (0 to 1) that counts as the effect of a feed hold
+// time limit for waiting until an effect is visible, because some axes can hardly brake
+constexpr auto seen_within = std::chrono::milliseconds(20);
+// Time limit for the start of a request. If it expires, the machine is busy and the request is dropped.
 constexpr auto answers_within = std::chrono::seconds(2);
-constexpr auto done_within = std::chrono::seconds(60);  // time limit for completing a request that has started
+constexpr auto done_within = std::chrono::seconds(60);  // time limit for the completion of a request that has started
 
-/// Waits until `is` returns true, but only briefly, so that the caller's next query of the state shows the effect of a request.
+/// Waits until `is` returns true, but only for a short time, so that the caller's next query of the state shows the effect of a request.
 template <class Is>
 void wait_until_seen(Is is) {
   const auto end = std::chrono::steady_clock::now() + seen_within;
@@ -35,14 +36,14 @@ void wait_until_seen(Is is) {
 PanelMachine::~PanelMachine() { switch_off(); }
 
 void PanelMachine::switch_off() {
-  ends_ = true;  // set first, so that stop_at_once() does not count as an emergency stop
+  ends_ = true;  // The flag is set first, so that stop_at_once() does not count as an emergency stop.
   stop_at_once();
   const std::lock_guard one_at_a_time(off_lock_);
   thread_.wait();
 }
 
-/// Lets the machine's thread execute a request, and returns the result. Returns an error if the request was dropped, or if the request has
-/// started but is not completed in time.
+/// Lets the machine's thread execute a request and returns its result. Returns an error if the request was dropped, or if it has started
+/// but is not completed in time.
 PanelMachine::Answer PanelMachine::ask(std::function<Answer()> what) {
   std::future<Answer> answer;
   std::uint64_t number = 0;
@@ -88,7 +89,7 @@ void PanelMachine::execute_requests() {
   }
 }
 
-/// Performs what is due now in the machine's thread, then waits for the next event.
+/// Executes what is due in the machine's thread, and then waits for the next event.
 ///   returns  false if the machine is switched off
 bool PanelMachine::look_round() {
   if (!ends_ && must_stop()) stand_still();
@@ -107,7 +108,7 @@ void PanelMachine::live() {
   for (bool goes_on = true; goes_on;) {
     try {
       goes_on = look_round();
-    } catch (const std::bad_alloc&) {  // out of memory for the program: stops the axes
+    } catch (const std::bad_alloc&) {  // the program has run out of memory, so the axes are stopped
       stop_at_once();
     }
   }
@@ -137,7 +138,7 @@ void PanelMachine::watch_run() {
   show();
 }
 
-/// Returns the line of the block that the machine is executing, if the block is from the program; else the line of the next block.
+/// Returns the line of the block that the machine is executing if this block belongs to the program; otherwise the line of the next block.
 AlarmReport::Line PanelMachine::line_of(const ServoSample& sample) const {
   const bool runs = stretch_ && stretch_->of == Stretch::Of::program;
   if (!runs && stepping_->next()) return stepping_->line();
@@ -204,7 +205,7 @@ void PanelMachine::apply_overrides() {
   for (const auto& lane : lanes_) lane->apply_overrides(kept_.shares, holds_ || resets_);
 }
 
-/// Continues the program. After a feed hold, returns only when the axes move again.
+/// Continues the program. After a feed hold, the function returns only when the axes move again.
 PanelMachine::Answer PanelMachine::run(std::optional<Stepping::How> how) {
   const Answer runs = ask([this, how]() -> Answer {
     if (stretch_) {
@@ -241,7 +242,8 @@ PanelMachine::Answer PanelMachine::answer(double answer) {
   });
 }
 
-/// Starts a feed hold. Returns only when the axes have slowed down, so that the caller's next query of the state shows the hold.
+/// Starts a feed hold. The function returns only when the axes have slowed down, so that the caller's next query of the state shows the
+/// hold.
 PanelMachine::Answer PanelMachine::hold() {
   const double share = lane_->clock.sample().share;
   const Answer held = ask([this]() -> Answer {
@@ -258,7 +260,7 @@ PanelMachine::Answer PanelMachine::hold() {
 }
 
 PanelMachine::Answer PanelMachine::reset() {
-  stops_ = true;  // interrupts a block that would never end
+  stops_ = true;  // The flag interrupts a block that would never end.
   return ask([this]() -> Answer {
     kept_.told.clear(), kept_.why.clear();
     for (const auto& lane : lanes_) lane->clock.release();
@@ -273,7 +275,8 @@ PanelMachine::Answer PanelMachine::reset() {
 void PanelMachine::stop_at_once() {
   for (const auto& lane : lanes_) lane->clock.stop_at_once();
   stops_ = true;
-  const std::lock_guard hold(lock_);  // under this lock the thread is waiting, or checks for a stop before it waits
+  // While this function owns the lock, the machine's thread is waiting, or the thread checks for a stop before it waits.
+  const std::lock_guard hold(lock_);
   wakes_.notify_all();
 }
 
@@ -372,7 +375,8 @@ PanelMachine::Answer PanelMachine::jog(const std::string& axis, double way, doub
 }
 
 tl::expected<std::size_t, std::string> PanelMachine::add_stop(StopPoint point) {
-  const auto number = std::make_shared<std::size_t>(0);  // shared with the request, which may run after this call has timed out
+  // The number is shared with the request, which may be executed after this call has timed out.
+  const auto number = std::make_shared<std::size_t>(0);
   const Answer answer = ask([this, number, point = std::move(point)]() -> Answer {
     if (kept_.stops.size() == max_stops) return Failed(translated(texts::panel::too_many_stops));
     if (!point.condition.empty())

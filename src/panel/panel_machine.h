@@ -1,12 +1,13 @@
 #pragma once
-// PanelMachine: a machine with its control, as an operator uses it. It executes a program in real time, one run of motion after the other.
-// It has its own thread and continues whether or not a page is connected; operator requests may come from any thread.
+// PanelMachine is a machine with its control, as an operator uses it. It executes a program in real time, one run of motion after another.
+// PanelMachine has its own thread and continues whether or not a page is connected. Requests of the operator may come from any thread.
 //
 //   ask(PanelCommand) ──▶ its thread: Stepping, Session ──cells──▶ Playback ──▶ ServoClock ──▶ state(): a sample of the clock,
 //                                                                                              and the block it belongs to
 //
-// A run of motion (PanelRun) is the motion from where the axes are at rest to where they stop next: at the end of the program, before a
-// block where the program is held, or after a line that the operator entered. It is planned with the limits of the selected machine.
+// A run of motion (PanelRun) is the motion from one position at which the axes are at rest to the next such position. The axes stop at the
+// end of the program, before a block at which the program is held, or after a line that the operator entered. A run of motion is planned
+// with the limits of the selected machine.
 
 #include <condition_variable>
 #include <deque>
@@ -29,74 +30,75 @@
 namespace kadr {
 
 enum class PanelMode : std::uint8_t {
-  standing,  // at rest before a block, or after a line of the operator
+  standing,  // the axes are at rest before a block, or after a line of the operator
   running,
-  held,       // feed hold: the axes slow down, or are at rest
+  held,       // feed hold: the axes are slowing down or at rest
   ended,      // the program has ended
-  alarm,      // an alarm has stopped the program
+  alarm,      // an alarm has stopped the program; reset() ends this mode
   emergency,  // emergency stop; only reset() ends this mode
 };
 
-/// State of one channel, on a machine with several.
+/// The state of one channel on a machine with several channels.
 struct PanelChannel {
   int number = 1;
   std::vector<std::string> axes;
   ServoSample sample;
   PanelBlock block;                   // the block that the channel's axes are executing, or executed last
-  AlarmReport::Line line;             // text and location of that block
-  std::optional<PanelMeeting> waits;  // the waiting code at which this channel waits; set once its axes have stopped
+  AlarmReport::Line line;             // text and location of the block in the program
+  std::optional<PanelMeeting> waits;  // The waiting code at which this channel waits. It is set when the axes of the channel have stopped.
 };
 
-/// Everything that an operator sees.
+/// The state of the machine that the panel displays to the operator.
 struct PanelState {
   PanelMode mode = PanelMode::standing;
   ServoSample sample;
-  PanelOverrides shares;   // overrides set by the operator
+  PanelOverrides shares;   // the overrides that the operator has set
   PanelBlock block;        // the block that the machine is executing, or executed last
-  AlarmReport::Line line;  // text and location of that block while the program runs; else of the next block
-  bool entered = false;    // a line of the operator is being executed
+  AlarmReport::Line line;  // Text and location of this block while the program runs; otherwise of the next block.
+  bool entered = false;    // true while a line of the operator is being executed
   bool single = false, optional_stop = false;
   std::set<int> skip;
   std::map<std::size_t, StopPoint> stops;
-  std::size_t hit = 0;        // number of the stop point that holds the program; 0: no stop point
+  std::size_t hit = 0;        // number of the stop point that holds the program; 0: no stop point holds it
   std::string told;           // the message that the program displays
-  std::string why;            // the reason for the stop: "M0", "M1", "restart"; empty: another reason
-  bool asks = false;          // the program waits for the operator's answer(), to the question in `told`
-  bool takes_tables = false;  // edited tables are being applied
-  std::string not_kept;       // why the machine's data cannot be saved, an error sentence; empty: they are saved
-  bool goes_there = false;    // a restart in mid-program is in progress: the axes move to the block to continue with
+  std::string why;            // reason for the stop: "M0", "M1", "restart"; empty: another reason
+  bool asks = false;          // True if the program waits for the operator's answer() to the question in `told`.
+  bool takes_tables = false;  // true while edited tables are being applied
+  std::string not_kept;       // An error sentence that states why the machine's data cannot be saved; empty: the data are saved.
+  // True while a restart in mid-program is in progress: the axes move to the block at which the program continues.
+  bool goes_there = false;
   std::optional<AlarmReport> alarm;
   std::size_t can_undo = 0;         // number of entered lines that undo() can revert
-  std::optional<PanelLimit> limit;  // what limits the speed now
-  std::uint64_t blocks = 0;         // number of blocks that the control has executed; the control is ahead of the machine
-  // All channels, if the machine has several. The members above describe the channel of the program itself.
+  std::optional<PanelLimit> limit;  // the limit that determines the speed at present
+  std::uint64_t blocks = 0;         // Number of blocks that the control has executed. The control is ahead of the machine.
+  // All channels, if the machine has several channels. The members above describe the program's own channel.
   std::vector<PanelChannel> channels;
 };
 
-/// Location of a machine in its program.
+/// The location of a machine in its program.
 struct PanelLocation {
   PanelMode mode = PanelMode::standing;
   Axes machine{};
-  std::uint32_t number = 0;  // PanelBlock::number of the current block, or of the next one; 0: no block of the program
+  std::uint32_t number = 0;  // PanelBlock::number of the current block or the next block; 0: no block of the program
   std::uint32_t line = 0;
-  std::string file{};          // the file that `line` is in; empty: the main program
+  std::string file{};          // the file that contains `line`; empty: the main program
   std::string text{};          // text of the line
-  std::vector<Axes> stands{};  // machine position of each channel, by index; empty if there is only one channel
+  std::vector<Axes> stands{};  // The machine position of each channel, by index; empty if the machine has only one channel.
 };
 
-/// The functions with which a machine saves its data. They are called in the machine's thread.
+/// The functions with which a machine saves its data. The machine's thread calls them.
 struct PanelRecorder {
-  /// Saves the location; called at each block.
+  /// Saves the location of the machine. The machine calls it at each block.
   ///   returns  an error sentence if the location cannot be saved
   std::function<std::string(const PanelLocation&)> spot;
   /// Adds an entry to the log. The kinds are "run" "hold" "reset" "emergency" "override" "line" "restart" "stopped" "ended".
   std::function<void(const char* kind, const std::string& text, std::uint32_t line)> event;
   std::function<void(const AlarmReport&)> alarm;
   /// Saves table changes that a line of the operator has made, so that later sessions start with the changed tables.
-  ///   returns  an error sentence if they cannot be saved
+  ///   returns  an error sentence if the changes cannot be saved
   std::function<std::string(const Setup& before, const Setup& after)> tables;
-  /// Called when the program is about to start from its beginning. The function reads the program file from the disk; changes of the file
-  /// have no effect until the next call.
+  /// The machine calls this function before the program starts from its beginning. The function reads the program file from the disk. Later
+  /// changes of the file have no effect until the next call.
   std::function<void()> begins;
 };
 
@@ -104,47 +106,47 @@ struct PanelRecorder {
 struct PanelVariable {
   std::string name;
   double value = 0;
-  std::uint32_t line = 0;  // program line that set it last; 0: the set-up, or a line of the operator
+  std::uint32_t line = 0;  // program line that set the variable last; 0: the set-up, or a line of the operator
 };
 
 /// The present tables of the control.
 struct PanelTables {
-  std::optional<RunState> state;  // nullopt: the tables of this control cannot be displayed
+  std::optional<RunState> state;  // the tables; nullopt: the tables of this control cannot be displayed
   std::vector<PanelVariable> variables;
 };
 
-/// An expression that the operator watches, and its present value.
+/// An expression that the operator watches, with its present value.
 struct PanelWatch {
   std::string text;
-  std::optional<double> value;  // nullopt: the expression is invalid, or its value is vacant
+  std::optional<double> value;  // the value; nullopt: the expression is invalid, or its value is vacant
 };
 
-/// A run of motion: the motion from where the axes are at rest to where they stop next.
+/// A run of motion: the motion from one position at which the axes are at rest to the next such position.
 struct PanelRun {
   enum class Of : std::uint8_t { program, line, hand };
   Of of = Of::program;
-  std::size_t channel = 0;           // index of the channel in which an entered line runs; only for Of::line
-  std::unique_ptr<Planned> by_hand;  // the planner of a motion by hand; only for Of::hand
+  std::size_t channel = 0;           // index of the channel in which an entered line is executed; only for Of::line
+  std::unique_ptr<Planned> by_hand;  // planner of a motion by hand; only for Of::hand
   bool planned_all = false;
   Session::State came_to = Session::State::running;
 };
 
-/// A path that one channel travels to its restart position.
+/// A path along which one channel moves to its restart position.
 struct PanelPath {
   std::size_t channel = 0;  // index of the channel
   std::vector<WayPoint> way;
 };
 
-/// The state of a restart while the machine moves to the block at which the program is to continue.
+/// The state of a restart while the machine moves to the block at which the program continues.
 struct PanelApproach {
   struct Line {
     std::size_t channel;
     std::string text;
   };
   std::shared_ptr<const RestartPoint> place;
-  std::deque<Line> before;     // lines to execute before the paths are travelled
-  std::deque<PanelPath> ways;  // paths to travel, one after the other
-  std::deque<Line> after;      // lines to execute after the paths
+  std::deque<Line> before;     // lines to execute before the axes move along the paths
+  std::deque<PanelPath> ways;  // the paths to move along, one after another
+  std::deque<Line> after;      // lines to execute after the motion along the paths
   bool is_there = false;
 };
 
@@ -153,11 +155,11 @@ class PanelMachine {
   static constexpr double rate = 1000;  // rate of the servo clock, Hz
   static constexpr std::size_t max_entered = 1000, most_undone = 50, max_stops = 100;
 
-  /// Switches on a machine, with its program at the beginning.
-  ///   opens    opens sessions of the program
-  ///   start    machine coordinates of the axes; nullopt: the start position is in the set-up
-  ///   stands   on a machine with several channels, their start positions by index; empty: they are in the set-up
-  ///   returns  an error sentence
+  /// Switches on a machine. The program is at its beginning.
+  ///   opens    the function that opens sessions of the program
+  ///   start    start position of the axes in machine coordinates; nullopt: the start position is in the set-up
+  ///   stands   the start positions of several channels, by index; empty: the start positions are in the set-up
+  ///   returns  the machine, or an error sentence
   static tl::expected<std::unique_ptr<PanelMachine>, std::string> make(SessionOpener opens, PanelRecorder keeper = {},
                                                                        const std::optional<Axes>& start = {},
                                                                        std::vector<Axes> stands = {});
@@ -165,39 +167,40 @@ class PanelMachine {
   PanelMachine(const PanelMachine&) = delete;
   PanelMachine& operator=(const PanelMachine&) = delete;
 
-  /// Stops the axes. From now on nothing is saved or reported, and all requests are refused.
+  /// Stops the axes. From this call on nothing is saved or reported, and all requests are refused.
   void switch_off();
 
-  using Answer = tl::expected<void, std::string>;  // an error sentence that says why the request was refused
-  /// Continues the program from the block where it is held, or resumes after a feed hold.
-  ///   how  how far to run; nullopt: one block if the single block switch is on, else to the next stop
+  // The result of a request; on failure an error sentence that states why the request was refused.
+  using Answer = tl::expected<void, std::string>;
+  /// Continues the program from the block at which it is held, or resumes after a feed hold.
+  ///   how  how far the program runs; nullopt: one block if the single block switch is on, otherwise to the next stop
   Answer run(std::optional<Stepping::How> how = {});
   /// Feed hold: the axes slow down and stop on their path.
   Answer hold();
-  /// Returns the program to its beginning, without moving the axes. Ends an alarm and an emergency stop.
+  /// Returns the program to its beginning without moving the axes. The call ends an alarm and an emergency stop.
   Answer reset();
   /// Emergency stop: the axes stop within one instant of the servo clock, even in the middle of a motion.
   void stop_at_once();
-  /// Single block: each run() executes one block.
+  /// Sets the single block switch. While it is on, each run() executes one block.
   Answer set_single(bool on);
-  /// Optional stop: if on, M1 holds the program.
+  /// Sets the optional stop switch. While it is on, M1 holds the program.
   Answer set_optional_stop(bool on);
   Answer set_skip(int number, bool on);
   Answer set_overrides(const PanelOverrides& shares);
-  /// Answers a question of the program (#3107 of the NCT): 0 cancel, 1 OK, 2 yes, 3 no; the program continues.
+  /// Answers a question of the program (#3107 of the NCT): 0 cancel, 1 OK, 2 yes, 3 no. The program then continues.
   Answer answer(double answer);
   /// Executes a line of the operator (MDI) at once.
   Answer enter(const std::string& line);
-  /// Restores the control and the virtual machine to their state before the last entered line. A real machine could not do this.
+  /// Restores the control and the virtual machine to their state before the last entered line. A real machine cannot do this.
   Answer undo();
   /// Moves an axis by hand.
   ///   way      distance in machine coordinates, mm or degrees
   ///   feed     mm/min or degrees/min; 0: the highest speed of the axis
-  ///   channel  number of the channel that has the axis; 0: the channel of the program itself
+  ///   channel  number of the channel that has the axis; 0: the program's own channel
   Answer jog(const std::string& axis, double way, double feed, int channel = 0);
   /// Moves the axes of the program's own channel by hand along the path `way`.
   Answer lead(const std::vector<WayPoint>& way);
-  /// Adds a point at which the program is to be held.
+  /// Adds a stop point, at which the program will be held.
   ///   returns  the number of the stop point
   tl::expected<std::size_t, std::string> add_stop(StopPoint point);
   Answer remove_stop(std::size_t number);
@@ -205,32 +208,35 @@ class PanelMachine {
   /// Evaluates expressions written in the syntax of the program.
   tl::expected<std::vector<PanelWatch>, std::string> watch_values(const std::vector<std::string>& expressions);
   tl::expected<PanelTables, std::string> tables();
-  /// Checks that the machine is at rest at a block at which take_tables() can apply tables.
+  /// Checks whether take_tables() can apply tables at present. The machine must be at rest at a suitable block.
   Answer may_apply_tables();
-  /// Applies edited tables at the present block. SessionOpener must already return sessions with these tables.
+  /// Applies edited tables at the present block. The SessionOpener must already open sessions with these tables.
   Answer take_tables();
 
-  /// Searches for a block where the program could continue. Returns what the search has found so far.
+  /// Searches for a block at which the program could continue. Returns what the search has found so far.
   PanelSearch::Answer find(const PanelSearch::SearchRequest& request) {
-    if (state().takes_tables) return {};  // the machine is searching for its own location in a run with the new tables
+    // The machine is searching for its own location in a run with the new tables, so this search must wait.
+    if (state().takes_tables) return {};
     return search_->find(request);
   }
-  /// Returns what must be done to restore the state at the restart position, starting from the present state of the machine.
-  ///   returns  the sheet of the program's own channel, then one sheet per channel of RestartPoint::beside, in the same order
+  /// Returns what must be done to bring the machine from its present state to the state at the restart position.
+  ///   returns  the sheet of the program's own channel, followed by one sheet per channel of RestartPoint::beside, in the same order
   tl::expected<std::vector<PanelSheet>, std::string> sheets(const std::shared_ptr<const RestartPoint>& place, const WayRules& rules);
-  /// Moves the machine to the restart position and holds the program before the block there, as if the program had run up to it.
-  ///   left  keys, by key_of(), of the items that keep their present value; a key of another channel begins with its number: "2/tool:"
-  ///   ways  the paths to travel, one after the other: those of the sheets, or others that end at the same positions. A channel without a
-  ///         path must already be at its position
+  /// Moves the machine to the restart position and holds the program before the block at this position, as if the program had been executed
+  /// up to this block.
+  ///   left  keys (see key_of()) of the items that keep their present value; a key of another channel begins with the channel number:
+  ///         "2/tool:"
+  ///   ways  the paths to move along, one after another: the paths of the sheets, or other paths that end at the same positions. A channel
+  ///         without a path must already be at its position
   Answer go_there(std::shared_ptr<const RestartPoint> place, const std::set<std::string>& left, std::vector<PanelPath> ways);
 
   /// Sets an observer. The machine's thread calls it with each step that the control executes (program, entered lines, motion by hand), in
-  /// order and ahead of the machine. Must be called before the first run().
+  /// their order and ahead of the machine. Call watch() before the first run().
   void watch(std::function<void(const Step&)> look) { looks_on_ = std::move(look); }
 
   PanelState state();
   const std::vector<std::string>& axes() const { return lane_->axes; }
-  /// Names of the axes of the channel with this index. The reference is valid as long as the machine is on.
+  /// The names of the axes of the channel with this index. The reference is valid while the machine is on.
   const std::vector<std::string>& axes(std::size_t channel) const { return lanes_[channel]->axes; }
   std::size_t channel_count() const { return lanes_.size(); }
   int number_of(std::size_t channel) const { return lanes_[channel]->number; }
@@ -239,7 +245,7 @@ class PanelMachine {
 
  private:
   using Stretch = PanelRun;
-  /// The state before a line of the operator, for undo().
+  /// The state before a line of the operator; undo() restores this state.
   struct Before {
     Stepping::Memory stepping;
     Axes machine;
@@ -254,13 +260,13 @@ class PanelMachine {
 
   PanelMachine(SessionOpener opens, PanelRecorder keeper, std::vector<Axes> stands)
       : opens_(std::move(opens)), keeper_(std::move(keeper)), stands_(std::move(stands)) {}
-  // the functions in panel_machine.cpp: the thread, and the requests
+  // The functions below are in panel_machine.cpp: the thread and the requests.
   Answer ask(std::function<Answer()> what);
   void live();
   bool look_round();
   void execute_requests();
   void watch_run();
-  /// True if an emergency stop was requested, and the machine's thread has not handled that request yet.
+  /// True if an emergency stop was requested and the machine's thread has not handled this request yet.
   bool must_stop() const { return lane_->clock.was_stopped() && kept_.mode != PanelMode::emergency; }
   void stand_still();
   Answer may_begin() const;
@@ -268,7 +274,7 @@ class PanelMachine {
   void show_channels(PanelState& now) const;
   bool is_alone() const { return lanes_.size() == 1; }
   void show();
-  // the functions in panel_opening.cpp
+  // The functions below are in panel_opening.cpp.
   Answer make_lanes();
   Answer begin_session(const std::optional<Axes>& start);
   void obey_switches();
@@ -276,7 +282,7 @@ class PanelMachine {
   Answer start_over();
   void begin_search();
   void stand_here();
-  // the functions in panel_keeping.cpp
+  // The functions below are in panel_keeping.cpp.
   void save_location(const PanelState& now);
   void tell(const char* kind, const std::string& text = {}, std::uint32_t line = 0) const;
   void note_variables(std::uint32_t line);
@@ -285,7 +291,7 @@ class PanelMachine {
   bool is_in_contour() const;
   Answer may_apply_tables_now() const;
   AlarmReport::Line line_of(const ServoSample& sample) const;
-  // the functions in panel_run.cpp
+  // The functions below are in panel_run.cpp.
   void look(ChannelAxes& lane, Control& control, const Step& step);
   void begin_leg(std::size_t channel);
   void watch_channels();
@@ -302,7 +308,7 @@ class PanelMachine {
   ToolPosition standing_plainly(std::size_t channel) const;
   void begin_by_hand(ChannelAxes& lane, const std::vector<Motion>& motions);
   Answer move_by_hand(std::size_t channel, const std::string& axis, double way, double feed);
-  // the functions in panel_restart.cpp
+  // The functions below are in panel_restart.cpp.
   Answer may_go_there() const;
   tl::expected<Axes, std::string> end_of(const PanelPath& way) const;
   Answer lead_to(const std::vector<PanelPath>& ways, const RestartPoint& place) const;
@@ -321,37 +327,38 @@ class PanelMachine {
   const PanelRecorder keeper_;
   std::function<void(const Step&)> looks_on_;
   std::unique_ptr<PanelSearch> search_;
-  std::vector<std::unique_ptr<ChannelAxes>> lanes_;  // one object per channel, never replaced
-  ChannelAxes* lane_ = nullptr;                      // the object of the program's own channel; only the machine's thread uses it
+  std::vector<std::unique_ptr<ChannelAxes>> lanes_;  // One object per channel; the objects are never replaced.
+  ChannelAxes* lane_ = nullptr;                      // The object of the program's own channel. Only the machine's thread uses it.
   std::size_t own_ = 0;
 
-  // The members below are used by the machine's thread only, except for stops_.
-  std::atomic<bool> stops_{false};  // if true, the session stops; any thread may set it
+  // Only the machine's thread uses the members below, except stops_.
+  std::atomic<bool> stops_{false};  // A flag that stops the session while it is set. Any thread may set the flag.
   std::optional<Axes> start_;       // machine coordinates at the start of the run: PanelStart::axes
-  std::vector<Axes> stands_;        // the start of each channel: PanelStart::stands
+  std::vector<Axes> stands_;        // start position of each channel in machine coordinates: PanelStart::stands
   std::unique_ptr<Session> session_;
   std::unique_ptr<Stepping> stepping_;
   std::optional<Stretch> stretch_;
   std::optional<Stepping::How> how_;  // how far the run of motion goes; nullopt: the single block switch decides
-  bool holds_ = false;                // a feed hold is active
-  bool resets_ = false;               // a reset was requested, and is due when the axes are at rest
-  bool goes_on_ = false;              // the program has not ended: one of its channels is held before a block
-  Control* asks_ = nullptr;           // the control whose program waits for an answer to its question
+  bool holds_ = false;                // true while a feed hold is active
+  bool resets_ = false;               // True if a reset was requested. The reset is executed when the axes are at rest.
+  bool goes_on_ = false;              // True if the program has not ended: one of its channels is held before a block.
+  Control* asks_ = nullptr;           // the control whose program waits for an answer to a question
   std::vector<Before> before_;
   std::optional<PanelApproach> going_;
-  // Numbers of executed blocks: in all lines of the operator; before the line of the operator that is being executed.
+  // Numbers of executed blocks: `entered_` in all lines of the operator, `entering_from_` before the line of the operator that is being
+  // executed.
   std::uint64_t entered_ = 0, entering_from_ = 0;
-  // While edited tables are applied: the search for the present location in a run with these tables; else nullopt.
+  // While edited tables are applied: the search for the present location in a run with these tables; otherwise nullopt.
   std::optional<PanelSearch::SearchRequest> retables_;
   std::optional<Setup> tables_before_;  // the tables before the line of the operator that is being executed
   PanelLocation saved_location_;
-  bool has_moved_ = false;  // false: no motion has started since the machine was switched on
+  bool has_moved_ = false;  // false until a motion starts after the machine was switched on
   std::map<std::string, double> variables_;
-  std::map<std::string, std::uint32_t> set_by_;  // program line that set each variable last, by name of the variable
-  std::uint32_t last_line_ = 0;                  // program line of the present block
-  PanelState kept_;                              // the part of the state that changes only by requests: switches, stop points, message
+  std::map<std::string, std::uint32_t> set_by_;  // The program line that set each variable last. The key is the name of the variable.
+  std::uint32_t last_line_ = 0;                  // number of the program line of the present block
+  PanelState kept_;                              // The part of the state that show() does not compute: switches, stop points, message.
 
-  // The members below are shared between threads. This lock protects them.
+  // Several threads use the members below; the mutex lock_ protects these members.
   std::mutex lock_;
   std::condition_variable wakes_;
   std::deque<Asked> asked_;

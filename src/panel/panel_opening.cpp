@@ -1,5 +1,5 @@
-// PanelMachine: opens the session of its program at the beginning, and applies the switches. Used by panel/panel_machine; tested by
-// tests/panel/panel_machine_test.cpp, tests/panel/panel_channels_test.cpp.
+// PanelMachine, the opening of a session at the beginning of the program, and the switches. Used by panel/panel_machine; tested by
+// tests/panel/panel_machine_test.cpp and tests/panel/panel_channels_test.cpp.
 
 #include "panel/panel_machine.h"
 #include "texts/panel.h"
@@ -11,7 +11,7 @@ using Failed = tl::unexpected<std::string>;
 
 }  // namespace
 
-/// Called once for each machine. The number of channels never changes after that.
+/// Creates a machine. After this call the number of channels never changes.
 tl::expected<std::unique_ptr<PanelMachine>, std::string> PanelMachine::make(SessionOpener opens, PanelRecorder keeper,
                                                                             const std::optional<Axes>& start, std::vector<Axes> stands) {
   std::unique_ptr<PanelMachine> machine(new PanelMachine(std::move(opens), std::move(keeper), std::move(stands)));
@@ -38,7 +38,7 @@ PanelMachine::Answer PanelMachine::make_lanes() {
   own_ = session_->own();
   for (std::size_t i = 0; i < lanes_.size() && stands_.size() == lanes_.size(); ++i)
     if (i != own_) lanes_[i]->clock.stand_at(stands_[i]);
-  lane_ = lanes_[own_].get();  // from now on, other threads read lane_
+  lane_ = lanes_[own_].get();  // From this line on, other threads read lane_.
   return {};
 }
 
@@ -49,7 +49,7 @@ void PanelMachine::obey_switches() {
   }
 }
 
-/// Opens a session at the beginning of the program.
+/// Opens a session at the beginning of the program and connects it with the machine.
 PanelMachine::Answer PanelMachine::begin_session(const std::optional<Axes>& start) {
   stops_ = false;
   auto opened = opens_(start, StopToken(stops_));
@@ -60,7 +60,7 @@ PanelMachine::Answer PanelMachine::begin_session(const std::optional<Axes>& star
     kept_.skip.insert(session_->setup().skip.begin(), session_->setup().skip.end()), kept_.optional_stop = session_->setup().optional_stop;
   start_ = start;
   Control& control = session_->control();
-  control.return_each_block();  // a stop request can then hold the program before the very next block
+  control.return_each_block();  // The control returns after each block, so that a stop request can hold the program before the next block.
   control.watch_calls();
   stepping_ = std::make_unique<Stepping>(*session_);
   stepping_->keep(kept_.stops);
@@ -106,7 +106,7 @@ PanelMachine::Answer PanelMachine::open(const std::optional<Axes>& start) {
     if (i != own_) session_->stand_at(i, stands_.back());
   }
   if (search_) begin_search();
-  session_->alone(session_->own());  // the other channels start later, with the first run()
+  session_->alone(session_->own());  // The other channels start later, with the first run().
   const Session::State state = stepping_->go(Stepping::How::block);
   kept_.asks = false;
   stand_here();
@@ -116,8 +116,8 @@ PanelMachine::Answer PanelMachine::open(const std::optional<Axes>& start) {
   return {};
 }
 
-/// Returns the program to its beginning. If the program file can no longer be read, the program counts as ended; but an alarm or emergency
-/// stop is over in that case too, so that the axes can be moved by hand.
+/// Returns the program to its beginning. If the program file can no longer be read, the program counts as ended. An alarm or an emergency
+/// stop is over in this case too, so that the operator can move the axes by hand.
 PanelMachine::Answer PanelMachine::start_over() {
   Answer opened = open(lane_->clock.sample().machine);
   if (!opened) kept_.mode = PanelMode::ended, kept_.alarm.reset();
@@ -127,7 +127,7 @@ PanelMachine::Answer PanelMachine::start_over() {
 /// Passes the start position and the switches of this run to the search.
 void PanelMachine::begin_search() { search_->begin({start_, stands_, kept_.skip, kept_.optional_stop}); }
 
-/// Sets the displayed position and modes, before anything has moved.
+/// Sets the displayed position and modes before any axis has moved.
 void PanelMachine::stand_here() {
   for (std::size_t i = 0; i < lanes_.size(); ++i) {
     const Control& control = *session_->channels()[i].control;

@@ -1,5 +1,5 @@
-// PanelMachine: continues in mid-program. It moves the machine to the restart position, then restores the control's memory as if the
-// program had run up to there. Used by panel/panel_machine; tested by tests/panel/panel_restart_test.cpp.
+// PanelMachine, the restart in mid-program. The machine first moves to the restart position. Then the control's memory is restored as if
+// the program had been executed up to this position. Used by panel/panel_machine; tested by tests/panel/panel_restart_test.cpp.
 
 #include <fmt/core.h>
 
@@ -17,8 +17,9 @@ using Failed = tl::unexpected<std::string>;
 
 std::string no_room() { return translated(texts::panel::no_room_in_word); }
 
-constexpr double nowhere = -1e9;   // mm: a clearance so low that the path to the block needs no rise
-constexpr double at_place = 1e-3;  // mm, degrees: tolerance, since the user has seen the path's end rounded to thousandths
+constexpr double nowhere = -1e9;  // A clearance in mm that is so low that the path to the block needs no rise.
+// Tolerance of the end of a path, mm or degrees. It is needed because the user sees the end of the path rounded to thousandths.
+constexpr double at_place = 1e-3;
 
 }  // namespace
 
@@ -29,7 +30,7 @@ PanelMachine::Answer PanelMachine::may_go_there() const {
   return {};
 }
 
-/// Returns the restart sheet of a channel, starting from the present position of its axes.
+/// Returns the restart sheet of a channel for the present position of its axes.
 tl::expected<PanelSheet, std::string> PanelMachine::sheet_of_channel(std::size_t channel, const Restart& restart, bool in_block,
                                                                      const WayRules& rules) const {
   Control& control = *session_->channels()[channel].control;
@@ -42,11 +43,12 @@ tl::expected<PanelSheet, std::string> PanelMachine::sheet_of_channel(std::size_t
 
 tl::expected<std::vector<PanelSheet>, std::string> PanelMachine::sheets(const std::shared_ptr<const RestartPoint>& place,
                                                                         const WayRules& rules) {
-  const auto sheets = std::make_shared<std::vector<PanelSheet>>();  // shared with the request, which may run after this call has timed out
+  // The result is shared with the request, which may be executed after this call has timed out.
+  const auto sheets = std::make_shared<std::vector<PanelSheet>>();
   const Answer answer = ask([sheets, this, place, rules]() -> Answer {
     if (const Answer may = may_go_there(); !may) return may;
     WayRules of_others = rules;
-    of_others.clearance = nowhere;  // the clearance is a work coordinate of the own channel, and means nothing in the others
+    of_others.clearance = nowhere;  // The clearance is a work coordinate of the own channel, so it has no meaning in the other channels.
     auto own = sheet_of_channel(own_, place->restart, place->in_block, rules);
     if (!own) return Failed(own.error());
     sheets->push_back(std::move(*own));
@@ -62,7 +64,7 @@ tl::expected<std::vector<PanelSheet>, std::string> PanelMachine::sheets(const st
 }
 
 /// Checks a path against the travel limits of the axes.
-///   returns  the end of the path, or an error sentence
+///   returns  the end position of the path, or an error sentence
 tl::expected<Axes, std::string> PanelMachine::end_of(const PanelPath& way) const {
   const ChannelAxes& lane = *lanes_[way.channel];
   Axes at = lane.clock.sample().machine;
@@ -97,8 +99,8 @@ PanelMachine::Answer PanelMachine::lead_to(const std::vector<PanelPath>& ways, c
   return leads;
 }
 
-/// Adds to `going` the lines to be executed in a channel before and after the paths.
-///   left  keys of the items that keep their present value; those of other channels begin with the channel number
+/// Adds to `going` the lines that a channel must execute before and after the motion along the paths.
+///   left  keys of the items that keep their present value; the keys of other channels begin with the channel number
 PanelMachine::Answer PanelMachine::prepare(PanelApproach& going, std::size_t channel, const Restart& restart, bool in_block,
                                            const std::set<std::string>& left) const {
   const auto sheet = sheet_of_channel(channel, restart, in_block, {});
@@ -170,7 +172,7 @@ void PanelMachine::match_paths(const PanelPath& way) {
   begin_by_hand(*lanes_[way.channel], motions);
 }
 
-/// Continues the move to the restart position with its next line or path. Called when the axes are at rest.
+/// Continues the move to the restart position with its next line or path. The machine calls it when the axes are at rest.
 PanelMachine::Answer PanelMachine::go_on_there() {
   PanelApproach& going = *going_;
   if (!going.before.empty()) {
@@ -206,18 +208,19 @@ void PanelMachine::execute(std::deque<PanelApproach::Line>& lines) {
   begin_line(line.text, line.channel);
 }
 
-/// Called when the axes have arrived: sets the state as if the program had run up to the restart position.
+/// Sets the state as if the program had been executed up to the restart position. The machine calls it when the axes have arrived at this
+/// position.
 PanelMachine::Answer PanelMachine::arrive(const RestartPoint& place) {
   lane_->clock.stand_at(place.restart.stand.machine);
   for (const OtherChannelState& channel : place.beside) lanes_[channel.channel]->clock.stand_at(channel.restart.stand.machine);
   return resume_from(place);
 }
 
-/// Restores the state that the control has after a run up to the restart position.
+/// Restores the state that the control has after the program was executed up to the restart position.
 PanelMachine::Answer PanelMachine::resume_from(const RestartPoint& place) {
   if (const Status restored = stepping_->restore(place.memory); !restored) return Failed(translated(texts::panel::called_file_changed));
   obey_switches();
-  before_.clear();  // undo() cannot restore a state from before the restart
+  before_.clear();  // undo() cannot restore a state from before the restart, so these states are discarded.
   entered_ = 0;
   last_line_ = place.restart.at.line;
   note_variables(0);
@@ -230,7 +233,8 @@ PanelMachine::Answer PanelMachine::resume_from(const RestartPoint& place) {
   return {};
 }
 
-/// Restores another channel to its state at the restart position, in which it waits for other channels or continues with them.
+/// Restores another channel to its state at the restart position. In this state the channel waits for other channels or continues with
+/// them.
 void PanelMachine::set_other_channel(const OtherChannelState& channel) {
   ChannelAxes& lane = *lanes_[channel.channel];
   lane.start_over();
@@ -240,12 +244,13 @@ void PanelMachine::set_other_channel(const OtherChannelState& channel) {
   lane.on.modes = std::make_shared<PanelModes>(PanelModes{channel.restart.in_force, channel.calls});
   lane.has_ended = channel.is_over;
   if (!channel.waits) return;
-  begin_leg(channel.channel);  // this leg contains no motion
+  begin_leg(channel.channel);  // This leg has no motion; the call of waits() below ends it at the meeting.
   session_->together().waits(channel.channel, *channel.waits);
   lane.go_on();
 }
 
-/// True if each other channel has executed as many blocks as at the restart position, and those that wait have the same axis positions.
+/// True if each other channel has executed as many blocks as at the restart position, and if the axis positions of each waiting channel are
+/// the same as at the restart position.
 bool PanelMachine::stand_as_in(const RestartPoint& place) const {
   for (const OtherChannelState& channel : place.beside) {
     const ChannelAxes& lane = *lanes_[channel.channel];

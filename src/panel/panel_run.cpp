@@ -1,4 +1,4 @@
-// PanelMachine: executes a run of motion, in which the session's steps become motion in the servo clock's time. Used by
+// PanelMachine, the execution of a run of motion: the session's steps become motion in the time of the servo clock. Used by
 // panel/panel_machine.
 
 #include <algorithm>
@@ -15,12 +15,12 @@ namespace {
 
 using Failed = tl::unexpected<std::string>;
 
-constexpr double nearly_there = 1e-6;  // mm, degrees: a position that is nearer than this counts as reached
-constexpr double farthest = 1e5;       // mm, degrees: longest single motion by hand
+constexpr double nearly_there = 1e-6;  // A position counts as reached if the difference is smaller than this value; mm, degrees.
+constexpr double farthest = 1e5;       // the longest single motion by hand, mm or degrees
 
 }  // namespace
 
-/// Observes each step before the planner receives it.
+/// Observes each step before the planner receives the step.
 void PanelMachine::look(ChannelAxes& lane, Control& control, const Step& step) {
   if (looks_on_) looks_on_(step);
   const bool is_own = &lane == lane_;
@@ -55,17 +55,19 @@ void PanelMachine::look(ChannelAxes& lane, Control& control, const Step& step) {
   pending.feed = motion->kind == MotionKind::rapid || motion->kind == MotionKind::home ? 0 : step.time.feed;
 }
 
-/// Starts a leg (motion up to the next stop) of a channel. The planner of the leg starts at the position where the axes will be at rest.
+/// Starts a leg of a channel, that is, the motion up to the next stop. The planner of the leg starts at the position at which the axes will
+/// be at rest.
 void PanelMachine::begin_leg(std::size_t channel) {
   ChannelAxes& lane = *lanes_[channel];
   Control& control = *session_->channels()[channel].control;
-  // This function also replaces the one that used the planner of the previous leg.
+  // The new function replaces the function that used the planner of the previous leg.
   session_->outlets(channel).step = [this, &lane, &control](const Step& step) { look(lane, control, step); };
   lane.plan(session_->plan(channel), kept_.shares.dry_feed);
   session_->change_outlets();
 }
 
-/// Sets the functions that handle waiting codes: a leg ends at a waiting code, and a new leg starts when all channels have arrived there.
+/// Sets the functions that handle waiting codes. A leg ends at a waiting code. A new leg starts when all channels have arrived at this
+/// code.
 void PanelMachine::watch_channels() {
   if (is_alone()) return;
   ChannelOutlets& together = session_->together();
@@ -109,7 +111,7 @@ void PanelMachine::begin(Stretch::Of of, std::size_t channel) {
   play();
 }
 
-/// Starts the run of motion. Its motion is computed in the next look_round(), so that the caller gets an answer at once, even if the
+/// Starts the run of motion. The motion is computed in the next look_round(). The caller therefore gets an answer at once, even if the
 /// program calculates for a long time before the first motion.
 void PanelMachine::play() {
   kept_.mode = PanelMode::running;
@@ -131,7 +133,7 @@ void PanelMachine::begin_line(const std::string& line, std::size_t channel) {
   begin(Stretch::Of::line, channel);
 }
 
-/// Completes a line of the operator: the channel is held again before the block at which it was held before that line.
+/// Completes a line of the operator. The channel is then held again before the block at which it was held before this line.
 void PanelMachine::end_line() {
   const std::size_t channel = stretch_->channel;
   ChannelAxes& lane = *lanes_[channel];
@@ -175,7 +177,7 @@ PanelMachine::Answer PanelMachine::move_by_hand(std::size_t channel, const std::
   return {};
 }
 
-/// Returns the position without programmed frames and rotations, for motion along the machine's axes.
+/// Returns the position without programmed frames and rotations, for a motion along the machine's axes.
 ToolPosition PanelMachine::standing_plainly(std::size_t channel) const {
   ToolPosition stand = session_->stand(channel);
   stand.turn.reset(), stand.space.reset();
@@ -209,14 +211,14 @@ void PanelMachine::begin_by_hand(ChannelAxes& lane, const std::vector<Motion>& m
   play();
 }
 
-/// Executes the program in the session until enough motion is planned for every channel's clock.
+/// Executes the program in the session until enough motion is planned for the clock of every channel.
 void PanelMachine::provide() {
   const auto any = [this](bool (ChannelAxes::*is)() const) {
     return std::any_of(lanes_.begin(), lanes_.end(), [is](const auto& lane) { return ((*lane).*is)(); });
   };
   const auto must_go_on = [&] {
     return any(&ChannelAxes::wants_more) || !any(&ChannelAxes::is_planned);
-  };  // if no leg is being planned, all channels wait or have ended: the session runs on
+  };  // If no leg is being planned, all channels wait or have ended, so the session must continue.
   while (!stretch_->planned_all && must_go_on() && !any(&ChannelAxes::is_full)) go_on();
   for (const auto& lane : lanes_) lane->go_on();
 }
@@ -232,7 +234,7 @@ bool PanelMachine::is_over() const {
   return stretch_->planned_all && std::all_of(lanes_.begin(), lanes_.end(), [](const auto& lane) { return lane->is_over(); });
 }
 
-/// Completes a run of motion, at whose end the axes have stopped.
+/// Completes a run of motion. The axes have stopped at its end.
 void PanelMachine::end_run() {
   for (const auto& lane : lanes_) lane->settle();
   const Stretch::Of of = stretch_->of;
@@ -248,10 +250,10 @@ void PanelMachine::end_run() {
       for (std::size_t a = 0; a < lanes_[i]->axes.size() && a < max_axes; ++a) is = is && std::fabs(there[a] - at[a]) < nearly_there;
       return is;
     };
-    const Axes& aim = lanes_[i]->pending.machine;  // end position of a motion by hand, for which one channel moves
+    const Axes& aim = lanes_[i]->pending.machine;  // End position of a motion by hand. Only one channel moves in such a motion.
     const Control& control = *session_->channels()[i].control;
     if (of == Stretch::Of::hand && !control.meeting() && !control.in_block()) session_->stand_at(i, is_at(aim) ? aim : at);
-    // If the axes are at the session's position except for the planner's rounding errors, they get exactly that position.
+    // If the axes are at the session's position except for rounding errors of the planner, they get exactly the session's position.
     if (const Axes stand = session_->stand(i).machine; is_at(stand)) clock.stand_at(stand);
   }
   if (of != Stretch::Of::hand) show_what_is_in_force();
@@ -269,8 +271,8 @@ void PanelMachine::end_run() {
   else if (kept_.mode == PanelMode::standing) tell("stopped", kept_.why, stepping_->line().number);
 }
 
-/// Updates the displayed modes, which blocks after the last motion may have changed. Also updates the work zero, unless a motion of a
-/// compensated contour is not executed yet.
+/// Updates the displayed modes, because blocks after the last motion may have changed the modes. The work offset is updated too, unless a
+/// motion of a compensated contour is not executed yet.
 void PanelMachine::show_what_is_in_force() {
   const bool in_contour = is_in_contour();
   for (std::size_t i = 0; i < lanes_.size(); ++i) {
@@ -283,7 +285,7 @@ void PanelMachine::show_what_is_in_force() {
   }
 }
 
-/// Drops the run of motion. The axes stay where they are.
+/// Discards the run of motion. The axes stop at their current position.
 void PanelMachine::drop_run() {
   for (const auto& lane : lanes_) lane->drop();
   stretch_.reset();

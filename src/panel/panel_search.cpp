@@ -1,4 +1,4 @@
-// PanelSearch: finds restart positions in a machine's program. Used by panel/panel_machine; tested by tests/panel/panel_restart_test.cpp.
+// PanelSearch finds restart positions in a machine's program. Used by panel/panel_machine; tested by tests/panel/panel_restart_test.cpp.
 
 #include "panel/panel_search.h"
 
@@ -27,7 +27,7 @@ void PanelSearch::begin(const PanelStart& start) {
   {
     const std::lock_guard hold(lock_);
     to_begin_ = start;
-    stops_ = true;  // interrupts the search that is in progress
+    stops_ = true;  // The flag interrupts the search that is in progress.
     answer_.reset();
   }
   wakes_.notify_all();
@@ -69,14 +69,14 @@ void PanelSearch::live() {
   forget();
 }
 
-/// Destroys first the objects that use the session, then the session.
+/// Destroys the objects that use the session first, and then the session.
 void PanelSearch::forget() {
   own_is_over_ = false;
   run_.stepping.reset(), run_.checkpoints.reset(), run_.session.reset();
   run_ = {};
 }
 
-/// Opens a session with the same start position and switches as the machine's session, but without observers.
+/// Opens a session with the same start position and switches as the session of the machine, but without observers.
 std::unique_ptr<Session> PanelSearch::open() {
   auto opened = opens_(start_.axes, StopToken(stops_));
   if (!opened) {
@@ -100,7 +100,8 @@ std::unique_ptr<Session> PanelSearch::open() {
   return session;
 }
 
-/// Lets another channel end when the own channel has ended; otherwise an endless program in that channel would keep the search from ending.
+/// Lets another channel end when the own channel has ended. Otherwise an endless program in the other channel would prevent the end of the
+/// search.
 void PanelSearch::end_with_own(Control& other) {
   other.holds_before = [this](const Origin&) { return own_is_over_; };
 }
@@ -114,7 +115,7 @@ void PanelSearch::prepare(const PanelStart& start) {
   session->control().watch_calls();
   session->together().over = [this, own = session->own()](std::size_t channel) { own_is_over_ = own_is_over_ || channel == own; };
   auto checkpoints = std::make_unique<Checkpoints>(*session);
-  (void)checkpoints->run();  // runs until nothing can continue, for whatever reason
+  (void)checkpoints->run();  // The session runs until no channel can continue, whatever the reason is.
   run_.stepping = std::make_unique<Stepping>(*session);
   run_.checkpoints = std::move(checkpoints);
   run_.session = std::move(session);
@@ -139,7 +140,7 @@ std::optional<BlockSearch> PanelSearch::search_by_control(const StopPoint& targe
   return search_block(*session, stepping, target);
 }
 
-/// Finds the block that the channel would execute next, without executing that block. The session cannot be continued afterwards.
+/// Finds the block that the channel would execute next, without executing this block. The session cannot be continued afterwards.
 void PanelSearch::find_next(OtherChannelState& channel) {
   Session& session = *run_.session;
   Control& control = *session.channels()[channel.channel].control;
@@ -152,7 +153,7 @@ void PanelSearch::find_next(OtherChannelState& channel) {
   end_with_own(control);
 }
 
-/// Returns the state of the other channels when the own channel has reached the restart position.
+/// Returns the state of the other channels at the moment at which the own channel has reached the restart position.
 std::vector<OtherChannelState> PanelSearch::beside() {
   Session& session = *run_.session;
   std::vector<OtherChannelState> all;
@@ -178,14 +179,15 @@ std::vector<OtherChannelState> PanelSearch::beside() {
   return all;
 }
 
-/// Opens a session in which each channel runs from its beginning until it has executed the number of blocks that the request states for it.
+/// Opens a session in which each channel runs from its beginning until it has executed the number of blocks that the request states for
+/// this channel.
 void PanelSearch::run_each_channel(const SearchRequest& request) {
   run_.session = open();
   if (!run_.session) return;
   Session& session = *run_.session;
   session.control().watch_calls();
   run_.stepping = std::make_unique<Stepping>(session);
-  session.alone(session.own());  // the own channel starts before the others
+  session.alone(session.own());  // The own channel starts before the other channels.
   (void)run_.stepping->go(Stepping::How::block);
   for (std::size_t i = 0; i < session.channels().size() && i < request.blocks.size(); ++i)
     if (i != session.own())

@@ -1,4 +1,5 @@
-// PanelSheet: the list that an operator checks before a restart. Used by panel/panel_machine; tested by tests/panel/panel_restart_test.cpp.
+// PanelSheet is the list that an operator checks before a restart. Used by panel/panel_machine; tested by
+// tests/panel/panel_restart_test.cpp.
 
 #include "panel/panel_sheet.h"
 
@@ -19,7 +20,7 @@ const CodeRow* row_of(const InForce& one, const ControlDef& def) {
   return one.kind != Kind::code || found == def.codes.end() ? nullptr : &*found;
 }
 
-/// True if the machine performs this item (tool, spindle, coolant), false if only the control's memory changes.
+/// True if the machine executes this item (tool, spindle, coolant). False if the item changes only the control's memory.
 bool is_done_by_machine(const InForce& one, const ControlDef& def) {
   switch (one.kind) {
     case Kind::tool:
@@ -39,15 +40,15 @@ PanelSheet::By by_what(const InForce& one, const ControlDef& def) {
   return is_done_by_machine(one, def) ? PanelSheet::By::line : PanelSheet::By::memory;
 }
 
-/// Returns the blocks that set exactly these items; no blocks if one of the items cannot be set by any block.
+/// Returns the blocks that set exactly these items. The list is empty if no block can set one of the items.
 Result<std::vector<std::string>> lines_of(const std::vector<InForce>& things, const ControlDef& def) {
   auto blocks = restart_blocks(def, things, things, {});
   if (!blocks) return fail(blocks.error());
   return std::move(blocks->blocks);
 }
 
-/// True if the operator may keep the item's present value, because a line can set it after the restart: it affects neither how the tool
-/// moves nor where its path is.
+/// True if the operator may keep the present value of the item. This is allowed if a line can set the value after the restart, and if the
+/// item affects neither how the tool moves nor the location of the tool's path.
 bool may_be_left(const PanelSheet::Row& row, const ControlDef& def) {
   if (!row.wanted || !row.now) return false;
   switch (row.now->kind) {
@@ -99,7 +100,7 @@ Result<std::vector<std::string>> lines_before(const PanelSheet& sheet, const std
   });
   std::vector<InForce> things;
   for (const PanelSheet::Row& row : sheet.rows) {
-    // a tool change may stop spindle or coolant, which must then start again
+    // A tool change may stop the spindle or the coolant, so these must start again.
     const bool again = changes_tool && row.wanted && is_done_by_machine(*row.wanted, def);
     if ((row.by == PanelSheet::By::line || again) && !is_left(row)) things.push_back(*row.wanted);
   }

@@ -1,6 +1,6 @@
 #pragma once
-// PanelSheet: the list that an operator checks before a program continues in the middle: the modes, tool and offsets that the block
-// requires, which of them differ now, and the path to the block.
+// PanelSheet is the list that an operator checks before a program continues in mid-program. It states the modes, the tool and the offsets
+// that the block requires, which of these differ at present, and the path to the block.
 
 #include <set>
 #include <string>
@@ -16,22 +16,22 @@ struct PanelSheet {
     nothing,  // the item already has the required value
     way,      // the axes move to the required position
     line,     // a line sets the value before the axes move: tool, spindle, coolant
-    memory,   // the value is set when the control's memory is restored, as if the program had run
+    memory,   // the value is set when the control's memory is restored, as if the program had been executed
   };
   struct Row {
     std::optional<InForce> wanted, now;
     By by = By::nothing;
-    bool may_be_left = false;  // the operator may choose to keep the present value
+    bool may_be_left = false;  // true if the operator may choose to keep the present value
   };
   std::vector<Row> rows;
   std::vector<WayPoint> way;
-  RestartBlocks blocks;  // blocks that set everything required, for another machine with the same control
+  RestartBlocks blocks;  // The blocks that set everything that is required, for use on another machine with the same control.
 };
 
-/// Returns the key by which a request names an item of the sheet: its kind and its name.
+/// Returns the key with which a request names an item of the sheet. The key consists of the item's kind and name.
 std::string key_of(const InForce& one);
 
-/// Creates the sheet of one channel from the present position of its axes and the present modes.
+/// Returns the sheet of one channel for the present position of its axes and the present modes.
 ///   in_block  true: the program continues in the middle of a block
 ///   alarms    word_has_no_room
 Result<PanelSheet> sheet_of(const Restart& restart, bool in_block, const ToolPosition& stand, const std::vector<InForce>& now,
@@ -41,8 +41,8 @@ Result<PanelSheet> sheet_of(const Restart& restart, bool in_block, const ToolPos
 ///   left     keys of items that keep their present value
 ///   alarms   word_has_no_room
 Result<std::vector<std::string>> lines_before(const PanelSheet& sheet, const std::set<std::string>& left, const ControlDef& def);
-/// Returns the lines that the control must execute after the restart, to set again the items that the operator keeps: restoring the
-/// control's memory sets every item to the program's value.
+/// Returns the lines that the control must execute after the restart. These lines restore the items whose present value the operator keeps,
+/// because restoring the control's memory sets every item to the program's value.
 Result<std::vector<std::string>> lines_after(const PanelSheet& sheet, const std::set<std::string>& left, const ControlDef& def);
 
 }  // namespace kadr

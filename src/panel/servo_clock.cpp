@@ -1,4 +1,4 @@
-// ServoClock. Used by panel/panel_machine; tested by tests/panel/servo_clock_test.cpp.
+// ServoClock outputs positions at a fixed rate. Used by panel/panel_machine; tested by tests/panel/servo_clock_test.cpp.
 
 #include "panel/servo_clock.h"
 
@@ -32,9 +32,9 @@ ServoClock::~ServoClock() {
 void ServoClock::play(Playback* playback) {
   std::unique_lock hold(idle_lock_);
   playback_.store(nullptr, std::memory_order_release);
-  idles_.wait(hold, [this] { return idle_; });  // this waits for one instant of the clock at most
+  idles_.wait(hold, [this] { return idle_; });  // The call waits for one instant of the clock at most.
   if (playback == nullptr) return;
-  now_.played = 0, now_.motion = 0, now_.tag = 0;  // the old tag may refer to the file of an entered line, which no longer exists
+  now_.played = 0, now_.motion = 0, now_.tag = 0;  // The old tag may refer to the file of an entered line, which no longer exists.
   now_.plays = true;
   show();
   playback_.store(playback, std::memory_order_release);
@@ -97,7 +97,7 @@ void ServoClock::show() {
   shown_ = now_;
 }
 
-/// Publishes the sample, unless a reader holds the lock. In that case readers get the next sample, at the next instant.
+/// Publishes the sample, unless a reader holds the lock. In this case the readers get the next sample, at the next instant.
 void ServoClock::show_if_free() {
   if (const std::unique_lock hold(shown_lock_, std::try_to_lock); hold) shown_ = now_;
 }

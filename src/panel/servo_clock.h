@@ -1,6 +1,6 @@
 #pragma once
-// ServoClock: the clock that outputs positions at a fixed rate. At each instant its thread reads the next positions of the axes from a
-// Playback and publishes them. Planning, serving and drawing cannot delay it.
+// ServoClock is the clock that outputs positions at a fixed rate. At each instant its thread reads the next positions of the axes from a
+// Playback and publishes them. Planning, serving and drawing cannot delay this thread.
 //
 //   planner ──offer──▶ Playback ──▶ one position per instant ──▶ sample(), from any thread
 
@@ -17,32 +17,32 @@ namespace kadr {
 
 /// The state of the axes at one instant of the servo clock.
 struct ServoSample {
-  std::uint64_t instant = 0;  // number of instants so far at which motion was played
-  Axes machine{};             // mm, degrees
-  std::uint64_t tag = 0;      // tag of the plan at this position; Spent::of() returns its program line
+  std::uint64_t instant = 0;  // number of instants so far at which a motion was played
+  Axes machine{};             // position of the axes in machine coordinates, mm or degrees
+  std::uint64_t tag = 0;      // tag of the plan at this position; Spent::of() returns the program line of a tag
   std::uint64_t motion = 0;   // Playback::motion()
-  double share = 1;           // share of the planned speed that is reached
-  double played = 0;          // how much of the plan has been played, s
-  double speed = 0;           // path speed of X, Y and Z together, mm/min
-  bool plays = false;         // there is more motion to play
-  bool held = false;          // an override of 0 has stopped the axes
+  double share = 1;           // the override that is reached, as a factor of the planned speed
+  double played = 0;          // plan time that has been played, s
+  double speed = 0;           // path speed of the axes X, Y and Z together, mm/min
+  bool plays = false;         // true if there is more motion to play
+  bool held = false;          // true if an override of 0 (feed hold) has stopped the axes
   double late = 0;            // the greatest delay of an instant so far, s
 };
 
 class ServoClock {
  public:
-  /// `rate`: number of instants per second. `stand`: machine coordinates of the axes at the start.
+  /// `rate` is the number of instants per second. `stand` is the position of the axes at the start, in machine coordinates.
   ServoClock(double rate, const Axes& stand, const AxisRoles& roles);
   ~ServoClock();
-  ServoClock(const ServoClock&) = delete;  // not copied: the clock's thread refers to this object
+  ServoClock(const ServoClock&) = delete;  // Copying is disabled because the clock's thread refers to this object.
   ServoClock& operator=(const ServoClock&) = delete;
 
-  /// Plays this motion from the next instant on; nullptr: the axes stay where they are. When the function returns, the previous playback
-  /// is no longer used.
+  /// Plays the motion of `playback` from the next instant on. With nullptr the axes stay at their position. When the function returns, the
+  /// clock no longer uses the previous playback.
   void play(Playback* playback);
   /// Sets the position of the axes while no motion is played.
   void stand_at(const Axes& machine);
-  /// Emergency stop: from the next instant on no position changes until release(). May be called from any thread.
+  /// Emergency stop: from the next instant on, no position changes until release(). Any thread may call it.
   void stop_at_once() { stopped_.store(true, std::memory_order_release); }
   void release() { stopped_.store(false, std::memory_order_release); }
   bool was_stopped() const { return stopped_.load(std::memory_order_acquire); }
@@ -59,12 +59,12 @@ class ServoClock {
   std::atomic<Playback*> playback_{nullptr};
   std::atomic<bool> stopped_{false}, ends_{false};
   std::mutex idle_lock_;
-  std::condition_variable wakes_;  // notified when motion is to be played
-  std::condition_variable idles_;  // notified when the clock's thread waits
+  std::condition_variable wakes_;  // notified when the clock has motion to play
+  std::condition_variable idles_;  // notified when the clock's thread begins to wait
   bool idle_ = false;
-  ServoSample now_;  // the present sample; other threads may write it only while the clock's thread waits
+  ServoSample now_;  // The present sample. Other threads may write it only while the clock's thread waits.
 
-  // Protects the published sample. The clock's thread never waits for this lock while motion is played.
+  // Protects the published sample. The clock's thread never waits for this lock while a motion is played.
   mutable std::mutex shown_lock_;
   ServoSample shown_;
   Thread thread_;

@@ -1,5 +1,5 @@
 #pragma once
-// The start of a panel machine: the function that opens a session of its program, and the operator's switches.
+// This file has the start data of a panel machine: the function that opens a session of the program, and the operator's switches.
 
 #include <functional>
 #include <memory>
@@ -12,16 +12,17 @@
 
 namespace kadr {
 
-/// Opens a session of the program at its beginning, with the axes at `start` in machine coordinates (nullopt: the start position of the
-/// set-up). May be called from any thread.
-///   returns  an error sentence
+/// The type of the function that opens a session of the program at its beginning. `start` is the position of the axes in machine
+/// coordinates; nullopt means the start position of the set-up. Any thread may call the function.
+///   returns  the session, or an error sentence
 using SessionOpener =
     std::function<tl::expected<std::unique_ptr<Session>, std::string>(const std::optional<Axes>& start, const StopToken& stop)>;
 
 /// The start position and the switches of a run.
 struct PanelStart {
-  std::optional<Axes> axes;    // machine coordinates at the start; nullopt: they are in the set-up
-  std::vector<Axes> stands{};  // starts of the channels, by index; the own channel uses `axes`; empty: they are in the set-up
+  std::optional<Axes> axes;  // start position of the own channel in machine coordinates; nullopt: the start position is in the set-up
+  // Start positions of all channels, by index, where the own channel uses `axes`; empty: the start positions are in the set-up.
+  std::vector<Axes> stands{};
   std::set<int> skip;
   bool optional_stop = false;
   friend bool operator==(const PanelStart&, const PanelStart&) = default;

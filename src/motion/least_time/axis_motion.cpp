@@ -1,5 +1,5 @@
-// AxisMotion: converts Steps into the axes' motion in time. AxisMotion computes each motion's curve in machine coordinates, the positions
-// at which the axes stop, and the duration of pauses; the Planner then computes the speeds. Used by cli and motion.
+// AxisMotion converts Steps into the axes' motion in time. It computes each motion's curve in machine coordinates, the positions at which
+// the axes stop, and the duration of pauses. The Planner then computes the speeds. Used by cli and motion.
 
 #include "motion/least_time/axis_motion.h"
 
@@ -13,21 +13,21 @@
 namespace kadr {
 namespace {
 
-constexpr double shortest_rise = 1e-3;          // s, build-up time of the acceleration if no jerk time is stated (one servo period)
+constexpr double shortest_rise = 1e-3;  // Build-up time of the acceleration, s, if the set-up states no jerk time: one servo period.
 constexpr double unlimited_acceleration = 1e6;  // mm/s²: 100 g
-// Chord error of an arc, as a share of the tolerance. With this share, a chord is a tenth as long as the rounded corners at its ends are
-// wide.
+// Chord error of an arc, as a fraction of the tolerance. With this fraction, the length of a chord is a tenth of the width of the rounded
+// corners at its ends.
 constexpr double chord_of_tolerance = 0.04;
 
-/// Returns the limits that the set-up states for this axis, or else for all axes ("*"); nullptr if the set-up states neither.
+/// Returns the limits that the set-up states for this axis, or otherwise for all axes ("*"); nullptr if the set-up states neither.
 const AxisLimits* of_axis(const Setup& setup, const std::string& axis) {
   for (const std::string& name : {axis, std::string("*")})
     if (const auto found = setup.machine.find(name); found != setup.machine.end()) return &found->second;
   return nullptr;
 }
 
-/// Returns true for actions during which the axes are at rest (nct 7.0.1: the motion stops if a function is executed after it). Words
-/// that only set a value (speed, coolant, tool to be prepared, message) do not stop the motion.
+/// Returns true for actions during which the axes are at rest. NCT 7.0.1: the motion stops if the control executes a function after it.
+/// Words that only set a value (speed, coolant, tool to be prepared, message) do not stop the motion.
 bool needs_rest(const Action& action) {
   return by_kind(
       action, [](const ToolChange& change) { return !change.there; }, [](const MachineFunction& function) { return !function.by_control; },
@@ -42,8 +42,8 @@ double distance(const Axes& from, const Axes& to) {
   return std::sqrt(squares);
 }
 
-/// Returns the factor that converts a tolerance in mm to a tolerance of a polar or cylindrical motion, whose rotary axis is in degrees.
-/// At a radius above 180/π mm, one degree moves the tool by more than 1 mm, so the tolerance is reduced by that ratio.
+/// Returns the factor that converts a tolerance in mm to the tolerance of a polar or cylindrical motion, whose rotary axis is in degrees.
+/// At a radius above 180/π mm, one degree moves the tool by more than 1 mm, so the tolerance is reduced by the ratio of the two.
 double degrees_for_mm(const Curve& curve, const Motion& motion) {
   if (curve.surface() == PathSurface::plane) return 1;
   const MotionDetail& detail = *motion.detail;
@@ -57,7 +57,8 @@ double degrees_for_mm(const Curve& curve, const Motion& motion) {
 MotionLimits motion_limits(const MachineProfile& profile, const Setup& setup, const std::vector<std::string>& axes) {
   constexpr double per_second = 1.0 / 60;
   MotionLimits limits;
-  Setup at_full_rate = setup;  // the override lengthens the programmed time of rapid motions, but does not change the axis limits
+  // The rapid override is not applied here. It lengthens the programmed time of rapid motions, but it does not change the axis limits.
+  Setup at_full_rate = setup;
   at_full_rate.rapid_override = 100;
   const Rates rates = rates_of(profile, at_full_rate, axes);
   for (std::size_t i = 0; i < std::min(axes.size(), max_axes); ++i) {
@@ -99,13 +100,13 @@ void AxisMotion::start(const Setup& setup, const std::vector<std::string>& axes)
   now_.smoothing = Smoothing(smoothing_rules(setup, axes));
 }
 
-/// Records the motion that is planned next. Returns the number of this record; until the cells of the motion are emitted, the number is
-/// their tag.
+/// Records the motion that is planned next. Returns the number of this record. The number is the tag of the motion's cells until these
+/// cells are emitted.
 std::uint64_t AxisMotion::record(Spent spent, Switches switches, const Motion& motion) {
   Record record{++now_.motions, spent.tag(), switches, now_.spindle.turning(), motion.own_override ? 1 : now_.spindle.override_part(), 0};
   SurfaceSpeed& surface = record.spindle.surface;
   if (surface.on && surface.axis < max_axes) record.shift = motion.to[surface.axis] - motion.machine[surface.axis];
-  // nct 11.5.1: at the start of a rapid motion the spindle already takes the speed for the end position
+  // nct 11.5.1: at the start of a rapid motion the spindle already changes to the speed for the end position.
   if (spent.on == Spent::On::rapid) {
     record.spindle.arrive(motion.to);
     surface.on = false;
@@ -114,7 +115,7 @@ std::uint64_t AxisMotion::record(Spent spent, Switches switches, const Motion& m
   return now_.motions;
 }
 
-/// Returns the spindle speed in a cell, degrees per second; with constant surface speed, the speed in the middle of the cell.
+/// Returns the spindle speed in a cell, degrees per second. With constant surface speed it is the speed in the middle of the cell.
 double AxisMotion::spindle_rate(const Record& record, const TimedCells& cells, std::size_t cell) {
   const SpindleTurning& spindle = record.spindle;
   Axes work{};
@@ -126,7 +127,7 @@ double AxisMotion::spindle_rate(const Record& record, const TimedCells& cells, s
   return record.spindle_part * spindle.degrees(spindle.at(work));
 }
 
-/// Replaces the record numbers in the cells by the data of the records and emits the cells.
+/// Replaces the record number in each cell by the data of the record and emits the cells.
 void AxisMotion::deliver(TimedCells& cells) {
   cells.spindle.clear();
   for (std::size_t k = 0; k < cells.laws.size(); ++k) {
@@ -143,8 +144,8 @@ void AxisMotion::deliver(TimedCells& cells) {
 }
 
 void AxisMotion::look_for_faults(const TimedCells& cells) {
-  // accepted excess of the path's deviation, as a share of the tolerance; the deviation is checked at sample positions only
-  // (docs/planner.md)
+  // Accepted excess of the path's deviation, as a fraction of the tolerance. An excess is possible because the deviation is checked at
+  // sample positions only (docs/planner.md).
   constexpr double tolerated = 0.01;
   if (cells.unsolved && !cells.sources.empty()) {
     if (now_.faults.unsolved++ == 0) now_.faults.unsolved_at = Spent::of(cells.sources.front().tag);
@@ -252,7 +253,7 @@ void AxisMotion::smooth(const Step& step, const Motion& motion, std::uint64_t nu
 
 void AxisMotion::end_smoothing() { now_.smoothing.finish(line_); }
 
-/// Adds a thread to the chain. Several threads in a row continue without a stop; only the first waits for the spindle (nct 4.4).
+/// Adds a thread to the chain. Consecutive threads continue without a stop; only the first thread waits for the spindle (nct 4.4).
 void AxisMotion::add_thread(const Step& step, const Motion& motion, Spent spent) {
   const bool anew = motion.detail->start_angle.has_value();
   if (anew || now_.threads.full()) cut_threads();
@@ -270,7 +271,7 @@ void AxisMotion::add_thread(const Step& step, const Motion& motion, Spent spent)
 }
 
 /// Emits a cell in which the axes wait until the first thread may start (nct 4.4). The cell is emitted even if the waiting time is 0,
-/// because an override may have delayed the axes.
+/// because Playback synchronises with the spindle in this cell if an override has delayed the axes.
 void AxisMotion::wait_for_spindle() {
   const double seconds = now_.spindle.seconds_to(now_.thread_angle, now_.threads.ramp() / 2);
   TimedCells still = standing(now_.threads.start(), seconds, now_.thread_spent, now_.spindle.per_second());
@@ -279,8 +280,8 @@ void AxisMotion::wait_for_spindle() {
   sink_(still);
 }
 
-/// Emits the chain of threads. If the chain must end early (another spindle speed, a function, too many threads) the next thread starts
-/// at the spindle angle that continues the same groove.
+/// Emits the chain of threads. The chain may have to end early because of another spindle speed, a function or too many threads. The next
+/// thread then starts at the spindle angle that continues the same groove.
 void AxisMotion::cut_threads() {
   if (now_.threads.empty() || ended() != PlanEnd::none) return;
   const Axes end = now_.threads.end();
@@ -298,7 +299,8 @@ AxisMotion::Feeds AxisMotion::feeds(const Pace& pace, const MachinePath& path, c
   std::vector<double> ways, minutes;
   double length = 0, sum = 0;
   Axes last = path.start();
-  // Pace::is_even() refers to the tip's path: under tool centre point control the axes move unevenly although the tip moves evenly
+  // Pace::is_even() refers to the path of the tool tip. Under tool centre point control the axes move unevenly although the tip moves
+  // evenly, so path.bends() is checked too.
   const bool even = pace.is_even() && !path.bends();
   for (int i = 1; i <= pieces && !stop_.asked(); ++i) {
     const Axes to = path.at(static_cast<double>(i) / pieces);
@@ -316,11 +318,11 @@ AxisMotion::Feeds AxisMotion::feeds(const Pace& pace, const MachinePath& path, c
   return {length, ways};
 }
 
-/// Returns how far the axes may deviate from the corner at the start of a piece under tool centre point control. If the previous motion
-/// had no tool centre point control, the tip is assumed to swing with the full distance from the rotary axes.
+/// Returns how far, mm, the axes may deviate from the corner at the start of a piece under tool centre point control. If the previous
+/// motion had no tool centre point control, the tip is assumed to swing with its full distance from the rotary axes.
 double AxisMotion::corner_of(const Step& step, const TcpPiece& piece, double tolerance) const {
   if (!(tolerance > 0)) return 0;
-  constexpr double used = 0.8;  // share of the tolerance that is used; the rest is a reserve for effects of higher order
+  constexpr double used = 0.8;  // Fraction of the tolerance that is used. The rest is a reserve for effects of higher order.
   if (now_.led.known) return tcp_tolerance(now_.led, piece, used * tolerance, step.from.space->rotary_axes());
   return tolerance / (1 + rad_per_deg * step.from.space->arm(step.from.machine));
 }
@@ -330,10 +332,11 @@ void AxisMotion::cut(const Step& step, const Motion& motion, std::uint64_t numbe
   const Curve& curve = step.curve();
   const bool stops = motion.exact || motion.kind == MotionKind::home || motion.kind == MotionKind::probe;
   const double tolerance = (motion.tolerance > 0 ? motion.tolerance : tolerance_) * degrees_for_mm(curve, motion);
-  const double rounding = stops || tolerance <= 0 ? tol::exact_path : tolerance;  // tolerance of the corners between the chords of a curve
+  // The tolerance of the corners between the chords of a curve.
+  const double rounding = stops || tolerance <= 0 ? tol::exact_path : tolerance;
   const double junction = now_.exact ? 0 : tolerance;
   const bool dry = dry_feed_ > 0 && (motion.kind == MotionKind::feed || is_arc(motion.kind) || motion.kind == MotionKind::spline);
-  const SpindleTurning any;  // a dry run does not depend on the spindle speed
+  const SpindleTurning any;  // The dry-run feed does not depend on the spindle speed, so any spindle will do.
   const Pace pace(roles_, curve, motion, dry ? dry_feed_ : step.time.feed, rapid_, dry ? any : now_.spindle.turning());
   const int pieces = std::max(path.pieces(chord_of_tolerance * rounding), pace.pieces());
   MotionTime time = step.time;

@@ -1,4 +1,4 @@
-// CellCutter: divides a smooth curve into cells. Used by motion/least_time/planner; tested by tests/motion/planner_test.cpp.
+// CellCutter divides a smooth curve into cells. Used by motion/least_time/planner; tested by tests/motion/planner_test.cpp.
 
 #include "motion/least_time/cell_cutter.h"
 
@@ -14,15 +14,16 @@
 namespace kadr {
 namespace {
 
-// growth of the cell size per mm of distance from the corner, stop or feed change that requires small cells
+// Growth of the cell size per mm of distance from the corner, stop or change of feed at which the cells must be small.
 constexpr double cell_growth = 0.2;
 constexpr double corner_part = 1.0 / SoftCorner::cells;
-constexpr double gentle = 0.1;       // greatest change of direction |Δu| of a corner that counts as a corner between two chords of a curve
-constexpr double longest_s = 0.014;  // s, duration of the longest cell at the commanded speed
-// mm²/s²: this value means that ṡ² has no limit; the value is finite, so that it can be used in calculations
+// The greatest change of direction |Δu| at which a corner is treated like a corner between two chords of a curve.
+constexpr double gentle = 0.1;
+constexpr double longest_s = 0.014;  // duration of the longest cell at the commanded speed, s
+// This value of ṡ², in mm²/s², means that there is no limit. It is finite so that it can be used in calculations.
 constexpr double fastest = 1e12;
 
-/// Computes the polynomial of the fifth degree that has the given positions and first two derivatives at 0 and at h.
+/// Computes the polynomial of the fifth degree that has the given values and first two derivatives at 0 and at `h`.
 void quintic(const std::array<double, 3>& from, const std::array<double, 3>& to, double h, double* c) {
   const double way = to[0] - from[0] - h * (from[1] + h * from[2] / 2);
   const double slope = to[1] - from[1] - h * from[2], bend = to[2] - from[2];
@@ -62,8 +63,8 @@ void CellCutter::begin() {
 }
 
 bool CellCutter::feed_changes(std::size_t vertex) const {
-  // Relative changes of feed that are ignored. The feed is computed as length / time, with numerical errors; in polar or cylindrical
-  // interpolation the feed varies everywhere.
+  // Relative changes of feed that are ignored. The feed is computed as length / time, with numerical errors. In polar or cylindrical
+  // interpolation the feed varies along the whole path, so a greater change is ignored in these motions.
   constexpr double of_way = 1e-3, on_surface = 0.05;
   if (path_->is_paced(vertex)) return false;
   const double same = path_->on_curve(vertex) ? on_surface : of_way;
@@ -71,9 +72,9 @@ bool CellCutter::feed_changes(std::size_t vertex) const {
   return std::fabs(before - behind) > same * (before + behind);
 }
 
-/// Returns the length, mm, that bounds the size of the cells at a change of feed: the length of the slower piece if its feed is less than
-/// half of the other feed, else the length of the whole path. A cell has the lowest feed of its pieces, so a cell must not extend far
-/// beyond a short and much slower piece.
+/// Returns the length, mm, that bounds the size of the cells at a change of feed. If the feed of the slower piece is at most half of the
+/// other feed, this is the length of the slower piece; otherwise it is the length of the whole path. A cell has the lowest feed of its
+/// pieces, so a cell must not extend far beyond a short and much slower piece.
 double CellCutter::room_at_feed_change(std::size_t vertex) const {
   constexpr double much = 2;
   const std::size_t slower = path_->feed(vertex - 1) < path_->feed(vertex) ? vertex - 1 : vertex, faster = 2 * vertex - 1 - slower;
@@ -81,7 +82,7 @@ double CellCutter::room_at_feed_change(std::size_t vertex) const {
   return path_->at(slower + 1) - path_->at(slower);
 }
 
-/// Returns a time that is longer than any ramp to `speed`, s. Where the ends of a piece are farther away than this time, the speed is
+/// Returns a time, s, that is longer than any ramp to `speed`. At positions farther than this time from both ends of a piece, the speed is
 /// constant.
 double CellCutter::ramp_s(double speed) const {
   double seconds = 0;
@@ -91,12 +92,12 @@ double CellCutter::ramp_s(double speed) const {
 }
 
 /// Returns the cell size, mm, at the path length `s`. Cells are small at corners, reversals, stops and changes of feed, and their size
-/// grows with the distance from these positions. A cell takes at most longest_s, except in the middle of a long piece. `curve_part`: cell
-/// size at the rounded corners between the chords of a curve, as a share of the width of these rounded corners.
+/// grows with the distance from these positions. A cell takes at most longest_s, except in the middle of a long piece. `curve_part` is the
+/// cell size at the rounded corners between the chords of a curve, as a fraction of the width of these corners.
 double CellCutter::size_at(double s, std::size_t piece, bool last, double curve_part) const {
   const double feed = path_->feed(piece), nearest = std::min(s - path_->at(piece), path_->at(piece + 1) - s);
   double size = longest_s * feed + cell_growth * std::max(0.0, nearest - feed * ramp_s(feed));
-  // Cell size next to a stop, mm: a hundredth of `way`, the length in which the speed can rise, but at most 0.01 mm.
+  // The cell size next to a stop, mm: a hundredth of `way`, but at most 0.01 mm. `way` is the length in which the speed can rise.
   const auto ramp_part = [](double way) { return 0.01 * std::min(1.0, way); };
   const auto rest = [&](std::size_t vertex) { return ramp_part(path_->room(vertex)); };
   size = std::min(size, rest(0) + cell_growth * s);
@@ -116,11 +117,12 @@ double CellCutter::size_at(double s, std::size_t piece, bool last, double curve_
   return std::min(size, size_in_chain(s, piece, reach));
 }
 
-/// Returns the size of a cell, mm, among gentle corners that are rounded together (a chain, path/smooth/smooth_path.h). Between programmed
-/// lines a cell is as long as the rounded corners are wide, so that the cell smooths the path further. Between the chords of a curve the
-/// path is smooth already; there the cells are shorter, because shorter cells follow the changes of speed better.
+/// Returns the size of a cell, mm, in a chain. A chain consists of gentle corners that are rounded together (path/smooth/smooth_path.h).
+/// Between programmed lines the length of a cell is the width of the rounded corners, so that the cell smooths the path further. Between
+/// the chords of a curve the path is already smooth. The cells are shorter on such a curve, because shorter cells follow the changes of
+/// speed better.
 double CellCutter::size_in_chain(double s, std::size_t piece, double reach) const {
-  constexpr double between_lines = 1, on_curves = 0.45;  // cell size as a share of the width of the rounded corners
+  constexpr double between_lines = 1, on_curves = 0.45;  // cell size as a fraction of the width of the rounded corners
   double away = reach;
   bool on_curve = false;
   const auto take = [&](std::size_t i, double off) {
@@ -135,11 +137,11 @@ double CellCutter::size_in_chain(double s, std::size_t piece, double reach) cons
   return (on_curve ? on_curves : between_lines) * w + cell_growth * std::max(0.0, away - w);
 }
 
-/// Returns true if the curvature is so even along a cell of the length `h` that one polynomial describes the path: the curvature in the
-/// middle is about the mean of the curvatures at the ends.
+/// Returns true if one polynomial can describe the path in a cell of the length `h`. This is the case if the curvature in the middle is
+/// about the mean of the curvatures at both ends.
 bool CellCutter::is_even(double h) {
-  constexpr double uneven = 0.02;        // allowed deviation of the middle curvature from the mean, as a share of the curvature
-  constexpr double unimportant = 0.008;  // a deviation that causes less than this share of the axis' acceleration limit is ignored
+  constexpr double uneven = 0.02;        // allowed deviation of the middle curvature from the mean, as a fraction of the curvature
+  constexpr double unimportant = 0.008;  // A deviation that causes less than this fraction of the axis' acceleration limit is ignored.
   Knot middle, end;
   const std::size_t half = path_->piece_at(cut_ + h / 2, piece_), far = path_->piece_at(cut_ + h, half);
   path_->evaluate(cut_ + h / 2, half, middle.x.data(), middle.x1.data(), middle.x2.data());
@@ -164,7 +166,8 @@ double CellCutter::next_size(bool last) {
 
 void CellCutter::set_knot(double s, std::size_t piece) { path_->evaluate(s, piece, knot_.x.data(), knot_.x1.data(), knot_.x2.data()); }
 
-/// Returns the type (corner or curve) of the tightest rounded corner that extends into the cell from the last knot to the length `to`.
+/// Returns the type (corner or curve) of the tightest rounded corner that extends into a cell. The cell starts at the last knot (the end of
+/// the previous cell) and ends at the path length `to`.
 Bend CellCutter::bend_at(double to, std::size_t end_piece) const {
   const double from = cut_, chain_before = path_->width_at(from, piece_).w, chain_after = path_->width_at(to, end_piece).w;
   Bend bend = Bend::none;
@@ -180,12 +183,12 @@ Bend CellCutter::bend_at(double to, std::size_t end_piece) const {
   return bend;
 }
 
-/// Returns by how much the deviation of a cell from the path exceeds the tolerance, as a share of the tolerance. The cell starts at the
-/// last knot and has the polynomials `c`. The deviation is checked at vertices, halfway between them, and at more positions if the cell has
-/// few pieces.
+/// Returns by how much the deviation of a cell from the path exceeds the tolerance, as a fraction of the tolerance. The cell starts at the
+/// end of the previous cell and has the polynomial coefficients `c`. The deviation is checked at the vertices and halfway between them. If
+/// the cell has few pieces, it is checked at more positions.
 double CellCutter::beyond(const double* c, double to, std::size_t last_piece) const {
-  constexpr double dense = 16;    // number of positions checked in a cell that lies within one piece
-  constexpr double used = 0.992;  // share of the tolerance that is used; the rest is a reserve for the positions between the samples
+  constexpr double dense = 16;    // number of checked positions in a cell that lies within one piece
+  constexpr double used = 0.992;  // Fraction of the tolerance that is used. The rest is a reserve for the positions between the samples.
   double most = 0;
   const auto look = [&](double s, std::size_t piece) {
     const double z = s - cut_;
@@ -208,8 +211,8 @@ double CellCutter::beyond(const double* c, double to, std::size_t last_piece) co
   return most;
 }
 
-/// Returns the lowest feed of the pieces of a cell that starts at the last knot; where the feed varies with the path, the lowest at
-/// sample positions of the cell.
+/// Returns the lowest feed, mm/s, of the pieces of a cell that starts at the end of the previous cell. Where the feed varies along the
+/// path, it is the lowest feed at sample positions of the cell.
 double CellCutter::feed_between(double from, double to) const {
   double feed = path_->feed(piece_);
   bool paced = piece_ > 0 && path_->is_paced(piece_);
@@ -233,8 +236,8 @@ double CellCutter::feed_between(double from, double to) const {
   return feed;
 }
 
-/// Computes the polynomials of a cell from the last knot to the length `to`, and the knot at `to`.
-///   returns  the excess of the cell's deviation over the tolerance, as a share of the tolerance
+/// Computes the polynomials of a cell from the end of the previous cell to the path length `to`, and the end of the new cell.
+///   returns  the excess of the cell's deviation over the tolerance, as a fraction of the tolerance
 double CellCutter::draw_cell(double to, std::size_t end_piece, double* c, Knot& end) {
   const bool straight = bend_at(to, end_piece) == Bend::none;
   path_->evaluate(to, end_piece, end.x.data(), end.x1.data(), end.x2.data());
@@ -243,14 +246,15 @@ double CellCutter::draw_cell(double to, std::size_t end_piece, double* c, Knot& 
     double* const of_axis = c + a * TimedPath::terms;
     std::fill(of_axis, of_axis + TimedPath::terms, 0);
     if (straight)
-      // a straight cell gets a linear polynomial: numerical errors would give a quintic one a third derivative, which slows the cell
+      // A straight cell gets a linear polynomial. In a polynomial of the fifth degree, numerical errors would cause a third derivative, and
+      // the jerk limit would then slow the cell down.
       of_axis[0] = start.x[a], of_axis[1] = start.x1[a];
     else quintic({start.x[a], start.x1[a], start.x2[a]}, {end.x[a], end.x1[a], end.x2[a]}, to - cut_, of_axis);
   }
   return straight ? 0 : beyond(c, to, end_piece);
 }
 
-/// Returns the greatest ṡ², mm²/s², that the feed and the axes' speeds allow in a cell of the length h.
+/// Returns the greatest ṡ², mm²/s², that the feed and the axes' speed limits allow in a cell of the length `h`.
 double CellCutter::most_in(const double* c, double h, double feed) const {
   double most = fastest;
   std::array<double, LeastTime::places> squares{};
@@ -264,8 +268,8 @@ double CellCutter::most_in(const double* c, double h, double feed) const {
   return most;
 }
 
-/// Returns the time of the segment from `from` to `to` if the axes stopped at both ends of each piece, s. `piece`: the piece in which the
-/// segment starts.
+/// Returns the time, s, of the segment from `from` to `to` if the axes stopped at both ends of each piece. `piece` is the index of the
+/// piece in which the segment starts.
 double CellCutter::standing_s(double from, double to, std::size_t piece) {
   double seconds = 0;
   for (std::size_t i = piece; i < path_->pieces() && path_->at(i) < to; ++i) {
@@ -279,10 +283,10 @@ double CellCutter::standing_s(double from, double to, std::size_t piece) {
 }
 
 /// Divides the last cell into several cells on the same path if the shape of the path, and not the feed, limits the speed. A cell on a
-/// smooth path is long; after the division the speed can change within its length. `width`: width of the corners that are rounded together
-/// there, mm.
+/// smooth path is long; after the division the speed can change within this length. `width` is the width in mm of the corners that are
+/// rounded together in the cell.
 void CellCutter::divide(double width, CutCells& out) const {
-  constexpr double part = 0.2;  // length of a part as a share of `width`
+  constexpr double part = 0.2;  // length of a part of the cell as a fraction of `width`
   constexpr int max_parts = 8;
   const std::size_t last = out.count() - 1;
   const double h = out.path.h[last];
@@ -295,7 +299,7 @@ void CellCutter::divide(double width, CutCells& out) const {
   for (std::size_t k = last; k < out.count(); ++k) out.path.most[k] = most_in(out.path.shape(k, 0), out.path.h[k], out.sources[k].feed);
 }
 
-/// Adds a cell from the last knot to the length `to`; a shorter cell if that cell would exceed the tolerance.
+/// Adds a cell from the end of the previous cell to the path length `to`. If this cell would exceed the tolerance, a shorter cell is added.
 ///   returns  the path length at the end of the cell
 double CellCutter::add_cell(double to, double least, bool turns, CutCells& out) {
   constexpr double smaller = 0.6;
@@ -325,7 +329,8 @@ double CellCutter::add_cell(double to, double least, bool turns, CutCells& out) 
 }
 
 void CellCutter::cut(SmoothPath& path, bool last, StopToken stop, CutCells& out) {
-  constexpr double rest = 1.5;  // number of cells: if the remaining path before an end is shorter, this remainder becomes one cell
+  // Number of cells. If the remaining path before an end is shorter than this number of cells, the remaining path becomes one cell.
+  constexpr double rest = 1.5;
   path_ = &path;
   standing_ = {};
   piece_ = passed_ - std::min(passed_, path.forgotten());
@@ -344,7 +349,8 @@ void CellCutter::cut(SmoothPath& path, bool last, StopToken stop, CutCells& out)
   passed_ = piece_ + path.forgotten();
   double fastest_feed = 0;
   for (std::size_t i = piece_; i < path.pieces(); ++i) fastest_feed = std::max(fastest_feed, path.feed(i));
-  constexpr double farthest = 50;  // mm: corners farther away are ignored, as they would only shorten very long cells
+  // Distance in mm. Corners that are farther away are ignored, because they would only shorten very long cells.
+  constexpr double farthest = 50;
   needed_from_ = path.at(piece_) - std::min(farthest, fastest_feed * longest_s / cell_growth);
 }
 

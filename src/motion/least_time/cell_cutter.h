@@ -1,6 +1,6 @@
 #pragma once
-// CellCutter: divides a smooth curve (path/smooth/smooth_path) into cells, in each of which every axis is a polynomial of the fifth
-// degree. The division does not depend on the speed at which the axes later pass the cells.
+// CellCutter divides a smooth curve (path/smooth/smooth_path) into cells. In each cell the position of every axis is a polynomial of the
+// fifth degree. The division does not depend on the speed of the axes in the cells, which is computed later.
 
 #include <array>
 #include <cstdint>
@@ -15,18 +15,18 @@
 
 namespace kadr {
 
-/// Cells whose geometry is computed but whose speed is not.
+/// Cells whose geometry is computed but whose speed is not yet computed.
 struct CutCells {
   TimedPath path;
   std::vector<CellSource> sources;
-  // s, one per cell: the cell's share of the time that the path would take if the axes stopped at each corner
+  // One time in s for each cell: the cell's part of the time that the path would take if the axes stopped at each corner.
   std::vector<double> standing;
 
   std::size_t count() const { return path.cells(); }
   void clear();
-  /// Appends the cells of `more`.
+  /// Appends the cells of the list `more`.
   void append(const CutCells& more);
-  /// Drops the first `count` cells.
+  /// Removes the first `count` cells.
   void forget(std::size_t count);
 };
 
@@ -34,16 +34,16 @@ class CellCutter {
  public:
   explicit CellCutter(const MotionLimits& limits);
 
-  /// Prepares for the first cell of a path.
+  /// Prepares the object for the first cell of a path.
   void begin();
-  /// Divides the settled part of a path into cells and appends them to `out`; with `last` the path is complete and all of it is divided.
-  /// If `stop` ends the work, the appended cells are unusable. `path`: in each call the same path, possibly extended since the last call,
-  /// or a copy of the path.
+  /// Divides the settled part of a path into cells and appends them to `out`. With `last` the path is complete, so all of it is divided. If
+  /// `stop` ends the work, the caller must not use the appended cells. `path` is in each call the same path or a copy of it, possibly
+  /// extended since the last call.
   void cut(SmoothPath& path, bool last, StopToken stop, CutCells& out);
 
   bool has_cut() const { return cut_ > 0; }
-  /// Returns the path length from which on the path is still needed. The path before this length affects neither the rounding nor the
-  /// size of later cells.
+  /// Returns the path length, mm, from which the path is still needed. The path before this length affects neither the rounding nor the
+  /// size of later cells, so the caller may drop it.
   double needed_from() const { return needed_from_; }
 
  private:
@@ -70,17 +70,17 @@ class CellCutter {
 
   std::size_t axes_;
   MotionLimits limits_;
-  SmoothPath* path_ = nullptr;  // the path being cut; set during cut() only
-  Knot knot_;                   // end of the last cell (a knot is the boundary of two cells)
+  SmoothPath* path_ = nullptr;  // the path that cut() divides; set during cut() only
+  Knot knot_;                   // end of the last cell; a knot is the boundary between two cells
   bool has_knot_ = false;
-  double cut_ = 0;          // path length at the last knot, mm
-  std::size_t piece_ = 0;   // the piece that contains the last knot
-  std::size_t passed_ = 0;  // number of pieces before `piece_`, including pieces that the path has dropped
+  double cut_ = 0;          // path length at the end of the last cell, mm
+  std::size_t piece_ = 0;   // the path piece that contains the end of the last cell
+  std::size_t passed_ = 0;  // number of pieces before `piece_`; the pieces that the path has dropped are included
   double needed_from_ = 0;
   struct {
     std::size_t piece = SIZE_MAX;
     double per_mm = 0;
-  } standing_;  // time per length, s/mm, of a piece traversed with a stop at both ends; cached for the piece used last
+  } standing_;  // time per length, s/mm, of a piece that the axes traverse with a stop at both ends; cached for the last used piece
 };
 
 }  // namespace kadr

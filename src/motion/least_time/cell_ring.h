@@ -1,6 +1,6 @@
 #pragma once
-// CellRing: a lock-free ring buffer of timed cells between the planner and the servo clock, which may run in different threads. One
-// thread writes, another reads, neither ever waits for the other; the constructor allocates all memory.
+// CellRing is a lock-free ring buffer of timed cells between the planner and the servo clock, which may run in different threads. One
+// thread writes and another thread reads; neither ever waits for the other. The constructor allocates all memory.
 
 #include <algorithm>
 #include <atomic>
@@ -13,7 +13,7 @@ namespace kadr {
 
 class CellRing {
  public:
-  /// The piece and the motion that a cell belongs to: its CellSource::tag and CellSource::motion.
+  /// The tag of the path piece and the number of the motion that a cell belongs to: CellSource::tag and CellSource::motion.
   struct Owner {
     std::uint64_t tag = 0, motion = 0;
   };
@@ -26,9 +26,9 @@ class CellRing {
         spindle_(cells),
         path_(cells * axes * TimedCells::terms) {}
 
-  // Functions for the writer.
+  // The writer's thread calls the functions below.
 
-  /// Appends the cells with the index `first` and above, as many as fit. Returns the number of cells appended.
+  /// Appends the cells with the index `first` and above to the ring, as many as fit. Returns the number of appended cells.
   std::size_t offer(const TimedCells& cells, std::size_t first) {
     const std::uint64_t end = end_.load(std::memory_order_relaxed), begin = begin_.load(std::memory_order_acquire);
     const std::size_t count = std::min(cells.laws.size() - first, size_ - static_cast<std::size_t>(end - begin)),
@@ -48,14 +48,15 @@ class CellRing {
     end_.store(end + count, std::memory_order_release);
     return count;
   }
-  /// Marks that no more cells follow.
+  /// Marks the end of the cells. After this call the writer must not offer further cells.
   void finish() { finished_.store(true, std::memory_order_release); }
 
-  // Functions for the reader. Cells are numbered from 0 in the order in which they were offered; `cell` is such a number.
+  // The reader's thread calls the functions below. Cells are numbered from 0 in the order in which the writer offered them; `cell` is such
+  // a number.
 
   bool finished() const { return finished_.load(std::memory_order_acquire); }
   std::uint64_t end() const { return end_.load(std::memory_order_acquire); }
-  /// Total duration of all cells ever offered, s.
+  /// The total duration, s, of all cells that were ever offered.
   double offered() const { return offered_.load(std::memory_order_relaxed); }
   /// Returns true if less than half of the ring is in use.
   bool has_room() const { return end() - begin_.load(std::memory_order_relaxed) < size_ / 2; }
@@ -73,7 +74,7 @@ class CellRing {
     return path_.data() + (cell % size_ * axes_ + axis) * TimedCells::terms;
   }
 
-  /// The contents of the ring. Copy or restore it only while neither the writer nor the reader is active.
+  /// The contents of the ring. Copy or restore the contents only while neither the writer nor the reader is active.
   struct Memory {
     std::uint64_t begin = 0, end = 0;
     double offered = 0;

@@ -1,4 +1,4 @@
-// LeastTime: the interior-point method: Newton steps and line search.
+// LeastTime, the interior-point method: the Newton steps and the line search.
 
 #include "motion/least_time/least_time.h"
 
@@ -17,9 +17,9 @@ double LeastTime::time() const {
   return sum;
 }
 
-/// Solves H · step_ = −gradient_, where H is the Hessian, by the decomposition H = L D Lᵀ. If limits of very different magnitudes act
-/// together, rounding errors may make an element d of D zero or negative. Then the diagonal element of H is used instead (Gill, Murray,
-/// Wright: Practical Optimization 4.4.2): the step becomes shorter, but is still a descent.
+/// Solves H · step_ = −gradient_ by the decomposition H = L D Lᵀ, where H is the Hessian. If limits of very different magnitudes act
+/// together, rounding errors may make an element d of D zero or negative. The diagonal element of H then replaces d (Gill, Murray, Wright:
+/// Practical Optimization 4.4.2). The step becomes shorter, but it still decreases the objective.
 ///   returns  false if H is not positive definite
 bool LeastTime::newton_step() {
   constexpr double rounding = 1e-13;
@@ -30,7 +30,7 @@ bool LeastTime::newton_step() {
     if (i >= 2) {
       const double l = h2[i - 2] / h0[i - 2];
       d -= l * h2[i - 2];
-      h1[i - 1] -= l * h1[i - 2] * h0[i - 2];  // h1[i − 2] already contains an element of L
+      h1[i - 1] -= l * h1[i - 2] * h0[i - 2];  // The element h1[i − 2] already belongs to L.
       z -= l * step_[i - 2];
       h2[i - 2] = l;
     }
@@ -54,10 +54,10 @@ bool LeastTime::newton_step() {
   return true;
 }
 
-/// Moves along step_ as far as the barrier function decreases.
+/// Changes the variables along step_, halving the step until the barrier function decreases enough.
 ///   returns  the decrease that the slope predicts (to first order); 0 if no descent was found
 double LeastTime::line_search(double mu) {
-  constexpr double enough = 0.01;  // least accepted decrease, as a share of the decrease that the slope predicts (Armijo)
+  constexpr double enough = 0.01;  // Least accepted decrease, as a fraction of the decrease that the slope predicts (Armijo's rule).
   constexpr int max_halvings = 40;
   double falls = 0, part = 1;
   for (std::size_t v = 0; v < variables_; ++v) {
@@ -77,11 +77,11 @@ double LeastTime::line_search(double mu) {
   return 0;
 }
 
-/// Sets the first guess: the earlier solution, and after its last cell a squared path speed b that decreases from cell to cell. The
-/// decrease per cell grows to a tenth; `gently` is the number of cells after which a tenth is reached.
+/// Sets the first guess of the solution. The first cells get the earlier solution. After these cells the squared path speed b decreases
+/// from cell to cell. The decrease per cell grows to a tenth of b; `gently` is the number of cells after which a tenth is reached.
 ///   returns  false if the guess exceeds a limit
 bool LeastTime::can_continue_crawling(double gently) {
-  constexpr double slowing = 0.1;  // greatest decrease of b per cell, as a share
+  constexpr double slowing = 0.1;  // greatest decrease of b per cell, as a fraction of b
   const double slow = ends_.guess.back(), size = path_->h[ends_.guess.size() - 1];
   for (const double floor : {slow, slow / 10, ends_.crawl / 1e4}) {
     double m = slow, cells = 0;
@@ -90,7 +90,7 @@ bool LeastTime::can_continue_crawling(double gently) {
       double less = slowing;
       if (gently > 1) less *= std::min(1.0, (cells += k < ends_.guess.size() ? 0 : 1) / gently) * std::min(1.0, path_->h[k] / size);
       m = k < ends_.guess.size() ? ends_.guess[k] : std::max(floor, m * (1 - less));
-      // next to a stop or a reversal several cells share a variable: the slowest of these cells determines the variable
+      // Next to a stop or a reversal several cells have a common variable. The slowest of these cells determines the variable.
       double& y = y_[variable_[k]];
       y = std::min(y, m / scale_[k]);
     }
@@ -99,14 +99,15 @@ bool LeastTime::can_continue_crawling(double gently) {
   return false;
 }
 
-/// Sets the first guess: the earlier solution, and after its last cell the speed of this cell. Near the final stop and the reversals the
-/// speed is lower: at most the speed that a start from rest with constant jerk reaches at the same distance.
+/// Sets the first guess of the solution. The first cells get the earlier solution, and all later cells the speed of the last of these
+/// cells. Near the final stop and the reversals the speed is lower: at most the speed that a start from rest with constant jerk reaches at
+/// the same distance.
 ///   returns  false if the guess exceeds a limit
 bool LeastTime::can_continue_to_stop() {
   constexpr int max_tries = 16;
   const double slow = ends_.guess.back();
   const std::size_t known = ends_.guess.size();
-  // distance of each cell's middle from the nearest stop or reversal, mm
+  // The distance of each cell's middle from the nearest stop or reversal, mm.
   std::vector<double> away(n_, std::numeric_limits<double>::infinity());
   double way = std::numeric_limits<double>::infinity();
   const auto pass = [&](std::size_t k, bool stops) {
@@ -130,10 +131,10 @@ bool LeastTime::can_continue_to_stop() {
   return false;
 }
 
-/// Finds initial values of the variables that obey all limits: an earlier solution, continued at a low speed, or a speed that is so low
-/// everywhere that all limits are far away.
+/// Finds initial values of the variables that obey all limits. These are either an earlier solution that continues at a low speed, or a
+/// speed so low in every cell that all limits are far away.
 bool LeastTime::first_guess() {
-  for (const double gently : {1., 30., 100., 300.})  // 1: the full decrease starts at the first new cell
+  for (const double gently : {1., 30., 100., 300.})  // The value 1 means that the full decrease starts at the first new cell.
     if (!ends_.guess.empty() && can_continue_crawling(gently)) return true;
   if (!ends_.guess.empty() && ends_.to_stop && can_continue_to_stop()) return true;
   if (!ends_.from_stop) return false;
@@ -150,12 +151,12 @@ bool LeastTime::first_guess() {
 }
 
 bool LeastTime::solve(const TimedPath& path, const PathEnds& ends, StopToken stop) {
-  constexpr double smaller = 0.2;    // factor by which μ is reduced once the optimum for the current μ is near
-  constexpr double accurate = 5e-4;  // final accuracy: the share of the time by which μ may keep the result above the optimum
-  // μ is reduced when the decrease predicted for the next step is below this share of the time that μ costs
+  constexpr double smaller = 0.2;    // factor by which μ is reduced when the solution is near the optimum for the current μ
+  constexpr double accurate = 5e-4;  // Final accuracy: the fraction of the time by which μ may keep the result above the optimum.
+  // μ is reduced when the decrease that is predicted for the next step is below this fraction of the time that μ costs.
   constexpr double near_enough = 0.3;
-  constexpr int max_rounds = 4;   // number of attempts to shorten a step in the cells where it violates limits
-  constexpr int max_steps = 150;  // bound of the Newton steps; 25 to 45 suffice
+  constexpr int max_rounds = 4;   // The number of attempts to shorten a step in the cells in which the step violates limits.
+  constexpr int max_steps = 150;  // greatest number of Newton steps; 25 to 45 steps suffice
   path_ = &path;
   ends_ = ends;
   prepare();

@@ -1,9 +1,9 @@
 #pragma once
-// LeastTime: the least time along a path in cells (motion/least_time/timed_path.h), by an interior-point method whose iterates all obey all
-// limits. It makes Newton steps on T − μ Σ log(slack), μ → 0, where T is the time and slack is the distance from a limit; the Hessian is
-// pentadiagonal. The unknown is b = ṡ², the squared path speed: Verscheure et al. 2009, IEEE TAC 54(10). The jerk limit is not convex in b:
-// the logarithmic barrier enforces it, and its curvature is left out of the Hessian. The method is slow but reliable; it is used for the
-// paths that motion/least_time/primal_dual does not solve.
+// LeastTime finds the least time along a path in cells (motion/least_time/timed_path.h). It uses an interior-point method whose iterates
+// all obey all limits. The method makes Newton steps on T − μ Σ log(slack), μ → 0, where T is the time and a slack is the distance from a
+// limit. The Hessian is pentadiagonal. The unknown is b = ṡ², the squared path speed: Verscheure et al. 2009, IEEE TAC 54(10). The jerk
+// limit is not convex in b; the logarithmic barrier enforces this limit, and the curvature of the limit is omitted from the Hessian. The
+// method is slow but reliable. It is used for the paths that motion/least_time/primal_dual does not solve.
 
 #include <array>
 #include <cstddef>
@@ -16,49 +16,49 @@
 
 namespace kadr {
 
-/// Finds the speed along a path. Reuses its allocated memory for the next path.
+/// The solver of the speed along a path. It reuses its allocated memory for the next path.
 class LeastTime {
  public:
   explicit LeastTime(const LimitMargins& margins = {}) : margins_(margins) {}
 
-  /// The limits are checked at both ends of a cell and between them, most densely near both ends, where the jerk of the polynomial is
-  /// greatest.
+  /// Positions in a cell, as fractions of its length, at which the limits are checked. They are densest near both ends of the cell, where
+  /// the jerk of the polynomial is greatest.
   static constexpr std::size_t places = lanes;
   static constexpr std::array<double, places> place_parts = {0, 0.12, 0.28, 0.43, 0.57, 0.72, 0.88, 1};
 
-  ///   pre      at least 4 cells
-  ///   returns  false if no speed was found that obeys the limits (a limit that is not positive, a path that is not finite); `stop` may
-  ///            end the search before the minimum time is found
+  ///   pre      the path has at least 4 cells
+  ///   returns  false if no speed was found that obeys the limits, for example because a limit is not positive or the path is not finite;
+  ///            if `stop` ends the search early, the time may be above the minimum
   bool solve(const TimedPath& path, const PathEnds& ends, StopToken stop = {});
 
   const std::vector<CellSpeeds>& speeds() const { return speeds_; }
-  /// The middle ordinates of the solution, one per cell.
+  /// The middle Bézier ordinates of b in the solution, one per cell.
   const std::vector<double>& middles() const { return m_; }
   int steps() const { return steps_; }
 
  private:
-  // Number of dummy variables after the last variable. The last cells refer to the dummy variables, whose derivatives and steps are 0.
+  // Number of dummy variables after the last variable. The last cells refer to the dummy variables; their derivatives and steps are 0.
   static constexpr std::size_t beyond = 2;
   using Three = std::array<double, 3>;
-  /// The three Bézier ordinates of the polynomial b in a cell: at the start, in the middle, at the end.
+  /// The three Bézier ordinates of the polynomial b in a cell: at its start, in its middle and at its end.
   using Ordinates = Three;
-  /// An axis that moves on this path, and the reciprocals of its acceleration and jerk limits.
+  /// An axis that moves on this path, with the reciprocals of its acceleration and jerk limits.
   struct Moving {
     std::size_t axis = 0;
     double by_acceleration = 0, by_jerk = 0;
   };
   class Logs;
-  /// The terms of the objective T − μ Σ log(slack): the time T, and the sum of logarithms.
+  /// The two terms of the objective T − μ Σ log(slack): the time T and the sum of logarithms.
   struct Height {
     double time, logs;
     double at(double mu) const { return time - mu * logs; }
   };
-  /// The Hessian, a symmetric pentadiagonal matrix: its main diagonal and the two above it.
+  /// The Hessian, a symmetric pentadiagonal matrix, stored as its main diagonal and the two diagonals above it.
   struct Diagonals {
     std::vector<double> h0, h1, h2;
   };
-  /// A Bézier ordinate as a linear combination: a constant `given`, and factors for the variables of the previous cell, its own cell and
-  /// the next cell.
+  /// A Bézier ordinate as a linear combination: the constant `given`, and one factor for each of the variables of the previous cell, the
+  /// cell itself and the next cell.
   struct Mix {
     double given = 0;
     Three by{};
@@ -100,22 +100,23 @@ class LeastTime {
   const TimedPath* path_ = nullptr;
   PathEnds ends_;
   LimitMargins margins_;
-  std::vector<double> x1_, x2_, x3_;  // x′, x″, x‴ at the sample positions of each cell; index (cell * axes + axis) * places + place
-  std::size_t n_ = 0;                 // number of cells
-  // Number of unknowns (variables). The middle ordinate m of a cell is scale * variable. A cell next to a stop or a reversal shares the
-  // variable of its neighbour.
+  // The derivatives x′, x″, x‴ at the sample positions of each cell; the index is (cell * axes + axis) * places + place.
+  std::vector<double> x1_, x2_, x3_;
+  std::size_t n_ = 0;  // number of cells
+  // Number of unknowns (variables). The middle ordinate m of a cell is scale · variable. A cell next to a stop or a reversal has the same
+  // variable as its neighbour.
   std::size_t variables_ = 0;
   std::vector<std::size_t> variable_;
   std::vector<double> scale_;
   bool first_given_ = false;  // true if the speed at the start of the path determines the speed of the first cell
   std::vector<Moving> moving_;
-  std::vector<std::array<Mix, 2>> mixes_;  // the first and the last ordinate of each cell as combinations of variables
+  std::vector<std::array<Mix, 2>> mixes_;  // the first and the last Bézier ordinate of each cell as linear combinations of the variables
   std::vector<double> cap_;
-  std::vector<double> m_;                            // middle ordinates of b, one per cell
-  std::vector<double> y_, trial_, step_, gradient_;  // vectors with one entry per variable
-  Diagonals hessian_, factors_;                      // factors_: the decomposition L D Lᵀ of the Hessian
-  std::vector<char> broken_, was_broken_;            // one flag per group of cells: the step violates a limit in the group
-  Height height_{};                                  // objective at y_
+  std::vector<double> m_;                            // the middle Bézier ordinates of b, one per cell
+  std::vector<double> y_, trial_, step_, gradient_;  // vectors with one entry per variable of the solver
+  Diagonals hessian_, factors_;                      // `factors_` is the decomposition L D Lᵀ of the Hessian.
+  std::vector<char> broken_, was_broken_;  // One flag per group of cells. The flag is set if the step violates a limit in the group.
+  Height height_{};                        // time and sum of logarithms for the current values y_ of the variables
   std::vector<CellSpeeds> speeds_;
   int steps_ = 0;
 };

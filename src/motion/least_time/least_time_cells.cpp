@@ -1,5 +1,5 @@
-// LeastTime, the limits within the cells: computes the barrier function of the limits with its gradient and Hessian, and finds the cells
-// where a step would violate a limit.
+// LeastTime, the limits within the cells. This file computes the barrier function of the limits with its gradient and Hessian, and finds
+// the cells in which a step would violate a limit.
 
 #include <algorithm>
 #include <cmath>
@@ -11,9 +11,9 @@
 namespace kadr {
 namespace {
 
-constexpr double most_of_slack = 0.95;  // the share of a slack that one step may use up
-// Factor in the second derivative of the time; its exact value is 0.75. A smaller factor makes the steps longer far from the limits; near
-// the limits the barrier dominates.
+constexpr double most_of_slack = 0.95;  // the fraction of a slack that one step may use
+// Factor in the second derivative of the time; its exact value is 0.75. A smaller factor makes the steps longer at points far from the
+// limits. Near the limits the barrier dominates, so the factor has little effect.
 constexpr double bend_of_time = 0.1;
 constexpr std::size_t group_size = 16;  // number of cells in a group
 
@@ -28,45 +28,47 @@ constexpr AtPlaces at_places_of(const Function& f) {
   return values;
 }
 
-/// Weights of a cell's Bézier ordinates in the value of b at the sample positions, with t the fraction of the cell: (1−t)², 2t(1−t), t².
+/// Weights of a cell's three Bézier ordinates in the value of b at the sample positions: (1−t)², 2t(1−t) and t², where t is the fraction of
+/// the cell.
 constexpr AtPlaces weights[3] = {at_places_of([](double t) { return (1 - t) * (1 - t); }),
                                  at_places_of([](double t) { return 2 * t * (1 - t); }), at_places_of([](double t) { return t * t; })};
-/// Weights of the ordinates in db/dt, where t is the fraction of the cell.
+/// Weights of the three ordinates in db/dt, where t is the fraction of the cell.
 constexpr AtPlaces slopes[3] = {at_places_of([](double t) { return -2 * (1 - t); }), at_places_of([](double t) { return 2 * (1 - 2 * t); }),
                                 at_places_of([](double t) { return 2 * t; })};
-/// Weights of the ordinates in d²b/dt², the same at all sample positions.
+/// Weights of the three ordinates in d²b/dt²; they are the same at all sample positions.
 constexpr double bends[3] = {2, -4, 2};
 
-/// Gradient and Hessian of a function of (b, b′, b″), stored separately for each sample position.
+/// Gradient and Hessian of a function of (b, b′, b″). They are stored separately for each sample position.
 template <class Lanes>
 struct Sums {
   Lanes by[3] = {}, h00 = {}, h01 = {}, h02 = {}, h11 = {}, h12 = {}, h22 = {};
 
-  /// Adds `bend` · r rᵀ, where r = (e0, e1), to the Hessian.
+  /// Adds `bend` · r rᵀ to the Hessian, where r = (e0, e1).
   KADR_LANES void add(const Lanes& bend, const Lanes& e0, const Lanes& e1) {
     const Lanes bend0 = bend * e0;
     h00 += bend0 * e0, h01 += bend0 * e1, h11 += bend * e1 * e1;
   }
-  /// Adds `bend` · r rᵀ, where r = (e0, e1, e2), to the Hessian.
+  /// Adds `bend` · r rᵀ to the Hessian, where r = (e0, e1, e2).
   KADR_LANES void add(const Lanes& bend, const Lanes& e0, const Lanes& e1, const Lanes& e2) {
     const Lanes bend2 = bend * e2;
     add(bend, e0, e1);
     h02 += bend2 * e0, h12 += bend2 * e1, h22 += bend2 * e2;
   }
-  /// Adds the barrier −log(1 − x²) of an acceleration, where x = `scale` · (e0 b + e1 b′) is the share of its limit.
+  /// Adds the barrier −log(1 − x²) of an acceleration limit. Here x = `scale` · (e0 b + e1 b′) is the acceleration as a fraction of its
+  /// limit.
   KADR_LANES void barrier(const Lanes& x, double scale, const Lanes& e0, const Lanes& e1) {
     const Lanes inverse = 1 / (1 - x * x), slope = 2 * x * inverse, by_scale = slope * scale;
     by[0] += by_scale * e0, by[1] += by_scale * e1;
     add((2 * inverse + slope * slope) * (scale * scale), e0, e1);
   }
-  /// Adds the barrier −log(1 − x²) of a jerk, where x = `scale` · (e0 b + e1 b′ + e2 b″) is the share of its limit.
+  /// Adds the barrier −log(1 − x²) of a jerk limit. Here x = `scale` · (e0 b + e1 b′ + e2 b″) is the jerk as a fraction of its limit.
   KADR_LANES void barrier(const Lanes& x, double scale, const Lanes& e0, const Lanes& e1, const Lanes& e2) {
     const Lanes inverse = 1 / (1 - x * x), slope = 2 * x * inverse, by_scale = slope * scale;
     by[0] += by_scale * e0, by[1] += by_scale * e1, by[2] += by_scale * e2;
     add((2 * inverse + slope * slope) * (scale * scale), e0, e1, e2);
   }
 
-  /// Computes the gradient with respect to the three ordinates of a cell of length `h`.
+  /// Computes the gradient with respect to the three ordinates of a cell of the length `h`.
   KADR_LANES void gradient(double h, std::array<double, 3>& of) const {
     const double once = 1 / h, twice = once * once;
     for (std::size_t o = 0; o < 3; ++o)
@@ -84,7 +86,7 @@ struct Sums {
   }
 };
 
-/// The values of b, b′ and b″ (b = ṡ², timed_path.h) at the sample positions of a cell.
+/// The values of b, b′ and b″ at the sample positions of a cell; b = ṡ² is the squared path speed (timed_path.h).
 template <class Lanes>
 struct CellSpeed {
   Lanes b, d;
@@ -105,13 +107,13 @@ struct Shape {
   KADR_LANES Shape(const std::vector<double>& x1_at, const std::vector<double>& x2_at, const std::vector<double>& x3_at, std::size_t at)
       : x1(0.5 * Lanes(&x1_at[at])), x2(&x2_at[at]), x3(&x3_at[at]) {}
   KADR_LANES Lanes acceleration(const CellSpeed<Lanes>& v) const { return x2 * v.b + x1 * v.d; }
-  /// Returns the jerk of the axis, divided by √b.
+  /// Returns the jerk of the axis divided by √b.
   KADR_LANES Lanes jerk(const CellSpeed<Lanes>& v) const { return x3 * v.b + 1.5 * x2 * v.d + x1 * v.q; }
 };
 
 }  // namespace
 
-/// A sum of logarithms. It multiplies many factors and calls log() once for their product.
+/// A sum of logarithms. The class multiplies many factors and calls log() once for the product.
 class LeastTime::Logs {
  public:
   /// Adds log(factor) to the sum. `factor` may be as small as 1e-200.
@@ -145,15 +147,16 @@ KADR_LANES bool LeastTime::add_logs(Logs& logs) const {
       const Lanes a = moving.by_acceleration * x.acceleration(speed), j = moving.by_jerk * x.jerk(speed);
       const Lanes slack = 1 - a * a, jerk_slack = 1 - speed.b * (j * j);
       const double product = product_of(slack * jerk_slack);
-      if (!(std::min(least_of(slack), least_of(jerk_slack)) > 0 && product > 0)) return false;  // product > 0 also rejects NaN
+      // The comparison product > 0 also rejects NaN.
+      if (!(std::min(least_of(slack), least_of(jerk_slack)) > 0 && product > 0)) return false;
       logs.take(product);
     }
   }
   return true;
 }
 
-/// Evaluates T and Σ log(slack) at y; T is infinite if y violates a limit. A limit |x| ≤ 1 has the slack 1 − x². Sets m_ to the middle
-/// ordinates that y stands for.
+/// Evaluates T and Σ log(slack) at y. T is infinite if y violates a limit. A limit |x| ≤ 1 has the slack 1 − x². The function also sets m_
+/// to the middle ordinates that follow from y.
 LeastTime::Height LeastTime::height(const std::vector<double>& y) {
   constexpr Height none{infinite, 0};
   Logs logs;
@@ -173,7 +176,7 @@ void LeastTime::by_variables(std::size_t cell, std::array<Three, 3>& by) const {
   if (!(cell == 0 && first_given_)) by[1][variable_[cell] - first_variable(cell)] = scale_[cell];
 }
 
-/// Adds the gradient and the Hessian of the limits within a cell.
+/// Adds the contribution of the limits in one cell to the gradient and the Hessian.
 template <class Lanes>
 KADR_LANES void LeastTime::add_cell(std::size_t cell, double mu) {
   const CellSpeed<Lanes> speed(ordinates(cell), path_->h[cell]);
@@ -195,7 +198,7 @@ KADR_LANES void LeastTime::add_cell(std::size_t cell, double mu) {
   add_hessian(cell, mu, hessian);
 }
 
-/// Adds `scale` times a Hessian given with respect to the ordinates of a cell.
+/// Adds `scale` times a Hessian that is given with respect to the ordinates of a cell.
 void LeastTime::add_hessian(std::size_t cell, double scale, const std::array<Three, 3>& h) {
   std::array<Three, 3> by, hb;
   by_variables(cell, by);
@@ -209,7 +212,7 @@ void LeastTime::add_hessian(std::size_t cell, double scale, const std::array<Thr
   hessian_.h2[first] += product(0, 2);
 }
 
-/// Computes the gradient and Hessian of the barrier function at y_. m_ must already correspond to y_.
+/// Computes the gradient and the Hessian of the barrier function at y_. The caller must set m_ to the ordinates of y_ before the call.
 void LeastTime::derivatives(double mu) {
   for (std::vector<double>* const all : {&gradient_, &hessian_.h0, &hessian_.h1, &hessian_.h2}) all->assign(variables_ + beyond, 0);
   for (std::size_t v = 0; v < variables_; ++v) {
@@ -228,7 +231,7 @@ void LeastTime::derivatives(double mu) {
   });
 }
 
-/// Returns by how much step_ changes the three ordinates of a cell.
+/// Returns by how much the step step_ changes the three ordinates of a cell.
 LeastTime::Three LeastTime::step_in(std::size_t cell) const {
   std::array<Three, 3> by;
   by_variables(cell, by);
@@ -270,8 +273,8 @@ KADR_LANES bool LeastTime::stiffen_cell(std::size_t cell, double mu) {
   return true;
 }
 
-/// Shortens the step only in cells where it would violate limits (to first order), by enlarging the Hessian in the directions that
-/// violate them.
+/// Shortens the step only in the cells in which it would violate limits (to first order). For this purpose the function enlarges the
+/// Hessian in the directions that violate the limits.
 ///   returns  false if the step violates no limit
 bool LeastTime::stiffen(double mu, bool first) {
   const std::size_t groups = (n_ + group_size - 1) / group_size;

@@ -1,5 +1,5 @@
-// LeastTime, preparation before any speed is known: numbers the variables, expresses the ordinates as linear combinations of the
-// variables, and computes the greatest value of each variable.
+// LeastTime, the preparation before any speed is known. This file numbers the variables, expresses the ordinates as linear combinations of
+// the variables, and computes the greatest value of each variable.
 
 #include <algorithm>
 #include <cmath>
@@ -11,8 +11,8 @@
 namespace kadr {
 namespace {}  // namespace
 
-/// A cell of length h next to a stop has b = b₁ (σ/h)^(4/3), where σ is the distance from the stop and b₁ the value of b at the other
-/// knot. There b′ = 4/3 b₁/h, so the middle ordinate is a third of b₁.
+/// Numbers the variables. A cell of the length h next to a stop has b = b₁ (σ/h)^(4/3), where σ is the distance from the stop and b₁ the
+/// value of b at the other end of the cell. At this end b′ = 4/3 b₁/h, so the middle ordinate is a third of b₁.
 void LeastTime::number_variables() {
   const std::vector<double>& h = path_->h;
   variable_.assign(n_, 0);
@@ -42,7 +42,8 @@ void LeastTime::prepare() {
   find_places();
   find_moving();
   cap_.assign(variables_, infinite);
-  // b in a cell lies between its middle ordinate and those of its neighbours, so a middle ordinate obeys the neighbours' limits too
+  // In a cell b lies between the cell's middle ordinate and the middle ordinates of the two neighbours. A middle ordinate must therefore
+  // obey the neighbours' limits too.
   for (std::size_t k = first_given_ ? 1 : 0; k < n_; ++k) {
     double most = path.most[k];
     if (k > 0) most = std::min(most, path.most[k - 1]);
@@ -54,8 +55,9 @@ void LeastTime::prepare() {
   if (ends_.to_stop) keep_stop(n_ - 1);
 }
 
-/// Expresses the ordinates at the cell boundaries by variables: b at a knot is interpolated linearly between the middle ordinates of its
-/// two cells; at a reversal it is 0, and at a crawling end it equals the middle ordinate of the last cell.
+/// Expresses the ordinates at the cell boundaries by variables. At a knot (the boundary of two cells) b is interpolated linearly between
+/// the middle ordinates of these cells. At a reversal b is 0, and at the end of a path that ends at crawling speed b equals the middle
+/// ordinate of the last cell.
 void LeastTime::find_mixes() {
   mixes_.assign(n_, {});
   for (std::size_t k = 0; k < n_; ++k) {

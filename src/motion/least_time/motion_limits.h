@@ -1,11 +1,11 @@
 #pragma once
-// MotionLimits: speed, acceleration and jerk limits of each axis.
+// MotionLimits has the speed, acceleration and jerk limits of each axis.
 
 #include <vector>
 
 namespace kadr {
 
-/// Limits of each axis: mm/s, mm/s², mm/s³ (degrees for rotary axes); all positive and finite.
+/// The limits of each axis in mm/s, mm/s² and mm/s³; a rotary axis has degrees instead of mm. All values are positive and finite.
 struct MotionLimits {
   std::vector<double> speed, acceleration, jerk;
 };

@@ -1,4 +1,4 @@
-// PathTimer: finds the speed along a path in cells with the fast or the reliable solver. Used by motion/least_time/planner.
+// PathTimer finds the speed along a path in cells, with the fast solver or the reliable solver. Used by motion/least_time/planner.
 
 #include "motion/least_time/path_timer.h"
 

@@ -1,5 +1,6 @@
-// Planner: turns a path of straight pieces and stops into positions in time, with the least time that the axes' limits and the path's
-// tolerances allow (mode `optimal` of a machine profile). Used by the other folders of motion; tested by tests/motion/planner_test.cpp.
+// The Planner converts a path of straight pieces and stops into positions in time. The motion takes the least time that the axes' limits
+// and the path's tolerances allow (mode `optimal` of a machine profile). Used by the other folders of motion; tested by
+// tests/motion/planner_test.cpp.
 
 #include "motion/least_time/planner.h"
 
@@ -14,7 +15,7 @@
 namespace kadr {
 namespace {
 
-constexpr std::size_t planned_at = 1024;  // number of pieces that must arrive before the next plan starts
+constexpr std::size_t planned_at = 1024;  // number of pieces after whose arrival the next plan starts
 
 }  // namespace
 
@@ -36,9 +37,9 @@ void Planner::begin(const double* at) {
   now_.fresh_s = 0;
 }
 
-/// Returns true if the piece to `to` has a direction other than that of the last piece.
+/// Returns true if the piece to the position `to` has a different direction from the last piece.
 bool Planner::turns(const double* to) const {
-  constexpr double straight = 1e-9;  // |Δu| below which two directions count as equal
+  constexpr double straight = 1e-9;  // the change of direction |Δu| below which two directions count as equal
   if (now_.way.empty()) return false;
   double squares = 0, bend = 0;
   for (std::size_t a = 0; a < axes_; ++a) squares += square(to[a] - now_.at[a]);

@@ -1,4 +1,4 @@
-// PrimalDual, the iteration: makes steps over all cells, then over the blocks of eight cells that have not converged. Used by
+// PrimalDual, the iteration. It first makes steps over all cells, and then over the blocks of eight cells that have not converged. Used by
 // motion/least_time/path_timer; tested by tests/motion/primal_dual_test.cpp.
 
 #include "motion/least_time/primal_dual.h"
@@ -10,17 +10,17 @@
 namespace kadr {
 namespace {
 
-// first and last value of the barrier parameter μ, summed over all limits, as a share of the time
+// The first and the last value of the barrier parameter μ, summed over all limits, as a fraction of the time.
 constexpr double first_mu = 0.5, last_mu = 3e-3;
 constexpr double smaller = 0.2;  // factor by which μ is reduced from step to step
 constexpr int steps_of_all = 6;
-constexpr std::size_t beside = 4;  // blocks on each side that continue together with a block that has not converged
-constexpr double slower = 0.7;     // initial guess of a middle ordinate, as a share of the envelope (find_envelope)
+constexpr std::size_t beside = 4;  // number of blocks on each side of an unconverged block that are solved together with this block
+constexpr double slower = 0.7;     // initial guess of a middle ordinate, as a fraction of the envelope (find_envelope)
 
 }  // namespace
 
-/// Fills the table rows (eight cells each) with the limits of the cells.
-///   returns  false if the path is not supported: a stop in a cell next to a reversal, or too few cells
+/// Fills the table rows, which have eight cells each, with the limits of the cells.
+///   returns  false if the solver does not support the path, because a cell with a stop is next to a reversal or there are too few cells
 bool PrimalDual::prepare() {
   const TimedPath& path = *path_;
   n_ = path.cells();
@@ -57,7 +57,8 @@ void PrimalDual::find_moving() {
   }
 }
 
-/// Computes the lengths of the cells, the weights of the middle ordinates in the ordinates at the ends, and the greatest middle ordinates.
+/// Computes the lengths of the cells, the weights of the middle ordinates in the ordinates at the cell ends, and the greatest middle
+/// ordinates.
 void PrimalDual::mix() {
   const TimedPath& path = *path_;
   turns_ = false;
@@ -72,7 +73,7 @@ void PrimalDual::mix() {
       of_cell(k, own_before) = path.h[k - 1] / (path.h[k - 1] + h);
     }
     if (k == 0 && !ends_->from_stop) of_cell(k, given) = ends_->from.b;
-    if (is_last && !turn_after) of_cell(k, own_after) = 1;  // the axes crawl at constant speed at the end
+    if (is_last && !turn_after) of_cell(k, own_after) = 1;  // At the end of the path the axes crawl at constant speed.
     if (!is_last && !turn_after) {
       of_cell(k, behind) = h / (h + path.h[k + 1]);
       of_cell(k, own_after) = path.h[k + 1] / (h + path.h[k + 1]);
@@ -103,10 +104,10 @@ void PrimalDual::keep_polynomials() {
     }
 }
 
-/// Sets the initial guess: a value somewhat below the envelope (find_envelope). The first cells get the values of the earlier solution. The
-/// last values of that solution are not used, because they are low: the axes had to crawl at its end.
+/// Sets the initial guess to values somewhat below the envelope (find_envelope). The first cells get the values of the earlier solution.
+/// The last values of the earlier solution are not used: they are low because the axes had to crawl at the end of that solution.
 void PrimalDual::guess() {
-  // of the remaining values of the earlier solution, the last 1/16 are not used either
+  // Of the remaining values of the earlier solution, the last sixteenth is not used either.
   constexpr std::size_t unsure = 16;
   find_envelope(*path_, *ends_, middles_);
   for (std::size_t k = 0; k < n_; ++k) m_[k + pad] = slower * middles_[k];
@@ -127,7 +128,7 @@ double PrimalDual::seconds() const {
   return sum;
 }
 
-/// Makes one Newton step for all cells of a range.
+/// Makes one Newton step for all cells of a range of blocks.
 ///   returns  false if the step is not finite
 bool PrimalDual::step(const Range& range, double mu, Progress& progress) {
   derive(range, mu);
@@ -140,16 +141,18 @@ bool PrimalDual::step(const Range& range, double mu, Progress& progress) {
 PrimalDual::Range PrimalDual::widened(const Range& range, std::size_t by) const {
   Range wide{range.first > by ? range.first - by : 1, std::min(range.end + by, blocks_end_), false, false};
   const auto is_tied = [&](std::size_t cell) { return tied_[cell] != 0 || tied_[cell + 1] != 0; };
-  while (turns_ && wide.first > 1 && is_tied(wide.first * lanes)) --wide.first;  // keeps the two cells of a reversal in one range
+  // The two cells of a reversal must be in one range, so the range grows where its border divides them.
+  while (turns_ && wide.first > 1 && is_tied(wide.first * lanes)) --wide.first;
   while (turns_ && wide.end < blocks_end_ && is_tied(wide.end * lanes - 1)) ++wide.end;
   wide.from_stop = wide.first == 1 && ends_->from_stop;
   wide.to_stop = wide.end == blocks_end_ && ends_->to_stop;
   return wide;
 }
 
-/// Lowers the speeds in a range, except near its ends.
+/// Lowers the speeds in a range, except near the ends of the range.
 void PrimalDual::lower(const Range& range) {
-  // less: greatest reduction, as a share; over: number of cells over which the reduction grows from the ends of the range
+  // `less` is the greatest reduction, as a fraction of the value. `over` is the number of cells over which the reduction grows from the
+  // ends of the range.
   constexpr double less = 0.3, over = 48;
   const std::size_t first = range.first * lanes, end = std::min(range.end * lanes, pad + n_);
   for (std::size_t i = first + 1; i + 1 < end; ++i) {
@@ -162,10 +165,11 @@ void PrimalDual::lower(const Range& range) {
   if (range.to_stop) m_[pad + n_ - 1] = last_share_ * m_[pad + n_ - 2];
 }
 
-/// Iterates over a range until it converges; if it does not, retries with a wider range and from a start farther inside the limits.
+/// Iterates over a range until the range converges. If the range does not converge, the function tries a wider range and a start farther
+/// inside the limits.
 bool PrimalDual::settle_range(Range& range, double mu) {
   constexpr int max_steps = 16, more = 12, max_tries = 4;
-  constexpr std::size_t wider = 16;  // number of blocks by which the range grows with each attempt
+  constexpr std::size_t wider = 16;  // number of blocks by which the range grows at both ends with each attempt
   for (int attempt = 0; attempt < max_tries; ++attempt) {
     double now = mu;
     if (attempt > 0) {
@@ -185,7 +189,7 @@ bool PrimalDual::settle_range(Range& range, double mu) {
 }
 
 /// Iterates over all blocks that have not converged.
-///   returns  false if some of them do not converge
+///   returns  false if some blocks do not converge
 bool PrimalDual::settle(double mu) {
   bool all = true;
   for (std::size_t block = 1; block < blocks_end_; ++block) {
@@ -204,8 +208,8 @@ bool PrimalDual::settle(double mu) {
 
 bool PrimalDual::solve(const TimedPath& path, const PathEnds& ends, StopToken stop) {
   constexpr int max_polls = 12;
-  // Limits are tightened by a multiple of the excess. The multiple doubles with each check, up to this value, because the excess is
-  // measured between the positions at which the tightened limits act.
+  // Limits are tightened by a multiple of the excess. The multiple doubles with each check up to this value, because the excess is measured
+  // between the positions at which the tightened limits apply.
   constexpr int max_tighter = 16;
   constexpr double most_of_limit = 1.01;
   path_ = &path;

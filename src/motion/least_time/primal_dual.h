@@ -1,19 +1,20 @@
 #pragma once
-// PrimalDual: the least time along a path in cells (motion/least_time/timed_path.h), by a primal-dual interior-point method whose first
-// guess may violate the limits. Eight cells are computed in parallel (base/double_lanes.h), with results that are bit-identical on all
+// PrimalDual finds the least time along a path in cells (motion/least_time/timed_path.h). It uses a primal-dual interior-point method whose
+// first guess may violate the limits. Eight cells are computed in parallel (base/double_lanes.h); the results are bit-identical on all
 // processors.
 //
-// Each limit is written as ±c ≤ 1, where c is acceleration or jerk as a share of its limit. It has its own slack s = 1 ∓ c and dual
-// variable z; the method solves s z = μ for μ → 0 (Nocedal, Wright: Numerical Optimization, 19). It is fast for these reasons:
+// Each limit is written as ±c ≤ 1, where c is an acceleration or jerk as a fraction of its limit. Each limit has its own slack s = 1 ∓ c
+// and its own dual variable z. The method solves s z = μ for μ → 0 (Nocedal, Wright: Numerical Optimization, 19). The method is fast for
+// these reasons:
 //
-//   - The jerk limit J is |L| ≤ J/√b, where b is the squared path speed and L is linear in b. The curve J/√b is convex, so its tangent
-//     lies below it: a step that stays below the tangent obeys the limit.
-//   - Every slack and every dual variable has its own step length, and b always makes the full step. So one cell near a limit does not
-//     shorten the step of the whole window. The next step corrects the resulting errors.
+//   - The jerk limit J is |L| ≤ J/√b, where b is the squared path speed and L is linear in b. The curve J/√b is convex and lies above its
+//     tangent, so a step that stays below the tangent obeys the limit.
+//   - Every slack and every dual variable has its own step length, and b always makes the full step. One cell near a limit therefore does
+//     not shorten the step of the whole window. The next step corrects the resulting errors.
 //   - After some steps over all cells, only blocks of eight cells that have not converged, and some blocks around them, are computed
 //     further.
-//   - Limits are checked at three positions of each cell, and after convergence at sixteen more. If a limit is exceeded there, the limits
-//     of the cell are tightened by the excess and its block is solved again.
+//   - Limits are checked at three positions of each cell, and after convergence at sixteen more. If a limit is exceeded at such a position,
+//     the limits of the cell are tightened by the excess, and the block of the cell is solved again.
 
 #include <array>
 #include <cstddef>
@@ -27,57 +28,62 @@ namespace kadr {
 
 class PrimalDual {
  public:
-  ///   returns  false if some blocks did not converge within the limits; speeds() is then not valid; `stop` may end the search early
+  ///   returns  false if some blocks did not converge within the limits or `stop` ended the search; speeds() is then not valid
   bool solve(const TimedPath& path, const PathEnds& ends, StopToken stop = {});
 
   const std::vector<CellSpeeds>& speeds() const { return speeds_; }
-  /// The middle ordinates of the solution, one per cell.
+  /// The middle Bézier ordinates of b in the solution, one per cell.
   const std::vector<double>& middles() const { return middles_; }
-  /// Work done, in steps over all cells; a step over some blocks counts as a fraction.
+  /// The work of the solver, as a number of steps over all cells. A step over some of the blocks counts as a fraction.
   double steps() const { return steps_; }
 
  private:
-  static constexpr std::size_t places = 3;   // positions in a cell where its limits are checked: its ends and its middle
-  static constexpr std::size_t pad = lanes;  // dummy cells before the first and after the last cell, which fill up the blocks
-  // table rows per moving axis, laid out by the functions and constants below; each row has one number per cell
+  static constexpr std::size_t places = 3;  // number of positions in a cell at which its limits are checked: both ends and the middle
+  // number of dummy cells before the first cell and after the last cell, which complete the blocks of eight
+  static constexpr std::size_t pad = lanes;
+  // Number of table rows per moving axis. The functions and constants below define the rows. Each row has one number per cell.
   static constexpr std::size_t per_axis = 34;
-  // first row of a position's x′, x″, x‴, each divided by the jerk limit
+  // The first table row of x′, x″ and x‴ at a position in the cell; each is divided by the jerk limit.
   static constexpr std::size_t shape_row(std::size_t place) { return place * 3; }
-  // first row of a position's jerk limit: slack of the upper and lower limit, dual variable of the upper and lower limit
+  // The first table row of the jerk limit at a position in the cell. The rows are the slacks of the upper and the lower limit, and the dual
+  // variables of the upper and the lower limit.
   static constexpr std::size_t jerk_row(std::size_t place) { return 9 + place * 4; }
-  // First row of a position's acceleration limit, with the same four numbers as a jerk limit. The start of a cell has no such rows: the
-  // acceleration is continuous, so it equals the acceleration at the end of the previous cell.
+  // The first table row of the acceleration limit at a position in the cell, with the same four numbers as a jerk limit. The start of a
+  // cell has no such rows: the acceleration is continuous, so the acceleration at the start equals the acceleration at the end of the
+  // previous cell.
   static constexpr std::size_t acceleration_row(std::size_t place) { return 17 + place * 4; }
   static constexpr std::size_t polynomial_row = 29;
 
   static constexpr LimitMargins margins{0.996, 0.995};
-  static constexpr double at_rest = 0.005;  // a middle ordinate has converged when its relative step is below this
-  // Greatest accepted excess over a limit that is reduced by its margin, at the positions where limits are checked.
+  static constexpr double at_rest = 0.005;  // A middle ordinate has converged when its relative step is below this value.
+  // The greatest accepted excess over a limit, at the positions where limits are checked. Here the limit is already reduced by its margin.
   static constexpr double max_excess = 0.005;
-  // greatest accepted slack · dual of any limit in a cell, as a multiple of the target μ
+  // The greatest accepted product slack · dual of any limit in a cell, as a multiple of the target μ.
   static constexpr double max_gap = 3;
-  static constexpr double allowed = 1;                     // greatest accepted acceleration or jerk, as a share of its limit
+  static constexpr double allowed = 1;                     // greatest accepted acceleration or jerk, as a fraction of its limit
   static constexpr double max_fall = -0.7, most_rise = 2;  // bounds of the relative change of a middle ordinate in one step
 
-  /// The numbers stored for each cell. Each is a table row of a block, with one number for each of its eight cells.
+  /// The numbers stored for each cell. Each of them is one table row of a block and has one number for each of the block's eight cells.
   enum Row : std::size_t {
     length,
-    inverse,     // 1 / length of the cell
-    limited,     // 1: the acceleration and jerk limits of the cell are used; 0: they are not, for a cell next to a stop or a dummy cell
+    inverse,  // reciprocal of the length of the cell, 1/mm
+    // Value 1: the acceleration and jerk limits of the cell apply. Value 0: these limits do not apply, because the cell is next to a stop
+    // or is a dummy cell.
+    limited,
     before,      // factor of the previous cell's middle ordinate in the ordinate at the start of this cell
-    own_before,  // factor of this cell's middle ordinate in the ordinate at its start
-    given,       // constant part of the ordinate at the start
+    own_before,  // factor of this cell's middle ordinate in the ordinate at the start of this cell
+    given,       // constant part of the ordinate at the start of this cell
     behind,      // factor of the next cell's middle ordinate in the ordinate at the end of this cell
-    own_after,   // factor of this cell's middle ordinate in the ordinate at its end
+    own_after,   // factor of this cell's middle ordinate in the ordinate at the end of this cell
     inverse_cap,
     cap_slack,
     cap_dual,
     rows
   };
 
-  /// A range of blocks whose speeds are being solved. The cells outside its borders keep their speeds, unless the border is a stop.
+  /// A range of blocks whose speeds are computed. The cells outside the range keep their speeds; beyond a stop there are no such cells.
   struct Range {
-    std::size_t first, end;  // block indices; `end` is excluded
+    std::size_t first, end;  // block indices; `end` is the index after the last block
     bool from_stop, to_stop;
   };
   template <class Lanes>
@@ -89,16 +95,16 @@ class PrimalDual {
   template <class Lanes>
   struct OrdinateSums;
   struct Progress {
-    double worst = 1, step = 0;  // worst: least slack before the step; step: greatest relative step
-    double gap = 0;              // greatest slack · dual of the limits of a cell, as a multiple of the target μ
+    double worst = 1, step = 0;  // `worst` is the least slack before the step; `step` is the greatest relative step.
+    double gap = 0;              // the greatest product slack · dual of the limits of a cell, as a multiple of the target μ
     bool is_quiet() const { return step <= at_rest && worst >= -max_excess && gap <= max_gap; }
-    /// True if further steps would change nothing, so that the range counts as solved. This is needed if the speed at the start comes from
-    /// an earlier solution that is very near the limits.
+    /// True if further steps would change nothing, so that the range counts as solved. This case occurs if the speed at the start comes
+    /// from an earlier solution that is very near the limits.
     bool stands() const { return step < 0.2 * at_rest && worst > 1 - allowed / margins.jerk; }
   };
   struct Moving {
     std::size_t axis;
-    double ratio;  // jerk limit / acceleration limit
+    double ratio;  // jerk limit divided by the acceleration limit, 1/s
     double by_jerk;
   };
 
@@ -152,18 +158,23 @@ class PrimalDual {
   std::size_t blocks_end_ = 0;  // blocks 1 … blocks_end_ − 1 contain cells
   std::vector<Moving> moving_;
   std::vector<double> cells_;  // the table rows (Row) of all blocks
-  std::vector<float> limits_;  // per_axis table rows of each block and moving axis
-  // middle ordinates, their steps, the gradient: one entry per cell, with dummy entries before and after
+  std::vector<float> limits_;  // The table rows of the limits: `per_axis` rows for each block and each moving axis.
+  // The middle ordinates, their steps and the gradient. Each vector has one entry per cell, and dummy entries before and after the cells.
   std::vector<double> m_, step_, gradient_;
-  // each cell's contribution to the matrix, one element for each pair of the previous, own and next middle ordinates
+  // The contribution of each cell to the matrix. There is one element for each pair of the middle ordinates of the previous cell, the cell
+  // itself and the next cell.
   std::array<std::vector<double>, 6> products_;
-  std::array<std::vector<double>, 3> slopes_;  // each cell's contribution to the gradient, for the previous, own and next middle ordinate
+  // The contribution of each cell to the gradient, for the middle ordinates of the previous cell, the cell itself and the next cell.
+  std::array<std::vector<double>, 3> slopes_;
   std::array<std::vector<double>, 3> diagonals_;
-  // One per cell. For a cell after a reversal: its middle ordinate divided by that of the previous cell; for other cells 0.
+  // A ratio for each cell. For a cell after a reversal it is the middle ordinate of the cell divided by the middle ordinate of the previous
+  // cell; for other cells it is 0.
   std::vector<double> tied_;
-  bool turns_ = false;                       // true if the path has reversals
-  std::vector<char> restless_;               // one flag per block: it has not converged
-  double first_share_ = 0, last_share_ = 0;  // middle ordinate of the cell next to the stop at the start or end, divided by its neighbour's
+  bool turns_ = false;          // true if the path has reversals
+  std::vector<char> restless_;  // one flag per block; the flag is set if the block has not converged
+  // The middle ordinate of the cell next to the stop at the start and at the end of the path, divided by the middle ordinate of the
+  // neighbouring cell.
+  double first_share_ = 0, last_share_ = 0;
   std::vector<double> middles_;
   std::vector<CellSpeeds> speeds_;
   double steps_ = 0;

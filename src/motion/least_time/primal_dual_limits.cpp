@@ -1,5 +1,5 @@
-// PrimalDual, the limits within the cells, eight cells in parallel: their contributions to the matrix, the change of slacks and dual
-// variables in a step, and the cells where a limit is exceeded. Used by motion/least_time/primal_dual.
+// PrimalDual, the limits within the cells, with eight cells in parallel. This file computes the contributions of the limits to the matrix,
+// the change of slacks and dual variables in a step, and the cells in which a limit is exceeded. Used by motion/least_time/primal_dual.
 
 #include <algorithm>
 #include <array>
@@ -11,18 +11,19 @@ namespace kadr {
 namespace {
 
 constexpr std::array<double, 3> place_of = {0, 0.5, 1};
-constexpr double least_b = 1e-6;       // lower bound of b as a share of the middle ordinate, because b is 0 at a reversal
-constexpr double least_slack = 1e-5;   // lower bound of a slack, as a share of the limit
+// Lower bound of b as a fraction of the middle ordinate. The bound is needed because b is 0 at a reversal.
+constexpr double least_b = 1e-6;
+constexpr double least_slack = 1e-5;   // lower bound of a slack, as a fraction of the limit
 constexpr double greatest_dual = 1e3;  // upper bound of a dual variable, s per limit
-constexpr double least_dual = 0.05;    // lower bound of a dual variable, as a share of μ
-constexpr double kept = 0.2;           // a step leaves at least this share of a slack or dual variable
-constexpr double first_slack = 0.2;    // the least initial slack
-// factor in the second derivative of m^(−1/2), to which the time of a cell is proportional
+constexpr double least_dual = 0.05;    // lower bound of a dual variable, as a fraction of μ
+constexpr double kept = 0.2;           // A step leaves at least this fraction of a slack or a dual variable.
+constexpr double first_slack = 0.2;    // lower bound of a slack in the initial guess
+// Factor in the second derivative of m^(−1/2). The time of a cell is proportional to m^(−1/2), where m is the middle ordinate.
 constexpr double second_derivative_of_time = 0.75;
 
 }  // namespace
 
-/// The squared path speed b and its derivatives b′, b″/2 in eight cells, computed from their Bézier ordinates.
+/// The squared path speed b and its derivatives b′ and b″/2 in eight cells, computed from the Bézier ordinates of the cells.
 template <class Lanes>
 struct PrimalDual::BlockSpeed {
   Lanes o0, o1, o2, by_length;
@@ -35,7 +36,7 @@ struct PrimalDual::BlockSpeed {
   KADR_LANES Lanes half_bend() const { return (o0 - 2 * o1 + o2) * by_length * by_length; }
   KADR_LANES Lanes at(double t) const { return ((1 - t) * (1 - t)) * o0 + (2 * t * (1 - t)) * o1 + (t * t) * o2; }
   KADR_LANES Lanes slope(double t) const { return 2 * ((1 - t) * (o1 - o0) + t * (o2 - o1)) * by_length; }
-  /// Returns b with a positive lower bound, so that square roots of it are valid.
+  /// Returns b with a positive lower bound, so that the caller can take its square root and divide by it.
   KADR_LANES Lanes safe_at(double t, const Lanes& is_limited) const {
     return where_positive(is_limited, greater(at(t), least_b * o1), Lanes::all(1));
   }
@@ -45,7 +46,7 @@ struct PrimalDual::BlockSpeed {
 template <class Lanes>
 struct PrimalDual::Pairs {
   float* rows;
-  Lanes slack_up, slack_down, dual_up, dual_down, by_up, by_down;  // by_up, by_down: 1/slack
+  Lanes slack_up, slack_down, dual_up, dual_down, by_up, by_down;  // `by_up` and `by_down` are the reciprocals of the two slacks.
 
   KADR_LANES explicit Pairs(float* from)
       : rows(from), slack_up(from), slack_down(from + lanes), dual_up(from + 2 * lanes), dual_down(from + 3 * lanes) {
@@ -59,8 +60,8 @@ struct PrimalDual::Pairs {
   KADR_LANES static Lanes moved_dual(const Lanes& dual, const Lanes& to, double mu) {
     return lesser(greater(greater(to, kept * dual), Lanes::all(least_dual * mu)), Lanes::all(greatest_dual));
   }
-  /// Updates slacks and dual variables for a step that changes c by dc. `tangent`: additional reduction of both slacks, from the tangent
-  /// to the jerk limit.
+  /// Updates slacks and dual variables for a step that changes c by `dc`. `tangent` is the additional reduction of both slacks that follows
+  /// from the tangent to the jerk limit.
   ///   returns  the sum of slack · dual of the upper and the lower limit after the step
   KADR_LANES Lanes move(const Lanes& c, const Lanes& dc, const Lanes& tangent, double mu) {
     const Lanes up = (1 - c - slack_up) - dc - tangent, down = (1 + c - slack_down) + dc - tangent;
@@ -79,12 +80,13 @@ struct PrimalDual::Pairs {
   }
 };
 
-/// Gradient and Hessian with respect to b, b′ and b″/2 at one sample position.
+/// Gradient and Hessian with respect to b, b′ and b″/2 at one sample position of a cell.
 template <class Lanes>
 struct PrimalDual::PlaceSums {
   Lanes g0 = {}, g1 = {}, g2 = {}, h00 = {}, h01 = {}, h02 = {}, h11 = {}, h12 = {}, h22 = {};
 
-  /// Adds a jerk limit with c = e0 b + e1 b′ + e2 b″/2. `tangent`: derivative with respect to b of the slack reduction by the tangent.
+  /// Adds a jerk limit with c = e0 b + e1 b′ + e2 b″/2. `tangent` is the derivative with respect to b of the slack reduction that the
+  /// tangent causes.
   KADR_LANES void add_jerk(const Pairs<Lanes>& of, double mu, const Lanes& c, const Lanes& e0, const Lanes& e1, const Lanes& e2,
                            const Lanes& tangent) {
     const Lanes bend_up = of.dual_up * of.by_up, bend_down = of.dual_down * of.by_down, both = bend_up + bend_down;
@@ -106,7 +108,7 @@ struct PrimalDual::PlaceSums {
   }
 };
 
-/// Gradient and Hessian with respect to the three Bézier ordinates of eight cells.
+/// Gradient and Hessian with respect to the three Bézier ordinates of each of eight cells.
 template <class Lanes>
 struct PrimalDual::OrdinateSums {
   Lanes g0 = {}, g1 = {}, g2 = {}, h00 = {}, h01 = {}, h02 = {}, h11 = {}, h12 = {}, h22 = {};
@@ -132,7 +134,7 @@ struct PrimalDual::OrdinateSums {
   }
 };
 
-/// Computes x′, x″, x‴, divided by the jerk limit, at the positions where limits are checked.
+/// Computes x′, x″ and x‴, each divided by the jerk limit, at the positions where limits are checked.
 template <class Lanes>
 KADR_LANES void PrimalDual::fill_shapes() {
   for (std::size_t block = 1; block < blocks_end_; ++block) {
@@ -197,7 +199,8 @@ KADR_LANES void PrimalDual::build(const Range& range, double mu) {
       sums.add(at_place, place_of[p], speed.by_length);
     }
     sums.take(is_limited);
-    const Lanes m = speed.o1, by_m = 1 / m, fall = (0.5 * Lanes(of_block + length * lanes)) * by_m * by_m * root_of(m);  // −dT/dm
+    // `fall` is −dT/dm, the decrease of the time per increase of the middle ordinate.
+    const Lanes m = speed.o1, by_m = 1 / m, fall = (0.5 * Lanes(of_block + length * lanes)) * by_m * by_m * root_of(m);
     const Lanes by_cap(of_block + inverse_cap * lanes), slack(of_block + cap_slack * lanes), dual(of_block + cap_dual * lanes),
         by_slack = 1 / slack;
     sums.h11 += (2 * second_derivative_of_time) * fall * by_m + dual * by_slack * by_cap * by_cap;
@@ -216,7 +219,7 @@ KADR_LANES void PrimalDual::build(const Range& range, double mu) {
   }
 }
 
-/// Adds the contributions of all cells of a range, which gives the pentadiagonal matrix and the right-hand side.
+/// Adds the contributions of all cells of a range. The sums are the pentadiagonal matrix and the right-hand side.
 template <class Lanes>
 KADR_LANES void PrimalDual::gather(const Range& range) {
   for (std::size_t block = range.first; block < range.end; ++block) {
@@ -228,7 +231,7 @@ KADR_LANES void PrimalDual::gather(const Range& range) {
   }
 }
 
-/// Applies the step to slacks and dual variables; move() applies it to the middle ordinates.
+/// Applies the step to the slacks and the dual variables. move() applies the step to the middle ordinates.
 template <class Lanes>
 KADR_LANES PrimalDual::Progress PrimalDual::update(const Range& range, double mu) {
   Lanes all_worst = Lanes::all(1), all_steps = {}, all_gaps = {};
@@ -279,9 +282,9 @@ KADR_LANES void PrimalDual::move(const Range& range) {
   }
 }
 
-/// Checks the limits of every cell at sixteen more positions. `tighter`: if a limit is exceeded, the cell's limits are tightened by this
-/// multiple of the excess.
-///   returns  the greatest acceleration or jerk, as a share of its limit
+/// Checks the limits of every cell at sixteen more positions. If a limit is exceeded, the limits of the cell are tightened by `tighter`
+/// times the excess.
+///   returns  the greatest acceleration or jerk, as a fraction of its limit
 template <class Lanes>
 KADR_LANES double PrimalDual::look(const Range& range, int tighter) {
   constexpr std::array<double, 16> between = {0, 0.04, 0.1, 0.16, 0.22, 0.28, 0.34, 0.4, 0.6, 0.66, 0.72, 0.78, 0.84, 0.9, 0.96, 1};
@@ -331,7 +334,7 @@ void PrimalDual::begin(const Range& range, double mu) {
 
 void PrimalDual::derive(const Range& range, double mu) {
   with_best_lanes([&](auto like) __attribute__((always_inline)) { build<decltype(like)>(range, mu); });
-  // the cells next to the range: their contributions are removed
+  // The contributions of the two cells next to the range are set to 0, because these cells keep their speeds.
   const std::size_t outside[] = {range.first * lanes - 1, range.end * lanes};
   for (const std::size_t i : outside)
     for (auto* const all :

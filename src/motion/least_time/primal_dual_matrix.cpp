@@ -1,4 +1,4 @@
-// PrimalDual, the Newton step: solves a symmetric pentadiagonal system by L D Lᵀ.
+// PrimalDual, the Newton step: it solves a symmetric pentadiagonal system by the decomposition L D Lᵀ.
 
 #include <cmath>
 
@@ -6,13 +6,13 @@
 
 namespace kadr {
 
-/// Solves H · step_ = step_ for the variables first … end − 1. If rounding errors leave an element d of D that is not clearly positive,
-/// the diagonal element of H is used instead (Gill, Murray, Wright: Practical Optimization 4.4.2).
+/// Solves H · step_ = step_ for the variables `first` to `end` − 1. If rounding errors make an element d of D not clearly positive, the
+/// diagonal element of H replaces d (Gill, Murray, Wright: Practical Optimization 4.4.2).
 void PrimalDual::factor(std::size_t first, std::size_t end) {
   constexpr double rounding = 1e-11;
   double *const d0 = diagonals_[0].data(), *const d1 = diagonals_[1].data(), *const d2 = diagonals_[2].data(), *const x = step_.data();
-  // Values of the previous row: 1/d, the elements to the right of the diagonal, the right-hand side. The names with `_before` are values of
-  // the row before the previous one.
+  // Values of the previous matrix row: 1/d, the two elements to the right of the diagonal and the right-hand side. The names with `_before`
+  // are values of the row before the previous row.
   double by_d = 0, next = 0, after = 0, value = 0, by_d_before = 0, after_before = 0, value_before = 0;
   for (std::size_t i = first; i < end; ++i) {
     const double l1 = next * by_d, l2 = after_before * by_d_before;
@@ -31,8 +31,8 @@ void PrimalDual::factor(std::size_t first, std::size_t end) {
   }
 }
 
-/// Merges the variables of reversals: a cell after a reversal has no variable of its own; its matrix row is added to that of the previous
-/// cell, and all further rows move up by one.
+/// Merges the variables of reversals. A cell after a reversal has no variable of its own. The matrix row of this cell is added to the row
+/// of the previous cell, and all later rows move up by one.
 ///   returns  the index after the last variable
 std::size_t PrimalDual::merge_turns(std::size_t first, std::size_t end) {
   auto& [d0, d1, d2] = diagonals_;
@@ -59,7 +59,8 @@ void PrimalDual::spread_turns(std::size_t first, std::size_t end, std::size_t va
 bool PrimalDual::newton(const Range& range) {
   auto& [d0, d1, d2] = diagonals_;
   const std::size_t all = range.first * lanes, cells_end = std::min(range.end * lanes, pad + n_);
-  std::size_t first = all + 1, end = cells_end;  // the first cell has no variable: it is fixed, or depends on the second cell
+  // The first cell has no variable: its middle ordinate is fixed, or it depends on the second cell.
+  std::size_t first = all + 1, end = cells_end;
   if (range.from_stop) {
     const double share = first_share_;
     d0[first] += share * share * d0[all] + 2 * share * d1[all];

@@ -1,5 +1,5 @@
-// The minimum-time motion along a straight line from rest to rest: seven phases of constant jerk, some of which may have zero duration.
-// Used by motion/least_time/planner.
+// This file computes the minimum-time motion along a straight line from rest to rest. The motion has seven phases of constant jerk, some of
+// which may have zero duration. Used by motion/least_time/planner.
 
 #include "motion/least_time/rest_to_rest.h"
 
@@ -10,20 +10,21 @@
 namespace kadr {
 namespace {
 
-/// A ramp from rest to a speed: `rising` s of positive jerk, `steady` s of constant acceleration, `rising` s of negative jerk.
+/// A ramp from rest to a speed: `rising` seconds of positive jerk, `steady` seconds of constant acceleration, and again `rising` seconds of
+/// negative jerk.
 struct JerkRamp {
   double rising = 0, steady = 0, acceleration = 0, speed = 0;
   double seconds() const { return 2 * rising + steady; }
 };
 
 JerkRamp ramp_to(double speed, const LineLimits& limits) {
-  // √(v j) is the peak acceleration if the acceleration limit is not reached
+  // If the acceleration limit is not reached, the peak acceleration is √(v j).
   const double reached = std::min(limits.acceleration, std::sqrt(speed * limits.jerk));
   const double rising = reached / limits.jerk;
   return {rising, std::max(0.0, speed / reached - rising), reached, speed};
 }
 
-/// Returns the greatest speed that a ramp over half the length reaches.
+/// Returns the greatest speed, mm/s, that a ramp over half of the length reaches.
 double peak(double length, const LineLimits& limits) {
   const double a = limits.acceleration, rising = a / limits.jerk;
   if (length < 2 * a * rising * rising) return std::cbrt(length * length * limits.jerk / 4);

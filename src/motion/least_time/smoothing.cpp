@@ -1,4 +1,4 @@
-// Smoothing: joins straight motions under G5.1 into one curve before they are planned. Used by motion/least_time/axis_motion; tested by
+// Smoothing joins straight motions under G5.1 into one curve before they are planned. Used by motion/least_time/axis_motion; tested by
 // tests/motion/smoothing_test.cpp.
 
 #include "motion/least_time/smoothing.h"
@@ -14,7 +14,8 @@
 namespace kadr {
 namespace {
 
-constexpr double chord_of_curve = 0.04 * tol::exact_path;  // chord error, as for an arc that is followed exactly (AxisMotion)
+// The chord error of a curve, mm: the same value as for an arc that is followed exactly (AxisMotion).
+constexpr double chord_of_curve = 0.04 * tol::exact_path;
 
 double angle_between(const Axes& before, const Axes& behind) {
   double squares = 0;
@@ -43,7 +44,8 @@ SmoothingRules smoothing_rules(const Setup& setup, const std::vector<std::string
 }
 
 bool Smoothing::is_sharp(const Held& before, const Held& behind) const {
-  constexpr double turns_back = 179.9;  // degrees: from this corner angle on, two pieces have no mean direction
+  // Angle in degrees. Two pieces whose directions differ by more than this angle have no mean direction, so they are not smoothed.
+  constexpr double turns_back = 179.9;
   const double angle = angle_between(before.way, behind.way);
   const bool fine = before.piece.mode == 3 && behind.piece.mode == 3;
   const bool short_one = fine && std::min(before.length, behind.length) < rules_.always_below;
@@ -75,8 +77,8 @@ void Smoothing::finish(const Line& line) {
   held_.reset();
 }
 
-/// Emits the held piece. `next`: the piece that follows; nullptr: no smoothed piece follows, so the held piece ends in its own direction
-/// (NCT 4.7: next to a piece that is not smoothed, the tangent of the curve is the direction of the chord).
+/// Emits the stored piece. `next` is the piece that follows. If `next` is nullptr, no smoothed piece follows and the stored piece ends in
+/// its own direction. NCT 4.7: next to a piece that is not smoothed, the tangent of the curve is the direction of the chord.
 void Smoothing::let_out(const Held* next, const Line& line) {
   const Held& held = *held_;
   const Piece& piece = held.piece;

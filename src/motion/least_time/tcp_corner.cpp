@@ -1,5 +1,5 @@
-// Computes the tolerance of corners of the axes' path under tool centre point control. Used by motion/least_time/axis_motion; tested by
-// tests/motion/tcp_corner_test.cpp.
+// This file computes the tolerance of corners of the axes' path under tool centre point control. Used by motion/least_time/axis_motion;
+// tested by tests/motion/tcp_corner_test.cpp.
 
 #include "motion/least_time/tcp_corner.h"
 
@@ -11,15 +11,17 @@
 namespace kadr {
 namespace {
 
-constexpr double straight_on = 1e-12;  // |Δu| (change of direction) below which two pieces count as collinear; covers rounding errors
-// mm: greatest deviation of the axes at a rounded corner, even if the tip would stay within its tolerance at a greater deviation. If the
-// tolerance is larger than this value, the tolerance applies.
+// The change of direction |Δu| below which two pieces count as collinear. The value allows for rounding errors.
+constexpr double straight_on = 1e-12;
+// The greatest deviation of the axes at a rounded corner, mm. It applies even if the tip would stay within its tolerance at a greater
+// deviation. If the tolerance is larger than this value, the tolerance applies instead.
 constexpr double most_off = 0.1;
-constexpr double max_swing = 0.05;  // degrees: greatest deviation of a rotary axis at a rounded corner
-// degrees: allowed error of the tool direction; half of what the test of the five-axis samples allows (docs/planner.md)
+constexpr double max_swing = 0.05;  // greatest deviation of a rotary axis at a rounded corner, degrees
+// The allowed error of the tool direction, degrees. It is half of the error that the test of the five-axis samples allows
+// (docs/planner.md).
 constexpr double of_direction = 0.01;
 
-/// Returns the rotation per travel of the tip, degrees/mm; 0 if the tip does not move.
+/// Returns the rotation per travel of the tip, degrees/mm, or 0 if the tip does not move.
 double rate(double degrees, Vec3 tip) {
   constexpr double stands = 1e-9;
   const double way = length(tip);
@@ -42,7 +44,7 @@ TcpPiece tcp_piece(std::size_t axes, const Axes& from, const Axes& to, Vec3 tip_
 }
 
 bool TcpPiece::keeps_pace(const TcpPiece& before) const {
-  constexpr double same = 1e-3;  // relative: greatest difference of the tip's speed in two chords of the same curve
+  constexpr double same = 1e-3;  // greatest relative difference of the tip speeds in two chords of the same curve
   const double now = feed * kadr::length(tip), then = before.feed * kadr::length(before.tip);
   return known && before.known && now > 0 && std::fabs(now - then) <= same * now;
 }
@@ -57,13 +59,14 @@ double tcp_tolerance(const TcpPiece& before, const TcpPiece& behind, double tole
     if ((rotary >> a & 1U) == 0) continue;
     swing += change * change;
     const double one = rate(before.along[a], before.tip), other = rate(behind.along[a], behind.tip);
-    // change of the axis' rotation rate that does not follow from the tip's position
+    // The part of the change of the axis' rotation rate that does not follow from the tip's position.
     const double beside = change - (one + other) / 2 * along;
     off_direction += beside * beside;
   }
   turn = std::sqrt(turn);
   if (turn < straight_on) return tolerance;
-  // greatest deviation of tip or direction as a share of the allowed deviation, per unit of the axes' deviation at the corner
+  // The greatest deviation of the tip or the direction as a fraction of the allowed deviation, per unit of the axes' deviation at the
+  // corner.
   const double felt = std::max(off / tolerance, std::sqrt(off_direction) / of_direction);
   return std::min(
       {turn / std::max(felt, straight_on), std::max(most_off, tolerance), max_swing * turn / std::max(std::sqrt(swing), straight_on)});

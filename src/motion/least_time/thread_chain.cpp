@@ -1,5 +1,5 @@
-// ThreadChain: consecutive threads as one motion synchronised with the spindle. Used by motion/least_time/axis_motion; tested by
-// tests/motion/thread_chain_test.cpp.
+// ThreadChain plans consecutive threads as one motion that is synchronised with the spindle. Used by motion/least_time/axis_motion; tested
+// by tests/motion/thread_chain_test.cpp.
 
 #include "motion/least_time/thread_chain.h"
 
@@ -17,10 +17,12 @@ double path_speed(const Axes& speed) {
   return squares > 0 ? std::sqrt(squares) : 1;
 }
 
-/// A unit step of speed at time 0, spread over the time T: the distance travelled since −∞ and its three time derivatives.
+/// A unit step of speed at the time 0 that is spread over the time T. The entries are the distance travelled since −∞ and the first three
+/// time derivatives of this distance.
 using Spread = std::array<double, 4>;
 
-/// Returns the spread step at the time u before its middle. The second half is the mirror image of the first.
+/// Returns the spread step at the time u relative to the middle of the step, for u ≤ 0. The second half of the step is the mirror image of
+/// the first half.
 Spread before_middle(double u, double longer, double shorter) {
   const double flat = (longer - shorter) / 2, x = u + (longer + shorter) / 2, area = longer * shorter;
   if (x <= 0) return {};
@@ -54,8 +56,8 @@ double ThreadChain::step(std::size_t knot, std::size_t axis) const {
   return knots_[knot].speed[axis] - (knot > 0 ? knots_[knot - 1].speed[axis] : 0);
 }
 
-/// Returns the durations W1 and W2 of the pulses that spread speed steps of these sizes. `jerks`: the factor by which overlapping steps
-/// multiply the jerk.
+/// Returns the durations W1 and W2 of the pulses that spread speed steps of the given sizes. `jerks` is the factor by which overlapping
+/// steps multiply the jerk.
 ThreadChain::Weight ThreadChain::weight_of(const Axes& steps, double jerks) const {
   Weight weight;
   for (std::size_t a = 0; a < limits_.speed.size(); ++a)
@@ -79,12 +81,12 @@ ThreadChain::Weight ThreadChain::weight() const {
   const Weight apart = weight_of(steps, 1);
   if (apart.time() <= shortest) return apart;
   for (std::size_t a = 0; a < limits_.speed.size(); ++a) steps[a] = most_speed[a] - least[a];
-  return weight_of(steps, 2);  // for overlapping steps the greatest change of speed counts as one step, with twice the jerk
+  return weight_of(steps, 2);  // If the steps overlap, the greatest change of speed counts as one step, with twice the jerk.
 }
 
 double ThreadChain::ramp() const { return weight().time(); }
 
-/// Returns the times between which the acceleration of every axis changes linearly.
+/// Returns the times, s, between which the acceleration of every axis changes linearly.
 std::vector<double> ThreadChain::moments(const Weight& weight) const {
   const double half = weight.time() / 2, flat = (weight.longer - weight.shorter) / 2;
   std::vector<double> times;
@@ -94,8 +96,9 @@ std::vector<double> ThreadChain::moments(const Weight& weight) const {
   return times;
 }
 
-/// Appends the axes' polynomials between two times, as functions of time.
-///   over  index of the last knot whose speed step is finished, if `moves`; else of the first knot
+/// Appends the polynomials of the axis positions between two times, as functions of time.
+///   over  index of the last knot (the junction of two threads) whose speed step is finished if `moves` is true; otherwise the index of the
+///         first knot
 void ThreadChain::add_shape(double from, double to, std::size_t over, bool moves, const Weight& weight, std::vector<double>& path) const {
   const std::size_t axes = limits_.speed.size(), row = path.size();
   const double middle = (from + to) / 2;
@@ -110,7 +113,7 @@ void ThreadChain::add_shape(double from, double to, std::size_t over, bool moves
   }
   for (std::size_t k = moves ? over + 1 : over; k < knots_.size() && knots_[k].time - weight.time() / 2 < middle; ++k) {
     Spread spread = spread_at(from - knots_[k].time, weight.longer, weight.shorter);
-    // the third derivative is constant over the whole interval
+    // The third derivative is constant over the whole interval, so its value in the middle is used.
     spread[3] = spread_at(middle - knots_[k].time, weight.longer, weight.shorter)[3];
     for (std::size_t a = 0; a < axes; ++a) add(a, step(k, a), spread);
   }
@@ -128,7 +131,8 @@ TimedCells ThreadChain::cells() const {
     while (over + 1 < knots_.size() && knots_[over + 1].time + spread.time() / 2 <= from) ++over;
     while (piece + 2 < knots_.size() && knots_[piece + 1].time <= middle) ++piece;
     const double speed = path_speed(knots_[piece].speed), seconds = to - from;
-    cells.laws.push_back({seconds, speed * seconds, true, speed, 0, 0});  // the distance along the cell follows the spindle
+    // The distance along the cell is proportional to time, at the speed that the spindle demands.
+    cells.laws.push_back({seconds, speed * seconds, true, speed, 0, 0});
     cells.sources.push_back({knots_[piece].tag, speed, Bend::none});
     const std::size_t row = cells.path.size();
     add_shape(from, to, over, knots_[over].time + spread.time() / 2 <= from, spread, cells.path);

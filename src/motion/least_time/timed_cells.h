@@ -1,5 +1,6 @@
 #pragma once
-// TimedCells: a segment of a path with its timing. The planner emits TimedCells; Playback and others sample axis positions from them.
+// TimedCells is a segment of a path with its timing. The planner emits TimedCells; Playback and other readers compute axis positions from
+// them.
 
 #include <cstddef>
 #include <cstdint>
@@ -7,59 +8,64 @@
 
 namespace kadr {
 
-/// The distance s along a cell as a function of time t: s grows from 0 to `length` in `seconds`.
+/// The distance s along a cell as a function of the time t. The distance grows from 0 to `length` in `seconds`.
 struct TimeLaw {
   double seconds = 0, length = 0;  // s, mm
-  bool by_time = true;             // true: s = v t + a t²/2 + j t³/6; false: the acceleration depends on the distance, s̈ = a + j s
+  bool by_time = true;             // True: s = v t + a t²/2 + j t³/6. False: the acceleration depends on the distance, s̈ = a + j s.
   double v = 0, a = 0, j = 0;
 
   double way(double t) const;
   double speed(double t) const;
-  /// Distance and its time derivatives along the path: mm, mm/s, mm/s², mm/s³.
+  /// The distance along the path, mm, and its first three time derivatives in mm/s, mm/s² and mm/s³.
   struct State {
     double way = 0, speed = 0, acceleration = 0, jerk = 0;
   };
   State after(double t) const;
-  /// The state at the fraction `part` of the cell: a fraction of its duration if `by_time`, else of its length.
+  /// Returns the state at the fraction `part` of the cell: a fraction of its duration if `by_time` is true, otherwise a fraction of its
+  /// length.
   State at(double part) const;
 
-  /// Returns a law with constant jerk `j`, mm/s³, that lasts `seconds`.
+  /// Returns a law with the constant jerk `j`, mm/s³, that lasts `seconds`.
   static TimeLaw of_jerk(double seconds, double v, double a, double j);
-  /// Returns a law with ṡ² = v² + 2 a s + j s² up to `length`; this polynomial must be positive throughout.
+  /// Returns a law with ṡ² = v² + 2 a s + j s² from s = 0 to `length`. This polynomial must be positive for every s in this range.
   static TimeLaw of_squares(double length, double v, double a, double j);
-  /// Returns a law with constant jerk from rest to the speed `v` at `length`; with `reversed`, from the speed `v` to rest.
+  /// Returns a law with constant jerk from rest to the speed `v` at the distance `length`. With `reversed` the law leads from the speed `v`
+  /// to rest.
   static TimeLaw from_rest(double length, double v, bool reversed);
 };
 
-/// How the path bends in a cell.
+/// The shape of the path in a cell: straight, or part of a rounding.
 enum class Bend : std::uint8_t {
   none,    // the path is straight
   corner,  // the cell lies in the rounding of a programmed corner
   curve,   // the cell lies in the rounding between two chords of a curve
 };
 
-/// Which of the operator's switches act in a cell.
+/// The operator's switches that have an effect in a cell.
 struct Switches {
   bool feed_override = true, hold = true;
 };
 
-/// The piece of path that a cell was cut from.
+/// The path piece from which a cell was made.
 struct CellSource {
-  std::uint64_t tag = 0;  // tag of the piece in which the cell starts; the caller defines its meaning
+  std::uint64_t tag = 0;  // tag of the piece in which the cell starts; the caller defines the meaning of the tag
   double feed = 0;        // the greatest commanded path speed, mm/s; 0: the axes are at rest
   Bend bend = Bend::none;
-  std::uint64_t motion = 0;  // number of the motion in which the cell starts, counted by AxisMotion; 0: unknown
+  std::uint64_t motion = 0;  // number of the motion in which the cell starts, as AxisMotion counts motions; 0: unknown
   Switches switches{};
-  double beyond = 0;  // greatest excess of the path's deviation over the tolerance at the sample positions, as a share of the tolerance
+  // The greatest excess of the path's deviation over the tolerance at the sample positions, as a fraction of the tolerance.
+  double beyond = 0;
 };
 
-/// The spindle's angle in a cell, in degrees, not reduced modulo 360. It grows with time, or with the distance that the axes travel
-/// (rigid tapping).
+/// The spindle's angle in a cell in degrees, not reduced modulo 360. The angle grows with time, or in rigid tapping with the distance that
+/// the axes travel.
 struct SpindleTurn {
   double angle = 0, per_second = 0, per_mm = 0;
-  // the axes are synchronised after this cell: at its end they wait until the angle, modulo 360°, equals the planned one
+  // True if the axes wait at the end of this cell until the spindle angle, modulo 360°, equals the planned angle. The axes are then
+  // synchronised with the spindle.
   bool awaited = false;
-  bool absolute = false;  // the angle was commanded: at the start of the cell it equals the planned angle modulo 360°
+  // True if the angle was commanded. At the start of the cell the spindle angle then equals the planned angle modulo 360°.
+  bool absolute = false;
 
   double at(double t, double way) const { return angle + per_second * t + per_mm * way; }
 };
@@ -71,10 +77,10 @@ struct TimedCells {
   std::size_t axes = 0;
   std::vector<TimeLaw> laws;
   std::vector<CellSource> sources;
-  // coefficients c_i of x(s) = Σ c_i s^i for each cell and axis; index of c_0: (cell * axes + axis) * terms
+  // The coefficients c_i of x(s) = Σ c_i s^i for each cell and axis. The index of c_0 is (cell * axes + axis) * terms.
   std::vector<double> path;
-  std::vector<SpindleTurn> spindle{};  // one per cell; empty: not set yet
-  bool unsolved = false;               // no speed was found for these cells: the axes stop after each of them
+  std::vector<SpindleTurn> spindle{};  // one spindle rotation per cell; empty: not set yet
+  bool unsolved = false;               // True if no speed was found for these cells. The axes then stop after each of these cells.
 
   void clear() { laws.clear(), sources.clear(), path.clear(), spindle.clear(), unsolved = false; }
   /// Writes to `x` the axis positions at the distance `way`, mm, from the start of a cell.

@@ -1,5 +1,5 @@
-// TimedPath: computes limits and estimates of the speed along a path in cells, before the solvers run. Used by the least-time solvers;
-// tested by tests/motion/least_time_test.cpp.
+// TimedPath, the limits and estimates of the speed along a path in cells, which are computed before the solvers run. Used by the least-time
+// solvers; tested by tests/motion/least_time_test.cpp.
 
 #include "motion/least_time/timed_path.h"
 
@@ -21,7 +21,7 @@ void TimedPath::clear() {
   turns.clear();
 }
 
-/// Appends storage for the polynomials of one more cell and returns it.
+/// Appends storage for the polynomials of one more cell and returns a pointer to it.
 double* TimedPath::add_shapes() {
   shapes.resize(shapes.size() + axes * terms);
   return shapes.data() + shapes.size() - axes * terms;
@@ -78,7 +78,7 @@ TimedPath TimedPath::first(std::size_t count) const {
 }
 
 double fastest_alone(const TimedPath& path, std::size_t cell) {
-  constexpr double none = 1e-12;  // a smaller derivative imposes no limit
+  constexpr double none = 1e-12;  // A derivative that is smaller than this value imposes no limit.
   constexpr std::array<double, 5> places = {0, 0.25, 0.5, 0.75, 1};
   double most = path.most[cell];
   for (std::size_t a = 0; a < path.axes; ++a) {
@@ -113,7 +113,7 @@ void find_envelope(const TimedPath& path, const PathEnds& ends, std::vector<doub
   const double soonest = soonest_rise(path);
   const auto to_three_quarters = [](double b) { return std::sqrt(b * std::sqrt(b)); };
   middles.resize(n);
-  double reached = ends.from_stop ? 0 : to_three_quarters(ends.from.b);  // value of b^(3/4) at the current knot
+  double reached = ends.from_stop ? 0 : to_three_quarters(ends.from.b);  // value of b^(3/4) at the boundary before the current cell
   for (std::size_t k = 0; k < n; ++k) {
     if (k > 0 && path.turns[k - 1] != 0) reached = 0;
     reached = std::min(to_three_quarters(fastest_alone(path, k)), reached + soonest * path.h[k]);
@@ -131,12 +131,13 @@ void find_envelope(const TimedPath& path, const PathEnds& ends, std::vector<doub
   for (double& m : middles) m *= std::cbrt(m);
 }
 
-/// In a cell of length h next to a stop, at the distance τ h from the stop: b = b₁ τ^(4/3), where b₁ is b at the other knot. So ṡ s̈ =
-/// ±2/3 τ b₁^(3/2) / h and s⃛ = 2/9 b₁^(3/2) / h². The middle ordinate is a third of b₁.
+/// Computes the bound from the motion in a cell of the length h next to a stop. At the distance τ h from the stop b = b₁ τ^(4/3), where b₁
+/// is b at the other end of the cell. Therefore ṡ s̈ = ±2/3 τ b₁^(3/2) / h and s⃛ = 2/9 b₁^(3/2) / h². The middle ordinate is a third of
+/// b₁.
 double max_next_to_stop(const TimedPath& path, std::size_t cell, bool is_first, const LimitMargins& margins) {
   constexpr std::array<double, 8> places = {0, 0.12, 0.28, 0.43, 0.57, 0.72, 0.88, 1};
   const double h = path.h[cell], ahead = is_first ? 1 : -1;
-  double most = unbounded;  // the greatest b₁ that the limits allow
+  double most = unbounded;  // the greatest value of b₁ that the limits allow, mm²/s²
   for (std::size_t a = 0; a < path.axes; ++a)
     for (const double place : places) {
       const Derivatives x = Derivatives::at(path.shape(cell, a), place * h);

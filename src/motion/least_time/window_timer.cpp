@@ -1,4 +1,4 @@
-// WindowTimer: finds the speed of a path's cells, window by window. Used by motion/least_time/planner; tested by
+// WindowTimer finds the speed of a path's cells, window by window. Used by motion/least_time/planner; tested by
 // tests/motion/planner_test.cpp.
 
 #include "motion/least_time/window_timer.h"
@@ -15,10 +15,10 @@
 namespace kadr {
 namespace {
 
-constexpr std::size_t least_window = 600;  // a window is solved as soon as it has this number of cells
-// if a window has more cells, some are emitted although the end of the window may have slowed them down
+constexpr std::size_t least_window = 600;  // number of cells at which a window is solved
+// If a window has more cells than this number, some of the cells are emitted although the end of the window may have slowed them down.
 constexpr std::size_t max_window = 6000;
-constexpr double crawl_of_slowest = 0.03;  // ṡ² of the crawl at the window's end, as a share of the ṡ² that the slowest cell allows
+constexpr double crawl_of_slowest = 0.03;  // ṡ² of the crawl at the end of the window, as a fraction of the ṡ² that the slowest cell allows
 
 }  // namespace
 
@@ -39,7 +39,7 @@ void WindowTimer::take(const CutCells& more, bool last, StopToken stop) {
   if (last) begin();
 }
 
-/// Adds the plan of a segment of the path to done(), if it is a valid plan.
+/// Adds the plan of a segment of the path to done() if the plan is valid. Otherwise the function stores the plan as refused.
 void WindowTimer::pass_cells_on(TimedCells made, double standing, std::uint64_t tag) {
   const double seconds = made.seconds();
   if (std::isfinite(seconds) && seconds <= most_of_standing * standing) return done_.push_back(std::move(made));
@@ -53,12 +53,13 @@ void WindowTimer::pass_cells_on(TimedCells made, double standing, std::uint64_t 
   now_.refused = {way, made.sources.empty() ? tag : made.sources[longest].tag};
 }
 
-/// Returns the time that the first `count` cells would take with a stop at each corner, s.
+/// Returns the time, s, that the first `count` cells would take with a stop at each corner.
 double WindowTimer::standing_of(std::size_t count) const {
   return std::accumulate(now_.cells.standing.begin(), now_.cells.standing.begin() + static_cast<std::ptrdiff_t>(count), 0.0);
 }
 
-/// Returns how many cells are final in a solution that ends at crawling speed: the cells whose speed the crawl at the end has not reduced.
+/// Returns how many cells are final in a solution that ends at crawling speed. A cell is final if the crawl at the end has not reduced its
+/// speed.
 std::size_t WindowTimer::sure_cells() const {
   const std::vector<CellSpeeds>& speeds = timer_.speeds();
   std::size_t cell = now_.cells.count();
@@ -70,8 +71,8 @@ void WindowTimer::solve(bool last, const StopToken& stop) {
   now_.ends.to_stop = last;
   now_.ends.crawl = crawl_of_slowest * slowest_alone(now_.cells.path);
   bool found = timer_.solve(now_.cells.path, now_.ends, stop);
-  // The low speed at the end of the earlier solution is permitted at the new end too, if its square is below twice the square computed for
-  // the new cells.
+  // The low speed at the end of the earlier solution is allowed at the new end too if its square is below twice the squared speed that was
+  // computed for the new cells.
   constexpr double as_slow = 2, a_little = 1e-6;
   if (const auto& known = now_.ends.guess; !found && !stop.asked() && !known.empty() && known.back() < as_slow * now_.ends.crawl) {
     now_.ends.crawl = std::max(now_.ends.crawl, (1 + a_little) * known.back());
@@ -86,7 +87,7 @@ void WindowTimer::solve(bool last, const StopToken& stop) {
   else if (all > max_window) deliver(all / 3);
 }
 
-/// Emits the first `count` cells; the rest of the path continues after them. `stops`: the axes stop after these cells.
+/// Emits the first `count` cells. The remaining path continues after these cells. `stops` is true if the axes stop after these cells.
 void WindowTimer::deliver(std::size_t count, bool stops) {
   const TimedPath& path = now_.cells.path;
   const std::size_t all = path.cells();
@@ -115,9 +116,9 @@ void WindowTimer::deliver(std::size_t count, bool stops) {
   now_.cells.forget(count);
 }
 
-/// Handles the case that an earlier solution cannot be continued: the axes stop at the position where the earlier solution ended at
-/// crawling speed, and the rest of the path starts at this position from rest.
-///   returns  false if the earlier solution has no such position, or the axes cannot stop there
+/// Handles the case that an earlier solution cannot be continued. The axes then stop at the position at which the earlier solution ended at
+/// crawling speed, and the remaining path starts from rest at this position.
+///   returns  false if the earlier solution has no such position, or the axes cannot stop at this position
 bool WindowTimer::stop_where_known(const StopToken& stop) {
   const std::size_t known = now_.ends.guess.size();
   if (now_.ends.from_stop || known < least_cells || known >= now_.cells.count()) return false;
@@ -128,7 +129,7 @@ bool WindowTimer::stop_where_known(const StopToken& stop) {
   return true;
 }
 
-/// Handles the case that no speed was found at all: times each cell as a straight line with a stop at its end.
+/// Handles the case that no speed was found. Each cell is timed as a straight line with a stop at its end.
 void WindowTimer::cell_by_cell() {
   ++now_.failures;
   const TimedPath& path = now_.cells.path;

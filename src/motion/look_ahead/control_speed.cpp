@@ -1,4 +1,4 @@
-// Computes the speed limits that follow from the geometry of a path: within a block, and at the junction between two blocks. Used by
+// This file computes the speed limits that follow from the geometry of a path, within a block and at the junction of two blocks. Used by
 // motion/look_ahead/look_ahead and motion/time/rapid_time.
 
 #include "motion/look_ahead/control_speed.h"
@@ -13,14 +13,14 @@
 namespace kadr {
 namespace {
 
-/// Returns the vector `work`, multiplied by `factor` and converted from work to machine axis directions.
+/// Converts the vector `work` from work axis directions to machine axis directions and multiplies it by `factor`.
 Axes along_machine(const Axes& work, double factor, const FrameTurn* turn) {
   Axes all = turned(turn, work);
   for (double& value : all) value *= factor;
   return all;
 }
 
-/// Returns the axis of the machine that a programmed axis drives (nct 20.3).
+/// Returns the index of the machine axis that a programmed axis drives (nct 20.3).
 std::size_t driven(std::size_t axis, const FrameTurn* turn) { return turn == nullptr ? axis : turn->drives.of(axis); }
 
 Axes change(const Axes& from, const Axes& to) {
@@ -35,7 +35,7 @@ double size(const Axes& axes) {
   return std::sqrt(sum);
 }
 
-/// Returns the angle between two directions, degrees; accurate for small angles too.
+/// Returns the angle between two directions in degrees. The computation is accurate for small angles too.
 double turn_deg(const Axes& first, const Axes& second) {
   Axes one = first, other = second;
   const double one_size = size(first), other_size = size(second);
@@ -43,7 +43,7 @@ double turn_deg(const Axes& first, const Axes& second) {
   return 2 * std::asin(std::min(size(change(one, other)) / 2, 1.0)) / rad_per_deg;
 }
 
-/// Returns the minimum over the axes i of most_i/|part_i|.
+/// Returns the smallest quotient most_i/|part_i| over all axes i with part_i ≠ 0; `unlimited` if every part_i is 0.
 double slowest(const Axes& most, const Axes& part) {
   double least = unlimited;
   for (std::size_t i = 0; i < max_axes; ++i)
@@ -51,8 +51,8 @@ double slowest(const Axes& most, const Axes& part) {
   return least;
 }
 
-/// Returns du/ds of an arc at the point `at`, where u is the direction of the path (PathShape). The vector du/ds points to the centre of
-/// the arc. Its magnitude is in_plane²/r, where r is the radius and in_plane the share of the path length s that lies in the arc's plane.
+/// Returns du/ds of an arc at the point `at`, in 1/mm; u is the direction of the path (PathShape). The vector du/ds points to the centre of
+/// the arc. Its magnitude is in_plane²/r: r is the radius, and in_plane is the fraction of the path length s that lies in the arc's plane.
 Axes bend(const Motion& m, const Axes& at, double in_plane, const FrameTurn* turn) {
   const Vec2 arm = m.center - Vec2{at[m.first], at[m.second]};
   Axes towards{};
@@ -68,7 +68,7 @@ void widen(Axes& most, const Axes& u) {
 
 void set_arc(PathShape& shape, const Motion& m, const Axes& from, double in_plane, const FrameTurn* turn) {
   const auto radius_at = [&](const Axes& at) { return length(Vec2{at[m.first], at[m.second]} - m.center); };
-  // INFERRED (NCT 7.2): the smaller of the two radii of a spiral
+  // INFERRED (NCT 7.2): a spiral has two radii, at its start and its end. The smaller radius limits the speed.
   shape.radius = std::max(std::min(radius_at(from), radius_at(m.to)), tol::least_radius);
   shape.in_plane = in_plane;
   shape.start_bend = bend(m, from, in_plane, turn);
@@ -76,8 +76,8 @@ void set_arc(PathShape& shape, const Motion& m, const Axes& from, double in_plan
   for (const std::size_t axis : {driven(m.first, turn), driven(m.second, turn)}) shape.most[axis] = std::max(shape.most[axis], in_plane);
 }
 
-/// Returns du/ds of a spline at the position `part`, 0 … 1: the curvature vector, which is perpendicular to the path. It points to the left
-/// of the path if the curvature is positive.
+/// Returns du/ds of a spline at the parameter `part`, 0 to 1, in 1/mm: the curvature vector, which is perpendicular to the path. The vector
+/// points to the left of the path if the curvature is positive.
 Axes bend_of_spline(const Motion& m, const Curve& curve, double part, double in_plane, const FrameTurn* turn) {
   const Axes rates = curve.rates(part);
   const double along = std::hypot(rates[m.first], rates[m.second]);
@@ -89,7 +89,7 @@ Axes bend_of_spline(const Motion& m, const Curve& curve, double part, double in_
   return along_machine(towards, in_plane * in_plane, turn);
 }
 
-/// Treats a spline as an arc with the spline's smallest radius.
+/// Sets the curvature of a spline's shape. The spline is treated as an arc with the spline's smallest radius.
 void set_spline(PathShape& shape, const Motion& m, const Curve& curve, double in_plane, const FrameTurn* turn) {
   const int places = curve.samples();
   double most = 0;
@@ -102,7 +102,7 @@ void set_spline(PathShape& shape, const Motion& m, const Curve& curve, double in
   for (const std::size_t axis : {driven(m.first, turn), driven(m.second, turn)}) shape.most[axis] = std::max(shape.most[axis], in_plane);
 }
 
-/// Returns the share of the feed that applies if the tool is on the inside of an arc (NCT 6.4); 1 on the outside, INFERRED.
+/// Returns the factor that reduces the feed while the tool is on the inside of an arc (NCT 6.4). INFERRED: the factor is 1 on the outside.
 double inner_arc_part(const SpeedRules& rules, const Motion& m, const PathShape& shape) {
   const bool turns_left = m.kind == MotionKind::arc_ccw;
   const bool inside = m.tool_radius != 0 && m.side != 0 && (m.side * m.tool_radius > 0) == turns_left;
@@ -110,8 +110,8 @@ double inner_arc_part(const SpeedRules& rules, const Motion& m, const PathShape&
   return std::max(shape.radius / (shape.radius + std::abs(m.tool_radius)), rules.least_arc_part);
 }
 
-/// Returns the arc feed F = √(a·r), with r the radius and a the normal acceleration of the weaker of the two axes, but at least Circ F
-/// Min (NCT 7.2). INFERRED: for a helix only the motion in the plane counts.
+/// Returns the greatest feed on an arc, F = √(a·r), mm/s: r is the radius, and a is the smaller normal acceleration of the two axes of the
+/// plane. The result is at least the parameter Circ F Min (NCT 7.2). INFERRED: for a helix only the motion in the plane counts.
 double arc_speed(const SpeedRules& rules, const PathShape& shape) {
   double most = unlimited;
   for (std::size_t i = 0; i < max_axes; ++i)
@@ -130,7 +130,8 @@ bool cuts_in_plane(const Motion& m, const PathShape& shape) {
   return m.side != 0 && (m.kind == MotionKind::feed || is_arc(m.kind)) && (shape.moves & ~shape.plane) == 0;
 }
 
-/// Sets the directions u of a path under tool centre point control. They are sampled at the quarters of the motion, and close to both ends.
+/// Sets the directions u of a path under tool centre point control. The path is sampled at the quarters of the motion and close to both of
+/// its ends.
 void set_with_tip_control(PathShape& shape, const MachinePath& path, std::size_t axes) {
   constexpr double near = 1.0 / 64;
   constexpr double parts[] = {0, near, 0.25, 0.5, 0.75, 1 - near, 1};
@@ -205,7 +206,8 @@ double junction_speed(const SpeedRules& rules, const PathShape& before, const Pa
 
 double blend_speed(const SpeedRules& rules, const PathShape& before, const PathShape& after, double tolerance) {
   const Axes turn = change(before.end, after.start);
-  const double by_speed = 1 / slowest(rules.acceleration, turn);  // duration t of the change of direction, divided by the speed v
+  // The change of direction takes the time t = by_speed · v, where v is the path speed.
+  const double by_speed = 1 / slowest(rules.acceleration, turn);
   if (size(turn) <= tol::tangential || !(by_speed > 0)) return unlimited;
   return std::sqrt(std::min(8 * tolerance / size(turn), std::min(before.length, after.length)) / by_speed);
 }
@@ -227,7 +229,8 @@ bool is_slow_corner(const SpeedRules& rules, const Motion& before, const PathSha
   if (!(rules.inner_part < 1) || before.side != after.side) return false;
   if (!cuts_in_plane(before, first) || !cuts_in_plane(after, second) || first.plane != second.plane) return false;
   const Vec2 in{first.end[before.first], first.end[before.second]}, out{second.start[after.first], second.start[after.second]};
-  const double turn = std::atan2(cross(in, out), dot(in, out)) / rad_per_deg;  // change of direction, degrees, counter-clockwise positive
+  // The change of direction in degrees; counter-clockwise is positive.
+  const double turn = std::atan2(cross(in, out), dot(in, out)) / rad_per_deg;
   const double side = before.side * (before.tool_radius < 0 ? -1 : 1);
   return turn * side > 0 && 180 - std::abs(turn) < rules.inner_angle;
 }

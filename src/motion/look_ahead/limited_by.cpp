@@ -1,5 +1,5 @@
-// Finds the limit that determines the speed of a planned cell: of all limits that the cell must obey (motion/least_time/least_time.h),
-// the nearest one. Used by motion and out; tested by tests/motion/limited_by_test.cpp.
+// This file finds the limit that determines the speed of a planned cell: the limit whose largest fraction the cell uses. The limits are
+// those of motion/least_time/least_time.h. Used by motion and out; tested by tests/motion/limited_by_test.cpp.
 
 #include "motion/look_ahead/limited_by.h"
 
@@ -9,12 +9,13 @@
 namespace kadr {
 namespace {
 
-/// Speed, acceleration and jerk of one axis; the latter two split into the part due to the change of speed and the part due to curvature.
+/// Speed, acceleration and jerk of one axis. The acceleration and the jerk each have two parts: one part comes from the change of the path
+/// speed (along), the other part from the curvature of the path (across).
 struct AxisState {
   double speed = 0, along = 0, across = 0, jerk_along = 0, jerk_across = 0;
 };
 
-/// Calls `take` with each axis and its state.
+/// Calls `take` once for each axis, with the axis' index and its state at the fraction `part` of the cell.
 template <class Take>
 void each_axis(const TimedCells& cells, std::size_t cell, double part, const Take& take) {
   const TimeLaw::State state = cells.laws[cell].at(part);
@@ -28,7 +29,7 @@ void each_axis(const TimedCells& cells, std::size_t cell, double part, const Tak
   }
 }
 
-/// For one type of limit: the share of the limit that each axis uses, summed over the sample positions of a cell.
+/// How much of one type of limit each axis uses: fractions of the limit, summed over the sample positions of a cell.
 struct Nearness {
   Axes part{}, along{}, across{};
 
@@ -65,10 +66,11 @@ LimitUsage shares_at(const TimedCells& cells, std::size_t cell, double part, con
 }
 
 LimitedBy limited_by(const TimedCells& cells, std::size_t cell, const MotionLimits& limits) {
-  // The curvature is reported as the cause if its part of the acceleration or jerk is more than this multiple of the other part, that is,
-  // more than a fifth of the sum: the speed then changes because of the curvature.
+  // The curvature is reported as the cause of the limit if its part of the acceleration or jerk exceeds this multiple of the other part.
+  // The curvature then causes more than a fifth of the sum.
   constexpr double felt = 0.25;
-  // relative difference below which two speeds count as equal, because the feed is calculated as length / time
+  // Two speeds that differ by less than this relative difference count as equal. They may differ because the feed is calculated as length /
+  // time.
   constexpr double same = 1e-6;
   const CellSource& source = cells.sources[cell];
   if (source.feed <= 0) return {Limit::pause, 0};

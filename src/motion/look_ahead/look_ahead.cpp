@@ -1,5 +1,5 @@
-// LookAhead: accepts Steps with their programmed times and emits them in order with the times that the machine needs. Used by cli/run_view;
-// tested by tests/motion/look_ahead_test.cpp.
+// LookAhead accepts Steps with their programmed times. It emits the same Steps in the same order with the times that the machine needs.
+// Used by cli/run_view; tested by tests/motion/look_ahead_test.cpp.
 
 #include "motion/look_ahead/look_ahead.h"
 
@@ -14,7 +14,7 @@ namespace kadr {
 namespace {
 
 /// Returns true for actions before which the axes stop (nct 7.0.1). INFERRED: every spindle, tool, coolant and machine function stops the
-/// axes; a message that expects no answer does not.
+/// axes. A message stops them only if it expects an answer.
 bool stops(const Action& action, const SpeedRules& rules) {
   return by_kind(
       action, same<FrameChange, ZoneChange>(rules.frames_stop), [](const Message& text) { return text.asks; },
@@ -23,8 +23,8 @@ bool stops(const Action& action, const SpeedRules& rules) {
            Uncouple>(true));
 }
 
-/// Returns true for motions that keep their programmed time: the spindle or the rotary axis of polar interpolation determines this time, or
-/// the programmed time is infinite.
+/// Returns true for motions that keep their programmed time. The spindle of a thread or the rotary axis of polar interpolation determines
+/// this time, or the programmed time is infinite, so it cannot be planned.
 bool keeps_time(const Motion& motion, const MotionTime& programmed) {
   const bool polar = motion.detail && motion.detail->surface == PathSurface::polar;
   return motion.kind == MotionKind::thread || polar || !(programmed.seconds > 0);
@@ -82,7 +82,7 @@ void LookAhead::hold(const Step& step) {
 
 void LookAhead::motion(const Step& step, const Motion& motion) {
   const Curve& curve = step.curve();
-  if (!(curve.length(motion.along) > 0)) {  // no axis moves
+  if (!(curve.length(motion.along) > 0)) {  // The length is 0, so no axis moves and nothing is planned.
     if (motion.exact) rest();
     return hold(step);
   }
@@ -134,7 +134,7 @@ void LookAhead::cut(const Step& step, const PathShape& shape, bool exact) {
   open_ = next;
 }
 
-/// Determines how the open motion ends and the next one starts (nct 7: speed of a junction).
+/// Determines the speed at which the open motion ends and the next motion starts (nct 7: speed of a junction).
 void LookAhead::join(Open& next) {
   Open& before = *open_;
   next.bend = bend_between(before.shape, next.shape);
@@ -155,7 +155,7 @@ void LookAhead::join(Open& next) {
   close(slow_from);
 }
 
-/// Limits the jump of acceleration between the junction at the start of the open line and the one at its end (nct 7.3). INFERRED: the
+/// Limits the jump of acceleration between the junction at the start of the open line and the junction at its end (nct 7.3). INFERRED: the
 /// limit applies to the speed at both junctions.
 void LookAhead::limit_step(Open* next, const Axes& bend) {
   const double most = speed_over_step(rules_, open_->bend, bend);
@@ -163,7 +163,7 @@ void LookAhead::limit_step(Open* next, const Axes& bend) {
   if (next != nullptr) next->enter = std::min(next->enter, most);
 }
 
-/// Adds the open motion to the path as up to three pieces; the first and the last piece are slow zones near inner corners.
+/// Adds the open motion to the path in at most three parts. The first and the last part are the slow zones near inner corners.
 void LookAhead::close(double slow_from) {
   const Open& open = *open_;
   const Acceleration acceleration = acceleration_of(rules_, open.shape);
@@ -197,8 +197,9 @@ void LookAhead::rest() {
   start_speed_ = 0;
 }
 
-/// Returns how many pieces to plan now. The path is divided at the end of a motion from which the rest can be planned separately: the
-/// last such end in the older half, else the first such end in the newer half. If there is none, returns the number of all pieces.
+/// Returns how many path pieces to plan now. The path is divided at the end of a motion after which the remaining path can be planned
+/// separately. This is the last such end in the older half, or otherwise the first such end in the newer half. If the path has no such end,
+/// the function returns the number of all pieces.
 std::size_t LookAhead::place_to_part() const {
   std::size_t end = 0, best = pieces_.size();
   for (const Held& held : held_) {
@@ -218,7 +219,7 @@ void LookAhead::plan_older() {
   release(count);
 }
 
-/// Emits the motions of the first `pieces` pieces, and the actions that follow these motions.
+/// Emits the motions that consist of the first `pieces` path pieces, and the actions that follow these motions.
 void LookAhead::release(std::size_t pieces) {
   std::size_t done = 0;
   while (!held_.empty() && (done < pieces || (held_.front().pieces == 0 && !(open_ && open_->held == &held_.front())))) {

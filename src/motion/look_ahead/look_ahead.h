@@ -1,6 +1,6 @@
 #pragma once
-// LookAhead: accepts Steps with their programmed times and emits them in the same order with the times that the machine needs,
-// accelerations included. NCT 6, 7; 4.1.2 for G0.
+// LookAhead accepts Steps with their programmed times. It emits the same Steps in the same order with the times that the machine needs,
+// including acceleration: NCT 6 and 7, and 4.1.2 for G0.
 //
 //   motions at feed ──▶ a path of pieces, until the axes must stop ──▶ SpeedPlan ──▶ time of each motion
 //   rapid motions: each from rest to rest, or overlapping the next (N0421 ROL)
@@ -23,47 +23,48 @@ namespace kadr {
 
 class LookAhead {
  public:
-  ///   longer  the time that a motion takes beyond its programmed time, s; negative: it takes less
+  ///   longer  the actual time of a motion minus its programmed time, s; negative if the motion takes less time than programmed
   using Sink = std::function<void(const Step&, double longer)>;
 
-  /// `rapid`: the axes' rapid rates, mm/min, override included.
+  /// `rapid`: the rapid rates of the axes, mm/min or degrees/min; the rapid override is included.
   LookAhead(const AxisRoles& roles, const SpeedRules& rules, const Axes& rapid, Sink sink);
-  LookAhead(const LookAhead&) = delete;  // the object stores pointers to its own members
+  LookAhead(const LookAhead&) = delete;  // Copying is disabled because the object stores pointers to its own members.
   LookAhead& operator=(const LookAhead&) = delete;
 
-  /// Accepts a step (a motion with its time by the TimeEstimate) and emits the steps whose times are final. At most `max_pieces` pieces
-  /// are stored: when the storage is full, the older half is planned as if the newest piece ended at rest. That is safe: further pieces
-  /// can only raise the speeds in the newer half, and the speeds in the older half are low enough to stop in time. Speed is lost only if
-  /// the motions are so short that the machine could not stop within the newer half.
+  /// Accepts a step and emits the steps whose times are final. A motion must have the time that TimeEstimate computes. At most `max_pieces`
+  /// path pieces are stored. When the storage is full, the older half is planned as if the newest piece ended at rest. This is safe,
+  /// because further pieces can only raise the speeds in the newer half, and the speeds in the older half are low enough that the axes can
+  /// stop in time. Speed is lost only if the motions are so short that the machine could not stop within the newer half.
   void consume(const Step& step);
 
   /// Ends the path at rest and emits all stored steps.
   void finish();
 
   static constexpr std::size_t max_pieces = 1024;
-  static constexpr std::size_t max_actions = 4096;  // most actions stored in total, including actions between motions
+  static constexpr std::size_t max_actions = 4096;  // the greatest number of stored actions, including the actions between motions
 
  private:
   struct Held {
-    KeptStep kept;           // a copy of the step and of the tool position before it, for the later emission
-    double longer = 0;       // added time, s
-    std::size_t pieces = 0;  // number of path pieces of this motion; 0: its time is known already, or it is the open motion
+    KeptStep kept;      // a copy of the step and of the tool position before the step; the step is emitted later
+    double longer = 0;  // time that the planning has added to the programmed time, s
+    // Number of path pieces of this motion. 0: the time of the motion is already known, or the motion is the open motion.
+    std::size_t pieces = 0;
   };
-  /// The last motion at feed. The next motion determines how it ends.
+  /// The last motion at feed. Its end speed is not known until the next motion arrives.
   struct Open {
     Held* held;
     PathShape shape;
     double commanded;       // commanded speed, mm/s
-    double enter = 0;       // the highest speed allowed at the motion's start, mm/s
-    double slow_until = 0;  // end of the slow zone after an inner corner, mm from the motion's start (nct 6.3.5)
-    Axes bend{};            // du/ds at the motion's start (control_speed.h)
+    double enter = 0;       // the highest allowed speed at the start of the motion, mm/s
+    double slow_until = 0;  // length of the slow zone after an inner corner, measured from the start of the motion, mm (nct 6.3.5)
+    Axes bend{};            // du/ds at the start of the motion, 1/mm (control_speed.h)
     const Motion& motion() const { return std::get<Motion>(held->kept.action.what); }
   };
-  /// The last rapid motion, if the next may start before its end.
+  /// The last rapid motion, if the next rapid motion may start before the end of this motion.
   struct LastRapid {
     Held* held;
     AxisMask moves;
-    double ahead;  // time before its end at which the next rapid motion may start, s
+    double ahead;  // time before the end of this motion at which the next rapid motion may start, s
   };
 
  public:
@@ -71,9 +72,9 @@ class LookAhead {
   struct Memory {
     std::deque<Held> held;
     std::vector<PathPiece> pieces;
-    std::optional<Open> open;             // a copied pointer `held` is invalid; `open_at` replaces it
+    std::optional<Open> open;             // The pointer `held` is invalid in a copy, so resume_from() sets it again from `open_at`.
     std::size_t open_at = 0;              // index of the open motion in Memory::held
-    std::optional<LastRapid> last_rapid;  // `last_rapid_at` replaces the pointer in the same manner
+    std::optional<LastRapid> last_rapid;  // The pointer `held` is invalid in a copy, so resume_from() sets it again from `last_rapid_at`.
     std::size_t last_rapid_at = 0;
     double start_speed = 0;
   };
@@ -97,7 +98,7 @@ class LookAhead {
   SpeedRules rules_;
   Axes rapid_rates_{};  // rapid rates of the axes, mm/s or degrees/s
   Sink sink_;
-  std::deque<Held> held_;          // in program order; actions after a motion follow that motion
+  std::deque<Held> held_;          // stored steps in program order; an action that follows a motion in the program also follows it here
   std::vector<PathPiece> pieces_;  // path pieces of the stored motions, except the open motion
   std::optional<Open> open_;
   std::optional<LastRapid> last_rapid_;

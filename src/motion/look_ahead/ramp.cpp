@@ -1,5 +1,5 @@
-// A change of speed along the path, with linear, bell-shaped or jerk-free acceleration. Used by motion/look_ahead/control_speed and
-// motion/look_ahead/speed_plan.
+// This file computes a change of speed along the path, with linear, bell-shaped or jerk-free acceleration. Used by
+// motion/look_ahead/control_speed and motion/look_ahead/speed_plan.
 
 #include "motion/look_ahead/ramp.h"
 
@@ -11,11 +11,11 @@
 namespace kadr {
 namespace {
 
-constexpr int max_steps = 100;         // bound of the steps of a search; bisection reaches rounding errors after some 60 steps
-constexpr double near_enough = 1e-14;  // relative accuracy of a search: a few rounding errors
+constexpr int max_steps = 100;  // greatest number of steps of a search; bisection reaches the accuracy of double after about 60 steps
+constexpr double near_enough = 1e-14;  // relative accuracy at which a search ends: a few rounding errors of double
 
-/// Solves x³ + 2·b·x = q for x ≥ 0; b and q must not be negative. Newton's method, started above the solution, decreases monotonically
-/// because the left side is convex.
+/// Solves x³ + 2·b·x = q for x ≥ 0; b and q must not be negative. Newton's method starts above the solution. The iterates decrease
+/// monotonically because the left side is convex.
 double cubic_root(double b, double q) {
   if (b == 0) return std::cbrt(q);
   double x = std::min(std::cbrt(q), q / (2 * b));
@@ -40,12 +40,12 @@ double ramp_length(double from, double to, const Acceleration& acceleration) {
 }
 
 /// Solves the quadratic equation (2v + D)/2 · (D/a + T) = L for the change of speed D. If D < a·T, the equation is (2v + D) · √(D·T/a) = L,
-/// which is cubic in √D. Here v = from, L = length, a is the acceleration and T the build-up time.
+/// which is cubic in √D. Here v is the speed `from`, L is `length`, a is the acceleration and T is the build-up time.
 double reached(double from, double length, const Acceleration& acceleration) {
   const double a = acceleration.most, t = acceleration.build_up;
   if (std::isinf(a)) return length > 0 ? a : from;
   if (t == 0) return std::sqrt(from * from + 2 * a * length);
-  const double b = from + a * t / 2;  // of the quadratic equation D² + 2·b·D = 2·a·(L − v·T) for the change of speed D
+  const double b = from + a * t / 2;  // The coefficient b of the quadratic equation D² + 2·b·D = 2·a·(L − v·T) for the change of speed D.
   const double rest = 2 * a * (length - from * t);
   if (rest > 0) {
     const double change = rest / (b + std::sqrt(b * b + rest));
@@ -90,10 +90,11 @@ Ramp::Ramp(double from, double to, const Acceleration& acceleration)
   peak_ = build_up_ > 0 ? change / build_up_ : 0;
 }
 
-/// Computes the first half of the ramp; the second half is its mirror image.
+/// Computes the state at the time `t` in the first half of the ramp. The second half is the mirror image of the first half.
 Ramp::Moment Ramp::rising(double t, double start_speed, double sign) const {
   const double flat = std::max(t - build_up_, 0.0), build = std::min(t, build_up_);
-  double gained = 0, way = 0;  // gained: change of speed; way: distance; both are first computed for the time within the build-up
+  // `gained` is the change of speed and `way` is the distance. Both are first computed for the time within the build-up only.
+  double gained = 0, way = 0;
   if (build_up_ > 0 && jerk_free_) {
     const double turn = build_up_ / pi;
     gained = peak_ / 2 * (build - turn * std::sin(build / turn));

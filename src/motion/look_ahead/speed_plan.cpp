@@ -1,5 +1,5 @@
-// Plans the speeds along a path of pieces, each with a speed limit, from a given speed to rest. Used by motion/look_ahead/look_ahead;
-// tested by tests/motion/speed_plan_test.cpp.
+// This file plans the speeds along a path of pieces, from a given speed to rest. Each piece has its own speed limit. Used by
+// motion/look_ahead/look_ahead; tested by tests/motion/speed_plan_test.cpp.
 
 #include "motion/look_ahead/speed_plan.h"
 
@@ -13,23 +13,23 @@
 namespace kadr {
 namespace {
 
-// Relative error: because of rounding errors, a change of speed may need more length, by this share, than the length from which it was
-// computed.
+// Relative tolerance of lengths. Because of rounding errors, a change of speed may need slightly more length than the length from which the
+// change was computed.
 constexpr double rounding = 1e-9;
 
-/// Returns true if two speeds differ by rounding errors only: such speeds must be treated as equal.
+/// Returns true if two speeds differ by rounding errors only; the caller must then treat them as equal.
 bool is_same(double a, double b) { return a == b || std::abs(a - b) <= rounding * std::max(a, b); }
 
-/// Makes the speed limits of consecutive pieces equal if they differ by rounding errors only.
+/// Makes the speed limits of neighbouring pieces equal if they differ by rounding errors only.
 void level(std::span<PathPiece> pieces) {
   for (std::size_t k = 1; k < pieces.size(); ++k)
     if (is_same(pieces[k].most, pieces[k - 1].most)) pieces[k].most = pieces[k - 1].most;
 }
 
-/// Returns the speed at the distance `length` in a ramp that is not complete there, that is, a ramp to a far higher speed.
+/// Returns the speed at the distance `length` in a ramp that is not complete at this distance. The ramp leads to a far higher speed.
 double passing(double from, double length, const Acceleration& acceleration) {
   if (std::isinf(acceleration.most)) return length > 0 ? acceleration.most : from;
-  const double gain = std::sqrt(2 * acceleration.most * length);  // upper bound of the change of speed over this length
+  const double gain = std::sqrt(2 * acceleration.most * length);  // The upper bound of the change of speed over this length, mm/s.
   const Ramp ramp(from, from + gain + acceleration.most * acceleration.build_up, acceleration);
   return ramp.speed_at(ramp.seconds_at(length));
 }
@@ -65,8 +65,8 @@ void SpeedPlan::make_linear() {
   }
 }
 
-/// Returns the lowest acceleration and the longest build-up time of several pieces. With these values no axis exceeds its limits in any of
-/// the pieces.
+/// Returns the lowest acceleration and the longest build-up time of several pieces. A ramp with these two values exceeds no axis' limits in
+/// any of the pieces.
 Acceleration SpeedPlan::gentlest(std::size_t first, std::size_t last) const {
   Acceleration all = pieces_[first].acceleration;
   for (std::size_t k = first + 1; k < last; ++k) {
@@ -76,8 +76,8 @@ Acceleration SpeedPlan::gentlest(std::size_t first, std::size_t last) const {
   return all;
 }
 
-/// Returns an acceleration that no ramp through these pieces can exceed. Jerk-free ramps are bounded by their greatest jerk, which is π/2
-/// times the mean jerk.
+/// Returns an acceleration that no ramp through these pieces can exceed. A jerk-free ramp is bounded by its greatest jerk, which is π/2
+/// times its mean jerk.
 Acceleration SpeedPlan::liveliest(std::size_t first, std::size_t last) const {
   Acceleration all = pieces_[first].acceleration;
   for (std::size_t k = first + 1; k < last; ++k) {
@@ -88,15 +88,15 @@ Acceleration SpeedPlan::liveliest(std::size_t first, std::size_t last) const {
   return all;
 }
 
-/// Returns true if the speed limit does not change at the node. Such a node needs no anchor, so a line that is divided into two pieces is
-/// planned as one piece.
+/// Returns true if the speed limit is the same before and after the node. Such a node needs no anchor, so a line that is divided into two
+/// pieces is planned as one piece.
 bool SpeedPlan::is_anchor_free(std::size_t node) const {
   return is_same(speed_[node], pieces_[node - 1].most) && is_same(speed_[node], pieces_[node].most);
 }
 
-/// Places an anchor (a point of zero acceleration) at the node. Its speed is the node's limit if a complete ramp can reach this limit. If
-/// only a ramp that continues beyond the node can reach the limit, the anchor has the speed that a complete ramp reaches. If no ramp can,
-/// there is no anchor.
+/// Places an anchor (a point of zero acceleration) at the node. If a complete ramp can reach the speed limit of the node, the anchor has
+/// this speed. If only a ramp that continues beyond the node can reach the limit, the anchor has the speed that a complete ramp reaches. If
+/// no ramp can reach the limit, the node gets no anchor.
 void SpeedPlan::place_anchor(std::size_t node) {
   std::size_t before = node - 1, after = node + 1;
   while (!anchor_[before]) --before;
@@ -121,7 +121,7 @@ void SpeedPlan::make_smooth() {
     if (!is_anchor_free(k)) order_.push_back(k);
   const auto from_end = [&](std::size_t node) { return std::min(at_[node], at_.back() - at_[node]); };
   std::sort(order_.begin(), order_.end(), [&](std::size_t a, std::size_t b) { return speed_[a] < speed_[b]; });
-  // anchors of equal speed are placed from both ends inwards, so that the plan is symmetric
+  // Anchors of equal speed are placed from both ends of the path inwards, so that the plan is symmetric.
   for (auto same = order_.begin(); same != order_.end();) {
     auto end = std::next(same);
     while (end != order_.end() && is_same(speed_[*end], speed_[*std::prev(end)])) ++end;
@@ -136,9 +136,9 @@ void SpeedPlan::make_smooth() {
   }
 }
 
-/// Plans between two anchors. The ramps do not reach the limits in between, so only the limits of the pieces at the top speed count. If a
-/// plan starts in the middle of an older plan that passed a limit while slowing down, a complete ramp may need more length than is
-/// available; then the speed changes linearly, with somewhat more acceleration than allowed.
+/// Plans between two anchors. The ramps do not reach the speed limits between the anchors, so only the limits of the pieces at the top
+/// speed count. A plan may start in the middle of an older plan, at an instant at which the speed was falling. A complete ramp may then
+/// need more length than is available. In this case the speed changes linearly, with slightly more acceleration than allowed.
 void SpeedPlan::fill(std::size_t first, std::size_t last) {
   const double from = speed_[first], to = speed_[last], length = way(first, last);
   Acceleration a = gentlest(first, last);

@@ -1,5 +1,5 @@
-// The limits of the speed along the path other than the programmed feed: the accelerations of the machine, and the parameters of controls
-// that support them (NCT 4.1, 6.2–6.4, 7). Used by motion/look_ahead/control_speed; tested by tests/motion/speed_rules_test.cpp.
+// This file collects the limits of the path speed other than the programmed feed: the accelerations of the machine, and the parameters of
+// controls that have them (NCT 4.1, 6.2–6.4, 7). Used by motion/look_ahead/control_speed; tested by tests/motion/speed_rules_test.cpp.
 
 #include "motion/look_ahead/speed_rules.h"
 
@@ -10,20 +10,20 @@
 namespace kadr {
 namespace {
 
-/// Returns the limit, or `unlimited` for 0. INFERRED: a limit of 0 is off (nct 7.3).
+/// Returns the limit, or `unlimited` for the value 0. INFERRED: the value 0 switches a limit off (nct 7.3).
 double limit(double value) { return value > 0 ? value : unlimited; }
 double feed_limit(double per_minute) { return limit(per_minute / seconds_per_minute); }
 
 struct AxisAcceleration {
   bool stated = false;
-  double most = unlimited;  // acceleration, mm/s² or degrees/s²
+  double most = unlimited;  // greatest acceleration, mm/s² or degrees/s²
   double build_up = 0;      // time until the acceleration is reached, s
 };
 
-/// Returns an axis' acceleration from the set-up or the profile. No other function chooses between these sources.
+/// Returns an axis' acceleration from the set-up or from the machine profile. Only this function chooses between these two sources.
 AxisAcceleration acceleration_of(const Setup& setup, const std::string& axis, const MachineProfile& profile) {
   AxisAcceleration found;
-  for (const std::string& name : {std::string("*"), axis}) {  // the axis' own entry overrides "*"
+  for (const std::string& name : {std::string("*"), axis}) {  // The axis' own entry is read last, so it overrides the entry "*".
     const auto row = setup.machine.find(name);
     if (row == setup.machine.end()) continue;
     const AxisLimits& limits = row->second;
@@ -78,7 +78,7 @@ void obey_parameters(SpeedRules& rules, const Setup& setup, const std::vector<st
   rules.inner_after = std::max(given.of_channel("1408"), 0.0);
   rules.inner_angle = given.of_channel("1409");
   if (const double part = given.of_channel("1410"); part > 0) rules.inner_part = std::min(part, 1.0);
-  rules.overlaps_rapids = given.of_channel("0421", {0, "ROL"});  // parameter number INFERRED (NCT 4.1.1)
+  rules.overlaps_rapids = given.of_channel("0421", {0, "ROL"});  // INFERRED: the number N0421 of this parameter (NCT 4.1.1)
   rules.overlap_from = std::clamp(given.of_channel("0422") / 100, 0.0, 1.0);
   const bool corners = rules.by_axis_change ? limits_something(rules.axis_change) : rules.corner_feed < unlimited;
   const bool zones = rules.inner_part < 1 && rules.inner_angle > 0;

@@ -1,6 +1,6 @@
 #pragma once
-// The limits of the speed along the path other than the programmed feed: the accelerations of the machine, and the parameters of controls
-// that support them (NCT 4.1, 6.2–6.4, 7). A limit that is not stated is off: its value is infinite, or false.
+// This file has the limits of the path speed other than the programmed feed: the accelerations of the machine, and the parameters of
+// controls that have them (NCT 4.1, 6.2–6.4, 7). A limit that is not stated is off: its value is infinite or false.
 
 #include <limits>
 #include <optional>
@@ -14,7 +14,8 @@
 namespace kadr {
 
 inline constexpr double unlimited = std::numeric_limits<double>::infinity();
-inline constexpr double seconds_per_minute = 60;  // the parameters' feeds are per minute (nct 6.2), speeds here per second
+// The feeds in the parameters are per minute (nct 6.2), the speeds in this room per second.
+inline constexpr double seconds_per_minute = 60;
 
 constexpr Axes axes_filled(double value) {
   Axes axes{};
@@ -22,46 +23,53 @@ constexpr Axes axes_filled(double value) {
   return axes;
 }
 
-/// The speed limits of a channel. Values per axis are in mm (rotary axes: degrees) and seconds. Numbers such as N0305 are parameters of the
-/// control, with their names (NCT).
+/// The speed limits of a channel. Values of single axes are in mm and s; rotary axes have degrees instead of mm. Numbers such as N0305 are
+/// parameters of the NCT control, with their names.
 struct SpeedRules {
-  bool in_force = false;                       // true: a limit is stated, so speeds must be planned
+  bool in_force = false;                       // true: at least one limit is stated, so speeds must be planned
   AxisMask stated = 0;                         // axes whose acceleration is stated, either as a number or as unlimited
-  Axes acceleration = axes_filled(unlimited);  // mm/s² or degrees/s²
-  Axes build_up{};                             // time until the acceleration is reached, s; 0: linear ramps
+  Axes acceleration = axes_filled(unlimited);  // acceleration limit of each axis, mm/s² or degrees/s²
+  Axes build_up{};                             // time until the acceleration is reached, s; 0: the speed changes linearly
   bool jerk_free = false;                      // parameter N0421 #1 JRK: the acceleration builds up along half a cosine (ramp.h)
-  Axes max_feed = axes_filled(unlimited);      // greatest feed of each axis (N0305 Max Feed)
-  // N0306 #0 FDF: true: the change of the axis feeds limits the speed in corners; false: the corner angle limits it
+  Axes max_feed = axes_filled(unlimited);      // greatest feed of each axis, mm/s or degrees/s (N0305 Max Feed)
+  // Parameter N0306 #0 FDF. True: the change of the axis feeds limits the speed in corners. False: the corner angle limits it.
   bool by_axis_change = false;
   double corner_angle = 0;                    // change of direction above which a corner limits the speed (N0307 Crit A Diff), degrees
-  double corner_feed = unlimited;             // feed at such a corner (N0308 Feed Corn)
-  Axes axis_change = axes_filled(unlimited);  // greatest change of an axis' feed at a corner (N0309 Crit F Diff)
-  double least_arc_feed = 0;                  // feed below which arcs are not slowed down (N0310 Circ F Min)
+  double corner_feed = unlimited;             // greatest feed, mm/s, at a corner above `corner_angle` (N0308 Feed Corn)
+  Axes axis_change = axes_filled(unlimited);  // greatest change of an axis' feed at a corner, mm/s (N0309 Crit F Diff)
+  double least_arc_feed = 0;                  // feed below which arcs are not slowed down, mm/s (N0310 Circ F Min)
   Axes normal = axes_filled(unlimited);       // greatest normal acceleration on arcs (N0402 Normal Acc), mm/s²
   Axes line_step = axes_filled(unlimited);    // greatest jump of an axis' acceleration between lines (N0403 Acc Diff), mm/s²
   Axes arc_step = axes_filled(unlimited);     // greatest jump of an axis' acceleration at arcs (N0404 Acc Diff Circ), mm/s²
-  bool slows_inner_arcs = false;              // true: the feed is reduced on inner arcs (nct 6.4)
-  double least_arc_part = 0;                  // least share of the feed on inner arcs (N1406 CircOver)
+  bool slows_inner_arcs = false;              // true: the feed is reduced on the inside of arcs (nct 6.4)
+  double least_arc_part = 0;                  // smallest factor that reduces the feed on the inside of arcs (N1406 CircOver)
   double inner_angle = 0;                     // corner angle below which G62 slows down at inner corners (N1409 CornAngle), degrees
-  double inner_part = 1;                      // N1410 CornOver; INFERRED: 0 is off, because a stop at the corner is programmed by G9
-  double inner_before = 0, inner_after = 0;   // length of the slow zone before and after an inner corner (N1407 DecDist, N1408 AccDist), mm
-  bool overlaps_rapids = false;               // true: a rapid motion may start before the previous one has ended (N0421 ROL)
-  // N0422 Rapid Reduct. Ratio: share of the deceleration after which the next rapid motion starts
+  // Factor of the feed at inner corners (N1410 CornOver). INFERRED: the value 0 switches the reduction off, because a program stops at a
+  // corner with G9.
+  double inner_part = 1;
+  // Lengths of the slow zones before and after an inner corner, mm (N1407 DecDist, N1408 AccDist).
+  double inner_before = 0, inner_after = 0;
+  bool overlaps_rapids = false;  // true: a rapid motion may start before the previous rapid motion has ended (N0421 ROL)
+  // Parameter N0422 Rapid Reduct. Ratio: the fraction (0 to 1) of the speed that a rapid motion must have lost before the next rapid motion
+  // starts.
   double overlap_from = 1;
-  std::optional<double> blend;  // how far a corner may be rounded while one motion slows down and the next speeds up, mm; empty: no limit
-  bool frames_stop = false;  // a change of work offset, tool length or work area empties the buffer (nct 13.3): the axes stop (NCT 7.0.2)
+  // Greatest deviation at a corner that is rounded because one motion slows down while the next motion speeds up, mm; empty: this rule does
+  // not limit the speed at corners.
+  std::optional<double> blend;
+  // True: a change of work offset, tool length or work area empties the look-ahead buffer (nct 13.3), so the axes stop (NCT 7.0.2).
+  bool frames_stop = false;
 
   /// Returns true if some axis needs time to change its speed.
   bool accelerates() const;
 };
 
-/// Returns the accelerations that the set-up states, for single axes or for all ("*"): its fields `acceleration` and `jerk_time`. For an
-/// axis that the set-up does not mention, the acceleration and jerk of the machine profile apply if the control plans the speed
+/// Returns the accelerations that the set-up states for single axes or for all axes ("*") in its fields `acceleration` and `jerk_time`. For
+/// an axis that the set-up does not mention, the acceleration and jerk of the machine profile apply if the control plans the speed
 /// (PlannerMode::control). INFERRED: otherwise such an axis is unlimited if the set-up states the acceleration of another axis.
 SpeedRules speed_rules(const Setup& setup, const std::vector<std::string>& axes, const MachineProfile& profile = {});
 
-/// Adds the limits from the set-up's control parameters, for a control that has these parameters. If no acceleration and no limiting
-/// parameter is stated, the rules stay off.
+/// Adds the limits from the set-up's control parameters. Call it only for a control that has these parameters. If the set-up states no
+/// acceleration and no limiting parameter, the rules stay off.
 void obey_parameters(SpeedRules& rules, const Setup& setup, const std::vector<std::string>& axes);
 
 }  // namespace kadr

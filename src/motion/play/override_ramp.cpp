@@ -1,5 +1,4 @@
-// OverrideRamp: a smooth change from one override to another, so that acceleration and jerk stay
-// bounded. Used by motion/play/playback.
+// OverrideRamp is a smooth change from one override to another, so that acceleration and jerk stay bounded. Used by motion/play/playback.
 
 #include "motion/play/override_ramp.h"
 

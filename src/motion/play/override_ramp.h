@@ -1,29 +1,30 @@
 #pragma once
-// OverrideRamp: a smooth change from one override to another, so that acceleration and jerk stay bounded. The override is expressed as
-// the share of the planned speed. The plan is played at the rate `share`: plan time = ∫ share dt.
+// OverrideRamp is a smooth change from one override to another, so that acceleration and jerk stay bounded. `share` is the override as a
+// factor of the planned speed, 0 to 1. Playback advances plan time at the rate `share`: plan time = ∫ share dt.
 
 #include <array>
 
 namespace kadr {
 
-/// Share of the planned speed (0: feed hold, 1: as planned) and its first two derivatives with respect to time, 1/s and 1/s².
+/// The override as a factor of the planned speed (0: feed hold, 1: as planned) and its first two derivatives with respect to time, in 1/s
+/// and 1/s².
 struct OverrideFactor {
   double share = 1, rate = 0, bend = 0;
 };
 
 class OverrideRamp {
  public:
-  /// A constant share.
+  /// Creates a ramp with a constant override.
   explicit OverrideRamp(double share) : end_(share) { c_[0] = share; }
-  /// A ramp from `from` to the share `to` in `seconds` > 0: a polynomial of the fifth degree whose first and second derivatives are 0 at
-  /// the end.
+  /// Creates a ramp from the override `from` to the override `to` that takes `seconds`, greater than 0. The override is a polynomial of the
+  /// fifth degree whose first and second derivatives are 0 at the end of the ramp.
   OverrideRamp(OverrideFactor from, double to, double seconds);
 
   double seconds() const { return seconds_; }
-  /// The share at the end of the ramp and after it.
+  /// The override at the end of the ramp and after it, 0 to 1.
   double end() const { return end_; }
   OverrideFactor at(double t) const;
-  /// Plan time that passes in the first t seconds of the ramp: ∫ share dt.
+  /// Plan time, s, that elapses in the first `t` seconds of the ramp: ∫ share dt.
   double passed(double t) const;
 
  private:

@@ -1,5 +1,5 @@
-// Playback: computes the axes' positions at the servo rate from the cells that the planner emits, with feed hold, resume and override at
-// any time. Used by out/trace/samples; tested by tests/motion/playback_test.cpp.
+// Playback computes the axes' positions at the servo rate from the cells that the planner emits. Feed hold, resume and override are
+// possible at any time. Used by out/trace/samples; tested by tests/motion/playback_test.cpp.
 
 #include "motion/play/playback.h"
 
@@ -12,24 +12,24 @@
 namespace kadr {
 namespace {
 
-constexpr int tries_an_instant = 25;  // number of positions of the next ramp that are checked per servo period; the check takes some µs
-constexpr double least_places = 25;   // least number of checked positions per ramp; a long ramp is checked once per servo period
-constexpr double longer = 1.15;       // factor by which the next ramp to try is longer than the last
-// s, duration of the longest ramp that is tried. If this ramp is not allowed either, the search starts again with the shortest ramp and a
+constexpr int tries_an_instant = 25;  // Number of checked positions of the next ramp per servo period. The check takes some microseconds.
+constexpr double least_places = 25;   // Smallest number of checked positions per ramp. A long ramp is checked once per servo period.
+constexpr double longer = 1.15;       // factor by which each tried ramp is longer than the previous one
+// Duration of the longest ramp that is tried, s. If this ramp is not allowed either, the search starts again with the shortest ramp and a
 // higher jerk limit.
 constexpr double longest = 20;
-// A ramp may exceed the jerk limits by this share. If no ramp is found, the allowed excess is raised by the same share, at most to
+// A ramp may exceed the jerk limits by this fraction. If no ramp is found, the allowed excess grows by the same fraction, but at most to
 // most_over.
 constexpr double a_little_more = 0.005;
-constexpr double most_over = 0.015;              // greatest allowed excess over the jerk limits, as a share of them
-constexpr double rounding_of_limits = 1 + 1e-9;  // factor for all limits, which allows for rounding errors
-// If the plan uses the full jerk limit, playing the plan at these shares of its speed leaves 2, 9, 27 and 66 % of the jerk for the change.
-// A ramp that would take much longer than shortest() is therefore split at one of them, so that the little jerk available at its start does
-// not limit the whole change.
+constexpr double most_over = 0.015;              // greatest allowed excess over the jerk limits, as a fraction of these limits
+constexpr double rounding_of_limits = 1 + 1e-9;  // factor of all limits that allows for rounding errors
+// Intermediate overrides (factors of the planned speed). If the plan uses the full jerk limit, playing the plan at these overrides leaves
+// 2, 9, 27 and 66 % of the jerk for the change. A ramp that would take much longer than shortest() is therefore divided at one of these
+// overrides. Otherwise the little jerk that is available at the start of the ramp would limit the whole change.
 constexpr std::array on_the_way = {0.992, 0.97, 0.9, 0.7};
 constexpr double much_longer = 1.2;
-constexpr double least_change = 0.001;  // least change of the share that is tried if there are not enough cells for the check
-constexpr double least_ramp = 4;        // shortest ramp, in servo periods
+constexpr double least_change = 0.001;  // smallest change of the override that is tried if too few cells are available for the check
+constexpr double least_ramp = 4;        // duration of the shortest ramp, in servo periods
 
 }  // namespace
 
@@ -37,8 +37,9 @@ Playback::Playback(MotionLimits limits, double rate, std::size_t cells)
     : limits_(std::move(limits)), period_(1 / rate), ring_(limits_.speed.size(), cells) {}
 
 /// Moves the cursor by `seconds` of the servo clock. Calls `crossed(end, time on the ramp)` for each cell that ends in this time. crossed()
-/// may return a delay, s, for the next cell, in which the axes are at rest; from that cell on, the plan is played at the share 1.
-///   returns  false if there are not enough cells; the cursor is then at the end of the last cell
+/// may return a delay, s, that lengthens the next cell, in which the axes are at rest. From this cell on, the plan is played at the
+/// override 1.
+///   returns  false if too few cells are available; the cursor is then at the end of the last cell
 template <class Crossed>
 bool Playback::advance(Cursor& at, const OverrideRamp& ramp, double on_ramp, double seconds, Crossed&& crossed) const {
   double left = seconds;
@@ -80,7 +81,8 @@ void Playback::show(const Cursor& at, double* x) {
   now_.spindle = ring_.spindle(cell).at(t, s) + now_.slip;
 }
 
-/// Returns true if no axis exceeds its limits at the share `pace`. Where the plan itself exceeds a limit, the planned value is the limit.
+/// Returns true if no axis exceeds its limits at the cursor position with the override `pace`. Where the plan itself exceeds a limit, the
+/// planned value replaces the limit.
 bool Playback::is_allowed(const Cursor& at, const OverrideFactor& pace) const {
   if (pace.share < 0 || pace.share > rounding_of_limits) return false;
   if (is_over(at)) return true;
@@ -101,14 +103,15 @@ bool Playback::is_allowed(const Cursor& at, const OverrideFactor& pace) const {
   return true;
 }
 
-/// Returns the least time, in s, in which the override may change to `target`: from the speed and the axes' limits at the current position.
+/// Returns the least time, s, in which the override may change to `target`. The time follows from the speed at the current position and
+/// from the axes' limits.
 double Playback::shortest(double target) const {
   double seconds = least_ramp * period_;
   if (is_over(now_.at)) return seconds;
   const TimeLaw& law = ring_.law(now_.at.cell);
   const TimeLaw::State i = law.after(now_.at.t);
   const double change = std::fabs(target - share());
-  constexpr double max_rate = 1.875, most_bend = 5.77;  // greatest first and second derivative of a ramp from 0 to 1 in 1 s
+  constexpr double max_rate = 1.875, most_bend = 5.77;  // the greatest first and second derivative of a ramp from 0 to 1 that takes 1 s
   for (std::size_t a = 0; a < ring_.axes(); ++a) {
     const double* const c = ring_.path(now_.at.cell, a);
     const double speed =
@@ -118,7 +121,7 @@ double Playback::shortest(double target) const {
   return std::min(seconds, longest);
 }
 
-/// Starts the check of a ramp to the share `target` that lasts `seconds`. The ramp will start at the servo instant at which the check is
+/// Starts the check of a ramp to the override `target` that takes `seconds`. The ramp will start at the servo instant at which the check is
 /// complete.
 void Playback::try_ramp(double target, double seconds) {
   const double places = std::max(seconds / period_, least_places);
@@ -133,8 +136,8 @@ void Playback::try_ramp(double target, double seconds) {
   now_.tried = false;
 }
 
-/// Returns the intermediate share nearest to the target, to which a ramp can be tried instead of the ramp under check; nullopt if there
-/// is none.
+/// Returns the intermediate override nearest to the target, for a shorter ramp instead of the ramp under check; nullopt if no intermediate
+/// override lies before the target.
 std::optional<double> Playback::share_on_the_way() const {
   const double from = now_.next.at(0).share, to = now_.next.end();
   std::optional<double> nearest;
@@ -143,14 +146,14 @@ std::optional<double> Playback::share_on_the_way() const {
   return nearest;
 }
 
-/// Allows a little more jerk and starts again with the shortest ramp.
+/// Raises the allowed excess over the jerk limits a little and starts the search again with the shortest ramp.
 void Playback::exceed_a_little() {
   now_.over = std::min(now_.over + a_little_more, most_over);
   try_ramp(now_.next.end(), shortest(now_.next.end()));
 }
 
-/// Continues the check of the next ramp. The limits are checked at the servo instants, in a short ramp also between them, and at both
-/// sides of each cell boundary, because the jerk jumps there.
+/// Continues the check of the next ramp. The limits are checked at the servo instants, and in a short ramp also between these instants.
+/// They are also checked on both sides of each cell boundary, because the jerk jumps at a boundary.
 void Playback::keep_trying() {
   const double step = std::min(period_, now_.next.seconds() / least_places);
   bool allowed = true;
@@ -166,8 +169,8 @@ void Playback::keep_trying() {
     }
     const bool known = advance(now_.probe, now_.next, now_.on_next, step, look) || ring_.finished();
     now_.on_next += step;
-    // not enough cells for the check: allow a little more jerk, or try a smaller change that fits into the known cells and is followed by
-    // another ramp
+    // The available cells are too few for the check. Either a little more jerk is allowed, or a smaller change is tried that fits into the
+    // known cells. A further ramp then follows the smaller change.
     if (!known) {
       const bool fits = shortest(0) * share() < 2 * ahead();
       if (now_.next.end() <= 0 && now_.over < most_over && fits) return exceed_a_little();
@@ -184,8 +187,8 @@ void Playback::keep_trying() {
   }
 }
 
-/// Returns the share of the planned speed that the operator requests. In cells where the override switch has no effect, the result is 1. In
-/// cells where feed hold has no effect, the last requested share above 0 replaces a request of 0.
+/// Returns the override that the operator requests, 0 to 1. In cells where the override switch has no effect, the result is 1. In cells
+/// where feed hold has no effect, the last requested override above 0 replaces a request of 0.
 double Playback::asked() {
   const double wanted = wanted_.load(std::memory_order_relaxed);
   if (wanted > 0) now_.last_override = wanted;
@@ -195,7 +198,8 @@ double Playback::asked() {
   return switches.feed_override ? now_.last_override : 1;
 }
 
-/// Compares the requested share with the current one, and starts, continues or ends the check of a ramp. Brakes if few cells are left.
+/// Compares the requested override with the current override, and starts, continues or ends the check of a ramp. If few cells are left, it
+/// brakes the axes.
 void Playback::steer() {
   const bool scarce = !ring_.finished() && ring_.has_room() && ahead() < reserve * (now_.goal > 0 ? 1 : 2);
   const double wanted = scarce ? 0 : asked();
@@ -213,9 +217,10 @@ void Playback::steer() {
 }
 
 /// Returns by how many seconds longer than planned the axes must wait for the spindle angle in a cell at whose end they synchronise with
-/// the spindle. Called at the start of this cell.
+/// the spindle. The caller calls it at the start of this cell.
 double Playback::wait_for_spindle(std::uint64_t cell) {
-  constexpr double turn = 360, same = 1e-6;  // degrees: one revolution; difference below which two angles count as equal
+  // `turn` is one revolution in degrees; `same` is the difference in degrees below which two angles count as equal.
+  constexpr double turn = 360, same = 1e-6;
   const double rate = ring_.spindle(cell).per_second, turns = std::round(now_.slip / turn);
   if (rate == 0 || std::fabs(now_.slip - turn * turns) < same) {
     now_.slip = turn * turns;
@@ -227,15 +232,16 @@ double Playback::wait_for_spindle(std::uint64_t cell) {
   return wait;
 }
 
-/// Advances axes and spindle by one servo period. Returns false if there are not enough cells.
+/// Advances axes and spindle by one servo period. Returns false if too few cells are available; step() then restores the position.
 bool Playback::go_on() {
   constexpr double turn = 360;
   const bool as_planned = now_.on_ramp >= now_.ramp.seconds() && now_.ramp.end() == 1;
   const double begins = now_.on_ramp;
-  // on_plan, on_clock: plan time and ramp time at the start of the current cell, s
+  // `on_plan` is the plan time and `on_clock` the time on the ramp at the start of the current cell, both in s.
   double on_plan = now_.at.t, on_clock = begins, over = 0;
   bool in_step = false;
-  // adds to `over` how far the spindle, which rotates in real time, is ahead of its planned rotation at `to`
+  // Adds to `over` how far, in degrees, the spindle is ahead of its planned rotation at `to`. The spindle rotates in real time, whatever
+  // the override is.
   const auto turns_on = [&](const Cursor& to, double clock) {
     if (!as_planned && !in_step) over += ring_.spindle(to.cell).per_second * ((clock - on_clock) - (to.t - on_plan));
   };

@@ -1,16 +1,16 @@
 #pragma once
-// Playback: computes the axes' positions at the servo rate from the cells that the planner emits. Feed hold, resume and override are
+// Playback computes the axes' positions at the servo rate from the cells that the planner emits. Feed hold, resume and override are
 // possible at any time.
 //
 //   planner ─offer─▶ CellRing ─▶ cursor on the plan ─fill─▶ positions
 //
-// An override o runs plan time at o times its rate: the path stays the same, speed scales with o, acceleration with o², jerk with o³.
-// Between two overrides the rate follows an OverrideRamp. Before a ramp is accepted, it is checked at all instants of the servo clock
-// during the ramp and at all cell boundaries between them. If an axis would exceed its acceleration or jerk limit, a longer ramp is
-// tried, or a ramp to an intermediate share, where the plan itself uses less jerk. The check is spread over several servo instants, so
-// that no instant takes long. An override does not lengthen a programmed pause (dwell); a feed hold does. Where the operator's switches
-// do not act (threads, G63: CellSource::switches) the share returns to 1 as soon as a ramp allows. A thread starts at share 1, because
-// the axes are at rest before it. The spindle keeps rotating in real time at any override; before a thread the axes wait for the spindle
+// An override o advances plan time at the rate o. The path stays the same; speed scales with o, acceleration with o², jerk with o³. Between
+// two overrides the rate follows an OverrideRamp. Before a ramp is accepted, it is checked at all instants of the servo clock during the
+// ramp and at all cell boundaries between these instants. If an axis would exceed its acceleration or jerk limit, a longer ramp is tried,
+// or a ramp to an intermediate override, at which the plan itself uses less jerk. The check is spread over several servo instants, so that
+// no single instant takes long. An override does not lengthen a dwell; a feed hold does. Where the operator's switches have no effect
+// (threads, G63: CellSource::switches), the override returns to 1 as soon as a ramp allows. A thread starts at the override 1, because the
+// axes are at rest before the thread. The spindle rotates in real time at any override. Before a thread the axes wait for the spindle
 // angle.
 //
 // If cells arrive too late, Playback brakes the axes, and continues when enough cells are available.
@@ -27,82 +27,85 @@ namespace kadr {
 
 class Playback {
  public:
-  /// `rate`: frequency of the servo clock, Hz. `cells`: capacity of the cell ring.
+  /// `rate` is the frequency of the servo clock in Hz. `cells` is the capacity of the cell ring in cells.
   Playback(MotionLimits limits, double rate, std::size_t cells = 8192);
 
-  // called by the planning thread
+  // The planning thread calls the functions below.
 
-  /// Appends the cells with the index `first` and above, as many as fit. Returns the number of cells appended.
+  /// Appends the cells with the index `first` and above to the ring, as many as fit. Returns the number of appended cells.
   std::size_t offer(const TimedCells& cells, std::size_t first) { return ring_.offer(cells, first); }
-  /// Marks that no more cells follow.
+  /// Marks the end of the cells. After this call the planner must not offer further cells.
   void finish() { ring_.finish(); }
 
-  /// Plan time of all cells offered so far, s.
+  /// The plan time of all cells offered so far, s.
   double offered() const { return ring_.offered(); }
 
-  // called by the operator, from any thread
+  // The operator's request below may come from any thread.
 
-  /// Requests a share, 0 … 1, of the planned speed; 0 is feed hold. A share above 1 counts as 1, because it would need a faster plan.
+  /// Requests an override, 0 to 1, as a factor of the planned speed; 0 is a feed hold. A value above 1 counts as 1, because it would need a
+  /// faster plan.
   void override_to(double share) { wanted_.store(share > 0 ? share < 1 ? share : 1 : 0, std::memory_order_relaxed); }
 
-  // called by the servo clock, in one thread
+  // The servo clock calls the functions below, in one thread.
 
-  /// Writes the positions at the next instants, `count` rows of all axes; never allocates. Returns the number of rows: 0 before the first
-  /// cell arrives; fewer than `count` when the motion is over (the last row is then the end position).
+  /// Writes the positions at the next instants of the servo clock: `count` rows with the positions of all axes. The function never
+  /// allocates memory. It returns the number of rows: 0 before the first cell arrives, and fewer than `count` when the motion is over. The
+  /// last row is then the end position.
   std::size_t fill(double* positions, std::size_t count);
   /// True if the end of the motion was written.
   bool done() const { return now_.done; }
-  /// The current share of the planned speed.
+  /// The current override, 0 to 1.
   double share() const { return now_.ramp.at(now_.on_ramp).share; }
-  /// True if the axes are held by an override of 0.
+  /// True if an override of 0 (feed hold) keeps the axes at rest.
   bool is_held() const {
     return now_.started && now_.ramp.at(now_.on_ramp).share <= 0 && now_.goal <= 0 && wanted_.load(std::memory_order_relaxed) <= 0;
   }
-  /// The tag of the cell at the last instant.
+  /// The tag of the cell at the last instant of the servo clock.
   std::uint64_t tag() const { return now_.tag; }
-  /// The number of the motion at the last instant, counted by AxisMotion; 0: the axes are at rest.
+  /// The number of the motion at the last instant of the servo clock, as AxisMotion counts motions; 0: the axes are at rest.
   std::uint64_t motion() const { return now_.motion; }
-  /// The spindle's angle at the last instant, degrees.
+  /// The spindle angle at the last instant of the servo clock, degrees.
   double spindle() const { return now_.spindle; }
-  /// Plan time already played, s.
+  /// The plan time that is already played, s.
   double played() const { return now_.played + now_.at.t; }
-  /// Plan time that can still be played without further cells, s.
+  /// The plan time that can still be played without further cells, s.
   double ahead() const { return ring_.offered() - played(); }
-  /// Playback brakes the axes if ahead() is less than this plan time, s.
+  /// Playback brakes the axes if ahead() is less than this plan time, in s.
   static constexpr double reserve = 1;
-  /// Number of servo instants at which the axes had to stop abruptly because no cells were available: 0 unless braking takes longer than
-  /// the reserve.
+  /// The number of servo instants at which the axes had to stop abruptly because no cells were available. It is 0 unless braking takes
+  /// longer than the reserve.
   std::uint64_t starved() const { return now_.starved; }
 
  private:
-  /// A position in the plan.
+  /// A position in the plan: a cell and a time in this cell.
   struct Cursor {
     std::uint64_t cell = 0;
     double t = 0;  // plan time since the start of the cell, s
   };
   struct Place {
     Cursor at;
-    OverrideRamp ramp{1};  // the ramp being played
-    double on_ramp = 0;    // time since the start of `ramp`, s
+    OverrideRamp ramp{1};  // the ramp that is being played
+    double on_ramp = 0;    // time since the start of the ramp that is being played, s
     double played = 0;     // plan time of the completed cells, s
     std::uint64_t instant = 0, tag = 0, motion = 0, starved = 0;
-    double spindle = 0, slip = 0;  // degrees; slip: actual spindle angle minus planned angle
-    double last_override = 1;      // the last requested override above 0, as a share
+    // `spindle` is the spindle angle, and `slip` is the actual spindle angle minus the planned angle, both in degrees.
+    double spindle = 0, slip = 0;
+    double last_override = 1;  // the last requested override above 0, as a factor of the planned speed
     bool started = false, done = false;
 
-    // the next ramp, which is checked before it is used
-    bool trying = false, tried = false;  // trying: the check of `next` is in progress; tried: `next` passed the check
-    double goal = 1;                     // the share that the ramps lead to, or the current share
+    // The fields below belong to the next ramp, which is checked before it is used.
+    bool trying = false, tried = false;
+    double goal = 1;  // the override to which the ramps lead, or the current override
     OverrideRamp next{1};
     std::uint64_t begins = 0;  // servo instant at which `next` starts
     Cursor probe;              // position in the plan up to which `next` is checked
     double on_next = 0;        // time of the probe since the start of `next`, s
-    double over = 0;           // allowed excess over the jerk limits, as a share of them; above 0 only so that a feed hold cannot fail
+    double over = 0;  // Allowed excess over the jerk limits, as a fraction of these limits. It is above 0 so that a feed hold cannot fail.
   };
 
  public:
-  /// The state of Playback: the position in the plan, and the cells that have not been played yet. Copy or restore it only while no other
-  /// thread is active.
+  /// The state of Playback: the position in the plan, and the cells that are not yet played. Copy or restore it only while no other thread
+  /// uses this Playback.
   struct Memory {
     Place place;
     double wanted = 1;

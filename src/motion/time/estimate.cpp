@@ -1,5 +1,5 @@
-// Machining time from programmed feeds and the machine's rapid rates, without acceleration. Used by machine, motion and out; tested by
-// tests/motion/estimate_test.cpp.
+// TimeEstimate computes the machining time from programmed feeds and the machine's rapid rates, without acceleration. Used by machine,
+// motion and out; tested by tests/motion/estimate_test.cpp.
 
 #include "motion/time/estimate.h"
 
@@ -14,7 +14,7 @@
 namespace kadr {
 namespace {
 
-/// Returns the value that the set-up states for the axis, or else for all axes ("*"); nullopt if the set-up states neither.
+/// Returns the value that the set-up states for the axis, or otherwise for all axes ("*"); nullopt if the set-up states neither.
 template <class T>
 std::optional<T> of_setup(const Setup& setup, const std::string& axis, std::optional<T> AxisLimits::*field) {
   for (const std::string& name : {axis, std::string("*")})
@@ -58,11 +58,12 @@ double Rates::least_most() const {
   return least;
 }
 
-/// Finds the axis that needs the longest time at its rapid rate. INFERRED: on an arc each axis of the plane reaches the full path speed, as
-/// it does on an arc of at least a quadrant.
+/// Finds the axis that needs the longest time at its rapid rate. INFERRED: each axis of the arc's plane counts as moving at the full path
+/// speed, which is correct for an arc of a quadrant or more.
 SlowestAxis slowest_axis(const AxisRoles& roles, const Curve& curve, const Motion& motion, const Axes& most) {
   SlowestAxis slowest;
-  if (curve.surface() != PathSurface::plane) return slowest;  // polar_feed.h limits the feed of these motions by the rotary axis
+  // In polar and cylindrical interpolation the rotary axis limits the feed (polar_feed.h), so no linear axis is compared.
+  if (curve.surface() != PathSurface::plane) return slowest;
   for (std::size_t i = 0; i < roles.count; ++i) {
     const bool turns = !curve.straight() && (i == motion.first || i == motion.second);
     const double way = turns ? curve.length(motion.along) : std::abs(curve.way(i));
@@ -93,7 +94,7 @@ double& TimeEstimate::share_of(const Motion& motion) {
   return motion.kind == MotionKind::rapid || motion.kind == MotionKind::home ? split_.rapid : split_.cutting;
 }
 
-/// Returns the time of a rapid motion in which all axes move together: the slowest axis determines the time.
+/// Returns the time, min, of a rapid motion in which all axes move together. The slowest axis determines the time.
 double TimeEstimate::rapid_minutes(const Curve& curve) const {
   if (curve.surface() == PathSurface::polar) return kadr::rapid_minutes(curve, roles_, rates_.rapid);
   double minutes = 0;
@@ -104,17 +105,17 @@ double TimeEstimate::rapid_minutes(const Curve& curve) const {
   return minutes;
 }
 
-/// Returns the time of a thread. The thread lead is the travel per revolution of the axis with the longest travel (nct 4.4); overrides do
-/// not apply.
+/// Returns the time, min, of a thread. The thread lead is the travel per revolution of the axis with the longest travel (nct 4.4).
+/// Overrides do not apply to threads.
 double TimeEstimate::thread_minutes(const Motion& motion, const Curve& curve) const {
   double longest = 0;
   for (std::size_t i = 0; i < roles_.count; ++i) longest = std::max(longest, std::abs(curve.way(i)));
   return longest == 0 ? 0 : longest / (*motion.detail->lead * turning(motion).now());
 }
 
-/// Returns the time at a feed in mm/rev, of a spindle whose speed depends on the tool's position (nct 11.5).
+/// Returns the time, min, at a feed in mm/rev, for a spindle whose speed depends on the tool's position (nct 11.5).
 double TimeEstimate::turning_minutes(const Motion& motion, const Curve& curve, double feed) const {
-  constexpr double error = 1e-9;  // relative error of the integration
+  constexpr double error = 1e-9;  // relative error of the integration of the time
   const SpindleTurning& spindle = turning(motion);
   return integral([&](double part) { return curve.rate(motion.along, part) / (feed * spindle.at(curve.at(part))); }, 0, 1, error);
 }
@@ -139,15 +140,15 @@ double TimeEstimate::feed_minutes(const Motion& motion, const Curve& curve, Moti
   return way / time.feed;
 }
 
-/// Returns the time at the programmed feed, but with no axis above its rapid rate.
+/// Returns the time, min, at the programmed feed. The time is long enough that no axis exceeds its rapid rate.
 double TimeEstimate::cutting_minutes(const Motion& motion, const Curve& curve, MotionTime& time) const {
   const double minutes = feed_minutes(motion, curve, time);
   if (!(time.feed > lowest_rapid_rate_)) return minutes;
   return std::max(minutes, slowest_axis(roles_, curve, motion, rates_.most).minutes);
 }
 
-/// Returns the least time that the machine axes need for their travel. If rotary axes move the tool or the workpiece, the machine axes
-/// travel other distances than the work coordinates (nct 25). The travel is the difference of the end positions.
+/// Returns the least time, min, that the machine axes need for their travel. If rotary axes move the tool or the workpiece, the travel of
+/// the machine axes differs from the travel in work coordinates (nct 25). The travel is the difference of the end positions.
 double TimeEstimate::machine_minutes(const Motion& motion, const ToolPosition& from, bool rapid) const {
   double minutes = 0;
   for (std::size_t i = 0; i < roles_.count; ++i) {
@@ -202,8 +203,8 @@ void TimeEstimate::other(const Action& action) {
               CompensationBreak, CompensationCorner, CompensationCheck>);
 }
 
-/// Computes the time of a step. The pause of a step is computed as the increase of the time sums, so that the pauses of all steps add up
-/// exactly to these sums.
+/// Computes the time of a step. The pause of a step is the increase of the time sums, so that the pauses of all steps add up exactly to
+/// these sums.
 void TimeEstimate::time(Step& step) {
   if (const Motion* const moved = step.motion()) {
     step.time = motion(*moved, step.curve(), &step.from);

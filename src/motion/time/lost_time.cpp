@@ -1,4 +1,4 @@
-// LostTime: finds the lines of a program that take longer than at their feed alone, and the limit of the axes that causes it
+// LostTime finds the program lines that take longer than their feed alone would require, and the axis limit that causes the loss
 // (motion/look_ahead/limited_by). Used by session/planned and out/text/lost_time_text.
 
 #include "motion/time/lost_time.h"
@@ -61,9 +61,10 @@ void LostTime::take(const TimedCells& cells) {
 }
 
 std::vector<LostTime::Place> LostTime::worst(std::size_t count) const {
-  // losses below this share of the time are ignored; the planner's error is up to half of this share (motion/least_time/least_time)
+  // Losses below this fraction of the time are ignored. The planner's error is at most half of this fraction
+  // (motion/least_time/least_time).
   constexpr double accurate = 1e-3;
-  constexpr double shown = 5e-4;  // s; a smaller loss would be displayed as 0
+  constexpr double shown = 5e-4;  // the smallest loss that is reported, s; a smaller loss would be displayed as 0
   std::vector<Place> places;
   for (const Row& row : rows_) {
     if (row.place.lost() < std::max(shown, accurate * row.place.seconds)) continue;

@@ -1,5 +1,5 @@
-// Pace: computes how the time of a motion is distributed along it where the axes do not move in proportion to the feed: in polar
-// interpolation (NCT 4.5), in cylindrical interpolation (NCT 4.6), and at feed per revolution of a spindle whose speed depends on the
+// Pace computes how the time of a motion is distributed along its path where the axes do not move in proportion to the feed. These motions
+// are polar interpolation (NCT 4.5), cylindrical interpolation (NCT 4.6), and feed per revolution of a spindle whose speed depends on the
 // tool's position (NCT 11.5). Used by motion/least_time/axis_motion; tested by tests/motion/pace_test.cpp.
 
 #include "motion/time/pace.h"
@@ -19,8 +19,8 @@ Pace::Pace(const AxisRoles& roles, const Curve& curve, const Motion& motion, dou
       by_spindle_(feed > 0 && motion.unit == FeedUnit::mm_per_rev && spindle.surface.on && curve.surface() == PathSurface::plane) {}
 
 int Pace::pieces() const {
-  constexpr double change = 0.02;  // greatest relative change of speed within a piece
-  constexpr double least = 1e-3;   // least length of a piece, mm
+  constexpr double change = 0.02;  // greatest relative change of speed within one part of the motion
+  constexpr double least = 1e-3;   // lower bound of the distance from the rotation centre, mm
   constexpr double most = 1000;
   const SurfaceSpeed& surface = spindle_.surface;
   if (!by_spindle_ || surface.axis >= max_axes) return 1;

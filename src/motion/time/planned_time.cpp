@@ -1,4 +1,4 @@
-// PlannedTime: splits the time of a least-time plan into cutting, rapid motion, dwell and tool change. Used by session/planned and
+// PlannedTime divides the time of a least-time plan into cutting, rapid motion, dwell and tool change. Used by session/planned and
 // out/text/summary.
 
 #include "motion/time/planned_time.h"
@@ -10,7 +10,7 @@
 namespace kadr {
 
 void PlannedTime::take(const TimedCells& cells, const MotionLimits& limits) {
-  constexpr double barely = 0.02;  // share of the acceleration limit below which the speed counts as constant
+  constexpr double barely = 0.02;  // fraction of the acceleration limit below which the speed counts as constant
   const double least = barely * *std::min_element(limits.acceleration.begin(), limits.acceleration.end());
   for (std::size_t k = 0; k < cells.laws.size(); ++k) {
     const TimeLaw& law = cells.laws[k];

@@ -1,5 +1,5 @@
-// The feed of polar interpolation: near the rotation centre the speed limit of the rotary axis reduces the feed. Used by motion and out;
-// tested by tests/motion/polar_feed_test.cpp.
+// This file computes the feed of polar interpolation. Near the rotation centre the speed limit of the rotary axis reduces the feed. Used by
+// motion and out; tested by tests/motion/polar_feed_test.cpp.
 
 #include "motion/time/polar_feed.h"
 
@@ -11,10 +11,10 @@
 namespace kadr {
 namespace {
 
-constexpr double time_error = 1e-9;  // relative error of the integration: less than a millisecond in a week
+constexpr double time_error = 1e-9;  // relative error of the integration; the error is less than a millisecond in a week
 
 /// Integrates a function of the position over the motion. The integrand has its peak near the rotation centre, where the rotary axis is
-/// fastest; the motion is divided at the peak and each half is integrated separately.
+/// fastest. The motion is therefore divided at the peak, and each half is integrated separately.
 template <class F>
 double over_motion(const Curve& curve, const F& minutes_per_part) {
   const double nearest = curve.nearest();

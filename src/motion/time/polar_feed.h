@@ -1,7 +1,8 @@
 #pragma once
-// The feed of polar interpolation: near the rotation centre the speed limit of the rotary axis reduces the feed F. NCT 4.5:
-//   at a point (u, w), r mm from the centre, with the unit tangent t, `most` degrees/min:   F = min(F, most · r² · (π/180) / |u·t_w −
-//   w·t_u|)
+// This file computes the feed of polar interpolation (NCT 4.5). Near the rotation centre the speed limit of the rotary axis reduces the
+// feed F to
+//   F = min(F, most · r² · (π/180) / |u·t_w − w·t_u|)
+// at a point (u, w) that is r mm from the centre. Here t is the unit tangent, and `most` is the speed limit in degrees/min.
 
 #include "action/curve.h"
 
@@ -14,22 +15,22 @@ struct PolarFeed {
   FeedAlong along = FeedAlong::path;
 };
 
-/// Returns the actual feed at the position `part`, 0 … 1, in the motion, mm/min.
+/// Returns the actual feed, mm/min, at the position `part`, 0 to 1, in the motion.
 double feed_at(const Curve& curve, const PolarFeed& limits, double part);
 
-/// Returns dt/dpart, the time derivative with respect to `part` (0 … 1) at this position in the motion, min.
+/// Returns dt/dpart in min: the derivative of the time with respect to `part` (0 to 1) at this position in the motion.
 double minutes_per_part(const Curve& curve, const PolarFeed& limits, double part);
 
 /// Returns the highest feed along the motion, mm/min.
 double highest_feed(const Curve& curve, const PolarFeed& limits);
 
-/// Returns the time of the motion, min.
+/// Returns the duration of the motion, min.
 double minutes(const Curve& curve, const PolarFeed& limits);
 
-/// Returns the time of a rapid motion along the path, min: each axis at most at its rapid rate (mm/min, degrees/min).
+/// Returns the duration, min, of a rapid motion along the path on which each axis moves at most at its rapid rate (mm/min, degrees/min).
 double rapid_minutes(const Curve& curve, const AxisRoles& roles, const Axes& rapid);
 
-/// Returns dt/dpart of a rapid motion at the position `part`, 0 … 1, min.
+/// Returns dt/dpart in min of a rapid motion: the derivative of the time with respect to `part`, at the position `part`, 0 to 1.
 double rapid_minutes_per_part(const Curve& curve, const AxisRoles& roles, const Axes& rapid, double part);
 
 }  // namespace kadr

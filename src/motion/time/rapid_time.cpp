@@ -1,4 +1,4 @@
-// The time of a rapid motion from rest to rest. Used by motion/look_ahead/look_ahead.
+// This file computes the time of a rapid motion from rest to rest. Used by motion/look_ahead/look_ahead.
 
 #include "motion/time/rapid_time.h"
 
@@ -7,9 +7,10 @@
 namespace kadr {
 namespace {
 
-/// Returns the remaining time of a ramp from the speed `top` to rest, after the speed has fallen by the share `part`.
+/// Returns the remaining time, s, of a ramp from the speed `top` to rest, counted from the instant at which the speed has fallen by the
+/// fraction `part` (0 to 1).
 double left_of_ramp(double top, double part, const Acceleration& acceleration) {
-  constexpr int steps = 60;  // number of bisection steps, enough to reach rounding errors
+  constexpr int steps = 60;  // number of bisection steps; 60 steps reach the accuracy of double
   const Ramp down(top, 0, acceleration);
   double low = 0, high = down.seconds();
   for (int step = 0; step < steps; ++step) {

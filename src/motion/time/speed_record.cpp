@@ -1,4 +1,4 @@
-// SpeedRecord: records the speed, and how near the axes are to their limits, over the time of a least-time plan. Used by
+// SpeedRecord records the path speed and the used fractions of the axis limits over the time of a least-time plan. Used by
 // out/picture/speed_page; tested by tests/motion/speed_record_test.cpp.
 
 #include "motion/time/speed_record.h"

@@ -1,4 +1,4 @@
-// SpindleClock: computes the angles of the spindles over the time of the axes' motion. Used by motion/least_time/axis_motion; tested by
+// SpindleClock computes the angles of the spindles over the time of the axes' motion. Used by motion/least_time/axis_motion; tested by
 // tests/motion/spindle_clock_test.cpp.
 
 #include "motion/time/spindle_clock.h"
@@ -53,7 +53,8 @@ void SpindleClock::couple(double degrees_per_mm) {
   led().turning.on = false;
 }
 
-/// INFERRED: the spindles other than the leading one rotate all the time at their commanded speeds.
+/// Returns the rotation of the leading spindle in a cell. INFERRED: all other spindles rotate without interruption at their commanded
+/// speeds.
 SpindleTurn SpindleClock::turn(double per_second, const TimeLaw& law) {
   Turned& leads = led();
   for (Turned& other : spindles_)
@@ -64,10 +65,10 @@ SpindleTurn SpindleClock::turn(double per_second, const TimeLaw& law) {
 }
 
 double SpindleClock::seconds_to(double angle, double ahead) const {
-  constexpr double same = 1e-9;  // share of a revolution: a zero pulse that is at most this far in the past counts as occurring now
+  constexpr double same = 1e-9;  // Fraction of a revolution. A zero pulse that occurred at most this fraction ago counts as occurring now.
   const double rate = std::fabs(per_second()), angle_now = spindles_[leading_].angle, turned = turning().reversed ? -angle_now : angle_now;
   const double pulse = full_turn * std::ceil(turned / full_turn - same);
-  const double least = rate * ahead;  // least rotation since the zero pulse, degrees
+  const double least = rate * ahead;  // the least rotation since the zero pulse, degrees
   const double more = full_turn * std::max(0.0, std::ceil((least - angle) / full_turn - same));
   return std::max(0.0, (pulse - turned + angle + more - least) / rate);
 }

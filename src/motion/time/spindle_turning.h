@@ -1,5 +1,5 @@
 #pragma once
-// SpindleTurning: the commanded rotation of a spindle. INFERRED: the spindle reaches a commanded speed at once.
+// SpindleTurning is the commanded rotation of a spindle. INFERRED: the spindle reaches a commanded speed at once.
 
 #include <algorithm>
 
@@ -9,21 +9,22 @@ namespace kadr {
 
 struct SpindleTurning {
   double rpm = 0;  // commanded speed, rev/min
-  // true: the spindle rotates at `rpm`. Also true at the program start; a spindle that the set-up states to be at rest has rpm 0 then
+  // True: the spindle rotates at `rpm`. The value is also true at the program start; if the set-up states that the spindle is at rest,
+  // `rpm` is 0 at the program start.
   bool on = true;
   bool reversed = false;  // true: counter-clockwise rotation (M4)
 
-  SurfaceSpeed surface{};  // constant surface speed, for the main spindle only
+  SurfaceSpeed surface{};  // the law of constant surface speed, for the main spindle only
 
   double now() const { return on ? rpm : 0; }
-  /// Returns the speed while the tool is at this position, work coordinates, rev/min.
+  /// Returns the spindle speed, rev/min, while the tool is at the position `work` in work coordinates.
   double at(const Axes& work) const { return on && surface.on ? by_surface(work) : now(); }
-  /// Reports that a motion ended at the position `work`, work coordinates.
+  /// Updates the spindle speed after a motion that ended at the position `work` in work coordinates.
   void arrive(const Axes& work) {
     if (surface.on) rpm = by_surface(work);
   }
 
-  /// Converts a speed to degrees per second, clockwise.
+  /// Converts a speed in rev/min to degrees per second; clockwise is positive.
   double degrees(double at_rpm) const {
     constexpr double per_second_of_rpm = 360.0 / 60;
     return at_rpm * per_second_of_rpm * (reversed ? -1 : 1);
@@ -38,7 +39,8 @@ struct SpindleTurning {
   void take(const Speed& speed) { rpm = speed.surface ? speed.rpm : speed.value; }
 
  private:
-  /// Upper bound of the speed when the tool moves towards the rotation centre. INFERRED: it applies even if no limit is stated.
+  /// The greatest speed under constant surface speed, reached when the tool moves towards the rotation centre. INFERRED: this limit applies
+  /// even if the program states no limit.
   static constexpr double fastest = 1e5;  // rev/min
   double by_surface(const Axes& work) const { return std::min(surface.rpm(work, rpm), fastest); }
 };

@@ -1,5 +1,5 @@
 #pragma once
-// Steps: converts the Actions of one channel, in order, to Steps for its sinks.
+// Steps converts the Actions of one channel, in their order, to Steps for the sinks of the channel.
 
 #include <utility>
 
@@ -11,11 +11,11 @@ class Steps {
  public:
   /// `roles` and `clock` must outlive the Steps object.
   ///   start  position of the tool before the first action
-  ///   clock  computes the time of each step; nullptr: steps have no time
+  ///   clock  computes the time of each step; nullptr: the steps have no time
   Steps(const AxisRoles& roles, ToolPosition start, TimeEstimate* clock = nullptr) : roles_(roles), at_(std::move(start)), clock_(clock) {}
 
-  /// Passes the next action to a `sink(const Step&)`.
-  ///   law  Step::from is the position after all actions given before
+  /// Converts the next action to a step and calls `sink(const Step&)` with the step.
+  ///   law  Step::from is the position after all previous actions
   template <class Sink>
   void give(const Action& action, double begins, Sink&& sink) {
     Step step(roles_, action, at_, begins);

@@ -1,4 +1,4 @@
-// RadiusCompensation, output: after the interference check, the first motion of the window is moved by its vectors and emitted.
+// RadiusCompensation, output: after the interference check, the first motion of the window is shifted by its vectors and emitted.
 
 #include <algorithm>
 #include <cmath>
@@ -11,7 +11,7 @@
 namespace kadr {
 namespace {
 
-/// Returns the motion of an action; replaces any other content by a motion.
+/// Returns the motion of an action. If the action is not a motion, a new motion replaces its content.
 Motion& motion_in(Action& action) {
   if (auto* const m = motion_of(action)) return *m;
   return action.what.emplace<Motion>();
@@ -29,20 +29,20 @@ std::span<const CompensatedBlock> RadiusCompensation::checked_blocks() {
   return {blocks_.data(), now_.count};
 }
 
-/// Checks the first motion of the window against the later motions, and emits it with the actions that follow it and the path around the
-/// corner.
+/// Checks the first motion of the window against the later motions. Emits the first motion, the actions that follow it, and the path around
+/// the corner.
 void RadiusCompensation::release_first() {
   const RepairOutcome mended = now_.check.interference ? mend_first() : RepairOutcome::sound;
   Held& first = held(0);
   if (mended != RepairOutcome::sound) {
     const Origin origin = held(mended == RepairOutcome::first_fails ? 0 : 1).origin;
-    // if N1404 sets a further look-ahead, the alarm comes before this motion is emitted
+    // If N1404 sets a look-ahead beyond the next junction, the alarm comes before this motion is emitted.
     if (mended == RepairOutcome::next_fails && now_.check.further == 0) (void)let_go(first);
     const AlarmId id = first.end.count > 0 ? AlarmId::compensation_interference : AlarmId::compensation_no_intersection;
     if (!fault_) fault(alarm(id, {}), origin);
     return;
   }
-  if (first.end.round) now_.round_first = first.motion;  // copied, because let_go() moves the motion away
+  if (first.end.round) now_.round_first = first.motion;  // The motion is copied, because let_go() moves it away.
   if (!let_go(first)) return;
   now_.vector = first.end.first();
   for (Action& action : first.waiting) {
@@ -58,8 +58,8 @@ void RadiusCompensation::release_first() {
   drop_first();
 }
 
-/// Moves the tool around a corner, from the first vector at the end of `first` to the last vector. Straight moves have the feed and kind
-/// of the next motion, an arc those of the first motion.
+/// Moves the tool around the corner at the end of `first`, from the first vector at this corner to the last vector. Straight moves have the
+/// feed and kind of the next motion; an arc has the feed of the next motion, or of the first motion if the next motion is rapid or unknown.
 void RadiusCompensation::go_around_corner(const Held& first) {
   const bool follows = now_.count > 1;
   if (first.end.round) {
@@ -74,8 +74,8 @@ void RadiusCompensation::go_around_corner(const Held& first) {
   now_.vector = first.end.last();
 }
 
-/// Joins the first motion of the window with a later motion if that resolves an interference (NCT 15.5.7). The motions between are dropped,
-/// but the actions after them are kept.
+/// Joins the first motion of the window with a later motion if the join resolves an interference (NCT 15.5.7). The motions between the two
+/// are dropped, but the actions after the dropped motions remain.
 RadiusCompensation::RepairOutcome RadiusCompensation::mend_first() {
   Held& first = held(0);
   const auto join = check_interference(checked_blocks(), now_.check.further, now_.check.always_alarm);
@@ -93,8 +93,8 @@ RadiusCompensation::RepairOutcome RadiusCompensation::mend_first() {
   return join ? RepairOutcome::sound : RepairOutcome::next_fails;
 }
 
-/// Emits a motion of the window, moved by its vectors.
-///   returns  false if it raised an alarm
+/// Emits a motion of the window, shifted by its vectors.
+///   returns  false if the function raised an alarm
 bool RadiusCompensation::let_go(Held& held) {
   Motion& m = held.motion;
   const Vec2 end_vector = held.end.first();
@@ -112,7 +112,7 @@ bool RadiusCompensation::let_go(Held& held) {
   } else if (is_arc(m.kind)) {
     const double turns = compensated_turns(held.element, held.start_vector, end_vector);
     if (turns * held.element.turns > 0) m.turns = std::fabs(turns);
-    // the interference check is off (NCT 15.5.7, IEN=0), and the tool does not fit into the arc: the arc becomes a line
+    // The interference check is off (NCT 15.5.7, IEN=0), and the tool does not fit into the arc. The arc therefore becomes a line.
     else m.kind = MotionKind::feed, m.turns = 0;
   }
   watch_path(held, end_vector);
@@ -124,13 +124,14 @@ bool RadiusCompensation::let_go(Held& held) {
 }
 
 /// Handles a change of side without an intersection after an arc: an arc of the programmed radius joins the compensated ends (NCT 15.5.4).
+/// Returns false if the ends are too far apart for such an arc.
 bool RadiusCompensation::rejoin(Motion& m, const Held& held, Vec2 end_vector) const {
   const ContourElement& e = held.element;
   const Vec2 a = e.from + held.start_vector, b = e.to + end_vector, chord = b - a;
   const double way = length(chord), radius = e.start_radius;
   if (way > 2 * radius + tol::same_point || way == 0) return false;
   const double height = std::sqrt(std::max(radius * radius - way * way / 4, 0.0));
-  // INFERRED: the arc is at most half a circle if the programmed arc is, else it is more
+  // INFERRED: the arc is at most half a circle if the programmed arc is at most half a circle; otherwise it is more than half a circle.
   const double minor = std::fabs(e.turns) <= 0.5 ? 1 : -1;
   const Vec2 center = 0.5 * (a + b) + minor * e.sense() * height / way * left_of(chord);
   const double half = std::asin(std::min(way / (2 * radius), 1.0)) / rad_per_deg / 180;
@@ -141,7 +142,8 @@ bool RadiusCompensation::rejoin(Motion& m, const Held& held, Vec2 end_vector) co
 
 /// Moves the tool from the current vector to the vector `to` along an arc about the programmed point (NCT 15.5.6).
 void RadiusCompensation::round(Vec2 to, const Origin& origin, const Motion& like) {
-  const double swept = angle_deg({dot(now_.vector, to), cross(now_.vector, to)});  // swept angle, degrees, counter-clockwise positive
+  // The swept angle in degrees; counter-clockwise is positive.
+  const double swept = angle_deg({dot(now_.vector, to), cross(now_.vector, to)});
   const bool cw = like.side > 0;
   const double turns = (cw ? -swept : swept) / 360;
   const Vec2 point = in_plane(now_.stand.work);
@@ -154,7 +156,7 @@ void RadiusCompensation::round(Vec2 to, const Origin& origin, const Motion& like
   m.turns = turns < 0 ? turns + 1 : turns;
 }
 
-/// Emits a straight motion in the plane to the position programmed point + `vector`.
+/// Emits a straight motion in the plane to the programmed point plus `vector`.
 void RadiusCompensation::step(Vec2 vector, const Motion& like, const Origin& origin) {
   if (length(vector - now_.vector) <= tol::same_point) return;
   Action& action = out_.add();
@@ -171,7 +173,7 @@ void RadiusCompensation::step(Vec2 vector, const Motion& like, const Origin& ori
   now_.vector = vector;
 }
 
-/// Emits an action as it is. Motions must already be shifted by the compensation.
+/// Emits an action without changes. The caller must already have shifted motions by the compensation.
 void RadiusCompensation::deliver(Action action) {
   now_.stand.take(action);
   out_.add() = std::move(action);
@@ -179,15 +181,15 @@ void RadiusCompensation::deliver(Action action) {
 
 void RadiusCompensation::shift(Motion& m, Vec2 vector) const { shift_in_plane(m, now_.first, now_.second, vector, now_.at.turn.get()); }
 
-/// Shifts the coordinates of a new frame: the tool's coordinates are the programmed coordinates plus the vector.
+/// Shifts the coordinates of a new frame. The coordinates of the tool are the programmed coordinates plus the vector.
 void RadiusCompensation::shift(FrameChange& frame) const {
   frame.work[now_.first] += now_.vector.x;
   frame.work[now_.second] += now_.vector.y;
 }
 
-/// Decides whether GougeDetector checks the last motion for cuts into the contour. Motions at feed along the contour are checked. These are
-/// not: the start and end of compensation, the neighbours of a change of side, and a motion that keeps its vector (G38), which leaves the
-/// contour on purpose.
+/// Decides whether GougeDetector checks the last motion for cuts into the contour. Motions at feed along the contour are checked. Not
+/// checked are the start and the end of compensation, the two motions at a change of side, and a motion that keeps its vector (G38),
+/// because it leaves the contour on purpose.
 void RadiusCompensation::watch_last() {
   Held& now = last_held();
   const Motion& m = now.motion;
@@ -204,7 +206,8 @@ void RadiusCompensation::watch_last() {
 void RadiusCompensation::watch_path(const Held& held, Vec2 end_vector) {
   if (!held.watched) return;
   const Motion& m = held.motion;
-  const double radius = std::min(m.tool_radius, now_.radius_before);  // with a new D word the tool radius changes during the motion
+  // The smaller radius is used, because with a new D word the tool radius changes during the motion.
+  const double radius = std::min(m.tool_radius, now_.radius_before);
   const Vec2 from = held.element.from + held.start_vector, to = held.element.to + end_vector;
   const double turns = m.kind == MotionKind::arc_ccw ? m.turns : -m.turns;
   ContourSpan known;

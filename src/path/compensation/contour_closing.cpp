@@ -1,4 +1,5 @@
-// Finds where a programmed contour closes, that is, returns to an earlier point. Used by path/compensation/gouge_detector.
+// This file finds the point at which a programmed contour closes, that is, returns to an earlier point. Used by
+// path/compensation/gouge_detector.
 
 #include "path/compensation/contour_closing.h"
 
@@ -12,13 +13,14 @@
 namespace kadr {
 namespace {
 
-// mm: points this near count as the same point; coordinates in programs have steps of 0.001 to 0.01
+// Points whose distance is at most this value, mm, count as the same point. Coordinates in programs have steps of 0.001 to 0.01 mm.
 constexpr double touches = 0.01;
-// least length of a closed loop as a share of the whole length; a shorter loop is a self-crossing of an open contour
+// The least length of a closed loop, as a fraction of the whole length. A shorter loop is a self-crossing of an open contour.
 constexpr double least_share = 0.25;
-// greatest number of closed loops; a contour with more of them goes around several times, and the whole path counts as the contour
+// The greatest number of closed loops. A contour with more loops goes around several times, so the whole path counts as the contour.
 constexpr std::size_t max_candidates = 1000;
-// share of the longest loop: if two nested loops are both longer than this, the inner loop is the workpiece contour
+// Fraction of the length of the longest loop. If two nested loops are both longer than this fraction, the inner loop is the workpiece
+// contour.
 constexpr double inner_share = 0.5;
 
 double length_of(const PlanePiece& p) { return p.is_arc ? p.radius * std::fabs(p.turns) * 2 * pi : length(p.to - p.from); }
@@ -29,7 +31,8 @@ Vec2 point_at(const PlanePiece& p, double part) {
   return p.is_arc ? p.center + rotated(p.from - p.center, 360 * p.turns * part) : p.from + part * (p.to - p.from);
 }
 
-/// The fractions of a piece's length at which a point lies. There are two if the point is both start and end of a full circle.
+/// The positions of a point on a piece, as fractions of the piece's length. There are two positions if the point is both the start and the
+/// end of a full circle.
 struct Places {
   std::array<double, 2> at{};
   std::size_t count = 0;
@@ -47,14 +50,14 @@ Places places_of(Vec2 point, const PlanePiece& p) {
   }
   const Vec2 start = p.from - p.center, arm = point - p.center;
   const double sense = p.turns < 0 ? -1 : 1;
-  // revolutions from the arc's start to the point, in (-1/2, 1/2]
+  // The rotation from the arc's start to the point, in revolutions, above −1/2 and at most 1/2.
   const double swept = angle_deg({dot(start, arm), sense * cross(start, arm)}) / 360;
   places.add(std::clamp((swept < 0 ? swept + 1 : swept) / std::fabs(p.turns), 0.0, 1.0));
   return places;
 }
 
-/// The points where two pieces meet: crossings, and ends that lie on the other piece. If two pieces overlap: the ends of the common
-/// section.
+/// The points at which two pieces meet: crossings, and ends that lie on the other piece. If two pieces overlap, the points are the ends of
+/// the common section.
 struct Points {
   std::array<Vec2, 8> at{};
   std::size_t count = 0;
@@ -114,12 +117,12 @@ bool near(const PlanePiece& a, const PlanePiece& b) {
 
 struct Candidate {
   ContourLoop loop;
-  double begins = 0, ends = 0;  // start and end of the loop, mm from the start of the contour
+  double begins = 0, ends = 0;  // start and end of the loop as path lengths from the start of the contour, mm
   double length() const { return ends - begins; }
   bool within(const Candidate& outer) const { return begins >= outer.begins - touches && ends <= outer.ends + touches; }
 };
 
-/// Returns all closed loops of the contour: every pair of positions at which the contour meets itself.
+/// Returns all closed loops of the contour. Every pair of positions at which the contour meets itself is such a loop.
 std::vector<Candidate> candidates(std::span<const PlanePiece> pieces, std::size_t gap) {
   std::vector<double> start(pieces.size() + 1, 0);
   for (std::size_t i = 0; i < pieces.size(); ++i) start[i + 1] = start[i] + length_of(pieces[i]);
@@ -142,9 +145,9 @@ std::vector<Candidate> candidates(std::span<const PlanePiece> pieces, std::size_
 
 }  // namespace
 
-/// Run-in and run-out may cross once more away from the workpiece; therefore the inner of two nested loops is the contour. If loops
-/// overlap one another (the end overlaps the start; the run-out continues through the workpiece), the contour is everything that belongs
-/// to any of these loops.
+/// Returns the workpiece contour. Run-in and run-out may cross once more away from the workpiece, so the inner of two nested loops is the
+/// contour. Loops may also overlap, if the end of the contour overlaps its start or the run-out continues through the workpiece. The
+/// contour is then everything that belongs to any of these loops.
 std::optional<ContourLoop> closing(std::span<const PlanePiece> pieces, std::size_t gap) {
   double whole = 0, longest = 0;
   for (const PlanePiece& piece : pieces) whole += length_of(piece);

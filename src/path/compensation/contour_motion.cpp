@@ -1,5 +1,5 @@
-// Questions about the contour data (CornerData) of a motion in the plane: whether the motion is a contour element, and on which line or
-// circle it lies. Used by path/compensation/corner_resolver.
+// This file answers questions about the contour data (CornerData) of a motion in the plane: whether the motion is a contour element, and on
+// which line or circle the motion lies. Used by path/compensation/corner_resolver.
 
 #include "path/compensation/contour_motion.h"
 
@@ -47,8 +47,8 @@ bool is_circular(const ContourElement& e) {
   return !e.is_arc || (std::fabs(e.start_radius - e.end_radius) <= tol::circular && e.start_radius > tol::same_point);
 }
 
-/// Removes only the contour data; the other details of the motion (entry and exit direction, rollover axes, slave axes, parked axes) are
-/// kept.
+/// Removes only the contour data. The other details of the motion remain: entry and exit direction, rollover axes, slave axes and parked
+/// axes.
 void without_corner_data(Motion& m) {
   if (contour_of(m) == nullptr) return;
   if (m.detail->rolled == 0 && !m.detail->way && m.detail->followers.empty() && m.detail->parked == 0) return m.detail.reset();

@@ -1,5 +1,5 @@
-// Geometry of a contour offset by the tool radius, in one plane: elements, the vectors at a junction of two elements, compensated arcs.
-// Used by the other folders of path; tested by tests/path/contour_offset_test.cpp.
+// This file has the geometry of a contour offset by the tool radius, in one plane: elements, the vectors at a junction of two elements, and
+// compensated arcs. Used by the other folders of path; tested by tests/path/contour_offset_test.cpp.
 
 #include "path/compensation/contour_offset.h"
 
@@ -13,7 +13,8 @@ namespace {
 
 Vec2 unit(Vec2 v) { return 1 / length(v) * v; }
 
-/// Returns true if the tangents agree except for rounding errors: |delta| below a millionth of a radian (NCT 15.5.0, INFERRED guard).
+/// Returns true if the two tangents agree except for rounding errors: the angle between them is below a millionth of a radian (NCT 15.5.0;
+/// the limit is INFERRED).
 bool tangential(Vec2 a, Vec2 b) { return std::fabs(cross(a, b)) < tol::tangential && dot(a, b) > 0; }
 
 Meetings none() { return {}; }
@@ -68,11 +69,12 @@ OffsetElement offset(const ContourElement& element, Vec2 tangent, double arc_rad
   return beside;
 }
 
-/// Greatest distance of the corner of the offset lines, in tool radii. If these lines meet further away, the path reverses to within about
-/// a degree and has no corner (INFERRED).
+/// The greatest distance of the intersection of the two offset lines from the corner, in tool radii. If the lines meet farther away, the
+/// path reverses to within about a degree and has no corner (INFERRED).
 constexpr double farthest_corner = 100;
 
-/// Returns the vector to the intersection of the offset tangents with the normals n1, n2; used at an outside corner of at most 90°.
+/// Returns the vector to the intersection of the offset tangents whose normals are n1 and n2. The function is used at an outside corner of
+/// at most 90°.
 Vec2 of_tangents(Vec2 n1, Vec2 n2, double radius) { return radius / (1 + dot(n1, n2)) * (n1 + n2); }
 
 }  // namespace
@@ -170,7 +172,7 @@ std::optional<JunctionVectors> joined(const ContourElement& first, const Contour
     v.add(radius * n2);
     return v;
   }
-  // the distance of the intersection is |n1 + n2| / (1 + n1 · n2), in tool radii
+  // The distance of the intersection from the corner is |n1 + n2| / (1 + n1 · n2), in tool radii.
   if ((1 + dot(n1, n2)) * farthest_corner * farthest_corner < 2) return std::nullopt;
   if (first.is_arc) v.add(radius * n1);
   v.add(of_tangents(n1, n2, radius));
@@ -233,7 +235,7 @@ JunctionVectors cancel(const ContourElement& first, const ContourElement& second
 }
 
 bool lies_on_offset(const ContourElement& e, Vec2 start_vector, Vec2 end_vector, double radius, double side) {
-  constexpr double beside = tol::same_point / 10;  // a tenth of same_point, the accuracy of results about a path
+  constexpr double beside = tol::same_point / 10;  // a tenth of same_point, which is the accuracy of results about a path
   const Vec2 from = e.from + start_vector, to = e.to + end_vector;
   if (e.is_arc) {
     const double inside = side * e.sense() * radius, first = e.start_radius - inside, last = e.end_radius - inside;
@@ -246,16 +248,17 @@ bool lies_on_offset(const ContourElement& e, Vec2 start_vector, Vec2 end_vector,
 
 bool gentle(const ContourElement& first, const ContourElement& second) {
   if (dot(first.end, second.start) < 0) return false;
-  constexpr double quarter = 0.25;  // greatest change of direction at the corner, in revolutions
+  constexpr double quarter = 0.25;  // the greatest change of direction at the corner, in revolutions
   const double rest = tangential(first.end, second.start) ? 2 * quarter : quarter;
   return std::fabs(first.turns) + std::fabs(second.turns) <= rest;
 }
 
 double compensated_turns(const ContourElement& arc, Vec2 start_vector, Vec2 end_vector) {
-  const auto turned = [&](Vec2 at, Vec2 vector) {  // rotation of the direction from the centre, in revolutions, (-1/2, 1/2]
+  // returns the rotation of the direction from the centre, in revolutions, above −1/2 and at most 1/2
+  const auto turned = [&](Vec2 at, Vec2 vector) {
     const Vec2 arm = at - arc.center;
     const double along = dot(arm, arm + vector), across = cross(arm, vector);
-    constexpr double straight = 1e-8;  // radians: below this value an angle and its tangent are equal in all digits
+    constexpr double straight = 1e-8;  // Angle in radians. Below this value an angle and its tangent are equal in all digits.
     if (std::fabs(across) <= straight * along) return across / along / (2 * pi);
     return angle_deg({along, across}) / 360;
   };

@@ -1,4 +1,4 @@
-// CornerResolver: resolves the corners that depend on the next block: calculated intersections, chamfers and roundings. Used by
+// CornerResolver resolves the corners that depend on the next block: calculated intersections, chamfers and roundings. Used by
 // session/channel_run; tested by tests/path/corner_resolver_test.cpp.
 
 #include "path/compensation/corner_resolver.h"
@@ -18,7 +18,8 @@ std::optional<CompensationFault> CornerResolver::take(ActionBatch& batch, Follow
   put_back(batch);
   const std::size_t begin = now_.held ? 0 : untouched(batch, follows);
   follow(batch, 0, begin);
-  if (!now_.held && begin == batch.size()) return std::nullopt;  // the usual case: no corner affects the batch
+  // The usual case: no corner affects the batch, so the batch stays unchanged.
+  if (!now_.held && begin == batch.size()) return std::nullopt;
   out_.clear();
   fault_.reset();
   std::size_t i = begin;
@@ -32,7 +33,7 @@ std::optional<CompensationFault> CornerResolver::take(ActionBatch& batch, Follow
   return fault_;
 }
 
-/// Puts a held motion back at the start of the batch if the next motion shows that the held motion ends at its programmed end.
+/// Puts the stored motion back at the start of the batch if the next motion shows that the stored motion ends at its programmed end.
 void CornerResolver::put_back(ActionBatch& batch) {
   if (!now_.held || contour_of(held()) != nullptr || now_.held->start.cut > 0 || now_.held->start.calculated) return;
   if (!now_.waiting.empty() || !now_.settled.empty()) return;
@@ -46,8 +47,8 @@ void CornerResolver::put_back(ActionBatch& batch) {
   }
 }
 
-/// Returns how many actions of the batch no corner can affect: those before the first motion with contour data (NCT 17), or before the
-/// last motion, which the next batch may shorten.
+/// Returns the number of actions at the start of the batch that no corner can affect. These are the actions before the first motion with
+/// contour data (NCT 17), or before the last motion, which the next batch may shorten.
 std::size_t CornerResolver::untouched(const ActionBatch& batch, Follows follows) const {
   const Motion* before = nullptr;
   std::size_t place = batch.size(), i = 0;
@@ -60,7 +61,7 @@ std::size_t CornerResolver::untouched(const ActionBatch& batch, Follows follows)
   return follows == Follows::more && before != nullptr && may_end_elsewhere(*before) ? place : batch.size();
 }
 
-/// Updates the tool's position by the actions with the indices `from` … `end` − 1.
+/// Updates the tool's position by the actions with the indices `from` to `end` − 1.
 void CornerResolver::follow(const ActionBatch& batch, std::size_t from, std::size_t end) {
   const Motion* last = nullptr;
   for (std::size_t i = from; i < end; ++i) {
@@ -109,7 +110,7 @@ void CornerResolver::motion(Action& action, End end) {
   if (!waits) release();
 }
 
-/// Computes the corner between the held motion and the next motion. Returns the start of the next motion.
+/// Computes the corner between the stored motion and the next motion. Returns the start of the next motion, or nullopt after an alarm.
 std::optional<CornerResolver::Start> CornerResolver::join(const Action& action, End end) {
   const auto& m = std::get<Motion>(action.what);
   const CornerData *const own = contour_of(held()), *const its = contour_of(m);
@@ -143,8 +144,8 @@ std::optional<CornerResolver::Start> CornerResolver::join(const Action& action, 
   return start;
 }
 
-/// Returns the next motion as an element that starts at the corner. If the end of the motion is open, only the element's start and
-/// direction are valid.
+/// Returns the next motion as an element that starts at the corner. If the end of the motion may still change, only the start and the
+/// direction of the element are valid.
 std::optional<ContourElement> CornerResolver::element_from(Vec2 corner, const Motion& m, End end) const {
   const CornerData* const c = contour_of(m);
   const Vec2 to = in_plane(m.to, m);
@@ -160,7 +161,7 @@ std::optional<ContourElement> CornerResolver::element_from(Vec2 corner, const Mo
   return length(way) > tol::same_point ? std::optional(ContourElement::line(corner, corner + way)) : std::nullopt;
 }
 
-/// Returns the chamfer or rounding of the held motion at its corner.
+/// Returns the chamfer or rounding of the stored motion at its corner.
 std::optional<CornerElement> CornerResolver::element_at(Vec2 corner, const ContourElement& second, End end) {
   const CornerData& own = *contour_of(held());
   const auto first = held_element(corner);
@@ -177,7 +178,7 @@ std::optional<CornerElement> CornerResolver::element_at(Vec2 corner, const Conto
   return inserted;
 }
 
-/// Returns the held motion up to an end point; nullopt for a line of zero length.
+/// Returns the stored motion as an element that ends at the point `end`. Returns nullopt for a line of zero length.
 std::optional<ContourElement> CornerResolver::held_element(Vec2 end) const {
   const auto& m = std::get<Motion>(now_.held->action.what);
   const Start& start = now_.held->start;
@@ -189,7 +190,7 @@ std::optional<ContourElement> CornerResolver::held_element(Vec2 end) const {
   return length(end - start.corner) > tol::same_point ? std::optional(ContourElement::line(start.corner, end)) : std::nullopt;
 }
 
-/// Emits the held motion up to the corner, or up to the inserted chamfer or rounding, then the waiting actions.
+/// Emits the stored motion up to the corner, or up to the inserted chamfer or rounding. The waiting actions are emitted after the motion.
 void CornerResolver::let_go(Vec2 corner, const CornerElement& inserted, Certainty certainty) {
   const auto element = held_element(corner);
   const Start& start = now_.held->start;
@@ -241,15 +242,15 @@ void CornerResolver::forward_action(Action action, Certainty certainty) {
   else out_.add() = std::move(action);
 }
 
-/// Emits the held motion with its programmed end, because no later block calculates another end.
+/// Emits the stored motion with its programmed end, because no later block calculates another end.
 void CornerResolver::release() {
   CornerElement nothing;
   nothing.from = nothing.to = now_.held->end;
   let_go(now_.held->end, nothing, Certainty::certain);
 }
 
-/// Emits the held motion, because no motion follows that could form a corner with the held motion. Before an alarm the corner stays as
-/// programmed; a line whose end is unknown is not emitted.
+/// Emits the stored motion, because no motion follows that could form a corner with it. Before an alarm the corner stays as programmed. A
+/// line whose end is unknown is not emitted.
 void CornerResolver::finish(Follows follows) {
   if (!now_.held) return;
   const CornerData* const c = contour_of(held());
@@ -260,7 +261,7 @@ void CornerResolver::finish(Follows follows) {
   else release();
 }
 
-/// Discards the held motion, because the control does not execute it.
+/// Discards the stored motion, because the control does not execute it.
 void CornerResolver::drop() {
   for (Action& action : now_.settled) out_.add() = std::move(action);
   now_.settled.clear();
@@ -278,7 +279,7 @@ std::nullopt_t CornerResolver::failed(AlarmId id, const Origin& origin) {
   return std::nullopt;
 }
 
-/// Returns true if no axes move except those of the motion's plane and their slave axes.
+/// Returns true if only the axes of the motion's plane and the slave axes of these axes move.
 bool CornerResolver::alone_in_plane(const Motion& m) const {
   AxisMask in_it = AxisMask{1} << m.first | AxisMask{1} << m.second;
   if (m.detail && m.detail->rolled != 0) return false;

@@ -1,13 +1,13 @@
 #pragma once
-// CornerResolver: resolves the corners that depend on the next block: calculated intersections, and chamfers and roundings. NCT 17. A
-// motion, and the actions after it, are stored until the next motion determines where the first one ends. A motion without such a corner
-// passes unchanged.
+// CornerResolver resolves the corners that depend on the next block: calculated intersections, chamfers and roundings (NCT 17). A motion
+// and the actions after it are stored until the next motion determines where the stored motion ends. A motion without such a corner is
+// emitted unchanged.
 //
 //   programmed ──▶ held motion k · actions between ──▶ corner k/k+1 ──▶ motion k · chamfer or rounding · actions between · (k+1)
 //
-// The output consists of ordinary motions, which cutter radius compensation then processes. If an over-determined block may still move the
-// end of motion k+1, it is not known yet whether k+1 is long enough for the chamfer or rounding at its start. Then motion k and its corner
-// wait until motion k+1 has an end.
+// The output consists of ordinary motions, which cutter radius compensation then processes. An over-determined block may still move the end
+// of motion k+1. Until this block is read, CornerResolver does not know whether motion k+1 is long enough for the chamfer or rounding at
+// its start. Motion k and its corner then wait until motion k+1 has an end.
 
 #include "action/tool_position.h"
 #include "path/compensation/radius_compensation.h"
@@ -17,45 +17,46 @@ namespace kadr {
 
 class CornerResolver {
  public:
-  /// What follows a batch: more actions; nothing that could form a corner with the last motion; or an alarm, before which the last corner
-  /// is left as programmed.
+  /// What follows a batch. `more`: more actions. `nothing`: no motion that could form a corner with the last motion. `alarm`: an alarm,
+  /// before which the last corner stays as programmed.
   enum class Follows : std::uint8_t { more, nothing, alarm };
 
-  /// `start`: position of the tool before the first action.
+  /// `start` is the position of the tool before the first action.
   explicit CornerResolver(const ToolPosition& start) { now_.at = start; }
 
-  /// Processes a batch in place: afterwards it contains only actions that are final.
+  /// Processes a batch and replaces its actions by the actions that are final.
   ///   alarms  corner_illegal (nct 2085), corner_too_large, contour_no_intersection (2047, INFERRED), reported at the block before the
-  ///           corner; the batch keeps the actions before that block, the rest is dropped
+  ///           corner; the batch then has only the actions before that block
   ///   law     without chamfers, roundings and over-determined blocks the output equals the input
   std::optional<CompensationFault> take(ActionBatch& batch, Follows follows);
 
  private:
-  enum class End : std::uint8_t { programmed, open };  // open: a following over-determined block may still move the end
+  enum class End : std::uint8_t { programmed, open };  // `open`: an over-determined block that follows may still move the end.
   enum class Certainty : std::uint8_t { certain, settled_later };
 
-  /// The start of a motion: the corner with the previous motion, and the length that a chamfer or rounding removes from the motion at this
-  /// corner.
+  /// The start of a motion: the corner with the previous motion, and the travel that a chamfer or rounding at this corner removes from the
+  /// motion.
   struct Start {
     Vec2 corner;
-    Vec2 direction;           // direction of the motion's element at the corner, before a corner shortened the element
+    Vec2 direction;           // direction of the motion's element at the corner, before a chamfer or rounding shortened the element
     double cut = 0;           // travel removed from the start of the motion (unit: corner_geometry.h)
-    bool calculated = false;  // true if the corner is not the programmed end of the previous motion
+    bool calculated = false;  // True if the corner was calculated. It may then differ from the programmed end of the previous motion.
   };
   struct Held {
     Action action;
     Start start;
-    Vec2 end;  // programmed end
+    Vec2 end;  // programmed end of the motion
   };
 
  public:
   /// The state that CornerResolver keeps between batches.
   struct Memory {
-    ToolPosition at;  // programmed position after the last action received
+    ToolPosition at;  // programmed position after the last received action
     std::optional<Held> held{};
-    std::vector<Action> waiting{};  // actions between the held motion and the next motion
-    std::vector<Action> settled{};  // actions before the held motion; they wait until the held motion's length is known
-    Origin settled_origin{};        // block of the last motion in `settled`; an alarm about the corner at its end names this block
+    std::vector<Action> waiting{};  // the actions between the stored motion and the next motion
+    std::vector<Action> settled{};  // The actions before the stored motion. They wait until the length of the stored motion is known.
+    // The block of the last motion in `settled`. An alarm about the corner at the end of this motion names this block.
+    Origin settled_origin{};
   };
   const Memory& memory() const { return now_; }
   void resume_from(const Memory& memory) { now_ = memory; }
@@ -81,7 +82,7 @@ class CornerResolver {
   const Motion& held() const { return std::get<Motion>(now_.held->action.what); }
   bool alone_in_plane(const Motion& m) const;
 
-  // greatest number of actions between two motions; the limit of the NCT control is unknown
+  // The greatest number of actions between two motions. The limit of the NCT control is unknown.
   static constexpr std::size_t max_waiting = 64;
 
   Memory now_;

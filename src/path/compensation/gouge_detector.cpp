@@ -1,5 +1,5 @@
-// GougeDetector: detects where the tool cuts into the workpiece. A control compares only neighbouring blocks (nct 15.5.7). Used by
-// path/compensation/radius_compensation; tested by tests/path/gouge_detector_test.cpp.
+// GougeDetector detects positions at which the tool cuts into the workpiece. A control compares only neighbouring blocks (nct 15.5.7). Used
+// by path/compensation/radius_compensation; tested by tests/path/gouge_detector_test.cpp.
 
 #include "path/compensation/gouge_detector.h"
 
@@ -44,8 +44,8 @@ std::uint64_t GougeDetector::contour(const ContourElement& element, double radiu
   return seen.number;
 }
 
-/// Handles the contour piece that leaves the ring buffer. If this piece is one of the first pieces, the cut into it is stored; of the cuts
-/// into later pieces only the deepest is stored.
+/// Handles the contour piece that leaves the ring buffer. If this piece is one of the first pieces, the cut into the piece is stored. Of
+/// the cuts into later pieces only the deepest is stored.
 void GougeDetector::make_room() {
   ContourGouge& cut = cuts_[contour_.place];
   if (contour_.loses_first()) {
@@ -77,13 +77,14 @@ void GougeDetector::compare(const Seen& contour, const Seen& path) {
   any_ = true;
 }
 
-/// For a contour longer than the ring: compares the first pieces with the last pieces, which have not been compared with each other yet.
+/// Compares the first pieces with the last pieces of a contour that is longer than the ring buffer. These pieces have not been compared
+/// with each other yet.
 void GougeDetector::compare_ends() {
   for (const Seen& path : path_.first) compare_path(path, {});
   for (const Seen& contour : contour_.first) path_.near(contour.piece, contour.radius, [&](const Seen& path) { compare(contour, path); });
 }
 
-/// Recomputes the deepest cut into a contour piece of which only the section `piece` bounds the workpiece.
+/// Recomputes the deepest cut into a contour piece. Only the section `piece` of the contour piece bounds the workpiece.
 void GougeDetector::anew(const Seen& contour, const PlanePiece& piece) {
   if (cut_into(contour.number).depth == 0) return;
   cut_into(contour.number).depth = 0;
@@ -92,7 +93,7 @@ void GougeDetector::anew(const Seen& contour, const PlanePiece& piece) {
   path_.each([&](const Seen& path) { compare(rest, path); });
 }
 
-/// Removes the cuts into the run-in and the run-out, which are no part of the workpiece.
+/// Removes the cuts into the run-in and the run-out, because these do not bound the workpiece.
 void GougeDetector::leave_out_tails() {
   std::vector<Seen> seen;
   std::vector<PlanePiece> pieces;

@@ -1,11 +1,11 @@
 #pragma once
-// GougeDetector: detects where the tool cuts into the workpiece. A control compares only neighbouring blocks (nct 15.5.7). GougeDetector
-// compares all blocks within a range, and so reports damage that the control would cause without an alarm.
+// GougeDetector detects positions at which the tool cuts into the workpiece. A control compares only neighbouring blocks (nct 15.5.7).
+// GougeDetector compares all blocks within a range, so it reports damage that the control would cause without an alarm.
 //
-// The workpiece boundary is the programmed contour without its run-in and run-out, which cross each other or lead to and from a point of
-// the contour (path/compensation/contour_closing). If the tool's centre comes nearer to the boundary than the tool radius, the tool cuts
-// into the workpiece. Run-in and run-out are known only at the end of the contour; until then the deepest cut into each piece of the
-// contour is stored.
+// The boundary of the workpiece is the programmed contour without its run-in and run-out (path/compensation/contour_closing). These cross
+// each other, or they lead to a point of the contour and away from it. If the tool's centre comes nearer to the boundary than the tool
+// radius, the tool cuts into the workpiece. Run-in and run-out are known only at the end of the contour. Until then the deepest cut into
+// each piece of the contour is stored.
 
 #include <array>
 #include <optional>
@@ -21,33 +21,34 @@ namespace kadr {
 struct ContourGouge {
   double depth = 0;  // depth of the cut into the workpiece, mm
   Origin tool;       // block whose tool path causes the cut
-  Origin contour;    // block of the contour that is cut into
+  Origin contour;    // block of the contour into which the tool cuts
 };
 
-/// A range of contour pieces, by number, that a piece of the tool's path is not compared with. The corner rules guarantee that the path
-/// lies on the offset of these pieces.
+/// A range of contour pieces, by their numbers, with which a piece of the tool's path is not compared. The corner rules guarantee that the
+/// path lies on the offset of these pieces.
 struct ContourSpan {
-  std::uint64_t first = 1, last = 0;  // an empty range
+  std::uint64_t first = 1, last = 0;  // The default is an empty range: the path is compared with all contour pieces.
 };
 
 class GougeDetector {
  public:
-  /// Adds a piece of the programmed contour. `radius`: tool radius, mm.
+  /// Adds a piece of the programmed contour. `radius` is the tool radius in mm.
   ///   returns  the number of the piece
   std::uint64_t contour(const ContourElement& element, double radius, const Origin& origin);
-  /// Adds a piece of the tool centre's path. `way`: a function that returns the piece.
+  /// Adds a piece of the path of the tool's centre. `way` is a function that returns the piece.
   template <class Make>
   void path(const Make& way, double radius, const Origin& origin, ContourSpan known) {
     if (path_.loses_first()) path_.keep_first();
     compare_path(path_.add(way, radius, origin), known);
   }
-  /// Ends the contour. Returns the deepest cut into the workpiece if it is deeper than tol::same_point. Clears all data.
-  ///   law  no cut is reported if each piece of the path keeps the radius as its distance from the last `reach` and the next `reach`
-  ///        contour pieces, or comes nearer only at the run-in and the run-out
-  ///   law  the end of the contour is compared with its start, however long it is
+  /// Ends the contour and clears all data. Returns the deepest cut into the workpiece if this cut is deeper than tol::same_point; otherwise
+  /// nullopt.
+  ///   law  no cut is reported if the distance of each piece of the path from the last `reach` and the next `reach` contour pieces is at
+  ///        least the radius, except at the run-in and the run-out
+  ///   law  the end of the contour is compared with its start, whatever the length of the contour is
   std::optional<ContourGouge> end();
 
-  static constexpr std::size_t reach = 40;  // number of pieces; short moves around corners count as pieces too
+  static constexpr std::size_t reach = 40;  // A number of pieces. Short moves around corners count as pieces too.
 
  private:
   static constexpr std::size_t group_size = 8, groups = reach / group_size + 1;
@@ -58,23 +59,25 @@ class GougeDetector {
     Origin origin;
     std::uint64_t number = 0;
   };
-  /// The last pieces, in groups. Each group has a bounding box: most groups are far away and are skipped as a whole. `first` has the first
-  /// pieces after they have left the ring buffer.
+  /// The last pieces, in groups. Each group has a bounding box. Most groups are far away, so they are skipped as a whole. `first` has the
+  /// first pieces after these pieces have left the ring buffer.
   struct Ring {
     std::array<Seen, group_size * groups> at;
     std::array<Box2, groups> boxes;
     std::vector<Seen> first;
     std::uint64_t count = 0;
-    std::size_t place = 0;  // index for the next piece
-    /// True if the next piece overwrites one of the first pieces, which must then be copied to `first`.
-    bool loses_first() const { return count - at.size() < at.size(); }  // the difference is unsigned: false while count is below at.size()
+    std::size_t place = 0;  // index at which the next piece is stored
+    /// True if the next piece overwrites one of the first pieces. The caller must then copy the first piece to `first`.
+    // The difference is unsigned, so the result is false while `count` is below at.size().
+    bool loses_first() const { return count - at.size() < at.size(); }
     void keep_first() { first.push_back(at[place]); }
     template <class Make>
     const Seen& add(const Make& piece, double radius, const Origin& origin);
-    /// Calls `found` for each stored piece whose bounding box is less than `distance` away from the bounding box of `piece`.
+    /// Calls `found` for each stored piece if the distance between its bounding box and the bounding box of `piece` is less than
+    /// `distance`, mm.
     template <class Found>
     void near(const PlanePiece& piece, double distance, const Found& found) const;
-    /// Calls `found` for the first pieces and then for the last pieces, in order.
+    /// Calls `found` for the first pieces and then for the last pieces, in the order of the contour.
     template <class Found>
     void each(const Found& found) const;
     void clear() {
@@ -91,9 +94,9 @@ class GougeDetector {
   ContourGouge& cut_into(std::uint64_t number);
 
   Ring contour_, path_;
-  std::array<ContourGouge, group_size * groups> cuts_;  // the deepest cuts into the pieces of the ring
-  std::vector<ContourGouge> first_cuts_;                // the deepest cuts into the first pieces
-  ContourGouge worst_;                                  // the deepest cut into pieces that have left the ring and are not among the first
+  std::array<ContourGouge, group_size * groups> cuts_;  // the deepest cut into each piece of the ring buffer
+  std::vector<ContourGouge> first_cuts_;                // the deepest cut into each of the first pieces
+  ContourGouge worst_;  // the deepest cut into pieces that have left the ring buffer and are not among the first pieces
   bool any_ = false;
 };
 

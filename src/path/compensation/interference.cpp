@@ -1,4 +1,4 @@
-// Interference check: finds contour blocks whose compensated path runs opposite to the programmed direction. Used by
+// The interference check finds contour blocks whose compensated path is opposite to the programmed direction. Used by
 // path/compensation/radius_compensation.
 
 #include "path/compensation/interference.h"
@@ -12,20 +12,20 @@ namespace {
 
 using Window = std::span<const CompensatedBlock>;
 
-/// Returns true if the direction `compensated` has a component opposite to `programmed` that exceeds rounding errors.
+/// Returns true if the direction `compensated` has a component opposite to the direction `programmed` that exceeds rounding errors.
 bool opposed(Vec2 programmed, Vec2 compensated) {
   return dot(programmed, compensated) < -tol::same_point * std::max(length(programmed), tol::same_point);
 }
 
-/// Returns true if the tool is too large for an arc, or the tool path along the arc runs in the opposite sense of rotation (INFERRED: for
-/// arcs above half a circle the chords are not compared).
+/// Returns true if the tool is too large for an arc, or if the tool's path along the arc has the opposite sense of rotation. INFERRED: for
+/// arcs above half a circle the chords are not compared.
 bool arc_turns_round(const ContourElement& arc, const CompensatedBlock& block, Vec2 end_vector) {
   const double inside = block.side * arc.sense() * block.radius;
   if (std::min(arc.start_radius, arc.end_radius) < inside - tol::same_point) return true;
   return compensated_turns(arc, block.start_vector, end_vector) * arc.sense() < -tol::same_angle;
 }
 
-/// Returns true if the path from the first junction to the junction after block `j` runs opposite to the programmed direction.
+/// Returns true if the path from the first junction to the junction after block `j` is opposite to the programmed direction.
 bool interferes(Window window, std::size_t j) {
   const JunctionVectors &a = *window[0].end, &b = *window[j].end;
   if (a.count == 0 || b.count == 0) return j == 1;
@@ -37,7 +37,7 @@ bool interferes(Window window, std::size_t j) {
   return opposed(way, way + b.first() - a.last());
 }
 
-/// Returns the intersection of the lines a0–a1 and b0–b1, end points included.
+/// Returns the intersection of the lines a0–a1 and b0–b1; nullopt if they do not meet. End points belong to the lines.
 std::optional<Vec2> crossing(Vec2 a0, Vec2 a1, Vec2 b0, Vec2 b1) {
   const Vec2 a = a1 - a0, b = b1 - b0;
   const double c = cross(a, b);
@@ -48,7 +48,7 @@ std::optional<Vec2> crossing(Vec2 a0, Vec2 a1, Vec2 b0, Vec2 b1) {
   return a0 + s * a;
 }
 
-/// Steps 1 to 3 of NCT 15.5.7: joins the blocks at the point where the paths around the two corners cross.
+/// Executes steps 1 to 3 of NCT 15.5.7: joins the blocks at the point at which the paths around the two corners cross.
 std::optional<ContourJoin> join_at_corners(Window window, std::size_t j) {
   const JunctionVectors &a = *window[0].end, &b = *window[j].end;
   const Vec2 p1 = window[0].element->to, p2 = window[j].element->to, way = p2 - p1;
@@ -56,7 +56,7 @@ std::optional<ContourJoin> join_at_corners(Window window, std::size_t j) {
     const std::size_t i = a.count - 1U - q;
     if (opposed(way, way + b.at[q] - a.at[i])) continue;
     const auto x = crossing(p1 + a.at[i], p1 + a.at[i + 1], p2 + b.at[q - 1], p2 + b.at[q]);
-    if (!x) continue;  // INFERRED: without an intersection the interference is not resolved
+    if (!x) continue;  // INFERRED: without an intersection the interference is not resolved.
     ContourJoin join{j + 1, {}, b.last()};
     for (std::size_t k = 0; k <= i; ++k) join.vectors.add(a.at[k]);
     join.vectors.add(*x - p1);
@@ -66,19 +66,21 @@ std::optional<ContourJoin> join_at_corners(Window window, std::size_t j) {
   return std::nullopt;
 }
 
-/// Step 4 of NCT 15.5.7: joins the blocks at the point where the offset of the first block meets the offset of the block after `j`.
+/// Executes step 4 of NCT 15.5.7: joins the blocks at the point at which the offset of the first block meets the offset of the block after
+/// `j`.
 std::optional<ContourJoin> join_by_offsets(Window window, std::size_t j) {
   const CompensatedBlock &first = window[0], &next = window[j + 1];
   if (!first.plain || !next.plain || first.side != next.side) return std::nullopt;
   const Vec2 point = first.element->to;
   OffsetElement beyond = offset_at_start(*next.element, first.radius, next.side);
-  beyond.distance += dot(beyond.normal, next.element->from - point);  // needed for a line that does not start at `point`
+  // This correction of the distance is needed for a line that does not start at `point`.
+  beyond.distance += dot(beyond.normal, next.element->from - point);
   const auto meet = intersection(offset_at_end(*first.element, first.radius, first.side), beyond, point);
   if (!meet) return std::nullopt;
   return ContourJoin{j + 1, single(*meet), point + *meet - next.element->from};
 }
 
-/// Returns true if the block after the join would go backwards. False if the end of that block is unknown, or if the block ends
+/// Returns true if the block after the join would go backwards. Returns false if the end of this block is unknown, or if the block ends
 /// compensation.
 bool turns_next(Window window, const ContourJoin& join) {
   CompensatedBlock next = window[join.next];

@@ -1,4 +1,4 @@
-// QueuedCompensation, input: how actions enter the queue of LinuxCNC's cutter radius compensation. Used by path/compensation; tested by
+// QueuedCompensation, input: how actions enter the queue of LinuxCNC's cutter compensation. Used by path/compensation; tested by
 // tests/path/queued_compensation_test.cpp and tests/cases/linuxcnc/compensation.cases.
 
 #include "path/compensation/queued_compensation.h"
@@ -12,19 +12,19 @@
 namespace kadr {
 namespace {
 
-constexpr double least_speed_by_time = 0.1;  // least speed with inverse-time feed, units/min (inverse_time_rate_straight of LinuxCNC)
-constexpr double least_way_by_time = 1e-7;   // least length with inverse-time feed, mm (find_straight_length of LinuxCNC)
+constexpr double least_speed_by_time = 0.1;  // The least speed with inverse-time feed, units/min (inverse_time_rate_straight of LinuxCNC).
+constexpr double least_way_by_time = 1e-7;   // The least length with inverse-time feed, mm (find_straight_length of LinuxCNC).
 
-/// Returns the number of started revolutions of an arc, counter-clockwise positive.
+/// Returns the number of started revolutions of an arc, positive counter-clockwise.
 int turn_of(const Motion& m) {
   const int begun = std::max(1, static_cast<int>(std::ceil(m.turns - tol::same_angle)));
   return m.kind == MotionKind::arc_ccw ? begun : -begun;
 }
 
-/// True for a turning tool whose tip is not at the centre of its nose.
+/// True for a turning tool whose tip is not at the centre of its nose radius.
 bool has_tip(const Motion& m) { return m.nose != 0 && m.nose != 9; }
 
-/// Returns the vector from a contour point with the tangent `way` to the tool's centre.
+/// Returns the vector from a contour point to the tool's centre. `way` is the tangent of the contour at this point.
 Vec2 beside_line(Vec2 way, const Motion& m) {
   const double angle = std::atan2(way.y, way.x) + (m.side > 0 ? pi / 2 : -pi / 2);
   return {m.tool_radius * std::cos(angle), m.tool_radius * std::sin(angle)};
@@ -39,7 +39,7 @@ QueuedCompensation::QueuedCompensation(const ToolPosition& start) {
 
 std::optional<CompensationFault> QueuedCompensation::take(ActionBatch& batch, Follows follows) {
   warnings_.clear();
-  if (!at_work()) {  // no compensation is active, which is the usual case: only the tool's position is updated
+  if (!at_work()) {  // The usual case: no compensation is active, so only the tool's position is updated.
     const bool any = std::any_of(batch.begin(), batch.end(), [](const Action& action) {
       const auto* const m = motion_of(action);
       return m != nullptr && m->side != 0;
@@ -87,7 +87,7 @@ void QueuedCompensation::wait(Action& action) {
   else push(queued);
 }
 
-/// Ends the contour at G40 or a stop: the queued motions end where the tool is perpendicular to their programmed end point
+/// Ends the contour at G40 or a stop. The queued motions end where the tool is perpendicular to their programmed end point
 /// (convert_cutter_compensation_off, convert_stop).
 void QueuedCompensation::end_here(const CompensationBreak& end) {
   if (!now_.on || !move_ends(now_.tool)) return;
@@ -118,7 +118,7 @@ void QueuedCompensation::motion(Action& action) {
   if (!fault_) now_.at.take(m);
 }
 
-/// Emits a motion to the programmed point, from the tool's current position.
+/// Emits a motion without compensation from the tool's current position to the programmed point.
 void QueuedCompensation::outside_contour(Action& action) {
   auto& m = std::get<Motion>(action.what);
   deliver_queue();
@@ -135,7 +135,8 @@ void QueuedCompensation::outside_contour(Action& action) {
   deliver(queued);
 }
 
-/// Queues the first motion of a contour. A line leads straight to the tool position next to the line's programmed end.
+/// Queues the first motion of a contour. If this motion is a line, it leads straight to the tool position next to the line's programmed
+/// end.
 void QueuedCompensation::enter(Queued& queued, const Motion& m) {
   const Vec2 from = in_plane(now_.at.work), to = in_plane(m.to);
   if (is_arc(m.kind)) {
@@ -149,7 +150,8 @@ void QueuedCompensation::enter(Queued& queued, const Motion& m) {
     if (std::hypot(to.x - from.x, to.y - from.y) <= m.tool_radius) return void(fault(alarm(AlarmId::entry_line_within_tool, {})));
     if (m.kind == MotionKind::thread) return void(fault(alarm(AlarmId::compensated_thread, {})));
     const Vec2 normal = beside_line(to - from, m);
-    queued.direction = normal;  // the normal of the line, as in LinuxCNC's source; so a corner cannot make this line go backwards
+    // The direction is the normal of the line, as in LinuxCNC's source. A corner therefore cannot make this line go backwards.
+    queued.direction = normal;
     queued.end = to + normal;
     now_.start = from;
   }
@@ -158,8 +160,8 @@ void QueuedCompensation::enter(Queued& queued, const Motion& m) {
   push(queued);
 }
 
-/// Queues a line before an entry arc. The line moves the tool's centre to the position of the tip; without it the radii at the start and
-/// the end of the arc would differ (convert_arc_comp1).
+/// Queues a line before an entry arc. The line moves the tool's centre to the position of the tip. Without this line the radii at the start
+/// and the end of the arc would differ (convert_arc_comp1).
 void QueuedCompensation::lead_tip_in(const Queued& arc, Vec2 from) {
   Queued way;
   way.action = arc.action;
@@ -179,7 +181,7 @@ void QueuedCompensation::lead_tip_in(const Queued& arc, Vec2 from) {
 
 void QueuedCompensation::line(Queued& queued, const Motion& m) {
   const Vec2 from = in_plane(now_.at.work), to = in_plane(m.to);
-  if (from == to) {  // only the third axis or rotary axes move: the motion ends where the previous motion ends
+  if (from == to) {  // Only the third axis or rotary axes move, so the motion ends where the previous motion ends.
     if (m.kind == MotionKind::thread) return void(fault(alarm(AlarmId::compensated_thread, {})));
     queued.end = now_.tool;
     return push(queued);
@@ -225,8 +227,8 @@ CornerSituation QueuedCompensation::place_before(const Motion& m) const {
   return {in_plane(now_.at.work), now_.tool, m.tool_radius, static_cast<double>(m.side), now_.first_arc, !now_.queue.empty()};
 }
 
-/// Returns the speed of a motion with inverse-time feed: the programmed length divided by the time. The tool moves at this speed along
-/// the compensated path and around the corner.
+/// Returns the speed of a motion with inverse-time feed, mm/min: the programmed length divided by the time. The tool moves at this speed
+/// along the compensated path and around the corner. The result is 0 for other feeds.
 double QueuedCompensation::programmed_speed(const Motion& m) const {
   if (m.unit != FeedUnit::per_min || m.kind == MotionKind::rapid) return 0;
   double way = 0;
@@ -241,8 +243,8 @@ double QueuedCompensation::programmed_speed(const Motion& m) const {
   return std::max(least_speed_by_time * unit(), way * m.feed);
 }
 
-/// Adds an element to GougeDetector, which compares this element with all motions emitted later. Only motions at feed along the contour are
-/// added; not the start and the end of compensation.
+/// Adds an element to GougeDetector, which compares this element with all motions that are emitted later. Only motions at feed along the
+/// contour are added; the start and the end of compensation are not added.
 void QueuedCompensation::watch_element(Queued& queued, const Motion& m) {
   if (m.kind == MotionKind::rapid) return;
   const Vec2 from = in_plane(now_.at.work), to = in_plane(m.to);
@@ -251,10 +253,11 @@ void QueuedCompensation::watch_element(Queued& queued, const Motion& m) {
                                      : ContourElement::line(from, to);
   const std::uint64_t number = now_.watch.contour(element, m.tool_radius, origin_);
   queued.watched = true;
-  queued.known = {number == 0 ? 0 : number - 1, number + 1};  // the corner rules check the path against the neighbouring elements
+  // The corner rules check the path against the neighbouring elements, so GougeDetector does not compare them.
+  queued.known = {number == 0 ? 0 : number - 1, number + 1};
 }
 
-/// Discards the queue, after an alarm or at the end of a file.
+/// Discards the queue. The function is called after an alarm or at the end of a file.
 void QueuedCompensation::lose() {
   now_.queue.clear();
   now_.start.reset();
@@ -263,7 +266,7 @@ void QueuedCompensation::lose() {
   (void)now_.watch.end();
 }
 
-/// Updates the positions by an action after an alarm. The action is not executed, but may still be analysed (kadr check): the tool is
+/// Updates the positions by an action after an alarm. The action is not executed, but `kadr check` may still analyse it. The tool is
 /// assumed to be next to each programmed end.
 void QueuedCompensation::follow(const Action& action) {
   if (const auto* const m = motion_of(action)) {

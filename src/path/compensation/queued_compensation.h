@@ -1,13 +1,13 @@
 #pragma once
-// QueuedCompensation: cutter radius compensation as LinuxCNC computes it. It converts programmed actions to actions of the tool's centre. A
-// motion along the contour waits in a queue, with everything that follows it, until the next element determines where it ends. Then its
-// end, and the ends of the queued motions along the third axis, are moved to that point, and the queue is emitted. spec/linuxcnc 7.5; its
-// source: interp_convert.cc (convert_straight_comp1 and 2, convert_arc_comp1 and 2), interp_queue.cc.
+// QueuedCompensation is cutter compensation as LinuxCNC computes it. It converts programmed actions to actions of the tool's centre. A
+// motion along the contour waits in a queue, with all actions that follow it, until the next element determines where the motion ends. The
+// end of this motion and the ends of the queued motions along the third axis are then moved to this point, and the queue is emitted.
+// Sources: spec/linuxcnc 7.5, and LinuxCNC's interp_convert.cc (convert_straight_comp1 and 2, convert_arc_comp1 and 2) and interp_queue.cc.
 //
 //   programmed ──▶ queue: motion · actions · motions in Z ──▶ next element: corner ──▶ ends moved, out ──▶ corner, next element queued
 //
-// Messages and tool selections do not wait. Input: queued_compensation.cpp; output: queued_output.cpp; the corners: queued_corner.h.
-// Other controls: path/compensation/radius_compensation.
+// Messages and tool selections do not wait in the queue. The input is in queued_compensation.cpp, the output in queued_output.cpp, and the
+// corners are in queued_corner.h. Other controls use path/compensation/radius_compensation.
 
 #include <optional>
 #include <vector>
@@ -21,66 +21,70 @@ namespace kadr {
 
 class QueuedCompensation {
  public:
-  /// What follows a batch.
+  /// What follows a batch: more actions, or nothing.
   enum class Follows : std::uint8_t { more, nothing };
 
-  /// `start`: position of the tool before the first action.
+  /// `start` is the position of the tool before the first action.
   explicit QueuedCompensation(const ToolPosition& start);
 
-  /// Processes a batch in place: afterwards it contains only actions that are final. Follows::nothing (an alarm, the end of a file): the
-  /// queue is dropped, as in LinuxCNC; before a stop or M2 a CompensationBreak emits the queue instead.
+  /// Processes a batch and replaces its actions by the actions that are final. With Follows::nothing (an alarm, the end of a file) the
+  /// queue is dropped, as in LinuxCNC. Before a stop or M2, a CompensationBreak emits the queue instead.
   ///   alarms  reported at the block that is being read: the alarms of queued_corner.h, gouge_feed, gouge_rapid, gouge_arc,
-  ///           offset_arc_radii, entry_line_within_tool, compensated_thread, compensation_buffer; the batch keeps the actions before that
-  ///           block, the queue is dropped
+  ///           offset_arc_radii, entry_line_within_tool, compensated_thread, compensation_buffer; the batch then has only the actions
+  ///           before that block, and the queue is dropped
   ///   law     if no motion has a compensation side, the output equals the input
   std::optional<CompensationFault> take(ActionBatch& batch, Follows follows);
 
-  /// Warnings of the last batch: one contour_cut per contour, at the contour's deepest cut.
+  /// The warnings of the last batch: at most one contour_cut per contour, at the deepest cut of the contour.
   const std::vector<CompensationFault>& warnings() const { return warnings_; }
 
-  /// True if a compensated contour is active after the last emitted action.
+  /// True if compensation of a contour is active after the last emitted action.
   bool at_work() const { return !now_.queue.empty() || beside(); }
 
   /// True if the tool is not at the programmed point after the last emitted action.
   bool beside() const { return now_.dropped || dot(now_.beside, now_.beside) > tol::same_point * tol::same_point; }
 
  private:
-  static constexpr std::size_t max_queued = 4096;  // a limit of this implementation; LinuxCNC has no limit but its memory
+  // The greatest number of queued actions in this implementation. LinuxCNC's queue is limited only by the memory.
+  static constexpr std::size_t max_queued = 4096;
 
   struct Queued {
     Action action;
-    bool moves = false;              // false for an action that is not a motion and only waits in the queue
-    Vec2 end;                        // end position of the tool's centre, in the plane
-    Vec2 direction;                  // programmed direction of a straight motion; {} for a motion along the third axis
-    std::optional<QueuedArc> arc{};  // the tool's path along an arc; the member `end` above replaces the end in it
+    bool moves = false;              // true for a motion; false for an action that only waits in the queue
+    Vec2 end;                        // end position of the tool's centre in the plane, mm
+    Vec2 direction;                  // programmed direction of a straight motion; zero for a motion along the third axis
+    std::optional<QueuedArc> arc{};  // The tool's path along an arc. The member `end` above replaces the end in this path.
     double swept = 0;                // swept angle of the programmed arc, rad
-    double speed = 0;                // inverse-time feed: programmed length divided by programmed time, mm/min; 0: the action's own feed
-    bool watched = false;            // true if GougeDetector checks that the tool on this path does not cut into the contour
-    ContourSpan known{};             // contour pieces with which GougeDetector does not compare this path
+    // The programmed length divided by the programmed time, mm/min, with inverse-time feed; 0: the feed of the action applies.
+    double speed = 0;
+    bool watched = false;  // True if GougeDetector checks whether the tool cuts into the contour on this path.
+    ContourSpan known{};   // the contour pieces with which GougeDetector does not compare this path
   };
 
  public:
   /// The state that QueuedCompensation keeps between batches.
   struct Memory {
-    ToolPosition at;                    // programmed position after the last action received
+    ToolPosition at;                    // programmed position after the last received action
     std::size_t first = 0, second = 1;  // indices of the two axes of the plane
     bool on = false;                    // true after the first compensated motion has been read
-    bool inch = false;                  // true if the unit of the first compensated block, or of the last block, is the inch
-    Vec2 tool;                          // tool position at the end of the last element, before a corner shortens that element
-    std::optional<Vec2> start;          // tool position at the start of the queue; empty: unknown, so the queued motions are not checked
-    std::vector<Queued> queue;          // the queued actions, in the order of the program
-    // the arc that is the first motion of the queue; if the queue is empty: that of the previous queue, which LinuxCNC's source still reads
+    bool inch = false;                  // true if the unit of the last motion that was read is the inch
+    Vec2 tool;                          // Tool position at the end of the last element, before a corner shortens this element.
+    // The tool position at the start of the queue. Empty: the position is unknown, so the queued motions are not checked.
+    std::optional<Vec2> start;
+    std::vector<Queued> queue;  // the queued actions, in the order of the program
+    // The arc that is the first motion of the queue. If the queue is empty, it is the arc of the previous queue, because LinuxCNC's source
+    // still reads that arc.
     std::optional<QueuedArc> first_arc{};
     Axes stands{};         // work coordinates of the tool after the last emitted action
-    Vec2 beside;           // offset of the tool from the programmed point after the last emitted action
-    bool dropped = false;  // true if a queue was dropped, so that the tool has not reached the programmed point
+    Vec2 beside;           // offset of the tool from the programmed point after the last emitted action, mm
+    bool dropped = false;  // True if a queue was dropped. The tool has then not reached the programmed point.
     GougeDetector watch;
   };
   const Memory& memory() const { return now_; }
   void resume_from(const Memory& memory) { now_ = memory; }
 
  private:
-  // input
+  // The functions below are the input.
   void next(Action& action);
   void wait(Action& action);
   void end_here(const CompensationBreak& end);
@@ -96,7 +100,7 @@ class QueuedCompensation {
   void lose();
   void follow(const Action& action);
 
-  // the queue and its output; a function returns false if it raised an alarm
+  // The functions below are the queue and its output. A function with the result bool returns false if it raised an alarm.
   bool move_ends(Vec2 to);
   bool may_end(const Queued& queued, Vec2 to);
   void push(Queued& queued);
@@ -115,7 +119,7 @@ class QueuedCompensation {
   }
 
   Memory now_;
-  Origin origin_;  // origin of the action being processed
+  Origin origin_;  // origin of the action that is being processed
   ActionBatch out_;
   std::optional<CompensationFault> fault_;
   std::vector<CompensationFault> warnings_;

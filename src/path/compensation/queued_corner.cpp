@@ -1,5 +1,5 @@
-// Corners of a contour as LinuxCNC computes them: with LinuxCNC's formulas in their original order, so that borderline cases give the
-// same result. Used by path/compensation/queued_compensation; tested by tests/path/queued_compensation_test.cpp.
+// This file computes the corners of a contour as LinuxCNC does. It uses LinuxCNC's formulas in their original order, so that borderline
+// cases give the same result. Used by path/compensation/queued_compensation; tested by tests/path/queued_compensation_test.cpp.
 
 #include "path/compensation/queued_corner.h"
 
@@ -9,7 +9,7 @@ namespace kadr {
 namespace {
 
 constexpr double half_turn = pi, quarter_turn = pi / 2;
-constexpr double small_angle = 0.05;        // rad, TOLERANCE_CONCAVE_CORNER of LinuxCNC's source
+constexpr double small_angle = 0.05;        // angle in rad; TOLERANCE_CONCAVE_CORNER of LinuxCNC's source
 constexpr double least_entry_cos = 0.0001;  // TOLERANCE_EQUAL of LinuxCNC's source
 
 double angle_of(Vec2 v) { return std::atan2(v.y, v.x); }
@@ -17,13 +17,13 @@ Vec2 at_angle(double radius, double angle) { return {radius * std::cos(angle), r
 bool off_sine(double l) { return l > 1.0 || l < -1.0; }
 double apart_by(Vec2 a, Vec2 b) { return std::hypot(a.x - b.x, a.y - b.y); }
 
-/// True if the tool is on the outer side of an arc that ends at the next line, so that the tool must not pass around the arc's end (the
-/// shapes "h" and "m" in LinuxCNC's source).
+/// True if the tool is on the outer side of an arc that ends at the next line. The tool must then not move around the end of the arc.
+/// LinuxCNC's source calls these shapes "h" and "m".
 bool comes_over_arc(const CornerSituation& p, double beta) {
   return beta > half_turn - small_angle && p.held && p.arc && (p.side > 0 ? p.arc->turn < 0 : p.arc->turn > 0);
 }
 
-/// Returns where the tool's path along the previous arc meets its path along the line.
+/// Returns the point at which the tool's path along the previous arc meets the tool's path along the line.
 Result<Vec2> arc_meets_line(const CornerSituation& p, Vec2 to) {
   const QueuedArc& before = *p.arc;
   const double radius = apart_by(before.center, before.end);
@@ -31,14 +31,16 @@ Result<Vec2> arc_meets_line(const CornerSituation& p, Vec2 to) {
   const double normal = before.turn > 0 ? along + quarter_turn : along - quarter_turn;
   const bool inside = inside_arc(p.side, before.turn);
   const double programmed = inside ? radius + p.radius : radius - p.radius;
-  const double across = programmed * std::cos(normal - angle_of(before.center - p.point));  // distance of the arc's centre from the line
+  // distance of the arc's centre from the line, mm
+  const double across = programmed * std::cos(normal - angle_of(before.center - p.point));
   const double l = (inside ? across - p.radius : across + p.radius) / radius;
   if (off_sine(l)) return fail(alarm(AlarmId::gouge_arc_to_line, {}));
   const bool back = inside == (before.turn > 0);
   return before.center + at_angle(radius, (back ? -std::acos(l) : std::acos(l)) + normal + half_turn);
 }
 
-/// Returns where the tool's path along the previous line meets its path along the arc. `theta`: direction of the previous line, rad.
+/// Returns the point at which the tool's path along the previous line meets the tool's path along the arc. `theta` is the direction of the
+/// previous line in rad.
 Result<Vec2> line_meets_arc(const CornerSituation& p, const QueuedArc& arc, double arc_radius, double theta, double beta) {
   const double across = arc_radius * std::sin(beta - quarter_turn);
   const bool inside = inside_arc(p.side, arc.turn);
@@ -50,7 +52,7 @@ Result<Vec2> line_meets_arc(const CornerSituation& p, const QueuedArc& arc, doub
   return arc.center + at_angle(from_center, adds ? angle + std::asin(l) : angle - std::asin(l));
 }
 
-/// Returns where the tool's path along the previous arc meets its path along the next arc.
+/// Returns the point at which the tool's path along the previous arc meets the tool's path along the next arc.
 Result<Vec2> arc_meets_arc(const CornerSituation& p, const QueuedArc& arc, double arc_radius) {
   const QueuedArc& before = *p.arc;
   const double first = apart_by(before.center, before.end);
@@ -92,7 +94,8 @@ Result<QueuedCorner> corner_to_line(const CornerSituation& p, Vec2 to) {
     if (!meet) return fail(meet.error());
     return QueuedCorner{CornerKind::inner, *meet, to + normal};
   }
-  const double retreat = p.radius / std::tan((beta + half_turn) / 2);  // the divisor is never 0, because the gouge checks detect a reversal
+  // The divisor is never 0, because the gouge checks detect a reversal.
+  const double retreat = p.radius / std::tan((beta + half_turn) / 2);
   return QueuedCorner{CornerKind::inner, p.tool + at_angle(retreat, theta + across), to + normal};
 }
 
@@ -122,7 +125,8 @@ Result<QueuedArc> entry_arc(Vec2 from, const QueuedArc& arc, double radius, doub
   const bool inside = inside_arc(side, arc.turn);
   if (inside && apart_by(arc.center, from) <= radius) return fail(alarm(AlarmId::arc_within_tool, {}));
   const Vec2 end = arc.end + at_angle(radius, angle_of(inside ? arc.center - arc.end : arc.end - arc.center));
-  // The centre of the entry arc lies on the line from `end` to the programmed centre, at equal distances from the arc's start and end.
+  // The centre of the entry arc lies on the line from `end` to the programmed centre. Its distances from the start and the end of the arc
+  // are equal.
   const double to_center = angle_of(arc.center - end), at_end = angle_of(from - end) - to_center;
   if (std::fabs(std::cos(at_end)) < least_entry_cos) return fail(alarm(AlarmId::arc_within_tool, {}));
   return QueuedArc{end, end + at_angle(apart_by(from, end) / 2 / std::cos(at_end), to_center), arc.turn};

@@ -1,15 +1,15 @@
 #pragma once
-// Computes the corners of a compensated contour as LinuxCNC does (spec/linuxcnc 7.5; convert_straight_comp2, convert_arc_comp2 of its
-// source). The type of the corner follows from the angle between the elements on the tool's side. The angle is measured from the tool's
-// position at the end of the previous element, before a corner shortens that element.
+// This file computes the corners of a compensated contour as LinuxCNC does (spec/linuxcnc 7.5; convert_straight_comp2 and convert_arc_comp2
+// of LinuxCNC's source). The type of the corner follows from the angle between the elements on the tool's side. The angle is measured from
+// the tool's position at the end of the previous element, before a corner shortens this element.
 //
 //      outer: an arc about p            straight on: nothing           inner: both end at `at`
 //        ───────╮ (tool)                  ──────┬──────                   (tool) ──┼ at
 //        ──── p │                         ───── p ─────                             │
 //             │ │                                                         ───────── p
 //
-// Vectors are in the coordinates of the plane's axes, mm. p: the programmed corner. `side`: +1 if the tool is left of the path, -1 if it
-// is right.
+// Vectors are in the coordinates of the plane's axes, in mm. p is the programmed corner. `side` is +1 if the tool is left of the path, and
+// −1 if the tool is right of the path.
 
 #include <cstdint>
 #include <optional>
@@ -23,44 +23,46 @@ namespace kadr {
 /// The tool's path along an arc.
 struct QueuedArc {
   Vec2 end, center;
-  int turn = 1;  // number of started revolutions, counter-clockwise positive
+  int turn = 1;  // number of started revolutions, positive counter-clockwise
 };
 
-/// Returns the angle from one point of a circle to another, rad, counter-clockwise positive; a full revolution if the points coincide,
-/// plus one revolution for each further revolution in `turn` (find_turn).
+/// Returns the angle from one point of a circle to another point in rad, positive counter-clockwise. If the points coincide, the angle is a
+/// full revolution. Each further revolution in `turn` adds a full revolution (find_turn).
 double swept_by(Vec2 from, Vec2 center, int turn, Vec2 to);
 
-/// The situation at a corner: where the tool is, relative to the next element of the contour.
+/// The situation at a corner: the position of the tool relative to the next element of the contour.
 struct CornerSituation {
   Vec2 point;                         // the programmed corner
-  Vec2 tool;                          // tool position next to the corner, at the end of the previous element
-  double radius = 0, side = 1;        // tool radius; side of the tool
-  std::optional<QueuedArc> arc = {};  // the tool's path along the previous element, if that is an arc
-  bool held = true;                   // true if the tool's path along the previous element may still be changed
+  Vec2 tool;                          // Tool position next to the corner, at the end of the previous element.
+  double radius = 0, side = 1;        // tool radius in mm, and side of the tool
+  std::optional<QueuedArc> arc = {};  // The tool's path along the previous element, if this element is an arc.
+  bool held = true;                   // True if the tool's path along the previous element may still be changed.
 };
 
 enum class CornerKind : std::uint8_t { inner, outer, straight };
 
 struct QueuedCorner {
   CornerKind way = CornerKind::straight;
-  Vec2 at;   // inner corner: where the tool leaves the first element and starts the second; outer corner: where the second starts
-  Vec2 end;  // end of the second element, before the next corner shortens this element
+  // At an inner corner: the point at which the tool leaves the first element and starts the second element. At an outer corner: the point
+  // at which the second element starts.
+  Vec2 at;
+  Vec2 end;  // End of the second element, before the next corner shortens this element.
 };
 
-/// Returns the corner to a line that ends at `to`, which must differ from the corner point.
+/// Returns the corner before a line that ends at `to`. The point `to` must differ from the corner point.
 ///   alarms  gouge_arc_to_line, if the tool does not fit into the corner
 Result<QueuedCorner> corner_to_line(const CornerSituation& place, Vec2 to);
 
-/// Returns the corner to an arc; `arc.end` is the arc's programmed end.
+/// Returns the corner before an arc; `arc.end` is the programmed end of the arc.
 ///   alarms  arc_within_tool, gouge_arc, gouge_arc_to_arc, arcs_same_center
 Result<QueuedCorner> corner_to_arc(const CornerSituation& place, const QueuedArc& arc);
 
-/// True if the tool is on the inner side of the arc, where the arc's centre is.
+/// True if the tool is on the inner side of the arc, on which the arc's centre lies.
 inline bool inside_arc(double side, int turn) { return side > 0 ? turn > 0 : turn < 0; }
 
-/// Returns the arc along which the tool enters the contour if the first compensated motion is the programmed arc `arc`
-/// (convert_arc_comp1). It starts at the tool's position `from` and ends next to the programmed end, on the line through the programmed
-/// end and the programmed centre.
+/// Returns the arc along which the tool enters the contour if the first compensated motion is the programmed arc `arc` (convert_arc_comp1).
+/// The entry arc starts at the tool's position `from`. It ends next to the programmed end, on the line through the programmed end and the
+/// programmed centre.
 ///   alarms  entry_arc_within_tool, arc_within_tool
 Result<QueuedArc> entry_arc(Vec2 from, const QueuedArc& arc, double radius, double side);
 

@@ -1,4 +1,4 @@
-// QueuedCompensation, output: how the queue of LinuxCNC's cutter radius compensation is corrected and emitted (interp_queue.cc of the
+// QueuedCompensation, output: how the queue of LinuxCNC's cutter compensation is corrected and emitted (interp_queue.cc of LinuxCNC's
 // source).
 
 #include <cmath>
@@ -11,12 +11,15 @@
 namespace kadr {
 namespace {
 
-constexpr double radii_apart = 0.01;       // greatest difference of an arc's radii, in the block's length unit (move_endpoint_and_flush)
-constexpr double more_swept_mm = 0.0254;   // rad; how much an arc's swept angle may exceed the programmed one, in a block in mm
-constexpr double more_swept_inch = 0.001;  // the same in a block in inches: LinuxCNC's source converts the angle like a length
-constexpr double no_arc = 1e-9;            // rad: a smaller swept angle counts as a full circle
+// greatest difference of the two radii of an arc, in the length unit of the block (move_endpoint_and_flush)
+constexpr double radii_apart = 0.01;
+constexpr double more_swept_mm = 0.0254;  // How much the swept angle of an arc may exceed the programmed swept angle in a block in mm, rad.
+// How much the swept angle of an arc may exceed the programmed swept angle in a block in inches, rad. LinuxCNC's source converts this angle
+// like a length.
+constexpr double more_swept_inch = 0.001;
+constexpr double no_arc = 1e-9;  // Angle in rad. A smaller swept angle counts as a full circle.
 
-/// Directions from the centre of a turning tool's nose to its programmed tip, as (Z, X) (latheorigin_z, latheorigin_x).
+/// The directions from the centre of a turning tool's nose radius to the programmed tip, as (Z, X) (latheorigin_z, latheorigin_x).
 //       +X
 //    3  8  4       each orientation number is drawn at the position of the tip relative to the nose centre (0, 9)
 //    7  9  5 +Z
@@ -29,7 +32,7 @@ double plane_way(Vec2 a, Vec2 b) { return std::hypot(a.x - b.x, a.y - b.y); }
 
 }  // namespace
 
-/// Moves the ends of all queued motions to the point `to` and emits the motions (move_endpoint_and_flush).
+/// Moves the ends of all queued motions to the point `to` and emits the motions (move_endpoint_and_flush). Returns false after an alarm.
 bool QueuedCompensation::move_ends(Vec2 to) {
   if (now_.queue.empty()) return true;
   for (std::size_t i = 0; i < now_.queue.size(); ++i) {
@@ -45,7 +48,7 @@ bool QueuedCompensation::move_ends(Vec2 to) {
   return true;
 }
 
-/// Checks the new end of a queued motion: a line must not go backwards, and an arc must not have a greater swept angle than programmed.
+/// Checks the new end of a queued motion. A line must not go backwards, and the swept angle of an arc must not be greater than programmed.
 bool QueuedCompensation::may_end(const Queued& queued, Vec2 to) {
   if (queued.arc) {
     const double before = plane_way(queued.arc->end, queued.arc->center), now = plane_way(to, queued.arc->center);
@@ -66,8 +69,8 @@ void QueuedCompensation::push(Queued& queued) {
   now_.queue.push_back(std::move(queued));
 }
 
-/// Emits the motion around an outer corner to the point `to`: an arc, or a line at rapid. The feed and unit are those of the motion `next`.
-/// The rotary axes of `next` move in this motion, the third axis does not.
+/// Emits the motion around an outer corner to the point `to`: an arc, or a line at rapid. The feed and the unit are those of the motion
+/// `next`. The rotary axes of `next` move in this motion; the third axis does not move.
 void QueuedCompensation::go_around_corner(const Queued& next, Vec2 to) {
   Queued round;
   round.action = next.action;
@@ -101,7 +104,7 @@ void QueuedCompensation::deliver_queue() {
 void QueuedCompensation::deliver(Queued& queued) {
   if (auto* const m = motion_of(queued.action); m != nullptr && queued.moves) {
     move_tool(queued, *m);
-    // a new coordinate frame: converts the tool's coordinates
+    // A new coordinate frame: the tool's coordinates are converted to this frame.
   } else if (auto* const frame = std::get_if<FrameChange>(&queued.action.what)) {
     frame->work[now_.first] += now_.beside.x;
     frame->work[now_.second] += now_.beside.y;

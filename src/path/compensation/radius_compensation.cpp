@@ -21,14 +21,14 @@ const std::optional<Vec2>& direction_of(const Motion& m) {
   return m.detail ? m.detail->way : none;
 }
 
-/// Returns the rule for the corner after `m`: a corner between two rapid motions gets no arc.
+/// Returns the rule for the corner after the motion `m`. A corner between two rapid motions gets no arc.
 CornerJoin join_of(const Motion& m, const Motion& next) {
   const bool rapid = m.kind == MotionKind::rapid && next.kind == MotionKind::rapid;
   return rapid && m.join_corner == CornerJoin::arc ? CornerJoin::extended : m.join_corner;
 }
 
-/// Returns a single vector, to the point where the offsets meet, for inside and outside corners (NCT 15.5.1, 15.5.3, 15.5.4). `otherwise`:
-/// the vector to return if the offsets do not meet.
+/// Returns a single vector to the point at which the two offsets meet, for inside and outside corners (NCT 15.5.1, 15.5.3, 15.5.4). If the
+/// offsets do not meet, the function returns the vector `otherwise`.
 JunctionVectors meeting(const OffsetElement& first, const OffsetElement& second, Vec2 point, Vec2 otherwise) {
   return single(intersection(first, second, point).value_or(otherwise));
 }
@@ -46,7 +46,7 @@ void RadiusCompensation::drop() {
 
 std::optional<CompensationFault> RadiusCompensation::take(ActionBatch& batch, bool last) {
   warnings_.clear();
-  // no compensation is active, which is the usual case: only the tool's position is updated
+  // The usual case: no compensation is active, so only the tool's position is updated.
   if (now_.count == 0 && !now_.zero && !beside()) {
     bool any = false;
     for (const Action& action : batch) {
@@ -96,8 +96,8 @@ void RadiusCompensation::next(Action& action) {
       });
 }
 
-/// Handles a new coordinate frame. A change of tool length does not affect the path. If the work offset changes, compensation stays
-/// active on controls where only the program may cancel it (`entry`).
+/// Handles a new coordinate frame. A change of tool length does not affect the path. If the work offset changes, compensation stays active
+/// on controls on which only the program may cancel compensation (`entry`).
 void RadiusCompensation::frame_change(Action& action, FrameChange& frame) {
   const bool stays = length(in_plane(frame.work) - in_plane(now_.at.work)) <= tol::same_point && frame.placement.turn == now_.at.turn;
   if (!now_.keeps_vector) flush(Vec2{});
@@ -130,7 +130,7 @@ void RadiusCompensation::motion(Action& action) {
     leave();
     now_.at.take(m);
     deliver(std::move(action));
-  } else if (named && !now_.keeps_vector) {  // zero displacement (NCT 15.5.1, 15.5.2): the block moves the tool to the next vector
+  } else if (named && !now_.keeps_vector) {  // A block with zero displacement (NCT 15.5.1, 15.5.2) moves the tool to the next vector.
     flush({});
     now_.at.take(m);
     now_.zero = std::move(action);
@@ -145,8 +145,8 @@ void RadiusCompensation::motion(Action& action) {
   }
 }
 
-/// Emits a motion without compensation to the programmed point. Axes of the plane that are not programmed in the motion's block keep the
-/// component of the vector.
+/// Emits a motion without compensation to the programmed point. If the motion has a compensation side and its block programs no axis of the
+/// plane, the vector remains; otherwise it becomes zero.
 void RadiusCompensation::outside_contour(Action& action) {
   auto& m = std::get<Motion>(action.what);
   const bool stays = m.side != 0 && (m.named & (AxisMask{1} << now_.first | AxisMask{1} << now_.second)) == 0;
@@ -162,7 +162,8 @@ void RadiusCompensation::outside_contour(Action& action) {
 
 void RadiusCompensation::contour(Action& action) {
   auto& m = std::get<Motion>(action.what);
-  ContourElement& element = held(now_.count).element;  // written to the place in the window where the motion will be stored
+  // The element is written to the location in the window at which the motion will be stored.
+  ContourElement& element = held(now_.count).element;
   construct_in_place(element, [&] { return element_of(m); });
   if (element.start == Vec2{}) {
     const double way = length(in_plane(m.to) - in_plane(now_.at.work));
@@ -197,7 +198,8 @@ void RadiusCompensation::hold(Action& action, const ContourElement& element, Vec
   Held& now = held(now_.count++);
   now.motion = std::move(std::get<Motion>(action.what));
   now.origin = action.origin;
-  if (&now.element != &element) now.element = element;  // the interference check has dropped the blocks between the two motions
+  // The addresses differ if the interference check has dropped the blocks between the two motions.
+  if (&now.element != &element) now.element = element;
   now.start_vector = start_vector;
   now.end.count = 0;
   now.rejoins = now.regular = false;
@@ -210,7 +212,8 @@ void RadiusCompensation::hold(Action& action, const ContourElement& element, Vec
   while (!fault_ && now_.count >= looked_at()) release_first();
 }
 
-/// Handles G39. If the block of G39 states a direction, the corner is emitted at once; else when the next motion is known.
+/// Handles G39. If the block of G39 states a direction, the corner is emitted at once. Otherwise the corner is emitted when the next motion
+/// is known.
 void RadiusCompensation::corner(Action& action) {
   if (now_.count == 0) return;
   const auto& way = std::get<CompensationCorner>(action.what).way;
@@ -224,7 +227,7 @@ void RadiusCompensation::corner(Action& action) {
 }
 
 /// Ends the contour, because no motion in the plane follows. The last stored motion ends with `vector`. If `vector` is empty, the motion
-/// ends with the vector perpendicular to its end.
+/// ends with the vector that is perpendicular to the path at its end.
 void RadiusCompensation::flush(std::optional<Vec2> vector) {
   if (now_.zero) {
     auto& m = std::get<Motion>(now_.zero->what);
@@ -240,8 +243,8 @@ void RadiusCompensation::flush(std::optional<Vec2> vector) {
   while (!fault_ && now_.count > 0) release_first();
 }
 
-/// Handles G40 without a motion in the plane: the tool moves to the vector perpendicular to the end of the last block, then straight to
-/// the programmed point (NCT 15.5.3).
+/// Handles G40 without a motion in the plane. The tool moves to the vector that is perpendicular to the end of the last block, and then
+/// straight to the programmed point (NCT 15.5.3).
 void RadiusCompensation::leave() {
   if (now_.count == 0) return flush(Vec2{});
   const Motion like = last_held().motion;
@@ -254,7 +257,8 @@ void RadiusCompensation::leave() {
   for (Action& action : behind) deliver(std::move(action));
 }
 
-/// Lets the program continue from the tool's current position: adds the vector to the programmed point.
+/// Lets the program continue from the tool's current position. The function adds the vector to the programmed point and ends the
+/// compensation of the contour.
 void RadiusCompensation::stay() {
   flush({});
   if (fault_) return;
@@ -267,8 +271,8 @@ void RadiusCompensation::stay() {
   end_watch();
 }
 
-/// Returns the contour element of a motion, from which the corners are computed. Its direction is zero if the motion cannot start
-/// compensation because the end point lies within the tool radius.
+/// Returns the contour element of a motion, from which the corners are computed. The direction of the element is zero if the motion cannot
+/// start compensation because its end point lies within the tool radius.
 ContourElement RadiusCompensation::element_of(const Motion& m) const {
   const Vec2 from = in_plane(now_.at.work), to = in_plane(m.to);
   if (m.side_step == SideStep::begins && m.entry == CompensationApproach::tangent) {
@@ -293,7 +297,7 @@ void RadiusCompensation::join(const Motion& next, const ContourElement& second) 
   }
 }
 
-/// Returns the vectors at the junction with the next motion. The tool radius is that of the block that ends at the junction.
+/// Returns the vectors at the junction with the next motion. The tool radius is the radius of the block that ends at this junction.
 std::optional<JunctionVectors> RadiusCompensation::vectors_to(const Motion& next, const ContourElement& second) {
   Held& before = last_held();
   const Motion& m = before.motion;

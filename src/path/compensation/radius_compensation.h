@@ -1,11 +1,11 @@
 #pragma once
-// RadiusCompensation converts programmed actions to actions of the tool's centre (cutter radius compensation). A motion, and the actions
-// after it, are stored until the next motion in the plane determines the corner between the two motions. The interference check needs more
-// stored motions. NCT 15.5.
+// RadiusCompensation converts programmed actions to actions of the tool's centre (cutter radius compensation). A motion and the actions
+// after it are stored until the next motion in the plane determines the corner between the two motions. The interference check needs more
+// stored motions: NCT 15.5.
 //
 //   programmed ──▶ window: motion k · actions between · motion k+1 … ──▶ junction k/k+1, check ──▶ motion k · actions between · corner
 //
-// Input: radius_compensation.cpp; output: compensated_path.cpp.
+// The input is in radius_compensation.cpp, the output in compensated_path.cpp.
 
 #include <array>
 #include <optional>
@@ -19,30 +19,30 @@
 
 namespace kadr {
 
-/// An alarm or warning, and the block that it belongs to.
+/// An alarm or warning, with the block to which it belongs.
 struct CompensationFault {
   Alarm alarm;
   Origin origin;
-  Origin other{};  // warning contour_cut: the block of the contour that the tool cuts into
+  Origin other{};  // For the warning contour_cut: the block of the contour into which the tool cuts.
 };
 
 class RadiusCompensation {
  public:
-  /// `start`: position of the tool before the first action.
+  /// `start` is the position of the tool before the first action.
   explicit RadiusCompensation(const ToolPosition& start) { now_.at = now_.stand = start; }
 
-  /// Processes a batch in place: afterwards it contains only actions that are final. `last`: no batch follows.
+  /// Processes a batch and replaces its actions by the actions that are final. `last` is true if no batch follows.
   ///   alarms  compensation_no_intersection (nct 2047), compensation_interference (2049), compensation_buffer (2090), compensation_turn
   ///           (2048, INFERRED); on controls that state their own CompensationApproach also compensation_entry_short,
-  ///           compensation_corner_sharp, compensation_gouge; the batch keeps the actions before the alarm's block, the stored motions are
-  ///           dropped
-  ///   law     the output ends at the end of the programmed path plus a vector no longer than the corner rules allow
+  ///           compensation_corner_sharp, compensation_gouge; the batch then has only the actions before the alarm's block, and the stored
+  ///           motions are dropped
+  ///   law     the output ends at the end of the programmed path plus a vector whose length is within the corner rules
   std::optional<CompensationFault> take(ActionBatch& batch, bool last);
 
-  /// Warnings of the last batch: one contour_cut per contour, at the contour's deepest cut.
+  /// The warnings of the last batch: at most one contour_cut per contour, at the deepest cut of the contour.
   const std::vector<CompensationFault>& warnings() const { return warnings_; }
 
-  /// True if a compensated contour is active after the last emitted action.
+  /// True if compensation of a contour is active after the last emitted action.
   bool at_work() const { return now_.count > 0 || beside(); }
 
   /// True if the tool is not at the programmed point after the last emitted action.
@@ -52,51 +52,52 @@ class RadiusCompensation {
   void drop();
 
  private:
-  // greatest number of actions between two motions in the plane; the limit of the NCT control is unknown
+  // The greatest number of actions between two motions in the plane. The limit of the NCT control is unknown.
   static constexpr std::size_t max_waiting = 64;
-  // greatest number of stored motions: 3, or up to 8 by parameter N1404 (NCT 15.5.7), and the motion that arrives; rounded up to a power of
-  // two
+  // The greatest number of stored motions, rounded up to a power of two. Up to 3 motions are stored, or up to 8 by parameter N1404 (NCT
+  // 15.5.7), and the motion that arrives.
   static constexpr std::size_t max_held = 16;
 
-  /// A motion of the contour, and the actions between this motion and the next.
+  /// A motion of the contour, with the actions between this motion and the next motion.
   struct Held {
     Motion motion;
     Origin origin;
     ContourElement element;
     Vec2 start_vector;
-    JunctionVectors end;            // vectors at the end of the motion; empty: unknown, or the offsets do not meet
-    bool rejoins = false;           // an arc of the programmed radius joins the compensated ends (NCT 15.5.4)
-    bool regular = false;           // `end` follows from the corner rules, and the tool is on the same side of this motion and the next
+    JunctionVectors end;   // The vectors at the end of the motion. The list is empty if they are unknown or the offsets do not meet.
+    bool rejoins = false;  // True if an arc of the programmed radius joins the compensated ends (NCT 15.5.4).
+    // True if `end` follows from the corner rules and the tool is on the same side of this motion and the next motion.
+    bool regular = false;
     std::uint64_t number = 0;       // number of the motion's contour piece in GougeDetector
-    bool watched = false;           // true if GougeDetector checks that the tool on this path does not cut into the contour
+    bool watched = false;           // True if GougeDetector checks whether the tool cuts into the contour on this path.
     std::vector<Action> waiting{};  // actions after the motion
   };
 
  public:
   /// The state that RadiusCompensation keeps between batches.
   struct Memory {
-    ToolPosition at;     // programmed position after the last action received
+    ToolPosition at;     // programmed position after the last received action
     ToolPosition stand;  // programmed position after the last emitted action
     std::size_t first = 0, second = 1;
-    // true on controls that state their own CompensationApproach: the vector stays until a programmed motion changes it
+    // True on controls that state their own CompensationApproach. On these controls the vector stays until a programmed motion changes it.
     bool keeps_vector = false;
-    Vec2 vector;  // vector from the programmed point to the tool's centre, after the last emitted action
+    Vec2 vector;  // vector from the programmed point to the tool's centre after the last emitted action, mm
     std::array<Held, max_held> window;
     std::size_t head = 0, count = 0;
-    Motion round_first;  // the motion that is followed by an arc about the programmed point
+    Motion round_first;  // the motion before an arc about the programmed point
     CompensationCheck check;
-    std::optional<Action> corner;  // G39 waiting for the next motion
-    std::optional<Action> zero;    // a block without displacement in the plane, in which the tool moves to the next vector
+    std::optional<Action> corner;  // a G39 that waits for the next motion
+    std::optional<Action> zero;    // A block without displacement in the plane, in which the tool moves to the next vector.
     GougeDetector watch;
     double radius_before = 0;    // tool radius of the last emitted motion, mm
-    bool regular_start = false;  // the first motion of the window starts at a regular junction (Held::regular)
-    bool astray = false;         // true after an alarm or the end of the program: the contour is unknown until a new contour starts
+    bool regular_start = false;  // True if the first motion of the window starts at a regular junction (Held::regular).
+    bool astray = false;         // True after an alarm or the end of the program. The contour is then unknown until a new contour starts.
   };
   const Memory& memory() const { return now_; }
   void resume_from(const Memory& memory) { now_ = memory; }
 
  private:
-  // input
+  // The functions below are the input.
   void next(Action& action);
   void frame_change(Action& action, FrameChange& frame);
   void motion(Action& action);
@@ -112,7 +113,7 @@ class RadiusCompensation {
   std::optional<JunctionVectors> vectors_to(const Motion& next, const ContourElement& second);
   ContourElement element_of(const Motion& motion) const;
 
-  // output
+  // The functions below are the output.
   enum class RepairOutcome : std::uint8_t { sound, next_fails, first_fails };
   RepairOutcome mend_first();
   std::span<const CompensatedBlock> checked_blocks();
@@ -133,7 +134,7 @@ class RadiusCompensation {
   Vec2 in_plane(const Axes& axes) const { return {axes[now_.first], axes[now_.second]}; }
   void fault(const Alarm& alarm, const Origin& origin) { fault_ = CompensationFault{alarm, origin}; }
 
-  // the window
+  // The functions below access the window.
   Held& held(std::size_t i) { return now_.window[(now_.head + i) % now_.window.size()]; }
   Held& last_held() { return held(now_.count - 1); }
   void drop_first() { now_.head = (now_.head + 1) % now_.window.size(), --now_.count; }

@@ -1,4 +1,4 @@
-// Bezier: a cubic curve between two points of the axes' space with given directions at its ends. Used by motion/least_time/smoothing.
+// Bezier is a cubic curve between two points of the axes' space with given directions at its ends. Used by motion/least_time/smoothing.
 
 #include "path/curve/bezier.h"
 
@@ -53,8 +53,7 @@ Axes Bezier::at(double part) const {
   return point;
 }
 
-/// Samples the curve so densely that the maximum distance to the chord is found to within 0.1 %. The distance is a cubic polynomial
-/// between two samples.
+/// The curve is sampled so densely that its maximum distance from the chord is found to within 0.1 %.
 double Bezier::off_chord() const {
   constexpr int places = 64;
   const Axes chord = between(from_, to_);
@@ -70,8 +69,8 @@ double Bezier::off_chord() const {
   return std::sqrt(most);
 }
 
-/// If a chord spans the fraction h of the parameter range, its distance from the curve is at most h²/8 · |x″|, where x″ is the second
-/// derivative with respect to the parameter. |x″| is greatest at an end of the curve.
+/// The greatest distance between a curve and its chord is at most h²/8 · |x″| if the chord spans the fraction h of the parameter range.
+/// Here x″ is the second derivative with respect to the parameter; |x″| is greatest at an end of the curve.
 int Bezier::pieces(double chord) const {
   Axes start{}, end{};
   for (std::size_t a = 0; a < max_axes; ++a) {

@@ -1,7 +1,7 @@
 #pragma once
-// Bezier: a cubic curve between two points of the axes' space with given directions at its ends. Each inner control point is a third of the
-// chord length away from the end of the curve next to it, along the given direction (INFERRED: NCT 4.7 leaves the construction of the curve
-// open).
+// Bezier is a cubic curve between two points of the axes' space with given directions at its ends. INFERRED (NCT 4.7 does not state how the
+// curve is constructed): the distance of each inner control point from the nearer end of the curve is a third of the chord length, along
+// the given direction.
 
 #include "base/vec.h"
 
@@ -9,27 +9,28 @@ namespace kadr {
 
 class Bezier {
  public:
-  /// `start_way`, `end_way`: directions of the curve at its start and end, unit vectors.
+  /// `start_way` and `end_way` are the directions of the curve at its start and its end, as unit vectors.
   Bezier(const Axes& from, const Axes& to, const Axes& start_way, const Axes& end_way);
 
-  /// Returns the point at the parameter `part`, 0 … 1.
+  /// Returns the point at the parameter `part`, 0 to 1.
   ///   law  at(0) and at(1) are exactly the given end points
   Axes at(double part) const;
 
-  /// Returns the greatest distance between the curve and its chord.
+  /// Returns the greatest distance, mm, between the curve and its chord.
   double off_chord() const;
 
-  /// Returns the number of equal pieces whose chords stay within `chord` mm of the curve.
+  /// Returns into how many parts of equal parameter range the curve must be divided, so that the chords stay within `chord` mm of the
+  /// curve.
   int pieces(double chord) const;
 
  private:
   Axes from_, to_;
-  Axes start_pull_, end_pull_;  // the inner control points are from + start_pull and to - end_pull
+  Axes start_pull_, end_pull_;  // The inner control points are from_ + start_pull_ and to_ − end_pull_.
 };
 
-/// Returns the direction, a unit vector, that a curve through the point between two straight pieces has at this point. It is the mean of
-/// the pieces' directions, in which the shorter piece has more weight (chord-length weighted, INFERRED, NCT 4.7).
-///   pre  the path does not reverse there
+/// Returns the direction, a unit vector, of a curve at the point between two straight pieces. INFERRED (NCT 4.7): the direction is the mean
+/// of the pieces' directions, in which the shorter piece has more weight.
+///   pre  the path does not reverse at this point
 Axes way_between(const Axes& before, double before_length, const Axes& behind, double after_length);
 
 }  // namespace kadr

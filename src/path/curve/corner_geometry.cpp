@@ -1,4 +1,4 @@
-// Computes the corner between two contour elements: its position, and the chamfer or rounding at it. Used by
+// This file computes the corner between two contour elements: its position, and the chamfer or rounding at the corner. Used by
 // path/compensation/corner_resolver and path/compensation/contour_motion; tested by tests/path/corner_geometry_test.cpp.
 
 #include "path/curve/corner_geometry.h"
@@ -24,8 +24,8 @@ OffsetElement seen_from(const Support& s, Vec2 point) {
   return e;
 }
 
-/// Returns true if the second intersection comes before the first, clockwise on the circle from the start of the circle's element
-/// (NCT 17.3.4, INFERRED).
+/// Returns true if the second intersection comes before the first intersection, clockwise on the circle from the start of the circle's
+/// element (INFERRED, NCT 17.3.4).
 bool second_comes_first(const Support& circle, const Meetings& meet, bool mirrored) {
   const Vec2 start = circle.point - circle.center;
   const double sense = mirrored ? 1 : -1;
@@ -35,8 +35,8 @@ bool second_comes_first(const Support& circle, const Meetings& meet, bool mirror
 
 double radius_at(const ContourElement& e, Vec2 corner) { return length(corner - e.center); }
 
-/// The point of an element at a given chord length from the corner, and the travel from the corner to that point. `back` = -1: the point
-/// is before the corner, at the end of the element.
+/// The point of an element at a given chord length from the corner, and the travel between the corner and that point. If `back` is −1, the
+/// point is before the corner, at the end of the element.
 struct Touch {
   Vec2 point;
   double way = 0;
@@ -49,14 +49,15 @@ std::optional<Touch> at_chord(const ContourElement& e, Vec2 corner, Vec2 tangent
   return Touch{e.center + rotated(corner - e.center, back * e.sense() * angle), angle / 360};
 }
 
-/// Returns the point where an arc about `center` touches an element.
+/// Returns the point at which an arc about `center` is tangent to an element.
 Vec2 touch_point(const ContourElement& e, Vec2 corner, Vec2 tangent, Vec2 center) {
   if (!e.is_arc) return corner + dot(center - corner, tangent) * tangent;
   const Vec2 arm = center - e.center;
   return e.center + radius_at(e, corner) / length(arm) * arm;
 }
 
-/// Returns the travel along an element from one point to the other; 0 if the travel is negative because of rounding errors only.
+/// Returns the travel along an element from one point to another point. The result is 0 if the travel is negative because of rounding
+/// errors only.
 double way_between(const ContourElement& e, Vec2 from, Vec2 to, Vec2 tangent) {
   if (!e.is_arc) return dot(to - from, tangent);
   const double turns = swept_turns(from - e.center, to - e.center, e.sense());
@@ -106,7 +107,7 @@ std::optional<CornerElement> chamfer(const ContourElement& first, const ContourE
 
 std::optional<CornerElement> rounding(const ContourElement& first, const ContourElement& second, double radius, CornerRoom room) {
   const double turn = cross(first.end, second.start), side = turn > 0 ? 1 : -1;
-  if (!(std::fabs(turn) >= tol::tangential)) return std::nullopt;  // the second element goes back along the first
+  if (!(std::fabs(turn) >= tol::tangential)) return std::nullopt;  // The second element goes back along the first element, so no arc fits.
   const Vec2 corner = first.to;
   const OffsetElement before = offset_at_end(first, radius, side), behind = offset_at_start(second, radius, side);
   for (const OffsetElement& e : {before, behind})

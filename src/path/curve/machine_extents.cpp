@@ -1,4 +1,4 @@
-// machine_extents(): the bounding box of a motion in machine coordinates, including rotated frames (nct 10.2.3). Used by
+// machine_extents() computes the bounding box of a motion in machine coordinates, also in rotated frames (nct 10.2.3). Used by
 // machine/virtual_machine and path/curve/machine_path.
 
 #include "path/curve/machine_extents.h"
@@ -12,7 +12,7 @@
 namespace kadr {
 namespace {
 
-/// Computes the box by sampling the position of each axis along the motion; works for all types of motion.
+/// Computes the box from samples of the position of each axis along the motion. This works for all types of motion.
 Extents sampled(const AxisRoles& roles, const ToolPosition& from, const Motion& motion, const Curve& curve) {
   Extents box{from.machine, from.machine};
   for (std::size_t i = 0; i < roles.count; ++i) {

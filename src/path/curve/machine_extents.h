@@ -1,5 +1,5 @@
 #pragma once
-// machine_extents(): the bounding box of a motion in machine coordinates, including rotated frames (nct 10.2.3).
+// machine_extents() computes the bounding box of a motion in machine coordinates, also in rotated frames (nct 10.2.3).
 
 #include "action/curve.h"
 #include "action/tool_position.h"
@@ -7,8 +7,8 @@
 namespace kadr {
 
 /// Returns the bounding box of a motion in machine coordinates. For axes with rollover, the box covers only the start and the end of the
-/// motion. If the difference between machine and work coordinates changes along the motion, the box is the work-coordinate box extended by
-/// the smaller and the greater difference at the ends; so it contains the exact box.
+/// motion. If the difference between machine and work coordinates changes along the motion, the result is the box in work coordinates,
+/// extended by the smaller and the greater difference at the two ends of the motion. The result therefore contains the exact box.
 ///   curve  the curve of the motion that starts at `from`
 Extents machine_extents(const AxisRoles& roles, const ToolPosition& from, const Motion& motion, const Curve& curve);
 inline Extents machine_extents(const AxisRoles& roles, const ToolPosition& from, const Motion& motion) {

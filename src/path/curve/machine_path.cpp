@@ -1,4 +1,4 @@
-// MachinePath: the path of one motion in machine coordinates, and the bounding boxes of its pieces, used to check the axes against limits
+// MachinePath is the path of one motion in machine coordinates. The bounding boxes of its pieces are used to check the axes against limits
 // and forbidden areas. Used by machine/zone_box and motion/least_time/axis_motion; tested by tests/path/machine_path_test.cpp.
 
 #include "path/curve/machine_path.h"
@@ -12,9 +12,9 @@
 namespace kadr {
 namespace {
 
-constexpr int max_chords_of_motion = 20'000;  // greatest number of chords of one motion
+constexpr int max_chords_of_motion = 20'000;  // the greatest number of chords for one motion
 
-/// Returns true if a rotary axis moves under tool centre point control: then the axes do not move along a straight line.
+/// Returns true if a rotary axis moves under tool centre point control. In this case the axes do not move along a straight line.
 bool turns_with_tip_control(const ToolPosition& from, const Motion& motion) {
   if (!controls_tip(from, motion)) return false;
   if (motion.detail && motion.detail->tip_path) return true;
@@ -58,9 +58,9 @@ Extents MachinePath::tip_control_extents(double from, double to) const {
   return box;
 }
 
-/// Returns an upper bound, mm, of the distance between the axes' path along a straight motion and its chord. A point travels the length L
-/// while it is rotated by the angle ω (rad) about axes at most R away. The second derivative of its path over the motion is at most ω²R +
-/// 2ωL, and the distance from the chord is at most an eighth of that.
+/// Returns an upper bound, mm, of the distance between the axes' path in a straight motion and the chord of this path. A point travels the
+/// length L while it is rotated by the angle ω (rad) about axes that are at most the distance R away. The second derivative of its path
+/// over the motion is at most ω²R + 2ωL, and the distance from the chord is at most an eighth of this value.
 double MachinePath::most_off_chord() const {
   double turn = 0;
   for (AxisMask left = from_.space->rotary_axes(); left != 0; left &= left - 1) {
@@ -84,7 +84,8 @@ Extents MachinePath::rough_extents() const {
 }
 
 /// Returns the number of samples along the motion under tool centre point control. While a rotary axis turns by a quarter revolution, the
-/// position of a linear axis has about one extreme. The samples must be so close that at most about one extreme lies between two of them.
+/// position of a linear axis has about one extreme. The samples must be so close that at most about one extreme lies between two
+/// neighbouring samples.
 int MachinePath::samples_with_tip_control() const {
   constexpr double between = 15;  // rotation between two samples, degrees
   double way = 0;
@@ -98,11 +99,11 @@ int MachinePath::samples_with_tip_control() const {
 }
 
 /// Where rotary axes curve the path, the deviation from the chord is measured in the middle of a few pieces. The number of pieces follows
-/// from it, because the deviation is proportional to h², with h the length of a piece. The aim is half of the permitted deviation, as a
-/// reserve.
+/// from this deviation, which is proportional to h², where h is the length of a piece. The pieces are chosen for half of the permitted
+/// deviation, as a reserve.
 int MachinePath::pieces(double chord) const {
   const int of_curve = curve_.pieces(chord);
-  // a motion that deviates by less than this multiple of `chord` stays one piece, because the motion meets its neighbours at corners anyway
+  // A motion that deviates by less than this multiple of `chord` stays one piece, because it meets its neighbours at corners anyway.
   constexpr double few = 6;
   if (!bends_ || (tip_moves_straight() && most_off_chord() <= few * chord)) return of_curve;
   constexpr int looked_at = 8;

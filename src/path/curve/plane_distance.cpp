@@ -1,4 +1,4 @@
-// Computes the distance between two pieces of a path, lines or arcs, in a plane. Used by the other folders of path.
+// This file computes the distance between two pieces of a path in a plane. A piece is a line or an arc. Used by the other folders of path.
 
 #include "path/curve/plane_distance.h"
 
@@ -34,8 +34,9 @@ bool lines_cross(const PlanePiece& a, const PlanePiece& b) {
   return ((a0 < 0) != (a1 < 0)) && ((b0 < 0) != (b1 < 0));
 }
 
-/// Returns the distance between a line and an arc, without regard to their ends: 0 if they cross, else the distance at the foot of the
-/// perpendicular from the arc's centre to the line; HUGE_VAL if this foot is not on both.
+/// Returns the distance between a line and an arc without regard to their ends. The distance is 0 if they cross; otherwise it is measured
+/// at the foot of the perpendicular from the arc's centre to the line. The result is HUGE_VAL if this foot is not on both the line and the
+/// arc.
 double inner_line_arc(const PlanePiece& line, const PlanePiece& arc) {
   constexpr double none = HUGE_VAL;
   const Vec2 way = line.to - line.from;
@@ -51,13 +52,13 @@ double inner_line_arc(const PlanePiece& line, const PlanePiece& arc) {
   return none;
 }
 
-/// Returns the distance between two arcs, without regard to their ends: 0 if they cross, else the distance on the line through their
-/// centres.
+/// Returns the distance between two arcs without regard to their ends. The distance is 0 if the arcs cross; otherwise it is measured on the
+/// line through their centres.
 double inner_arcs(const PlanePiece& a, const PlanePiece& b) {
   double least = HUGE_VAL;
   const Vec2 between = b.center - a.center;
   const double d = length(between);
-  if (d == 0) return least;  // concentric arcs: the distances at the ends suffice
+  if (d == 0) return least;  // For concentric arcs the distances at the ends are sufficient.
   const Vec2 u = 1 / d * between;
   for (const double i : {-1.0, 1.0})
     for (const double j : {-1.0, 1.0})

@@ -1,19 +1,19 @@
 #pragma once
-// Computes the distance between two pieces of a path, lines or arcs, in a plane.
+// This file computes the distance between two pieces of a path in a plane. A piece is a line or an arc.
 
 #include "action/flat_path.h"
 #include "path/compensation/contour_offset.h"
 
 namespace kadr {
 
-/// A line or an arc, with data precomputed for measuring.
+/// A line or an arc in a plane, with precomputed data for the measurement of distances.
 struct PlanePiece {
   Vec2 from, to;
   Vec2 center;
   Box2 box;
-  double turns = 0;   // swept angle / 360, counter-clockwise positive
-  double radius = 0;  // radius of an arc: the mean of the radii at its start and end
-  double slack = 0;   // how much the radius changes along the arc, mm
+  double turns = 0;   // swept angle / 360, positive counter-clockwise
+  double radius = 0;  // radius of an arc, mm: the mean of the radii at its start and its end
+  double slack = 0;   // the change of the radius along the arc, mm
   bool is_arc = false;
   static PlanePiece of(const ContourElement& element) {
     return element.is_arc ? arc(element.from, element.to, element.center, element.turns) : line(element.from, element.to);

@@ -1,15 +1,16 @@
 #pragma once
-// shift_in_plane(): moves the end of a motion in its plane, in work and machine coordinates.
+// shift_in_plane() moves the end of a motion in its plane, in work coordinates and in machine coordinates.
 
 #include "action/tool_position.h"
 
 namespace kadr {
 
-/// Moves the end of a motion by the vector `by` in the plane of the axes `first` and `second`. In machine coordinates the vector is
-/// rotated as the coordinate frame is. Slave axes of these axes (nct 20.2) move too.
+/// Moves the end of a motion by the vector `by` in the plane of the axes `first` and `second`. In machine coordinates the vector is rotated
+/// in the same manner as the coordinate frame. Slave axes of these two axes (nct 20.2) move too.
 inline void shift_in_plane(Motion& motion, std::size_t first, std::size_t second, Vec2 by, const FrameTurn* turn) {
   if (by == Vec2{}) return;
-  if (turn == nullptr && !motion.detail) {  // the usual case: no rotated frame, no slave axes
+  // The usual case: there is neither a rotated frame nor a slave axis, so the same vector applies in work and machine coordinates.
+  if (turn == nullptr && !motion.detail) {
     motion.to[first] += by.x;
     motion.to[second] += by.y;
     motion.machine[first] += by.x;

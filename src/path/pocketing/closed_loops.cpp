@@ -1,4 +1,4 @@
-// Loops: joins the edges of a drawing to closed contours. Used by path/pocketing/mill.
+// This file joins the edges of a drawing to closed contours. Used by path/pocketing/mill.
 
 #include "path/pocketing/closed_loops.h"
 
@@ -13,19 +13,19 @@
 namespace kadr::area {
 namespace {
 
-/// Identifies an end of the edge `index`: 2·index is its start point, 2·index + 1 its end point.
+/// The number of an end of an edge: 2·index is the start point of the edge `index`, and 2·index + 1 is its end point.
 using End = std::size_t;
 constexpr End none = static_cast<End>(-1);
 
 Vec2 point_of(const Edges& edges, End end) { return end % 2 == 0 ? edges[end / 2].from : edges[end / 2].to; }
 
-/// Finds edge ends by their position, with a grid of squares as large as the permitted gap.
+/// Finds ends of edges by their position. It uses a grid of squares whose side is the permitted gap.
 class EndIndex {
  public:
   EndIndex(const Edges& edges, double gap) : edges_(edges), gap_(gap) {}
   void add(End end) { squares_[square(point_of(edges_, end))].push_back(end); }
 
-  /// Returns the ends of edges that are at most the permitted gap away from this end.
+  /// Returns the ends of other edges whose distance from this end is at most the permitted gap.
   std::vector<End> near(End end) const {
     std::vector<End> found;
     const Vec2 p = point_of(edges_, end);
@@ -47,7 +47,7 @@ class EndIndex {
   std::map<std::pair<long, long>, std::vector<End>> squares_;
 };
 
-/// Pairs the ends that have no partner yet. Returns a fault if there are several possible partners for an end.
+/// Pairs the ends that have no partner yet. Returns a fault if an end has several possible partners.
 std::optional<DrawingFault> pair_ends(const Edges& edges, double gap, std::vector<End>& partner) {
   EndIndex index(edges, gap);
   for (End end = 0; end < partner.size(); ++end)
@@ -67,7 +67,7 @@ std::optional<DrawingFault> pair_ends(const Edges& edges, double gap, std::vecto
   return std::nullopt;
 }
 
-/// Returns the chain of edges from `start` to an end without a partner, or back to `start`.
+/// Returns the chain of edges from `start` to an end that has no partner, or back to `start`.
 Edges follow(const Edges& edges, End start, const std::vector<End>& partner, std::vector<bool>& used) {
   Edges chain;
   for (End at = start; at != none && !used[at / 2]; at = partner[at ^ 1]) {
@@ -80,8 +80,8 @@ Edges follow(const Edges& edges, End start, const std::vector<End>& partner, std
 
 double turning_area(const Edges& loop) { return area_of({flattened(loop, tol::contour_gap)}); }
 
-/// Returns a point where two edges cross or touch; nullopt if they have no point in common except the end at which one edge follows the
-/// other.
+/// Returns a point at which two edges cross or touch; nullopt if they have no such point. The common end of two consecutive edges does not
+/// count.
 std::optional<Vec2> crossing(const Edge& a, const Edge& b, bool b_follows, bool a_follows) {
   for (const Vec2 p : meetings(a, b)) {
     const bool shared = (b_follows && length(p - a.to) < tol::contour_gap) || (a_follows && length(p - b.to) < tol::contour_gap);
@@ -143,7 +143,7 @@ tl::expected<std::vector<Zone>, DrawingFault> zones_of(const Chains& chains) {
   if (const auto fault = first_crossing(chains.closed)) return tl::unexpected(*fault);
   std::vector<Polygon> outlines;
   for (const Edges& loop : chains.closed) outlines.push_back(flattened(loop, tol::contour_gap));
-  std::vector<std::vector<std::size_t>> around(outlines.size());  // for each loop, the indices of the loops that enclose it
+  std::vector<std::vector<std::size_t>> around(outlines.size());  // for each loop, the indices of the loops that enclose this loop
   for (std::size_t i = 0; i < outlines.size(); ++i)
     for (std::size_t j = 0; j < outlines.size(); ++j)
       if (i != j && contains({outlines[j]}, outlines[i].front())) around[i].push_back(j);

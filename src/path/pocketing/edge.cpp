@@ -1,4 +1,4 @@
-// Geometry of one edge of a contour in a plane: a line or an arc of at most half a circle. Used by out and path.
+// This file has the geometry of one edge of a contour in a plane: a line, or an arc of at most half a circle. Used by out and path.
 
 #include "path/pocketing/edge.h"
 
@@ -13,10 +13,12 @@ namespace {
 
 double swept_deg(const Edge& arc) { return 4 * std::atan(arc.bulge) / rad_per_deg; }
 
-/// Returns the fraction of the arc's length at the angle of `p` about the centre, not clamped: 0 … 1 on the arc.
+/// Returns the fraction of the arc's length at the angle of `p` about the centre. The fraction is 0 to 1 on the arc; it is not limited to
+/// this range.
 double part_of_angle(const Edge& arc, const Circle& c, Vec2 p) {
   const Vec2 a = arc.from - c.centre, b = p - c.centre;
-  const double turn = std::atan2(cross(a, b), dot(a, b)) / rad_per_deg;  // angle of p from the arc's start, degrees, in (-180, 180]
+  // angle of `p` from the start of the arc, degrees, above −180 and at most 180
+  const double turn = std::atan2(cross(a, b), dot(a, b)) / rad_per_deg;
   const double sweep = swept_deg(arc);
   double part = turn / sweep;
   const double around = std::abs(360 / sweep);
@@ -24,7 +26,7 @@ double part_of_angle(const Edge& arc, const Circle& c, Vec2 p) {
   return part;
 }
 
-/// Returns the fraction of the line's length at which the line is nearest to p, not clamped to 0 … 1.
+/// Returns the fraction of the line's length at which the line is nearest to `p`. The fraction is not limited to 0 to 1.
 double line_part(const Edge& e, Vec2 p) {
   const Vec2 way = e.to - e.from;
   const double size = dot(way, way);
@@ -51,7 +53,7 @@ void circle_circle(std::vector<Vec2>& points, const Edge& a, const Edge& b) {
   const Circle p = circle_of(a), q = circle_of(b);
   const Vec2 way = q.centre - p.centre;
   const double apart = length(way);
-  if (apart < tol::same_point) return;  // equal or concentric circles: only the end points of the arcs can be common points
+  if (apart < tol::same_point) return;  // The circles are equal or concentric, so only the end points of the arcs can be common points.
   const double along = (apart * apart + (p.radius - q.radius) * (p.radius + q.radius)) / (2 * apart);
   const double half = std::sqrt(std::max(0.0, (p.radius - along) * (p.radius + along)));
   const Vec2 unit = (1 / apart) * way, foot = p.centre + along * unit;
@@ -59,7 +61,7 @@ void circle_circle(std::vector<Vec2>& points, const Edge& a, const Edge& b) {
   if (half > 0) add_meeting(points, a, b, foot - half * left_of(unit));
 }
 
-/// Converts an edge to a PlanePiece, which measures distances.
+/// Converts an edge to a PlanePiece, whose distances from other pieces can be measured.
 PlanePiece piece_of(const Edge& e) {
   if (is_line(e)) return PlanePiece::of(ContourElement::line(e.from, e.to));
   return PlanePiece::of(ContourElement::arc(e.from, e.to, circle_of(e).centre, swept_deg(e) / 360));
@@ -168,7 +170,7 @@ Edge rotated(const Edge& e, double deg) { return {kadr::rotated(e.from, deg), ka
 
 Edges tangent_arc(Vec2 from, Vec2 way, Vec2 to) {
   const Vec2 chord = to - from;
-  const double half = std::atan2(cross(way, chord), dot(way, chord));  // half the swept angle of the arc
+  const double half = std::atan2(cross(way, chord), dot(way, chord));  // half of the swept angle of the arc, rad
   if (std::abs(half) < tol::tangential) return {{from, to}};
   if (std::abs(half) <= pi / 2) return {{from, to, std::tan(half / 2)}};
   const Vec2 middle = 0.5 * (from + to) + (std::tan(half / 2) / 2) * Vec2{chord.y, -chord.x};

@@ -1,5 +1,5 @@
 #pragma once
-// Geometry of one edge of a contour in a plane: a line or an arc of at most half a circle.
+// This file has the geometry of one edge of a contour in a plane: a line, or an arc of at most half a circle.
 
 #include <limits>
 
@@ -19,20 +19,21 @@ double length_of(const Edges& path);
 Edge reversed(const Edge& e);
 Edges reversed(const Edges& path);
 
-/// Returns the point at the fraction `part` of the edge's length, 0 … 1.
+/// Returns the point at the fraction `part`, 0 to 1, of the edge's length.
 Vec2 at(const Edge& e, double part);
-/// Returns the direction of travel at the fraction `part` of the length, a unit vector.
+/// Returns the direction of travel, a unit vector, at the fraction `part` of the edge's length.
 Vec2 direction(const Edge& e, double part);
 /// Returns the section of the edge between two fractions of its length.
 Edge stretch(const Edge& e, double from, double to);
-/// Returns where the edge is nearest to `p`, as a fraction of the edge's length.
+/// Returns the position at which the edge is nearest to `p`, as a fraction (0 to 1) of the edge's length.
 double nearest_part(const Edge& e, Vec2 p);
 double distance(const Edge& e, Vec2 p);
 
-/// Returns the least distance between two edges (path/curve/plane_distance); 0 if they cross.
+/// Returns the least distance, mm, between two edges (path/curve/plane_distance); 0 if the edges cross.
 double distance(const Edge& a, const Edge& b);
 
-/// Returns the points that two edges have in common, end points included. If the edges overlap, these are the end points of the overlap.
+/// Returns the points that two edges have in common; end points are included. If the edges overlap, the points are the end points of the
+/// overlap.
 std::vector<Vec2> meetings(const Edge& a, const Edge& b);
 
 struct Bounds {
@@ -40,16 +41,16 @@ struct Bounds {
   Vec2 most{-std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()};
   void take(Vec2 p);
   void take(const Edge& e);
-  /// True if the two bounding boxes are at most `reach` apart.
+  /// True if the distance between the two bounding boxes is at most `reach`, mm.
   bool near(const Bounds& other, double reach) const;
 };
 Bounds bounds_of(const Edges& path);
 
-/// Returns the edge rotated about the origin.
+/// Returns the edge rotated about the origin by `deg` degrees, counter-clockwise.
 Edge rotated(const Edge& e, double deg);
 
-/// Returns the circular arc from `from` to `to` that starts in the direction `way`; a line if `to` lies straight ahead. An arc longer
-/// than half a circle becomes two edges.
+/// Returns the circular arc from `from` to `to` that starts in the direction `way`. If `to` lies straight ahead, the result is a line. An
+/// arc that is longer than half a circle becomes two edges.
 Edges tangent_arc(Vec2 from, Vec2 way, Vec2 to);
 
 }  // namespace kadr::area

@@ -1,5 +1,5 @@
-// Restores the exact lines and arcs of an offset contour from its polygon. The corners of an offset polygon lie on offsets of the
-// original edges: lines, arcs, and circles around their end points. Used by path/pocketing/field; tested by
+// This file restores the exact lines and arcs of an offset contour from its polygon. The corners of an offset polygon lie on the offsets of
+// the original edges (lines and arcs) and on circles around the end points of these edges. Used by path/pocketing/field; tested by
 // tests/path/pocketing/recover_test.cpp.
 
 #include "path/pocketing/exact_path.h"
@@ -13,10 +13,10 @@
 namespace kadr::area {
 namespace {
 
-// greatest distance between a corner and its carrier, mm: the sum of three chord errors (of the source, of the offset, and one as a
-// reserve)
+// The greatest distance between a corner and its carrier, mm: the sum of three chord errors. One is the error of the source, one the error
+// of the offset, and one is a reserve.
 constexpr double off = 3 * tol::area_chord;
-constexpr std::size_t across = 64;  // grid cells of the carrier index in each direction
+constexpr std::size_t across = 64;  // number of grid cells of the carrier index in each direction
 
 double away(const Carrier& c, Vec2 p) { return c.line ? std::abs(cross(c.way, p - c.point)) : std::abs(length(p - c.point) - c.radius); }
 
@@ -30,7 +30,8 @@ bool carries(const Carrier& c, Vec2 a, Vec2 b) {
   if (away(c, a) > off || away(c, b) > off) return false;
   if (c.line) return true;
   const double chord = length(b - a);
-  return chord * chord <= 16 * off * c.radius && c.radius > off;  // the chord is at most 2 · off away from the circle
+  // The condition means that the distance of the chord from the circle is at most 2 · off.
+  return chord * chord <= 16 * off * c.radius && c.radius > off;
 }
 
 void add_feet(std::vector<Vec2>& points, const Carrier& line, const Carrier& circle) {
@@ -61,14 +62,14 @@ std::vector<Vec2> meetings(const Carrier& a, const Carrier& b) {
   return points;
 }
 
-/// Returns the angle from a to b about the centre, degrees, counter-clockwise positive. Of the values that differ by 360° the value nearest
-/// to `about` is returned.
+/// Returns the angle from `a` to `b` about the centre in degrees, positive counter-clockwise. The angle is ambiguous by multiples of 360°;
+/// the value nearest to `about` is returned.
 double turned(Vec2 centre, Vec2 a, Vec2 b, double about) {
   const double deg = std::atan2(cross(a - centre, b - centre), dot(a - centre, b - centre)) / rad_per_deg;
   return about + std::remainder(deg - about, 360);
 }
 
-/// Appends the arc from a to b on the circle `c`, whose swept angle is about `about` degrees.
+/// Appends the arc from `a` to `b` on the circle `c`. The swept angle of the arc is about `about` degrees.
 void emit_arc(Edges& path, const Carrier& c, Vec2 a, Vec2 b, double about) {
   const double sweep = turned(c.point, a, b, about);
   const int pieces = std::abs(sweep) > 180 ? 2 : 1;
@@ -80,9 +81,9 @@ void emit_arc(Edges& path, const Carrier& c, Vec2 a, Vec2 b, double about) {
 
 }  // namespace
 
-/// A sequence of consecutive chords that lie on one carrier.
+/// A sequence of consecutive chords that all lie on the same carrier.
 struct Carriers::Run {
-  std::size_t first = 0, count = 0;  // index of its first chord, number of its chords
+  std::size_t first = 0, count = 0;  // index of the first chord, and number of chords
   std::optional<std::uint32_t> carrier;
 };
 
@@ -147,7 +148,7 @@ std::vector<std::uint32_t> Carriers::on(Vec2 a, Vec2 b) const {
 std::vector<Carriers::Run> Carriers::runs(const Polygon& corners, bool closed) const {
   const std::size_t count = corners.size(), chords = closed ? count : count - 1;
   std::size_t start = 0;
-  // cosine of the change of direction at the sharpest corner; the search for runs starts at this corner, because no run continues over it
+  // Cosine of the change of direction at the sharpest corner. The search for runs starts at this corner, because no run continues over it.
   double sharpest = 2;
   for (std::size_t i = 0; closed && i < count; ++i) {
     const Vec2 in = corners[i] - corners[(i + count - 1) % count], out = corners[(i + 1) % count] - corners[i];
@@ -177,7 +178,7 @@ Edges Carriers::recovered(const Polygon& corners, bool closed) const {
   if (corners.size() < 2) return path;
   const std::size_t count = corners.size();
   const std::vector<Run> all = runs(corners, closed);
-  const auto reach = [&](const Run& run) {  // how far an end point of the run may be moved, mm
+  const auto reach = [&](const Run& run) {  // returns how far, mm, an end point of the run may be moved
     return 0.45 * length(corners[(run.first + run.count) % count] - corners[run.first]) + (run.count == count ? 1e300 : 0);
   };
   const auto joint = [&](const Run& before, const Run& after) {
@@ -200,7 +201,9 @@ Edges Carriers::recovered(const Polygon& corners, bool closed) const {
       continue;
     }
     const Carrier& c = all_[*run.carrier];
-    double about = 0;  // swept angle of the run; one chord may go backwards if it is short compared with the corners' error
+    // Swept angle of the run, degrees. A chord that is short compared with the error of the corners may go backwards, so the angles of all
+    // chords are added.
+    double about = 0;
     for (std::size_t k = 0; k < run.count; ++k)
       about += turned(c.point, corners[(run.first + k) % count], corners[(run.first + k + 1) % count], 0);
     emit_arc(path, c, a, b, about);

@@ -1,4 +1,4 @@
-// Field: a connected area that the tool's centre may reach, for one zone. Used by the other folders of path.
+// Field is a connected area of one zone that the tool's centre may reach. Used by the other folders of path.
 
 #include "path/pocketing/field.h"
 
@@ -18,8 +18,8 @@ Edges all_edges(const std::vector<Edges>& loops) {
   return all;
 }
 
-/// Appends those parts of a loop that are walls to `lines` as polylines; with `open`, those that are open sides. A polyline around the
-/// whole loop repeats its first two corners at its end.
+/// Appends the parts of a loop that are walls to `lines` as polylines; if `open` is true, the parts that are open sides. A polyline around
+/// the whole loop repeats its first two corners at its end.
 void add_stretches(const Edges& loop, bool open, Polygons& lines) {
   const auto begin = std::find_if(loop.begin(), loop.end(), [&](const Edge& e) { return e.open != open; });
   if (begin == loop.end()) {
@@ -54,7 +54,7 @@ std::vector<Edges> recovered(const Polygons& areas, const Carriers& carriers) {
   return loops;
 }
 
-/// Computes the fields of one zone.
+/// Computes the fields of one zone: the connected areas that the tool's centre may reach.
 class Fields {
  public:
   Fields(const Zone& zone, const Job& job, double off_walls) : job_(job), off_walls_(off_walls) {
@@ -77,7 +77,8 @@ class Fields {
       field.reach_area = flattened(field.reach, chord);
       if (field.reach.empty()) continue;
       field.work = open_.empty() ? field.reach : recovered(common(work, part), carriers(passes_beyond));
-      if (field.work.empty()) field.work = field.reach;  // the tool's centre stays outside the zone and cuts through an open side only
+      // The tool's centre stays outside the zone, and the tool cuts through an open side only.
+      if (field.work.empty()) field.work = field.reach;
       field.work_area = flattened(field.work, chord);
       field.roomy = Room(grown(field.reach_area, tol::area_wall / 2, chord));
       field.wanted = common(grown(field.reach_area, job_.radius, chord), area_);
@@ -110,7 +111,7 @@ class Fields {
 std::vector<Field> fields_of(const Zone& zone, const Job& job) {
   const double off_walls = job.radius + job.allowance;
   std::vector<Field> fields = Fields(zone, job, off_walls).make();
-  // a slot exactly as wide as the tool needs this tolerance
+  // The smaller distance from the walls allows a slot whose width is exactly the tool's diameter.
   if (fields.empty()) fields = Fields(zone, job, off_walls - tol::area_wall / 2).make();
   return fields;
 }

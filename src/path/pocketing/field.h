@@ -1,7 +1,7 @@
 #pragma once
-// Field: a connected area that the tool's centre may reach in one zone. A zone (spec/correctors 4) is an area to mill, bounded by sides.
-// It is closed if all sides are walls, open if no side is a wall, else half-open or combined. The tool's centre keeps its distance from
-// walls and may pass over open sides.
+// Field is a connected area of one zone that the tool's centre may reach. A zone (spec/correctors 4) is an area to mill that is bounded by
+// sides. The zone is closed if all sides are walls, and open if no side is a wall; otherwise it is half-open or combined. The tool's centre
+// keeps its distance from walls and may cross open sides.
 
 #include "path/pocketing/exact_path.h"
 #include "path/pocketing/mill.h"
@@ -10,31 +10,31 @@
 namespace kadr::area {
 
 struct Field {
-  std::vector<Edges> reach;  // boundary of the area that the tool's centre may reach, as exact closed loops
+  std::vector<Edges> reach;  // Boundary of the area that the tool's centre may reach, as exact closed loops.
   Polygons reach_area;
-  // boundary of the area that the passes of the scheme cover; at open sides it is smaller than `reach`. What these passes leave uncut of
-  // `wanted` is cut along `reach`
+  // Boundary of the area that the passes of the scheme cover. At open sides it is smaller than `reach`. The parts of `wanted` that these
+  // passes leave uncut are cut along `reach`.
   std::vector<Edges> work;
   Polygons work_area;
-  Room roomy;   // `reach_area`, slightly enlarged: the tool's centre must stay inside
+  Room roomy;   // The slightly enlarged `reach_area`, inside which the tool's centre must stay.
   Edges walls;  // walls of the zone
   Polygons zone;
-  Polygons wanted;  // the part of the zone that the tool can clear: all except corners and narrow parts
+  Polygons wanted;  // The part of the zone that the tool can clear: the zone without corners and narrow parts.
 };
 
-/// Returns the fields of a zone; an empty list if the tool does not fit anywhere.
+/// Returns the fields of a zone. The list is empty if the tool does not fit anywhere.
 std::vector<Field> fields_of(const Zone& zone, const Job& job);
 
 /// Returns true if the path stays within field.roomy, the area in which the tool's centre must stay.
 bool holds(const Field& field, const Edges& path);
 
-/// Returns true if a tool with its centre at `p` touches no material.
+/// Returns true if a tool whose centre is at `p` does not touch material.
 bool in_air(const Field& field, const Job& job, Vec2 p);
 
-/// Returns exact closed loops inside the work area, `by` mm from its boundary.
+/// Returns exact closed loops inside the work area at the distance `by`, mm, from its boundary.
 std::vector<Edges> rings_at(const Field& field, double by);
 
-/// Returns the part of `wanted` that the paths leave uncut, without the cusps between passes.
+/// Returns the part of `wanted` that the paths leave uncut. The cusps between passes are not included.
 Polygons uncut(const Field& field, const Job& job, const Polygons& paths);
 
 }  // namespace kadr::area

@@ -1,5 +1,5 @@
-// Layers: creates the moves that execute the passes of each field, layer by layer, with plunges, links and lifts between the passes.
-// Entry point: area_path().
+// This file creates the moves that execute the passes of each field, layer by layer. Plunges, links and lifts connect the passes. The entry
+// point is area_path().
 
 #include <algorithm>
 #include <cmath>
@@ -12,8 +12,8 @@
 namespace kadr::area {
 namespace {
 
-constexpr double above = 1;     // mm above the ground cut by the previous layer, at which rapid motion ends
-constexpr double rough = 0.02;  // mm, chord tolerance of the checks whether material remains
+constexpr double above = 1;     // Height, mm, above the ground that the previous layer left, at which rapid motion ends.
+constexpr double rough = 0.02;  // chord tolerance, mm, of the checks whether material remains
 
 class Layers {
  public:
@@ -60,8 +60,8 @@ class Layers {
     out_.reset();
   }
 
-  /// Chooses the start of the first ring, which is the same in all layers. The start is next to the given hole, or next to a position
-  /// outside the material, or else at the middle of the longest edge of the ring.
+  /// Chooses the start of the first ring; the start is the same in all layers. It is near the given hole, or near a position outside the
+  /// material, or otherwise at the middle of the longest edge of the ring.
   void begin_first(Pass& first) {
     const bool own_hole = job_.plunge == Plunge::hole && job_.hole && contains(field_->roomy.area(), *job_.hole);
     if (!first.closed) return;
@@ -72,7 +72,8 @@ class Layers {
 
   void pass(const Pass& pass, bool first) {
     if (first) return first_pass(pass);
-    if (!pass.lifted || length(pass.path.front().from - here()) < job_.radius)  // if so near, a lift would end where it started
+    // If the start is so near, a lift would end at about the position where it began, so the tool is not lifted.
+    if (!pass.lifted || length(pass.path.front().from - here()) < job_.radius)
       if (const auto begun = pass_start_from(*field_, job_, pass, here(), out_)) {
         cut(begun->way);
         return cut(begun->path);
@@ -97,7 +98,7 @@ class Layers {
     if (const auto arc = arc_out_of(*field_, job_, cut_)) cut({*arc});
   }
 
-  /// Moves the tool down to the level of the layer and to the start of the path. `again`: the tool has already cut in this layer.
+  /// Moves the tool down to the level of the layer and to the start of the path. `again` is true if the tool has already cut in this layer.
   void enter(const Edges& path, bool again) {
     const Vec2 start = path.front().from;
     if (in_air(*field_, job_, start) || (again && cleared(start))) return descend(start, again);
@@ -118,7 +119,8 @@ class Layers {
     }
   }
 
-  /// Moves to the start in the plane, from a position that is already cut on this level; else plunges through a hole.
+  /// Moves the tool to the start in the plane, from a position that is already cut on this level. If there is no such position, the tool
+  /// plunges through a hole.
   void enter_by_hole(Vec2 start, bool again) {
     if (const auto beside = again ? cut_beside(start) : std::nullopt) {
       descend(*beside, again);
@@ -141,8 +143,8 @@ class Layers {
       path_.holes.push_back(hole);
   }
 
-  /// Plunges through a predrilled hole, because there is no clearance for a ramp. Uses a hole of AreaPath::holes if the start can be
-  /// reached from that hole.
+  /// Plunges through a predrilled hole, because there is no clearance for a ramp. A hole of AreaPath::holes is used if the tool can reach
+  /// the start from this hole.
   void enter_drilled(Vec2 start, bool again) {
     ++path_.plunges.no_room;
     for (const Vec2 hole : path_.holes)
@@ -155,7 +157,7 @@ class Layers {
     descend(start, again);
   }
 
-  /// Moves to a position at some height over `point` (above the material, or above the ground cut by the previous layer), then down.
+  /// Moves the tool to a position over `point`, above the material or above the ground that the previous layer left, and then down.
   void descend(Vec2 point, bool again) {
     approach(point, again);
     go(MoveKind::plunge, {point.x, point.y, level_});
@@ -187,13 +189,13 @@ class Layers {
     go(MoveKind::plunge, {start.x, start.y, level_});
   }
 
-  /// Goes down in as many strokes or revolutions as necessary. Every corner of the ramp is at a level that the control's Z word can
-  /// express, so that no motion is steeper than the job's ramp angle after rounding.
+  /// Moves the tool down in as many strokes or revolutions as necessary. Every corner of the ramp is at a level that the control's Z word
+  /// can express, so that no motion is steeper than the job's ramp angle after rounding.
   void down_ramp(const Ramp& ramp) {
     const Polygon& corners = ramp.corners;
     const double drop = ground_ - level_, slope = std::tan(job_.ramp_deg * rad_per_deg), step = job_.level_step;
-    // greatest number of strokes, in case rounding of Z prevents progress between close corners; the last motions are then as steep as
-    // necessary
+    // Limit of the number of strokes. The limit is needed if the rounding of Z prevents progress between close corners. The last motions
+    // are then as steep as necessary.
     const int most = 4 * ramp.times + 4;
     double gone = 0, z = ground_;
     for (int i = 0; i < ramp.times || (z > level_ && i < most) || (!ramp.round && i % 2 == 1); ++i)
@@ -214,7 +216,7 @@ class Layers {
   /// Returns true if no material is left on this level under a tool at `point`.
   bool cleared(Vec2 point) const {
     for (const Edge& e : cut_)
-      if (distance(e, point) < tol::same_point) return true;  // the tool has already cut at this point
+      if (distance(e, point) < tol::same_point) return true;  // The tool has already cut at this point.
     Polygons near;
     const Bounds tool{point - Vec2{job_.radius, job_.radius}, point + Vec2{job_.radius, job_.radius}};
     for (const Edge& e : cut_)
@@ -227,7 +229,8 @@ class Layers {
     return area_of(left) < tol::area_cusp * job_.radius;
   }
 
-  /// Returns the nearest point that the tool has already cut on this level and from which it can move straight to `start`.
+  /// Returns the nearest point that the tool has already cut on this level and from which the tool can move straight to `start`; nullopt if
+  /// there is no such point.
   std::optional<Vec2> cut_beside(Vec2 start) const {
     std::vector<Vec2> points;
     for (const Edge& e : cut_) points.push_back(at(e, nearest_part(e, start)));
@@ -239,7 +242,7 @@ class Layers {
     return std::nullopt;
   }
 
-  /// Returns a point outside the material from which the tool can move straight to `start`.
+  /// Returns a point outside the material from which the tool can move straight to `start`; nullopt if there is no such point.
   std::optional<Vec2> air_near(Vec2 start) const {
     if (field_->roomy.empty()) return std::nullopt;
     std::vector<Vec2> points;
@@ -259,7 +262,7 @@ class Layers {
   const Field* field_ = nullptr;
   Vec3 at_{0, 0, 1e9};
   double ground_ = 0, level_ = 0;
-  Edges cut_;  // edges of the tool's path that are cut on this level
+  Edges cut_;  // edges of the tool's path that are already cut on this level
   std::optional<Vec2> out_;
   bool hole_used_ = false;
 };

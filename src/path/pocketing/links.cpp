@@ -1,4 +1,5 @@
-// Links: paths from one pass to the next without lifting the tool. Used by path/pocketing/layers and path/pocketing/plunge_ramp.
+// This file computes paths from one pass to the next pass without lifting the tool. Used by path/pocketing/layers and
+// path/pocketing/plunge_ramp.
 
 #include "path/pocketing/links.h"
 
@@ -14,7 +15,7 @@ namespace {
 struct Place {
   std::size_t edge = 0;
   double part = 0;
-  double far = 1e300;  // distance between this position and the point that was searched for
+  double far = 1e300;  // distance, mm, between this position and the point to which it is nearest
 };
 
 Place nearest(const Edges& ring, Vec2 p) {
@@ -26,7 +27,7 @@ Place nearest(const Edges& ring, Vec2 p) {
   return best;
 }
 
-/// Returns the position `by` mm further along the ring.
+/// Returns the position that is `by` mm farther along the ring.
 Place ahead(const Edges& ring, Place place, double by) {
   by += place.part * length_of(ring[place.edge]);
   while (by > length_of(ring[place.edge])) {
@@ -37,7 +38,7 @@ Place ahead(const Edges& ring, Place place, double by) {
   return place;
 }
 
-/// Returns the shorter of the two paths along a loop from one position to another.
+/// Returns the shorter of the two paths along a loop between two positions.
 Edges around(const Edges& loop, const Place& from, const Place& to) {
   const Edges ring = begun_at(loop, from.edge, from.part);
   const Place end = nearest(ring, at(loop[to.edge], to.part));
@@ -52,7 +53,7 @@ void drop_points(Edges& path) {
   std::erase_if(path, [](const Edge& e) { return length(e.to - e.from) < tol::same_point; });
 }
 
-constexpr double shares[] = {1, 0.5, 0.25};  // radii of the arcs to try, as shares of the largest radius
+constexpr double shares[] = {1, 0.5, 0.25};  // Radii of the arcs to try, as fractions of the largest radius.
 
 Edge quarter(Vec2 from, Vec2 way, double radius, double side) {
   const Vec2 normal{-side * way.y, side * way.x};
@@ -101,7 +102,7 @@ Edges begun_at_longest(const Edges& ring) {
 }
 
 std::optional<PassStart> pass_start_from(const Field& field, const Job& job, const Pass& pass, Vec2 from, std::optional<Vec2> out) {
-  const double detour = 6 * job.radius;  // a detour of this length takes less time than a lift
+  const double detour = 6 * job.radius;  // A detour of this length, mm, takes less time than a lift.
   if (!pass.closed) {
     const bool turn = !pass.lifted && length(pass.path.back().to - from) < length(pass.path.front().from - from);
     PassStart begun{{}, turn ? reversed(pass.path) : pass.path};

@@ -1,5 +1,5 @@
 #pragma once
-// Links: paths from one pass to the next without lifting the tool.
+// This file computes paths from one pass to the next pass without lifting the tool.
 
 #include <optional>
 
@@ -7,21 +7,21 @@
 
 namespace kadr::area {
 
-/// Returns two arcs from `from`, leaving in the direction `out`, to `to`, arriving in the direction `in`; nullopt if the arcs would
-/// reverse the direction of travel.
+/// Returns two tangent arcs from `from` to `to`. The path leaves `from` in the direction `out` and arrives at `to` in the direction `in`.
+/// Returns nullopt if the arcs would reverse the direction of travel.
 std::optional<Edges> double_arc(Vec2 from, Vec2 out, Vec2 to, Vec2 in);
 
-/// Returns a path between two points within the field: a straight line, or a path along the boundary if it is at most `detour` mm longer
-/// than the straight line.
+/// Returns a path between two points within the field: a straight line, or a path along the boundary that is at most `detour` mm longer
+/// than the straight line; nullopt if neither is possible.
 std::optional<Edges> way_between(const Field& field, Vec2 from, Vec2 to, double detour);
 
-/// A pass with a chosen start: `way` leads to the start, `path` is the pass from there.
+/// A pass with a chosen start. `way` is the path to the start; `path` is the pass from this start.
 struct PassStart {
   Edges way;
   Edges path;
 };
 
-/// Returns the start of a pass, and the path to this start from `from`, where the tool has arrived in the direction `out`. A closed pass
+/// Returns the start of a pass and the path to this start from `from`. The tool has arrived at `from` in the direction `out`. A closed pass
 /// (ring) is entered along a double arc if there is clearance for the arcs.
 std::optional<PassStart> pass_start_from(const Field& field, const Job& job, const Pass& pass, Vec2 from, std::optional<Vec2> out);
 

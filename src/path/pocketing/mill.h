@@ -1,7 +1,7 @@
 #pragma once
-// Area milling (pockets and slots): computes the path of the tool's centre from a zone, a tool and a scheme, layer by layer.
-// spec/correctors 4. INFERRED, because the drawings of the source are lost: the meaning of the prefixes 1 and 2 in the names, the shape
-// of each plunge, the sense of rotation of each direction.
+// This file computes the path of the tool's centre for area milling (pockets and slots), layer by layer, from a zone, a tool and a scheme:
+// spec/correctors 4. INFERRED, because the drawings of the source are lost: the meaning of the prefixes 1 and 2 in the names, the shape of
+// each plunge, and the sense of rotation of each direction.
 
 #include <functional>
 #include <optional>
@@ -13,26 +13,26 @@
 namespace kadr::area {
 
 enum class Scheme : std::uint8_t {
-  zigzag,               // ЗИГЗАГ: rows cut back and forth
+  zigzag,               // ЗИГЗАГ: rows that are cut back and forth
   zigzag_then_contour,  // 1ЗИГЗАГ: zigzag, then a pass along the boundary
   contour_then_zigzag,  // 2ЗИГЗАГ: a pass along the boundary, then zigzag
   spiral_out,           // СПИР: equidistant rings from the middle outwards
   spiral_in,            // АСПИР: equidistant rings from the boundary inwards
-  comb,                 // ШТИП: passes in one direction; the tool returns above the material
+  comb,                 // ШТИП: rows that are all cut in the same direction; the tool returns above the material
   comb_then_contour,    // 1ШТИП: comb, then a pass along the boundary
   contour_then_comb,    // 2ШТИП: a pass along the boundary, then comb
 };
-// direction of travel around the zone, ПЧС and ЧС; with M3, ccw is climb milling along a wall
+// The direction of travel around the zone, ПЧС and ЧС. With M3 (spindle clockwise), `ccw` is climb milling along a wall.
 enum class Direction : std::uint8_t { ccw, cw };
 enum class Plunge : std::uint8_t {
-  hole,        // ЗАСВ: straight down into a predrilled hole
-  tangential,  // КАС: down next to the pass, then into the pass along an arc
-  ramp,        // СПУСК: down a ramp, back and forth along the start of the pass
+  hole,        // ЗАСВ: the tool moves straight down into a predrilled hole
+  tangential,  // КАС: the tool moves down next to the pass, and then into the pass along an arc
+  ramp,        // СПУСК: the tool moves down a ramp, back and forth along the start of the pass
 };
 
 enum class Stage : std::uint8_t { passes, path, verification };
 
-/// Lets the caller of a long computation stop the computation (alarm interrupted) and receive its progress.
+/// The link between a long computation and its caller. The caller can stop the computation (alarm interrupted) and receives its progress.
 struct Watch {
   StopToken stop;
   std::function<void(Stage, double part)> show;
@@ -41,19 +41,19 @@ struct Watch {
   }
 };
 
-/// The parameters of the milling task; lengths in mm; levels are Z values in mm.
+/// The parameters of the milling task. Lengths are in mm; levels are Z values in mm.
 struct Job {
   double radius = 5;      // tool radius
-  double allowance = 0;   // material left on the walls
+  double allowance = 0;   // thickness of the material that is left on the walls
   double step = 5;        // distance between passes
   double top = 0;         // Z level of the material's surface
-  double depth = 1;       // depth of the pocket below `top`
+  double depth = 1;       // depth of the pocket below the level `top`
   double layer = 1;       // greatest depth of one layer
-  double clearance = 5;   // height of the level for free movement above `top`
-  double overrun = 2;     // how far the tool's circumference moves beyond open sides
-  double angle = 0;       // angle of the zigzag or comb rows to the X axis, degrees
+  double clearance = 5;   // height of the level for rapid motion above the level `top`
+  double overrun = 2;     // how far the circumference of the tool moves beyond open sides
+  double angle = 0;       // angle between the zigzag or comb rows and the X axis, degrees
   double ramp_deg = 3;    // slope of the plunge ramp, degrees
-  double level_step = 0;  // mm: the least increment of the control's Z word; 0: any level is possible
+  double level_step = 0;  // the least increment of the control's Z word, mm; 0: the control can express any level
   Scheme scheme = Scheme::spiral_out;
   Direction direction = Direction::ccw;
   Plunge plunge = Plunge::ramp;
@@ -61,45 +61,45 @@ struct Job {
   Watch watch;
 };
 
-enum class MoveKind : std::uint8_t { rapid, feed, plunge };  // `plunge`: the tool moves downwards at the plunge feed
+enum class MoveKind : std::uint8_t { rapid, feed, plunge };  // `plunge` is a downward move of the tool at the plunge feed.
 
-/// A straight move, or an arc in the XY plane, from the end of the previous move.
+/// A straight move, or an arc in the XY plane, that starts at the end of the previous move.
 struct Move {
   MoveKind kind = MoveKind::rapid;
   Vec3 to;
-  double bulge = 0;  // arc shape, defined as in Edge; 0: straight
+  double bulge = 0;  // shape of the arc, defined as in Edge; 0 for a straight move
 };
 
-/// Counts how often the tool plunges into uncut material, by the type of the plunge.
+/// The number of plunges into uncut material, by the type of the plunge.
 struct Plunges {
-  std::size_t ramps = 0;     // plunges back and forth along a ramp
+  std::size_t ramps = 0;     // number of plunges back and forth along a ramp
   std::size_t helices = 0;   // plunges along a helix
-  std::size_t straight = 0;  // vertical plunges into the material, for Plunge::tangential
+  std::size_t straight = 0;  // number of vertical plunges into the material, for Plunge::tangential
   std::size_t drilled = 0;   // plunges into predrilled holes
-  std::size_t no_room = 0;   // plunges into predrilled holes where a ramp had no clearance
+  std::size_t no_room = 0;   // plunges into predrilled holes at positions where a ramp has no clearance
 };
 
 struct AreaPath {
-  std::vector<Move> moves;  // moves in order; the first move is at the clearance level
-  std::vector<Vec2> holes;  // holes to drill before milling: for Plunge::hole, and where a ramp has no clearance
+  std::vector<Move> moves;  // the moves in their order; the first move is at the clearance level
+  std::vector<Vec2> holes;  // Holes to drill before milling: for Plunge::hole, and at positions where a ramp has no clearance.
   Plunges plunges;
   std::size_t layers = 0;
   std::size_t lifts = 0;   // number of times the tool is lifted within a layer
-  std::size_t fields = 0;  // number of areas (Field) within which the tool's centre moves without lifting
-  double step = 0;         // distance between passes that was used, mm
+  std::size_t fields = 0;  // number of areas (Field) within which the tool's centre can move without a lift
+  double step = 0;         // the distance between passes that was used, mm
 };
 
-/// Returns the Z levels of the layers, from the top down; all layers have the same depth.
+/// Returns the Z levels of the layers from the top down. All layers have the same depth.
 std::vector<double> levels_of(const Job& job);
 
 /// Computes the path through all zones.
 ///   alarms  tool_does_not_fit, mill_hole, mill_too_long, interrupted
 Result<AreaPath> area_path(const std::vector<Zone>& zones, const Job& job);
 
-/// Returns the zones of a slot: the area that a disk of `radius` sweeps along the centre lines.
+/// Returns the zones of a slot: the area that a disk with the radius `radius`, mm, sweeps along the centre lines.
 std::vector<Zone> slot_zones(const std::vector<Edges>& lines, double radius);
 
-/// Computes the path back and forth along the centre lines, for a slot as wide as the tool.
+/// Computes the path back and forth along the centre lines, for a slot whose width is the tool's diameter.
 Result<AreaPath> slot_path(const std::vector<Edges>& lines, const Job& job);
 
 }  // namespace kadr::area

@@ -1,4 +1,4 @@
-// Passes: computes the passes by which a scheme covers a field. Used by the other folders of path.
+// This file computes the passes by which a scheme covers a field. Used by the other folders of path.
 
 #include "path/pocketing/milling_passes.h"
 
@@ -9,7 +9,7 @@
 namespace kadr::area {
 namespace {
 
-/// Returns the distance between the ends of the rows and the boundary if a separate pass follows the boundary, mm.
+/// Returns the distance, mm, between the ends of the rows and the boundary, for schemes in which a separate pass follows the boundary.
 double inset_of(const Job& job) { return std::max(0.0, std::min(0.1 * job.radius, 2 * job.radius - job.step)); }
 
 Passes contour_passes(const Field& field) {
@@ -18,7 +18,8 @@ Passes contour_passes(const Field& field) {
   return passes;
 }
 
-/// Returns the two corners of the area that are farthest from each other.
+/// Returns the two corners of the area that have the greatest distance from each other. If the area has many corners, only some of them are
+/// compared.
 Polygon long_axis(const Polygon& area) {
   Polygon axis{area[0], area[0]};
   const std::size_t stride = 1 + area.size() / 200;
@@ -42,8 +43,9 @@ Edges begun_at(const Edges& ring, std::size_t edge, double part) {
   return path;
 }
 
-/// A remaining area inside the work area is cut by a line along its longest extent. A remaining area at a wall, which the tool's centre
-/// cannot enter, is cut from the nearest points on the boundary of `reach`; at an open side `reach` extends beyond the work area.
+/// Returns passes that cut the remaining areas. A remaining area inside the work area is cut by a line along its longest extent. A
+/// remaining area at a wall, which the tool's centre cannot enter, is cut from the nearest points on the boundary of `reach`; at an open
+/// side `reach` extends beyond the work area.
 Passes rest_passes(const Field& field, const Job& job, const Passes& done) {
   Polygons paths, rims;
   for (const Pass& pass : done) paths.push_back(flattened(pass.path, tol::area_chord));
@@ -76,7 +78,7 @@ Result<Passes> passes_of(const Field& field, const Job& job) {
   const Passes contour = before || after ? contour_passes(field) : Passes();
   if (before) passes->insert(passes->begin(), contour.begin(), contour.end());
   if (after) passes->insert(passes->end(), contour.begin(), contour.end());
-  constexpr int rounds = 3;  // each repetition cuts what the passes of the previous repetition left uncut
+  constexpr int rounds = 3;  // Each round cuts what the passes of the previous round left uncut.
   for (int round = 0; round < rounds && !job.watch.stop.asked(); ++round) {
     const Passes rest = rest_passes(field, job, *passes);
     if (rest.empty()) break;

@@ -1,34 +1,34 @@
 #pragma once
-// Passes: computes the passes by which a scheme (zigzag, rings, comb) covers a field. path/pocketing/layers computes how the tool moves
-// from one pass to the next.
+// This file computes the passes by which a scheme (zigzag, rings, comb) covers a field. path/pocketing/layers computes how the tool moves
+// from one pass to the next pass.
 
 #include "path/pocketing/field.h"
 
 namespace kadr::area {
 
-/// A section of the path that the tool cuts without interruption.
+/// A section of the tool's path that is cut without interruption.
 struct Pass {
   Edges path;
   bool closed = false;  // true for a ring, which may start at any of its points
-  bool lifted = false;  // the tool is always lifted before this pass, even if a direct path exists (comb schemes, Ш)
+  bool lifted = false;  // True if the tool is always lifted before this pass, even if a direct path exists (comb schemes, Ш).
 };
 using Passes = std::vector<Pass>;
 
-// greatest number of passes of one layer; if more, the drawing's unit or the step is wrong
+// The greatest number of passes of one layer. A greater number means that the unit of the drawing or the step is wrong.
 inline constexpr std::size_t max_passes = 20'000;
 
-/// Returns the passes of the job's scheme, which together cut everything that the tool can cut.
+/// Returns the passes of the job's scheme. Together they cut everything that the tool can cut.
 ///   alarms  mill_too_long
 Result<Passes> passes_of(const Field& field, const Job& job);
 
-/// Returns equidistant rings (СПИР, АСПИР).
+/// Returns the passes of the schemes СПИР and АСПИР, which are equidistant rings.
 Result<Passes> ring_passes(const Field& field, const Job& job);
 
-/// Returns parallel rows: back and forth, or all in one direction. `inset`: distance between the ends of the rows and the boundary, mm;
-/// 0: the rows are connected along the boundary.
+/// Returns parallel rows, cut back and forth or all in the same direction. `inset` is the distance, mm, between the ends of the rows and
+/// the boundary. If `inset` is 0, the rows are connected along the boundary.
 Result<Passes> row_passes(const Field& field, const Job& job, double inset);
 
-/// Returns passes that cut the areas which the passes `done` leave uncut.
+/// Returns passes that cut the areas that the passes `done` leave uncut.
 Passes rest_passes(const Field& field, const Job& job, const Passes& done);
 
 /// Returns the ring with its start moved to the fraction `part` of the edge with the index `edge`.

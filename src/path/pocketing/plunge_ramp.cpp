@@ -1,5 +1,5 @@
-// Ramps: finds a sloped path along which the tool goes down into uncut material near the start of a pass. Used by path/pocketing/layers;
-// tested by tests/path/pocketing/ramp_test.cpp.
+// This file finds a sloped path along which the tool moves down into uncut material near the start of a pass. Used by
+// path/pocketing/layers; tested by tests/path/pocketing/ramp_test.cpp.
 
 #include "path/pocketing/plunge_ramp.h"
 
@@ -12,15 +12,15 @@
 namespace kadr::area {
 namespace {
 
-constexpr double fine = tol::area_wall / 4;         // chord tolerance, mm, of a ramp that may run along a wall
-constexpr double coarse = 0.02;                     // chord tolerance, mm, of a ramp away from walls; gives fewer blocks
-constexpr double shortest = 2, longest = 6;         // length of a stroke in tool radii, where there is clearance
-constexpr double good_extent = 2;                   // extent in tool radii with which the search for a wider ramp ends
-constexpr double helices[] = {0.8, 0.5, 0.3, 0.2};  // helix radii to try, in tool radii; a radius up to 1 leaves no core
+constexpr double fine = tol::area_wall / 4;  // chord tolerance, mm, of a ramp that may follow a wall
+constexpr double coarse = 0.02;              // Chord tolerance, mm, of a ramp away from walls. The greater tolerance gives fewer blocks.
+constexpr double shortest = 2, longest = 6;  // lengths of a stroke in tool radii, where there is clearance
+constexpr double good_extent = 2;            // The extent of a ramp, in tool radii, at which the search for a wider ramp ends.
+constexpr double helices[] = {0.8, 0.5, 0.3, 0.2};  // The helix radii to try, in tool radii. A radius of up to 1 leaves no core.
 constexpr double good_helix = 0.5;
 constexpr double lines[] = {6, 4, 2, 1, 0.4};  // lengths of straight ramps to try, in tool radii
-constexpr int directions = 24;                 // directions tried around the start
-// greatest number of strokes or revolutions; more mean that the slope is too flat for a useful program
+constexpr int directions = 24;                 // number of directions that are tried around the start
+// Greatest number of strokes or revolutions. If more are necessary, the slope is too small for a useful program.
 constexpr int max_times = 2000;
 
 double length_of_corners(const Polygon& corners) {
@@ -51,7 +51,7 @@ class Search {
  public:
   Search(const Field& field, const Job& job, const Edges& path, double drop)
       : field_(field), job_(job), path_(path), needed_(drop / std::tan(job.ramp_deg * rad_per_deg)) {
-    // a ramp with a small slope uses longer strokes, which avoids thousands of strokes
+    // At a small slope the strokes are longer, which avoids thousands of strokes.
     stroke_ = std::clamp(needed_ / 2, shortest * job.radius, std::max(longest * job.radius, needed_ / 100));
   }
 
@@ -77,7 +77,7 @@ class Search {
     good_ = good || extent >= good_extent * job_.radius;
   }
 
-  /// Returns the corner points of a path if the path stays in the field, else nullopt.
+  /// Returns the corner points of a path if the path stays in the field; otherwise nullopt.
   std::optional<Polygon> held(const Edges& way) const {
     for (const double chord : {coarse, fine}) {
       Polygon corners = flattened(way, chord);
@@ -128,8 +128,8 @@ class Search {
       }
   }
 
-  /// Returns the direction to try as number `i`. Number 0 is the direction of the pass; further directions lie on alternating sides of this
-  /// direction.
+  /// Returns the direction with the number `i` to try. Number 0 is the direction of the pass. The further directions lie on alternating
+  /// sides of this direction.
   Vec2 heading(int i) const {
     const int turn = (i + 1) / 2 * (i % 2 == 0 ? 1 : -1);
     return kadr::rotated(direction(path_.front(), 0), 360.0 * turn / directions);

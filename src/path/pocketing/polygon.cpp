@@ -1,4 +1,4 @@
-// Polygons: areas given by their corners, computed with the Clipper library. Used by out and path.
+// This file has operations on areas that are given by their corners; they are computed with the Clipper library. Used by out and path.
 
 #include "path/pocketing/polygon.h"
 
@@ -11,7 +11,8 @@ namespace {
 
 namespace cl = ClipperLib;
 
-constexpr double per_mm = 1e6;  // Clipper units per mm: Clipper calculates in integers, here in nanometres, far below tol::area_chord
+// Clipper units per mm. Clipper calculates in integers; one unit is a nanometre, which is far below tol::area_chord.
+constexpr double per_mm = 1e6;
 
 cl::Paths to_clipper(const Polygons& polygons) {
   cl::Paths paths(polygons.size());

@@ -1,4 +1,4 @@
-// Room: an area prepared for fast tests whether a polyline stays inside the area; every move of a path is tested. Used by
+// Room is an area that is prepared for a fast test whether a polyline stays inside the area. Every move of a path is tested. Used by
 // path/pocketing/field; tested by tests/path/pocketing/room_test.cpp.
 
 #include "path/pocketing/reachable_area.h"
@@ -9,12 +9,12 @@
 namespace kadr::area {
 namespace {
 
-constexpr double touch = 1e-5;  // mm: lines nearer to each other than this count as meeting; this is ten units of Clipper
+constexpr double touch = 1e-5;  // Lines whose distance is less than this value, mm, count as meeting. The value is ten units of Clipper.
 constexpr std::size_t least_across = 4, most_across = 256;
 
 /// Returns true if the distance between the lines a–b and c–d is, or might be, less than `touch`.
 bool may_meet(Vec2 a, Vec2 b, Vec2 c, Vec2 d) {
-  const auto apart = [](Vec2 p, Vec2 q, Vec2 u, Vec2 v) {  // true if u and v are clearly on one side of the line p–q
+  const auto apart = [](Vec2 p, Vec2 q, Vec2 u, Vec2 v) {  // returns true if u and v are clearly on the same side of the line p–q
     const Vec2 way = q - p;
     const double slack = touch * length(way), at_u = cross(way, u - p), at_v = cross(way, v - p);
     return (at_u > slack && at_v > slack) || (at_u < -slack && at_v < -slack);
@@ -58,7 +58,8 @@ bool Room::any_cell(Vec2 a, Vec2 b, Take take) const {
   const std::size_t first = column(a.x - touch), last = column(b.x + touch);
   const double width = std::max(box_.most.x - box_.least.x, touch) / static_cast<double>(across_);
   for (std::size_t x = first; x <= last; ++x) {
-    // borders of the column of grid cells, slightly further apart than the column is wide; the line is cut at them
+    // The borders of the column of grid cells. The distance between them is slightly greater than the width of the column. The line is
+    // divided at the borders.
     const double left = box_.least.x + width * static_cast<double>(x) - touch, right = left + width + 2 * touch;
     const double run = b.x - a.x;
     const double from = x == first || run <= 0 ? 0 : std::clamp((left - a.x) / run, 0.0, 1.0);

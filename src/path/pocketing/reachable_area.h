@@ -1,5 +1,5 @@
 #pragma once
-// Room: an area prepared for fast tests whether a polyline stays inside the area; every move of a path is tested.
+// Room is an area that is prepared for a fast test whether a polyline stays inside the area. Every move of a path is tested.
 
 #include "path/pocketing/polygon.h"
 
@@ -13,9 +13,9 @@ class Room {
   const Polygons& area() const { return area_; }
   bool empty() const { return area_.empty(); }
 
-  /// Returns true if the polyline starts inside the area and meets no side of the boundary.
+  /// Returns true if the polyline starts inside the area and does not meet the boundary.
   bool surely_holds(const Polygon& line) const;
-  /// Returns true if no part of the polyline outside the area is longer than `most` mm.
+  /// Returns true if each part of the polyline outside the area is at most `most` mm long.
   bool holds(const Polygon& line, double most) const;
 
  private:
@@ -24,7 +24,8 @@ class Room {
   };
   std::size_t column(double x) const;
   std::size_t row(double y) const;
-  /// Calls `take(cell)` for each grid cell that the line from a to b passes through, until a call returns true. Returns true if a call did.
+  /// Calls `take(cell)` for each grid cell through which the line from `a` to `b` passes, until a call returns true. Returns true if a call
+  /// returned true.
   template <class Take>
   bool any_cell(Vec2 a, Vec2 b, Take take) const;
   bool meets_boundary(Vec2 a, Vec2 b) const;

@@ -1,5 +1,6 @@
-// Rings: computes equidistant closed passes. A ring of level k is k steps away from the boundary of the work area, on its inner side. In a
-// spiral outwards a ring is cut after the neighbouring rings one step further in; in a spiral inwards before them.
+// This file computes equidistant closed passes (rings). The distance of a ring of level k from the boundary of the work area is k steps, on
+// the inner side. In a spiral outwards a ring is cut after the neighbouring rings that are one step farther in. In a spiral inwards a ring
+// is cut before these rings.
 
 #include <algorithm>
 
@@ -9,7 +10,7 @@
 namespace kadr::area {
 namespace {
 
-constexpr std::size_t samples = 16;  // number of corners of a ring at which its neighbours are searched for
+constexpr std::size_t samples = 16;  // Number of corners of a ring at which its neighbours are searched for.
 
 struct Ring {
   Edges path;
@@ -32,7 +33,7 @@ bool neighbours(const Ring& outer, const Ring& inner, double step) {
   return false;
 }
 
-/// Returns an upper bound of the distance between a ring and the boundary.
+/// Returns an upper bound, mm, of the distance between a ring and the boundary.
 double half_width(const Field& field) {
   Bounds box;
   for (const Edges& loop : field.work)
@@ -68,15 +69,15 @@ class RingTree {
   Passes passes() {
     seen_.assign(rings_.size(), false);
     for (std::size_t root = 0; root < roots_; ++root) visit(root);
-    // starts with rings that visit() has not reached yet: no outer neighbour was found for them
+    // The following calls start at rings that visit() has not reached yet, because no outer neighbour was found for them.
     for (std::size_t i = roots_; i < rings_.size(); ++i) visit(i);
     return std::move(passes_);
   }
 
  private:
-  /// Visits the rings connected with `root`, depth first. It does not use recursion, because there may be thousands of levels.
+  /// Visits the rings that are connected with `root`, depth first. The function is not recursive, because there may be thousands of levels.
   void visit(std::size_t root) {
-    // current path in the tree: a ring, and the index of its inner ring to visit next
+    // The current path in the tree. Each entry is a ring and the index of its inner ring that is visited next.
     std::vector<std::pair<std::size_t, std::size_t>> way;
     const auto enter = [&](std::size_t ring) {
       if (seen_[ring]) return;

@@ -1,6 +1,6 @@
-// Rows: computes parallel passes (zigzag, comb), clipped by the boundary loops of a field. Two consecutive crossings of rows with a loop
-// are joined by a section of the boundary. Neighbouring rows whose ends are joined by such sections form a cell. A cell is cut without
-// lifting the tool: along a row, along the boundary, along the next row.
+// This file computes parallel passes (rows of the schemes zigzag and comb), clipped by the boundary loops of a field. A section of the
+// boundary joins two consecutive crossings of rows with a loop. Neighbouring rows whose ends are joined by such sections form a cell. A
+// cell is cut without lifting the tool: along a row, along the boundary, and along the next row.
 
 #include <algorithm>
 #include <cmath>
@@ -11,9 +11,10 @@
 namespace kadr::area {
 namespace {
 
-constexpr double nudge = 2e-5;  // mm: distance of the first and the last row from the border of the area, so that they cross the loops
+// Distance, mm, of the first and the last row from the border of the area. It makes these rows cross the loops.
+constexpr double nudge = 2e-5;
 
-/// A point where a row crosses a loop.
+/// A point at which a row crosses a loop.
 struct Crossing {
   double x = 0;
   std::size_t loop = 0, edge = 0;
@@ -21,13 +22,13 @@ struct Crossing {
   std::size_t next = 0;  // index of the next crossing along the loop
 };
 struct Span {
-  std::size_t left = 0, right = 0;  // indices of the crossings at the ends of the row
+  std::size_t left = 0, right = 0;  // indices of the crossings at both ends of the row
   std::size_t above = none, below = none;
   bool done = false;
   static constexpr std::size_t none = static_cast<std::size_t>(-1);
 };
 
-/// Appends an arc, divided into pieces along which y only rises or only falls.
+/// Appends an edge. An arc is divided into pieces along which y only rises or only falls.
 void add_monotone(Edges& loop, const Edge& e) {
   if (is_line(e)) {
     loop.push_back(e);
@@ -132,8 +133,8 @@ class Rows {
     }
   }
 
-  /// Links neighbouring rows. The zone is on the left of its loops, so a loop leads upwards at the right end of a row and downwards at the
-  /// left end.
+  /// Links neighbouring rows. The zone is on the left of its loops. A loop therefore leads upwards at the right end of a row, and downwards
+  /// at the left end of a row.
   void link_spans() {
     for (std::size_t r = 0; r + 1 < rows_.size(); ++r)
       for (const std::size_t low : rows_[r])
@@ -161,7 +162,8 @@ class Rows {
     return path;
   }
 
-  /// Returns the section of the boundary between the right (or left) ends of two neighbouring rows, traversed up or down.
+  /// Returns the section of the boundary between the right or the left ends of two neighbouring rows. The section is traversed upwards if
+  /// `up` is true, otherwise downwards.
   Edges side(std::size_t low, std::size_t high, bool right, bool up) const {
     Edges path = boundary(right ? spans_[low].right : spans_[high].left);
     return right == up ? path : reversed(path);
@@ -187,7 +189,7 @@ class Rows {
     return path.empty() || holds(field_, path);
   }
 
-  /// Returns the rows of the cell that contains the row `span`, from the lowest row up.
+  /// Returns all rows of the cell that contains the row `span`, from the lowest row to the highest.
   std::vector<std::size_t> cell_of(std::size_t span) {
     while (spans_[span].below != Span::none) span = spans_[span].below;
     std::vector<std::size_t> cell;
@@ -198,8 +200,8 @@ class Rows {
     return cell;
   }
 
-  /// Returns the back-and-forth path through a cell. If the rows are joined along the boundary, the boundary is cut at both ends of each
-  /// row.
+  /// Returns the path that cuts the rows of a cell back and forth. If the rows are joined along the boundary, the boundary is cut at both
+  /// ends of each row.
   Edges through(const std::vector<std::size_t>& cell, bool up, bool right) const {
     Edges path;
     for (std::size_t i = 0; i < cell.size() && !job_.watch.stop.asked(); ++i, right = !right) {
@@ -218,7 +220,7 @@ class Rows {
     return path;
   }
 
-  /// Returns the zigzag passes. After each cell comes the unfinished cell whose start is nearest to the tool.
+  /// Returns the zigzag passes. Of the cells that are not cut yet, the cell whose start is nearest to the tool is cut next.
   Passes zigzag_passes() {
     Passes passes;
     Vec2 here{job_.direction == Direction::ccw ? range_.most.x : range_.least.x, range_.least.y};
@@ -241,7 +243,8 @@ class Rows {
     }
   }
 
-  /// Returns the comb passes. In climb milling the uncut material is on the right, so rows run to the left and progress upwards.
+  /// Returns the comb passes. In climb milling the uncut material is on the right of the tool, so the tool cuts each row to the left, and
+  /// the rows follow each other upwards.
   Passes comb_passes() {
     const bool right = job_.direction == Direction::cw;
     Passes passes;
@@ -250,7 +253,7 @@ class Rows {
       const std::vector<std::size_t> cell = cell_of(s);
       for (std::size_t i = 0; i < cell.size() && !job_.watch.stop.asked(); ++i) {
         job_.watch.tell(Stage::passes, double(passes.size()) / double(spans_.size()));
-        Edges path;  // the tool goes down at the start of the previous row, where no material is left
+        Edges path;  // The tool moves down at the start of the previous row, where no material is left.
         if (i > 0 && follow_) path = side(cell[i - 1], cell[i], !right, true);
         else if (i > 0) path = {{begin_of(cell[i - 1], right), begin_of(cell[i], right)}};
         if (!holds_turned(path)) path.clear();

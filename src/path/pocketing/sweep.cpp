@@ -1,4 +1,4 @@
-// Sweep: computes the area that the tool cuts along its passes, also for many overlapping passes. Used by the other folders of path.
+// This file computes the area that the tool cuts along its passes; many passes may overlap. Used by the other folders of path.
 
 #include "path/pocketing/sweep.h"
 
@@ -8,7 +8,7 @@
 namespace kadr::area {
 namespace {
 
-constexpr std::size_t piece_corners = 32;  // lines with more corners are divided into pieces
+constexpr std::size_t piece_corners = 32;  // greatest number of corners of a line; longer lines are divided into pieces
 
 Polygons in_pieces(const Polygons& lines) {
   Polygons pieces;
@@ -42,7 +42,7 @@ class Sweep {
  private:
   double radius_, chord_;
   const Watch& watch_;
-  std::size_t count_, done_ = 0;  // number of pieces in total, and of those done
+  std::size_t count_, done_ = 0;  // number of all pieces, and number of the processed pieces
 };
 
 }  // namespace

@@ -1,4 +1,5 @@
-// Verification: checks a tool path from any source (also a program read back) against the zones. Used by cli/mill.
+// This file checks a tool path against the zones. The path may come from any source, for example from a program that was read back. Used by
+// cli/mill.
 
 #include "path/pocketing/verify.h"
 
@@ -12,8 +13,8 @@
 namespace kadr::area {
 namespace {
 
-constexpr double verified_chord = 10 * tol::area_chord;  // chord tolerance for the computation of areas; cusps are far larger
-// mm: Z levels this near count as equal, because the program rounds them to the digits of the Z word
+constexpr double verified_chord = 10 * tol::area_chord;  // chord tolerance, mm, for the computation of areas; cusps are far larger
+// Z levels whose difference is below this value, mm, count as equal, because the program rounds levels to the digits of the Z word.
 constexpr double same_level = tol::area_cusp;
 
 class Check {
@@ -50,13 +51,14 @@ class Check {
     Polygons left = job_.allowance > 0 ? less(area, swept(walls, job_.allowance, verified_chord)) : area;
     outcome_.out_of_reach += area_of(left) - area_of(area);
     Polygons wanted = reachable(area, open, walls);
-    for (const Field& field : fields_of(zone, job_)) wanted = joined(wanted, field.wanted);  // a slot as wide as the tool needs this
+    // The areas of the fields are added for a slot whose width is exactly the tool's diameter, which reachable() ignores.
+    for (const Field& field : fields_of(zone, job_)) wanted = joined(wanted, field.wanted);
     outcome_.out_of_reach = std::max(0.0, outcome_.out_of_reach - area_of(common(wanted, left)));
     wanted_ = joined(wanted_, wanted);
   }
 
-  /// Returns the part of the zone that a tool can cut, from inside the zone or from beyond its open sides, without coming too near to a
-  /// wall. The computation does not use the fields (Field), from which the path was computed, so it detects their errors. Passages wider
+  /// Returns the part of the zone that a tool can cut without coming too near to a wall, from inside the zone or from beyond its open
+  /// sides. The path was computed from the fields (Field). This computation does not use them, so it detects their errors. Passages wider
   /// than the tool by less than tol::area_wall are ignored.
   Polygons reachable(const Polygons& area, const Polygons& open, const Polygons& walls) const {
     const double off_walls = job_.radius + job_.allowance + tol::area_wall;
@@ -122,9 +124,9 @@ class Check {
   Outcome outcome_;
   std::vector<std::pair<Edge, Bounds>> walls_;
   Polygons allowed_, wanted_;
-  Room room_;  // the area allowed_, slightly enlarged
+  Room room_;  // the area allowed_, enlarged by tol::area_wall
   std::vector<double> levels_;
-  std::vector<Edges> cut_;  // paths cut, one entry per level
+  std::vector<Edges> cut_;  // the cut edges of the path, one list per level
 };
 
 }  // namespace

@@ -1,5 +1,5 @@
-// ChainSums: computes with running sums how far the path moves if all corners of a chain are rounded together. Used by
-// path/smooth/smooth_path; tested by tests/path/chain_sums_test.cpp.
+// ChainSums computes with running sums how far the path moves if all corners of a chain (gentle corners close together) are rounded
+// together. Used by path/smooth/smooth_path; tested by tests/path/chain_sums_test.cpp.
 
 #include "path/smooth/chain_sums.h"
 
@@ -12,13 +12,13 @@
 namespace kadr {
 namespace {
 
-constexpr double stretch = 16;  // mm: path length for which the sums are computed at once
+constexpr double stretch = 16;  // path length, mm, for which the sums are computed at once
 
 struct Pulse {
-  std::array<double, 5> node, kink;  // positions r_n of the nodes, changes of slope κ_n
+  std::array<double, 5> node, kink;  // The nodes of a pulse: `node` has the positions r_n, and `kink` has the changes of slope κ_n.
 };
 
-/// Returns the pulse k of a gentle corner by its nodes. The pulse is the acceleration of an axis that starts, as SoftCorner defines it,
+/// Returns the nodes of the pulse k of a gentle corner. The pulse is the acceleration of an axis that starts as SoftCorner defines it,
 /// reversed and mirrored, and scaled to the integral 1.
 const Pulse& gentle_pulse_nodes() {
   constexpr double equal = SoftCorner::equal_swings;
@@ -31,7 +31,7 @@ const Pulse& gentle_pulse_nodes() {
 
 }  // namespace
 
-/// Computes the sums for the path from s on, over all corners that affect this part of the path.
+/// Computes the sums for the path from the length s on. The sums include all corners that affect this part of the path.
 void ChainSums::reach(const Corners& corners, double s) {
   if (s >= from_ && s <= to_) return;
   constexpr double widest = SoftCorner::widest;
@@ -60,7 +60,7 @@ void ChainSums::reach(const Corners& corners, double s) {
   for (std::size_t& seen : seen_) seen = std::min(seen, at_.size() - 1);
 }
 
-/// Returns the sums over the corners up to the length y, including a corner exactly at y.
+/// Returns the sums over the corners up to the path length y. A corner exactly at y is included.
 const ChainSums::Sums* ChainSums::before(std::size_t node, double y) {
   std::size_t& seen = seen_[node];
   while (at_[seen] <= y) ++seen;
@@ -68,7 +68,7 @@ const ChainSums::Sums* ChainSums::before(std::size_t node, double y) {
   return &sums_[seen * groups_];
 }
 
-/// `Groups`: the number of groups as a compile-time constant, so that the sums stay in registers.
+/// `Groups` is the number of groups of axes as a compile-time constant, so that the sums stay in registers.
 template <std::size_t Groups>
 void ChainSums::add_ways(double at, double width, double* x) {
   const Pulse& pulse = gentle_pulse_nodes();

@@ -1,4 +1,4 @@
-// Compression: joins short straight feed motions into one (nct 4.7, N3103 Accuracy). Used by machine/virtual_machine; tested by
+// Compression joins short straight feed motions into one motion (nct 4.7, N3103 Accuracy). Used by machine/virtual_machine; tested by
 // tests/path/compression_test.cpp.
 
 #include "path/smooth/compression.h"
@@ -12,7 +12,7 @@
 namespace kadr {
 namespace {
 
-/// Returns the motion of an action if it may be joined with others, else nullptr.
+/// Returns the motion of an action if the motion may be joined with other motions; otherwise nullptr.
 const Motion* joinable(const Action& action) {
   const auto* const motion = motion_of(action);
   return motion != nullptr && motion->join > 0 && motion->kind == MotionKind::feed && !motion->detail ? motion : nullptr;
@@ -23,7 +23,7 @@ bool is_single_block_stop(const Action& action) {
   return stop != nullptr && stop->reason == StopReason::single_block;
 }
 
-/// Returns the longest travel of an axis.
+/// Returns the travel, mm or degrees, of the axis with the longest travel.
 double longest_way(const Axes& from, const Axes& to) {
   double way = 0;
   for (std::size_t i = 0; i < max_axes; ++i) way = std::max(way, std::fabs(to[i] - from[i]));
@@ -55,8 +55,8 @@ std::size_t Compression::take(ActionBatch& batch, const Axes& from, bool last) {
   return of_before_;
 }
 
-/// Extends the stored motion to the end of this motion; emits the joined motion if its travel is long enough or the axes must stop at its
-/// end.
+/// Extends the stored motion to the end of this motion. The joined motion is emitted if its travel is long enough or the axes must stop at
+/// its end.
 void Compression::join(Action& action) {
   auto& motion = std::get<Motion>(action.what);
   if (held_) motion.named |= std::get<Motion>(held_->what).named;

@@ -1,5 +1,5 @@
 // SmoothPath, the corners that are rounded singly: sharp corners, and corners near a stop. Where several roundings overlap, their
-// displacements add up; the roundings are then narrowed until no point of the path moves further than the tolerance.
+// displacements add up. The roundings are then narrowed until no point of the path moves farther than the tolerance.
 
 #include <algorithm>
 #include <array>
@@ -12,7 +12,7 @@
 
 namespace kadr {
 
-/// Returns how far the single roundings move the path at s, mm.
+/// Returns how far, mm, the single roundings move the path at the length s.
 double SmoothPath::moved(double s, std::size_t around) const {
   std::array<double, max_axes> sum{};
   add_single_ways(s, around, sum.data());
@@ -31,12 +31,12 @@ void SmoothPath::add_single_ways(double s, std::size_t around, double* x) const 
   });
 }
 
-/// Returns the greatest displacement of the path by the roundings on one side of a vertex, mm. The samples are as dense as the rounding of
-/// this vertex requires, up to the end of the rounding, or up to a neighbour that needs equally dense samples. From there to the middle of
-/// the next piece there are a few samples.
+/// Returns the greatest displacement of the path by the roundings on one side of a vertex, mm. Up to the end of the rounding, or up to a
+/// neighbour that needs equally dense samples, the samples are as dense as the rounding of this vertex requires. Between that position and
+/// the middle of the next piece there are only a few samples.
 double SmoothPath::moved_near_vertex(std::size_t vertex, int side) const {
-  constexpr int places = 6;   // samples between the vertex and the greatest deviation to the outside
-  constexpr int farther = 4;  // samples farther away from the vertex
+  constexpr int places = 6;   // number of samples between the vertex and the greatest deviation to the outside
+  constexpr int farther = 4;  // number of samples farther away from the vertex
   const double step = SoftCorner::of(turn_[vertex]).flank() * width_[vertex] / places, felt = (places + 1) * step;
   const std::size_t beside = side < 0 ? vertex - 1 : vertex;
   std::size_t next = side < 0 ? vertex - 1 : vertex + 1, piece = beside;
@@ -53,7 +53,7 @@ double SmoothPath::moved_near_vertex(std::size_t vertex, int side) const {
   return most;
 }
 
-/// Returns true if another single rounding overlaps this one.
+/// Returns true if another single rounding overlaps the rounding of this vertex.
 bool SmoothPath::overlaps(std::size_t vertex) const {
   bool any = false;
   corners_near(at_[vertex], vertex, width_[vertex] + reach_, [&](std::size_t k) {
@@ -62,11 +62,12 @@ bool SmoothPath::overlaps(std::size_t vertex) const {
   return any;
 }
 
-/// Returns the share of the tolerance that a single rounding may use: next to a chain, a part of the tolerance is left for the chain's
-/// rounding.
+/// Returns the fraction of the tolerance that a single rounding may use. Next to a chain of corners that are rounded together, a part of
+/// the tolerance is reserved for the rounding of these corners.
 double SmoothPath::share_alone(std::size_t vertex) const {
   constexpr double beside_chain = 0.8;
-  constexpr double faint = 0.02;  // share of the tolerance; corners that move the path by less even at the greatest width are ignored
+  // Fraction of the tolerance. Corners that move the path by less than this fraction, even at the greatest width, are ignored.
+  constexpr double faint = 0.02;
   bool any = false;
   corners_near(at_[vertex], vertex, width_[vertex] + widest, [&](std::size_t k) {
     any = any || (is_chained_[k] != 0 && widest * SoftCorner::of(turn_[k]).highest() * turn_[k] > faint * tolerance_[k]);
@@ -82,24 +83,28 @@ void SmoothPath::look_at_roundings(std::size_t first) {
   }
 }
 
-/// Narrows the roundings that move the path further than the tolerance. Returns false if there are none.
+/// Narrows the roundings that move the path farther than the tolerance. Returns false if no rounding was narrowed.
 bool SmoothPath::shrink(std::size_t first, std::size_t end) {
-  constexpr double rounding = 1e-9;  // relative tolerance for numerical errors, where several roundings together use exactly the tolerance
-  // share of the permitted displacement below which the widths are reduced in small steps, so that the most important roundings stay widest
+  // Relative tolerance for numerical errors. It is needed where several roundings together use exactly the tolerance.
+  constexpr double rounding = 1e-9;
+  // If the displacement exceeds the permitted displacement by less than this factor, the widths are reduced in small steps, so that the
+  // most important roundings stay widest.
   constexpr double far_off = 1.3;
-  constexpr double between = 0.99;  // share of the tolerance that is used; the rest is for the positions between the samples
-  constexpr double aim = 0.999;     // the widths are reduced until this share of the permitted displacement, so that the iteration ends
+  constexpr double between = 0.99;  // Fraction of the tolerance that is used. The rest is a reserve for the positions between the samples.
+  // The widths are reduced until the displacement is this fraction of the permitted displacement, so that the iteration ends.
+  constexpr double aim = 0.999;
   bool any = false;
   look_at_roundings(done_);
   factor_.assign(at_.size(), 1);
   for (const std::size_t i : marks_) {
     if (i < first || i >= end || is_chained_[i] != 0 || width_[i] == 0 || !overlaps(i))
-      continue;  // a rounding without overlap is already as wide as the tolerance allows
+      continue;  // A rounding without overlap is already as wide as the tolerance allows.
     const double most = std::max({moved(at_[i], i), moved_near_vertex(i, -1), moved_near_vertex(i, 1)}),
                  allowed = between * tolerance_[i] * share_alone(i);
     if (most <= allowed * (1 + rounding)) continue;
     any = true;
-    const double less = std::pow(aim * allowed / most, most > far_off * allowed ? 0.5 : 0.2);  // several corners share the reduction
+    // The exponent is small because several corners contribute to the reduction.
+    const double less = std::pow(aim * allowed / most, most > far_off * allowed ? 0.5 : 0.2);
     const double far = width_[i];
     corners_near(at_[i], i, 2 * reach_, [&](std::size_t k) {
       if (k >= done_ && std::fabs(at_[k] - at_[i]) < width_[k] + far) factor_[k] = std::min(factor_[k], less);
@@ -110,19 +115,21 @@ bool SmoothPath::shrink(std::size_t first, std::size_t end) {
   return any;
 }
 
-/// Returns the width that the tolerance allows if no other rounding overlaps.
+/// Returns the width, mm, that the tolerance allows if no other rounding overlaps.
 double SmoothPath::width_alone(std::size_t vertex) const {
-  constexpr double used = 0.9;  // share of the tolerance that is used on a curve; the rest is a reserve for the start and end of the curve
+  // Fraction of the tolerance that is used on a curve. The rest is a reserve for the start and the end of the curve.
+  constexpr double used = 0.9;
   const SoftCorner& shape = SoftCorner::of(turn_[vertex]);
   const double tolerance = tolerance_[vertex];
   if (!on_curve(vertex)) return tolerance / (shape.highest() * turn_[vertex]);
   const double length =
-      (length_[vertex - 1] + length_[vertex]) / 2;  // the chords of a circle are moved by curvature · w² · second_moment, with w the width
+      // The roundings move the chords of a circle by curvature · w² · second_moment, where w is the width.
+      (length_[vertex - 1] + length_[vertex]) / 2;
   return std::sqrt(used * tolerance * length / (shape.second_moment() * turn_[vertex]));
 }
 
 void SmoothPath::round_single_ones(std::size_t first, const StopToken& stop) {
-  constexpr int max_rounds = 200;  // bound of the iterations; overlapping roundings need ten to thirty
+  constexpr int max_rounds = 200;  // greatest number of iterations; overlapping roundings need ten to thirty
   for (const std::size_t i : marks_)
     if (i >= first && is_chained_[i] == 0) {
       width_[i] = turns_back(i) ? 0 : std::min({widest, room_[i], width_alone(i)});

@@ -1,4 +1,4 @@
-// SlowWidth: the width of the roundings of a chain along the path. Used by path/smooth/smooth_path; tested by
+// SlowWidth computes the width of the roundings of a chain of corners along the path. Used by path/smooth/smooth_path; tested by
 // tests/path/slow_width_test.cpp.
 
 #include "path/smooth/slow_width.h"
@@ -11,13 +11,13 @@
 namespace kadr {
 namespace {
 
-constexpr double part_length = 0.1;  // mm, length of an interval ("part") of the path
+constexpr double part_length = 0.1;  // length of an interval of the path, mm; the names `part` and `parts` refer to such intervals
 constexpr double slope = 0.15;       // greatest change of the width per path length, mm/mm
-constexpr double levelled = 0.5;     // window of the minimum and of the mean, to each side, as a share of the width
+constexpr double levelled = 0.5;     // Extent of the window for the minimum and the mean to each side, as a fraction of the width.
 constexpr double widest = SoftCorner::widest;
-// each pass of the filter extends the window by one interval
+// Number of filter passes. Each pass extends the window by one interval to both sides.
 constexpr int rounds = static_cast<int>(levelled * widest / part_length + 0.5);
-constexpr std::size_t reach = 2 * rounds + 4;  // extent of both filters together, in intervals
+constexpr std::size_t reach = 2 * rounds + 4;  // extent of both filters together, as a number of intervals
 
 }  // namespace
 
@@ -45,8 +45,9 @@ void SlowWidth::limit(double at, double width) {
   raw = std::min(raw, width);
 }
 
-/// Replaces the value of each interval by the minimum (or the mean) of the intervals within a share of the width around it. Each pass of
-/// the filter combines direct neighbours; an interval is changed in a number of passes proportional to its width.
+/// Replaces the value of each interval by the minimum or the mean of the intervals in the window around it. The extent of the window is a
+/// fraction of the width. Each pass of the filter combines direct neighbours, so the number of passes that change an interval is
+/// proportional to its width.
 void SlowWidth::level(std::vector<double>& parts, bool mean) {
   const std::size_t n = parts.size();
   next_ = parts;
@@ -84,7 +85,8 @@ void SlowWidth::forget(double before) {
 }
 
 WidthAt SlowWidth::at(double s) const {
-  const double place = std::max(0.0, s / part_length) + 0.5;  // the knots of the spline are in the middle of the intervals
+  // The knots of the spline are in the middle of the intervals, hence the addition of 0.5.
+  const double place = std::max(0.0, s / part_length) + 0.5;
   const auto knot = static_cast<std::size_t>(place);
   const double f = place - static_cast<double>(knot), g = 1 - f;
   const double* const w = width_.data() + std::min(knot - first_, width_.size() - 4);

@@ -1,5 +1,5 @@
-// SmoothPath: a path of straight pieces in the axes' space, its corners rounded within a tolerance (path/smooth/soft_corner). Used by
-// motion/least_time/planner; tested by tests/path/smooth_path_test.cpp.
+// SmoothPath is a path of straight pieces in the axes' space whose corners are rounded within a tolerance (path/smooth/soft_corner). Used
+// by motion/least_time/planner; tested by tests/path/smooth_path_test.cpp.
 
 #include "path/smooth/smooth_path.h"
 
@@ -14,9 +14,11 @@
 namespace kadr {
 namespace {
 
-constexpr double shortest = 1e-9;        // mm: a shorter piece has no meaningful direction
-constexpr double same_feed = 1e-6;       // relative difference of feeds that count as equal, because a feed is calculated as length / time
-constexpr double straight_bend = 1e-12;  // |Δu| below which two pieces count as collinear; covers rounding errors
+constexpr double shortest = 1e-9;  // Length in mm. A piece that is shorter has no meaningful direction, so it is ignored.
+// Relative difference of feeds that count as equal. Small differences occur because a feed is calculated as length / time.
+constexpr double same_feed = 1e-6;
+// The change of direction |Δu| below which two pieces count as collinear. The value allows for rounding errors.
+constexpr double straight_bend = 1e-12;
 
 }  // namespace
 
@@ -83,8 +85,8 @@ bool SmoothPath::is_one_line() const {
   return !length_.empty();
 }
 
-/// Converts the path length s to the length that slow_ uses, in which pieces longer than squeezed_to are shortened by leaving out their
-/// middle.
+/// Converts the path length s to the length that slow_ uses. In this length, pieces longer than squeezed_to are shortened: their middle is
+/// omitted.
 double SmoothPath::squeezed(double s, std::size_t piece) const {
   const double along = s - at_[piece], length = length_[piece];
   if (length <= squeezed_to) return squeezed_[piece] + along;
@@ -112,7 +114,7 @@ void SmoothPath::forget(double before) {
   for (std::size_t& mark : marks_) mark -= drop;
 }
 
-/// Returns the squared distance of a point from a piece, mm².
+/// Returns the squared distance, mm², of a point from a piece.
 double SmoothPath::squared_way_to(std::size_t piece, const double* x) const {
   const double* const start = point_.data() + piece * axes_;
   double along = 0, squares = 0;
@@ -125,7 +127,7 @@ double SmoothPath::squared_way_to(std::size_t piece, const double* x) const {
   return squares;
 }
 
-/// Returns the greatest tolerance of the corners whose roundings cover s.
+/// Returns the greatest tolerance, mm, of the corners whose roundings cover the path length s.
 double SmoothPath::tolerance_at(double s, std::size_t piece) const {
   const double chain = width_at(s, piece).w;
   double tolerance = 0;
@@ -140,7 +142,7 @@ double SmoothPath::beyond(double s, std::size_t piece, const double* x, double p
   if (least == 0) return 0;
   const double tolerance = part * tolerance_at(s, piece);
   if (tolerance == 0 || least <= tolerance * tolerance) return 0;
-  // search range to both sides of s; finds the nearest piece unless the path returns to the same position later
+  // Extent of the search to both sides of s, mm. The search finds the nearest piece, unless the path returns to the same position later.
   const double around = 4 * std::sqrt(least);
   for (std::size_t i = piece; i-- > 0 && s - at_[i + 1] < around;) least = std::min(least, squared_way_to(i, x));
   for (std::size_t i = piece + 1; i < pieces() && at_[i] - s < around; ++i) least = std::min(least, squared_way_to(i, x));

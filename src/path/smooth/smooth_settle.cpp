@@ -1,5 +1,5 @@
-// SmoothPath, the widths of its roundings: determines which corners are rounded together, and computes the widths in the chain of gentle
-// corners.
+// SmoothPath, the widths of its roundings. This file determines which corners are rounded together, and computes the widths in the chain of
+// gentle corners.
 
 #include <algorithm>
 #include <array>
@@ -12,22 +12,24 @@
 namespace kadr {
 namespace {
 
-constexpr double straight_on = 1e-12;  // |Δu| below which two pieces count as collinear; covers rounding errors
-constexpr double sharp = 0.3;          // |Δu| from which a corner is rounded singly
-// share of |Δu|: a corner and its neighbour form a chain if the neighbour has at least this share of the corner's |Δu|
+// The change of direction |Δu| below which two pieces count as collinear. The value allows for rounding errors.
+constexpr double straight_on = 1e-12;
+constexpr double sharp = 0.3;  // The change of direction |Δu| from which a corner is rounded singly.
+// A corner and its neighbour form a chain if the |Δu| of the neighbour is at least this fraction of the |Δu| of the corner.
 constexpr double alike = 0.1;
-constexpr double feed_alike = 1e-6;  // relative difference of feeds that count as equal, because a feed is calculated as length / time
-// share of the tolerance that the chain uses; the rest is for the positions between the samples
+// Relative difference of feeds that count as equal. Small differences occur because a feed is calculated as length / time.
+constexpr double feed_alike = 1e-6;
+// Fraction of the tolerance that the roundings of a chain of corners use. The rest is a reserve for the positions between the samples.
 constexpr double used_by_chain = 0.95;
-// mm: the width of a corner in the chain can be computed once the path is known this far beyond the corner
+// Distance in mm by which the path must be known beyond a corner of a chain before the width of this corner can be computed.
 constexpr double felt_ahead = 2.5 * SoftCorner::widest;
 
 }  // namespace
 
-/// Computes room_: for each vertex, the distance to the nearest other vertex at which the axes stop for an instant.
+/// Computes room_: for each vertex the distance, mm, to the nearest other vertex at which the axes stop for an instant.
 void SmoothPath::find_ends(std::size_t first, bool last) {
   const std::size_t vertices = at_.size();
-  double edge = 0;  // path length of the last stop, beyond which no rounding extends
+  double edge = 0;  // path length of the last stop, mm; no rounding extends beyond a stop
   for (std::size_t i = first; i-- > 0 && edge == 0 && at_[first] - at_[i] < widest;)
     if (turns_back(i)) edge = at_[i];
   for (std::size_t i = first; i + 1 < vertices; ++i) {
@@ -43,7 +45,7 @@ void SmoothPath::find_ends(std::size_t first, bool last) {
   if (first == 1) room_[0] = edge - at_[0];
 }
 
-/// Returns true for a gentle corner that is not near a stop and whose rounding extends over another corner of similar |Δu|.
+/// Returns true for a gentle corner that is not near a stop and whose rounding extends over another corner with a similar |Δu|.
 bool SmoothPath::makes_chain(std::size_t i) const {
   if (turn_[i] > sharp || room_[i] < widest) return false;
   const double reach = std::min(widest, width_alone(i));
@@ -78,7 +80,7 @@ void SmoothPath::settle(bool last, StopToken stop) {
   while (done_ < at_.size() && (last || at_[done_] < settled_ + widest)) ++done_;
 }
 
-/// Returns the squared displacement of the path at s, mm², if the chain's roundings have this width.
+/// Returns the squared displacement of the path, mm², at the path length s if the roundings of the chain of corners have the given width.
 double SmoothPath::square_moved(double s, std::size_t around, double width) {
   std::array<double, max_axes> sum{};
   sums_.move(chained(), s, width, sum.data());
@@ -88,10 +90,11 @@ double SmoothPath::square_moved(double s, std::size_t around, double width) {
   return squares;
 }
 
-/// Returns the greatest squared displacement at a vertex and at positions near it. The positions are chosen for this width. The search ends
-/// as soon as a squared displacement exceeds `most`.
+/// Returns the greatest squared displacement, mm², at a vertex and at positions near the vertex. The positions depend on the given width.
+/// The search ends as soon as a squared displacement exceeds `most`.
 double SmoothPath::square_near_vertex(std::size_t vertex, double width, double most) {
-  constexpr double flank = 0.65;  // distance of a single corner's greatest outward deviation, as a share of the width
+  // The distance of a single corner's greatest outward deviation from the corner, as a fraction of the width.
+  constexpr double flank = 0.65;
   const double s = at_[vertex], behind = length_[vertex], before = length_[vertex - 1];
   double square = square_moved(s, vertex, width);
   if (square <= most && behind > 0.25 * width) square = std::max(square, square_moved(s + behind / 2, vertex, width));
@@ -104,15 +107,16 @@ double SmoothPath::square_near_vertex(std::size_t vertex, double width, double m
   return square;
 }
 
-/// Returns the greatest width of the chain's roundings for which the path keeps the tolerance at a vertex. The search starts at `width`.
+/// Returns the greatest width, mm, of the roundings of a chain of corners at which the path keeps the tolerance at a vertex. The search
+/// starts at `width`.
 double SmoothPath::widest_in_chain(std::size_t vertex, double width) {
   constexpr double narrowest = 1e-4;  // least width of a rounding, mm
-  constexpr double enough = 0.98;     // the search ends at this share of the squared tolerance
+  constexpr double enough = 0.98;     // The search ends at this fraction of the squared tolerance.
   constexpr double max_growth = 1.19, least_growth = 1.002;
   const double allowed = used_by_chain * tolerance_[vertex], most = allowed * allowed;
   const auto towards = [&](double square) {
     return 0.997 * std::sqrt(std::sqrt(most / square));
-  };  // the displacement grows with the square of the width
+  };  // The displacement grows with the square of the width.
   double square = square_near_vertex(vertex, width, most);
   if (square > most) {
     while (square > most && width > narrowest) {
@@ -126,7 +130,8 @@ double SmoothPath::widest_in_chain(std::size_t vertex, double width) {
     square = square_near_vertex(vertex, wider, most);
     if (square > most) break;
     width = wider;
-    if (length_[vertex - 1] < 0.25 * width) break;  // the vertices are so close that the search at the next one continues from here
+    // The vertices are so close that the search at the next vertex continues from this width.
+    if (length_[vertex - 1] < 0.25 * width) break;
   }
   return width;
 }
@@ -141,8 +146,8 @@ void SmoothPath::open_widths() {
   slow_.close();
 }
 
-/// Rounds the corners of chains. First each corner is as wide as its tolerance allows; then the width is smoothed along the path; finally
-/// the width is reduced where the path still exceeds the tolerance.
+/// Rounds the corners of all chains (corners that are rounded together) in three steps. First each corner becomes as wide as its tolerance
+/// allows. Then the width is smoothed along the path. Finally the width is reduced where the path still exceeds the tolerance.
 void SmoothPath::round_chain(bool last, const StopToken& stop) {
   constexpr int max_rounds = 30;
   const double known = last ? at_.back() : at_.back() - felt_ahead;
@@ -157,11 +162,11 @@ void SmoothPath::round_chain(bool last, const StopToken& stop) {
     if (is_chained_[i] != 0) width_[i] = slow_.at(squeezed_[i]).w;
 }
 
-/// Returns how densely a piece is sampled, mm. The samples are as dense as the narrowest rounding on the piece requires. They are also so
-/// dense that between two samples the sharpest corner changes the displacement by only a small part of the tolerance.
+/// Returns the distance between the samples of a piece, mm. The samples are as dense as the narrowest rounding on the piece requires. They
+/// are also so dense that the sharpest corner changes the displacement between two samples by only a small fraction of the tolerance.
 SmoothPath::Looks SmoothPath::looks(std::size_t piece, double tolerance) const {
-  constexpr double in_chain = 4, alone = 24;  // samples per rounding width
-  constexpr double unseen = 0.02;             // greatest change of displacement between two samples, as a share of the tolerance
+  constexpr double in_chain = 4, alone = 24;  // number of samples per width of a rounding
+  constexpr double unseen = 0.02;             // greatest change of displacement between two samples, as a fraction of the tolerance
   constexpr double max_places = 96, beyond_it = 1.25;
   const double from = at_[piece], to = at_[piece + 1];
   const double width_before = width_at(from, piece).w, width_after = width_at(to, piece).w, narrower = std::min(width_before, width_after);
@@ -181,11 +186,14 @@ SmoothPath::Looks SmoothPath::looks(std::size_t piece, double tolerance) const {
   return looks;
 }
 
-/// Calls `look` at the positions of a piece just outside the rounding of a corner: there the tolerance of that corner no longer applies.
+/// Calls `look` at the positions of a piece just outside the rounding of a corner. The tolerance of this corner no longer applies at these
+/// positions.
 template <class Look>
 void SmoothPath::look_at_edges(std::size_t piece, const Look& look) const {
-  constexpr double just = 1e-6;  // distance of the positions from the end of the rounding, mm
-  constexpr int rounds = 4;      // number of iterations; few suffice, because the chain's width changes by at most 0.15 mm/mm
+  constexpr double just = 1e-6;  // distance of the sampled positions from the end of the rounding, mm
+  // Number of iterations. A few are sufficient, because the width of the roundings in a chain changes by at most 0.15 mm per mm of the
+  // path.
+  constexpr int rounds = 4;
   const double from = at_[piece], length = length_[piece];
   corners_near(from, piece, widest + length, [&](std::size_t i) {
     for (const double side : {-1.0, 1.0}) {
@@ -200,7 +208,7 @@ void SmoothPath::look_at_edges(std::size_t piece, const Look& look) const {
   });
 }
 
-/// Returns the greatest displacement of a piece by the roundings, as a share of the tolerance.
+/// Returns the greatest displacement of a piece by the roundings, as a fraction of the tolerance.
 double SmoothPath::farthest(std::size_t piece) {
   const double tolerance = std::max(tolerance_[piece], tolerance_[piece + 1]), length = length_[piece];
   if (tolerance == 0) return 0;
@@ -213,19 +221,21 @@ double SmoothPath::farthest(std::size_t piece) {
   if (length < 2 * looks.felt) {
     const auto parts = std::max(2.0, std::ceil(length / looks.step));
     for (double k = 0; k < parts; ++k) look(length * k / parts);
-  } else {  // a long piece is sampled near its ends only
+  } else {  // A long piece is sampled near its ends only, because no rounding moves its middle.
     for (double along = 0; along <= looks.felt; along += looks.step) look(along), look(length - along);
   }
   if (!has_one_tolerance_) look_at_edges(piece, look);
   return std::sqrt(most);
 }
 
-/// Narrows the unsettled roundings where a piece is moved too far. Later calls (`first_round` false) check only the pieces that the
-/// roundings narrowed in the previous call can affect.
-///   returns  false if nothing was narrowed
+/// Narrows the unsettled roundings that move a piece too far. Later calls (`first_round` false) check only the pieces that the roundings
+/// narrowed in the previous call can affect.
+///   returns  false if no rounding was narrowed
 bool SmoothPath::narrow(double known, bool first_round) {
-  constexpr double rounding = 1e-9;   // relative tolerance for numerical errors, where a single corner uses exactly its tolerance
-  constexpr double in_chain = 0.997;  // share of the tolerance that a chain may use; the rest is for the positions between the samples
+  // Relative tolerance for numerical errors. It is needed where a single corner uses exactly its tolerance.
+  constexpr double rounding = 1e-9;
+  // Fraction of the tolerance that a chain of corners may use. The rest is a reserve for the positions between the samples.
+  constexpr double in_chain = 0.997;
   const double felt = SlowWidth::felt() + 2 * widest;
   std::vector<std::size_t> last;
   last.swap(narrowed_);

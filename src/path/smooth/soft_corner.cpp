@@ -1,4 +1,4 @@
-// SoftCorner: the shape by which a corner of a path is rounded so that the third derivative of the path stays bounded. Used by
+// SoftCorner is the shape by which a corner of a path is rounded, so that the third derivative of the path stays bounded. Used by
 // motion/least_time/planner and path/smooth/smooth_path.
 
 #include "path/smooth/soft_corner.h"
@@ -9,21 +9,23 @@
 namespace kadr {
 namespace {
 
-// |Δu| from which a corner counts as sharp, about 29°; in the comparison programs the times for values from 0.3 to 1 differ by 1 %
+// The change of direction |Δu| from which a corner counts as sharp, about 29°. In the comparison programs the times for values from 0.3 to
+// 1 differ by 1 %.
 constexpr double sharp_from = 0.5;
 
-/// The position of an axis that starts from rest and first moves backwards: the third derivative is −1 up to t = 1, and +1 after that.
+/// Returns the position of an axis that starts from rest and moves backwards at first. The third derivative is −1 until t = 1, and +1 after
+/// this time.
 double start(double t) { return t <= 1 ? -t * t * t / 6 : -t * t * t / 6 + (t - 1) * (t - 1) * (t - 1) / 3; }
 double start_speed(double t) { return t <= 1 ? -t * t / 2 : -t * t / 2 + (t - 1) * (t - 1); }
 double start_acceleration(double t) { return t <= 1 ? -t : t - 2; }
 
 constexpr double equal = SoftCorner::equal_swings;
 
-/// The pulse of a gentle corner at the distance r, apart from a constant factor.
+/// Returns the pulse of a gentle corner at the distance r, without its constant factor.
 double gentle_pulse(double r) { return start_acceleration((1 - r) * equal); }
 
-/// The pulse of a sharp corner: one axis stops as in start() reversed while the other axis starts; s is the path length that both
-/// together have moved.
+/// Returns the pulse of a sharp corner at the distance r. One axis stops, as in start() reversed, while the other axis starts. The distance
+/// is the path length that both axes together have moved.
 double sharp_pulse(double r) {
   const auto gone = [](double t) { return start(equal + t) - start(equal - t); };
   double before = 0, behind = equal;
@@ -41,7 +43,7 @@ double sharp_pulse(double r) {
 SoftCorner::SoftCorner(bool sharp) {
   constexpr double h = 1.0 / pieces;
   for (int i = 0; i < pieces; ++i) k_[static_cast<std::size_t>(i)] = sharp ? sharp_pulse(i * h) : gentle_pulse(i * h);
-  double half = 0;  // half the integral of the pulse; the pulse is then scaled to the integral 1
+  double half = 0;  // Half of the integral of the pulse. The pulse is then scaled to the integral 1.
   for (std::size_t i = 0; i < pieces; ++i) half += h * (k_[i] + k_[i + 1]) / 2;
   for (double& k : k_) k *= 0.5 / half;
   for (std::size_t i = pieces; i-- > 0;) {
