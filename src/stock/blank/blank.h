@@ -1,5 +1,5 @@
 #pragma once
-// Blank: the material before the first cut. Lengths in mm, in the work system.
+// Blank: the material before the first cut. Lengths are in mm, in the work coordinates of the blank.
 
 #include <memory>
 #include <vector>
@@ -27,7 +27,7 @@ class Blank {
   /// is true, else the line enters the blank.
   virtual Vec3 normal(Vec3 at, int family, bool out) const = 0;
   virtual double volume() const = 0;
-  /// Returns the volume in mm³ inside a box. Blanks without a better method add up intervals of lines, with a relative error of some 1e-5.
+  /// Returns the volume in mm³ inside a box. Blanks without a better method add up intervals of lines, with a relative error of about 1e-5.
   virtual double volume_within(const Box3& box) const;
   /// True if solid bodies of the blank overlap; the blank is then their union.
   virtual bool overlaps() const { return false; }

@@ -1,7 +1,7 @@
 #pragma once
 // Interface between the program and kadr-bodies.so, the module that uses the library FCL to compute the distance between solid bodies
-// (modules/bodies.cpp). It is plain C, so neither side depends on the other's types. Lengths in mm. A pose is a 3 × 4 matrix, row by
-// row: a rotation matrix in the first three columns, the position in the last.
+// (modules/bodies.cpp). The interface is plain C, so neither the program nor the module depends on the other's types. Lengths are in mm. A
+// pose is a 3 × 4 matrix, row by row: a rotation matrix in the first three columns, the position in the last.
 
 #include <cstddef>
 #include <cstdint>

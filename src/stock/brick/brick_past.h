@@ -1,5 +1,5 @@
 #pragma once
-// BrickPast: the history of a brick, from which the brick can be restored as it was before any sweep.
+// BrickPast: the history of a brick, from which the state of the brick before any given sweep can be restored.
 
 #include <atomic>
 #include <cstddef>
@@ -11,7 +11,7 @@
 
 namespace kadr {
 
-/// The brick as it was after its first `cuts` cuts.
+/// State of a brick after the first `cuts` cuts.
 struct BrickCopy {
   std::size_t cuts;
   std::unique_ptr<Brick> brick;
@@ -19,7 +19,7 @@ struct BrickCopy {
 
 struct BrickPast {
   std::vector<std::int32_t> cuts;  // numbers of the sweeps that changed the brick, ascending
-  std::vector<BrickCopy> copies;   // in ascending order of `cuts`
+  std::vector<BrickCopy> copies;   // copies of the brick in ascending order of `cuts`
   bool was_full = false;           // true if the brick was full of material before the first cut
 
   /// Returns how many of the brick's cuts belong to the first `sweeps` sweeps of the stock.
@@ -32,10 +32,10 @@ struct BrickPast {
 struct Past {
   Past(std::size_t bricks, std::size_t max_bytes) : of_brick(bricks), most_copied(max_bytes) {}
 
-  /// Call it regularly: when the copies approach the memory limit, it doubles the number of cuts between two copies of a brick, and
-  /// deletes the copies in between.
+  /// Must be called regularly. When the copies approach the memory limit, this function doubles the number of cuts between two copies of a
+  /// brick, and deletes the copies in between.
   void make_room();
-  /// Records that a sweep cut a brick. Several threads may call it at once, since each brick is cut by one thread only.
+  /// Records that a sweep cut a brick. Several threads may call this function at once, since each brick is cut by one thread only.
   ///   after  the brick after the cut; nullptr if no material remains
   void add(std::size_t brick, std::int32_t sweep, const Brick* after);
   std::size_t bytes() const;
