@@ -70,7 +70,7 @@ class TiltedCutter : public Cutter {
   MarksOf<V> is_where_flat(const TiltedFamily<V>& all, const TiltedRow<V>& line, int family, const V& place) const;
   static void material_of_all(const BrickLines& lines, float* from, float* to);
   struct RowRange {
-    int first, last;  // indices of rows; `last` is the index after the last row
+    int first, last;  // indices of rows; `last` is one after the last row
   };
   static RowRange rows_of(const Reached& reached, int family, int square, int lane, const BrickScale& scale);
   FacesNear faces_near() const;
@@ -84,7 +84,7 @@ class TiltedCutter : public Cutter {
   Frustum around_;
   FacesNear near_;
   bool shifts_little_;
-  // Like around_, for squares of lines along Z; used if shifts_little_ is true; for a ball end, this cylinder encloses the shaft.
+  // like around_, for squares of lines along Z; for a ball end, it encloses the shaft; unused unless shifts_little_
   Frustum around_columns_;
   float widest_;   // greatest radius of the body in mm, with a margin for guess errors
   BallPath ball_;  // path of the ball, if the body has a ball end
@@ -188,8 +188,7 @@ KADR_IN_LANES TiltedCutter::Reached TiltedCutter::reached(const PathPast<V>& pas
   return r;
 }
 
-/// Returns the rows of lines, among the four rows of the row `square` of squares, in which the sweep may reach at least one of the eight
-/// lines from `lane` on.
+/// Returns the rows, among the four in the row `square` of squares, in which the sweep may reach a line, from the line `lane` on.
 inline TiltedCutter::RowRange TiltedCutter::rows_of(const Reached& r, int family, int square, int lane, const BrickScale& scale) {
   constexpr int wide = brick_edge / squares_along;
   const RowRange all{square * wide, square * wide + wide}, none{0, 0};
@@ -321,8 +320,7 @@ KADR_OWN_FUNCTION bool TiltedCutter::sweeps(const TiltedFamily<V>& all, int fami
   }
 }
 
-/// Does the same as sweeps(), for a cylinder. The poses at both ends of the path decide most lines; what the tool sweeps between these
-/// poses is computed only where the tool may reach more material.
+/// Does the same as sweeps() for a cylinder. Between the end poses, the cylinder is tested only where it may reach more material.
 template <class V>
 KADR_IN_LANES bool TiltedCutter::sweeps_cylinder(const TiltedFamily<V>& all, int family, TiltedRow<V>& line, const MarksOf<V>& near,
                                                  const Swept<V>& material, Swept<V>& swept) const {

@@ -5,7 +5,7 @@
 // then sweep two separate intervals of the line: the surface reaches the line from both ends, and never the part between. Near such a line
 // let d (mm) be the distance of the surface from the point at s (mm) on the line, when the tool is at the fraction t (0 to 1) of the path:
 //
-//   d = a + b t + (c + w t) s + k s² / 2 w: turn of the tool, radians; k: curvature of the surface along the line, 1/mm;
+//   d = a + b t + (c + w t) s + k s² / 2      w: turn of the tool, radians; k: curvature of the surface along the line, 1/mm;
 //                                             a, b, c: coefficients
 //
 // According to this formula, two intervals occur only if the tool meets the line in both end poses of the path, in two separate intervals.

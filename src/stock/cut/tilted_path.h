@@ -6,7 +6,7 @@
 // tool sweeps the point by a shift alone, without a turn. Each point has its own shift, so the poses at both ends of a part of the path are
 // exact up to rounding. The remaining error is the greatest distance of the curve from its chord:
 //
-//   bend = way · turn / 4 + reach · turn² / 8 way: length of the part, mm; turn: angle of the tool's turn in the part, radians;
+//   bend = way · turn / 4 + reach · turn² / 8      way: length of the part, mm; turn: angle of the tool's turn in the part, radians;
 //                                                  reach: greatest distance of the tool's points from its tip, mm
 
 #include <array>
@@ -57,8 +57,8 @@ struct ToolEnds {
   ToolAxes axes_first, axes_halfway, axes_last;
 };
 
-/// Returns a box around the volume that a body of a tool sweeps on a path with a small turn. low, high heights of the bottom and the top of
-/// the body above the tip, mm
+/// Returns a box around the volume that a body of a tool sweeps on a path with a small turn.
+///   low, high  heights of the bottom and the top of the body above the tip, mm
 Box3 box_around(const TiltedPath& way, double low, double high, double radius);
 
 /// Returns upper bounds for the distances by which a body extends around its tip, for all directions of the tool on the path.
