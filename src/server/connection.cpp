@@ -29,10 +29,8 @@ Connection::~Connection() { --*sessions_; }
 void Connection::accept(const PageRequest& request) {
   beast::get_lowest_layer(socket_).expires_never();
   beast::error_code ignored;
-  beast::get_lowest_layer(socket_).socket().set_option(boost::asio::ip::tcp::no_delay(true),
-                                                       // without this option a second answer would wait 40 ms for the acknowledgement of
-                                                       // the first
-                                                       ignored);
+  // Without the option no_delay, a second answer would wait 40 ms for the acknowledgement of the first answer.
+  beast::get_lowest_layer(socket_).socket().set_option(boost::asio::ip::tcp::no_delay(true), ignored);
   socket_.set_option(websocket::stream_base::timeout::suggested(beast::role_type::server));
   socket_.read_message_max(PageSession::max_message);
   socket_.auto_fragment(false);  // without this option, a long message would be sent in pieces of 4 KiB

@@ -12,9 +12,9 @@ namespace {
 
 constexpr double cells_along = 400, max_cells_along = 1600;
 constexpr double cells_in_tool = 4;
-constexpr double least_cell = 1e-3;  // mm
+constexpr double least_cell = 1e-3;  // mm: least edge length of a cell
 
-/// Rounds a number up to the next 1, 2.5 or 5 times a power of ten.
+/// Returns the number rounded up to the next 1, 2.5 or 5 times a power of ten.
 double round_up(double value) {
   const double power = std::pow(10.0, std::floor(std::log10(value)));
   for (const double step : {1.0, 2.5, 5.0})

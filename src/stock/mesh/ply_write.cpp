@@ -1,4 +1,4 @@
-// Writes binary PLY, which shows the deviation of the cut part from the wanted part. Used by session and cli.
+// Writes binary PLY, which shows the deviation of the cut part from the wanted part. Used by cli/cut_meshes.
 
 #include <bit>
 #include <string>

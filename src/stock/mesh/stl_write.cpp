@@ -1,4 +1,4 @@
-// Writes binary STL, for the export of the cut part. Used by session and cli.
+// Writes binary STL, for the export of the cut part. Used by cli/cut_meshes.
 
 #include <array>
 #include <bit>

@@ -1,4 +1,4 @@
-// Writes a 3MF model with one object, for the export of the cut part. Used by session and cli.
+// Writes a 3MF model with one object, for the export of the cut part. Used by cli/cut_meshes.
 
 #include <charconv>
 

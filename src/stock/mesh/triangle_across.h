@@ -27,6 +27,7 @@ struct TriangleRow {
 
   bool holds(double u) const { return left.u <= u && u < right.u; }
   /// Returns the position w of the segment at `u`.
+  ///   pre  holds(u)
   double place(double u) const { return left.w + (u - left.u) / (right.u - left.u) * (right.w - left.w); }
 };
 

@@ -9,7 +9,7 @@
 
 namespace kadr {
 
-/// A block of four triangles, stored so that the same coordinate of all four is contiguous.
+/// A block of four triangles. The same coordinate of all four triangles is stored contiguously, so that one vector can load it.
 struct FourTriangles {
   alignas(16) float corner[3][3][4];  // indices: corner, axis, triangle
 };
