@@ -29,8 +29,8 @@ TiltedOver::TiltedOver(const TiltedSweep& s, const TiltedBody& body, float edge)
   apart = 4 * over_allowed / turn;
   const bool faces = has_flat_face(s, body);
   const float bent = turn * turn / (8 * over_allowed);
-  // The sine of the angle along the rounded edge, measured from the lower face, gives the height; 0.01 mm is a margin for the error of an
-  // interval's end.
+  // The height follows from the sine of the angle along the corner radius, measured from the lower face; 0.01 mm is a margin for the error
+  // of an interval's end.
   const float sine = std::min(bent * (body.flat + body.corner), 1.f);
   edge_below = body.low() + body.corner * (1 - std::sqrt(1 - sine * sine)) + 0.01f;
   for (int d = 0; d < 3; ++d) {
