@@ -11,7 +11,7 @@ namespace kadr {
 struct ServedAddress {
   std::string host = "127.0.0.1";  // address that the server listens on; "0.0.0.0" means all addresses of the computer
   std::uint16_t port = 0;
-  /// True if other computers can reach this address.
+  /// Returns true if other computers can reach this address.
   bool is_open() const { return host != "127.0.0.1" && host != "::1" && host != "localhost"; }
 };
 

@@ -20,7 +20,7 @@ namespace http = beast::http;
 using tcp = asio::ip::tcp;
 using Response = http::response<http::string_body>;
 
-constexpr std::uint32_t max_header = 16 << 10, most_body = 1 << 10;  // greatest size of a request's header and of its body, bytes
+constexpr std::uint32_t max_header = 16 << 10, most_body = 1 << 10;  // greatest size in bytes of the header and of the body of a request
 constexpr auto until_asked = std::chrono::seconds(10), until_taken = std::chrono::seconds(60);
 constexpr int max_requests = 512;  // greatest number of open connections without a session; the server closes further connections
 

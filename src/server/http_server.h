@@ -24,7 +24,7 @@ class HttpServer {
   HttpServer(const HttpServer&) = delete;
   HttpServer& operator=(const HttpServer&) = delete;
 
-  /// The address that the server listens on, with the actual port.
+  /// Returns the address that the server listens on, with the actual port.
   const ServedAddress& address() const;
   /// Serves requests until stop() is called.
   void run();

@@ -21,7 +21,7 @@ struct BlockLoad {
   double volume = 0;
   // Mean values over at least two lattice cells of path; nullopt if the value is not reported.
   std::optional<double> rate;            // removal rate, mm³/s
-  std::optional<double> feed_per_tooth;  // mm
+  std::optional<double> feed_per_tooth;  // feed per tooth, mm
   std::optional<double> depth, width;    // depth and width of cut, mm
   std::optional<double> angle;           // angle of engagement, degrees
   Vec3 at;                               // position of the tip half way through the block, in the work coordinates of the blank

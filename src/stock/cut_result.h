@@ -24,7 +24,7 @@ struct CutFinding {
   double depth = 0;    // the shortest edge of the box around the removed material, mm
   double volume = 0;   // removed volume, mm³
   double at_time = 0;  // time in s since the start of the program
-  /// Only for AlarmId::machine: the names of the two bodies that met.
+  /// Names of the two bodies that met; set only for AlarmId::machine.
   std::array<std::string, 2> bodies{};
 };
 
@@ -47,7 +47,7 @@ struct PartDifference {
 struct PartResult {
   PartDifference left_on, gouged;
   double allow = 0;           // permitted depth of a gouge, mm
-  double allow_left = 1e300;  // permitted thickness of material left on, mm
+  double allow_left = 1e300;  // permitted thickness of material that is left on, mm
 
   bool is_gouged() const { return gouged.deepest > allow; }
   bool is_left_on() const { return left_on.deepest > allow_left; }
@@ -61,7 +61,7 @@ struct WindowResult {
 
 /// The numbers of triangles of a surface that was simplified before it was written to a file.
 struct SimplifiedResult {
-  std::size_t exact = 0, triangles = 0;  // number of triangles before and after simplification
+  std::size_t exact = 0, triangles = 0;  // numbers of triangles before and after simplification
   double off = 0;                        // greatest distance between the exact and the simplified surface, measured in both directions, mm
 };
 

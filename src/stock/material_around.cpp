@@ -9,7 +9,7 @@
 namespace kadr {
 namespace {
 
-constexpr double one_piece = 1e-4;  // mm: intervals of neighbouring bricks with a smaller gap count as one interval
+constexpr double one_piece = 1e-4;  // limit in mm: intervals of neighbouring bricks with a smaller gap count as one interval
 
 /// Returns the index, counted through all bricks, of the lattice line nearest to a position along the axis; nullopt if the position is more
 /// than one cell outside the lattice.

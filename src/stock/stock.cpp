@@ -12,9 +12,9 @@
 namespace kadr {
 namespace {
 
-constexpr double removed_unit = 1.0 / (1 << 20);  // mm: unit in which the removed lengths of lattice lines are counted as integers
+constexpr double removed_unit = 1.0 / (1 << 20);  // unit in mm; the removed lengths of lattice lines are counted as integers in this unit
 
-/// Number of sweeps after which the recorded history is reduced to its memory limit.
+/// Number of sweeps after which old copies in the recorded history are deleted, so that it stays within its memory limit.
 constexpr std::size_t between_room = 4096;
 
 double part_of_cell(double cell) { return cell / 50; }

@@ -41,7 +41,7 @@ struct Sweep {
   std::uint16_t tool = 0;  // number of the tool, as Stock::add_tool() returned it
   // True if removals by the cutting part must be reported too, because the motion is a rapid or the spindle does not turn.
   bool watched = false;
-  Vec3 from_direction{0, 0, 1}, to_direction{0, 0, 1};  // unit vectors from the tip into the tool
+  Vec3 from_direction{0, 0, 1}, to_direction{0, 0, 1};  // unit vectors from the tip into the tool, at the start and the end of the path
 };
 
 /// Directions of a tilted tool at the start and the end of a sweep, as unit vectors.
@@ -66,7 +66,7 @@ struct Touch {
   std::uint32_t sweep;
   ToolPart part;
   Box3 around;         // box around the removed material; for a turning tool x is the range of radii and y is 0
-  double volume;       // mm³
+  double volume;       // volume of the removed material, mm³
   bool rings = false;  // true if a turning tool removed the material
 };
 
@@ -107,7 +107,7 @@ class Stock {
   /// Returns true if a sweep of the last cut() removed an interval of at least least_piece() from a lattice line in any direction.
   bool cuts_anything(std::size_t sweep) const;
 
-  // ---- remaining stock
+  // ---- the remaining stock
   const Lattice& lattice() const { return lattice_; }
   const Blank& blank() const { return *blank_; }
   State state(std::size_t brick) const { return states_[brick]; }
@@ -164,14 +164,14 @@ class Stock {
   void fill_evenly(std::size_t i);
   void bin(std::size_t first, std::size_t last);
   void put_in_bin(std::size_t brick, std::size_t sweep);
-  // Functions for tilted tools: stock_tilted.cpp.
+  // Functions for tilted tools; stock_tilted.cpp defines them.
   double most_bend() const;
   void add_tilted(const Sweep& sweep);
   void bin_tilted(std::size_t sweep);
   TiltedSweepInBrick tilted_sweep_in_brick(std::size_t sweep, std::size_t brick) const;
   bool may_reach(std::size_t sweep, const TiltedSweepInBrick& here, float top) const;
   void cut_tilted(std::size_t sweep, std::size_t body, const TiltedSweepInBrick& here, Brick& material, CutOutcome& outcome) const;
-  // Functions for turning tools: stock_turned.cpp.
+  // Functions for turning tools; stock_turned.cpp defines them.
   void add_turned(const Sweep& sweep);
   void bin_turned(std::size_t sweep);
   bool turn(std::int32_t sweep, std::size_t brick, Brick& material, Worker* worker) const;

@@ -14,8 +14,8 @@ namespace kadr {
 namespace {
 
 constexpr double bend_of_cell = 1.0 / 100;
-constexpr double greatest_bend = 2.5e-3;  // mm: greatest permitted bend, see most_bend()
-// mm: accuracy of positions that upright tools cut, a little over twice the 2e-4 mm of the law in stock/cut/upright_rows.h and
+constexpr double greatest_bend = 2.5e-3;  // greatest permitted bend in mm; see most_bend()
+// Accuracy in mm of positions that upright tools cut: a little over twice the 2e-4 mm of the law in stock/cut/upright_rows.h and
 // level_rows.h.
 constexpr float upright_agree = 5e-4f;
 constexpr float tilted_agree_cell = 2e-3f;  // error that the bend and an estimated position may add, as a fraction of the cell size

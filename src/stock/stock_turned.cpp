@@ -10,7 +10,7 @@
 namespace kadr {
 namespace {
 
-constexpr double room = 1;  // mm: margin around everything that an insert can reach
+constexpr double room = 1;  // margin in mm around everything that an insert can reach
 
 InsertPoint point_of(const float (&at)[3]) { return {double(at[0]), double(at[2])}; }
 

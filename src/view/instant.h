@@ -51,7 +51,7 @@ class Instants {
   tl::expected<Session*, std::string> session(const StopToken& stop);
 
   const ProgramRun& run_;
-  std::unique_ptr<Session> session_;  // created at the first query
+  std::unique_ptr<Session> session_;  // the session that restores snapshots; it is opened at the first question
   std::uint32_t limit_ = 0;           // the session stops before the block with this number
   Origin held_;                       // the block before which the session has stopped
   double compensated_by_ = 0;         // radius by which the block's motions are compensated, mm

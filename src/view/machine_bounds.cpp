@@ -8,7 +8,8 @@
 namespace kadr {
 namespace {
 
-constexpr double unlimited = 1e299;  // mm; a limit beyond ±1e299 means an axis without limit, for which AxisProfile has ±1e300
+// Limit in mm or degrees: a value beyond ±1e299 means an axis without limit, for which AxisProfile has ±1e300.
+constexpr double unlimited = 1e299;
 
 std::optional<double> limit(double value) { return value > -unlimited && value < unlimited ? std::optional(value) : std::nullopt; }
 

@@ -46,7 +46,7 @@ class PartRun {
   static tl::expected<std::unique_ptr<PartRun>, std::string> make(const OpenedProgram& opened, const PartRequest& request,
                                                                   const StopToken& stop);
 
-  /// Called several times per second with the progress, from 0 to 1.
+  /// Receives the progress of the run, from 0 to 1, several times per second.
   std::function<void(double part)> on_progress;
   std::function<void(const CutFinding&, const AlarmReport&)> on_finding;
 

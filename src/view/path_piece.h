@@ -11,7 +11,7 @@
 
 namespace kadr {
 
-// mm: unit of the levels of detail. Level 0 omits no vertex; at level 1 the path may deviate by twice this unit (docs/panel-protocol.md).
+// Unit of the levels of detail in mm. Level 0 omits no vertex; at level 1 the path may deviate by twice this unit (docs/panel-protocol.md).
 inline constexpr double finest_level = 0.001;
 
 enum class PathKind : std::uint8_t { jump, rapid, feed, arc_cw, arc_ccw, probe, home, thread, spline };
@@ -19,13 +19,13 @@ enum class PathKind : std::uint8_t { jump, rapid, feed, arc_cw, arc_ccw, probe, 
 /// A vertex of the path. All values describe the motion that ends at the vertex.
 struct PathVertex {
   std::array<float, 3> at{};  // position in the coordinates of the picture, mm
-  float time = 0;             // time at which the tool reaches the vertex, s after ViewPiece::begins
+  float time = 0;             // time in s, after ViewPiece::begins, at which the tool reaches the vertex
   std::uint32_t line = 0;
-  std::uint32_t number = 0;  // number of the block: Origin::number
+  std::uint32_t number = 0;  // number of the block (Origin::number)
   float feed = 0;            // programmed feed, mm/min; 0 for a rapid
   float speed = 0;           // mean speed of the motion, mm/min
   std::uint16_t tool = 0;    // number of the tool in the spindle
-  std::uint16_t file = 0;    // file of the block: Origin::file
+  std::uint16_t file = 0;    // number of the file that contains the block (Origin::file)
   PathKind kind = PathKind::jump;
   std::uint8_t level = 0;
 

@@ -8,9 +8,9 @@ namespace kadr {
 namespace {
 
 constexpr double chord = 0.002;      // greatest distance in mm between a chord and the arc that the chord replaces
-constexpr double same_place = 1e-6;  // mm: points whose distance is smaller count as the same
+constexpr double same_place = 1e-6;  // limit in mm: points whose distance is smaller count as the same
 constexpr double seconds_a_minute = 60;
-constexpr double shortest_dwell = 1e-3;  // s; only a dwell of at least this time gets its own vertex
+constexpr double shortest_dwell = 1e-3;  // least time in s of a dwell that gets its own vertex
 
 PathKind kind_of(MotionKind kind) {
   switch (kind) {

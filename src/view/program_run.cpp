@@ -18,7 +18,7 @@ namespace {
 constexpr std::size_t max_marks = 10'000;
 // Greatest number of checkpoints. Each checkpoint needs some 600 KB, because it includes the batches that the control has executed ahead.
 constexpr std::size_t max_checkpoints = 48;
-constexpr double short_dwell = 0.05;  // s; a shorter dwell gets no mark on the time line
+constexpr double short_dwell = 0.05;  // time in s; a shorter dwell gets no mark on the time line
 
 }  // namespace
 

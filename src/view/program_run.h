@@ -23,7 +23,7 @@ struct TimeMark {
   Kind kind = Kind::tool;
   std::uint32_t line = 0;
   std::string text;        // text of the mark; may contain text of the program, so the page must escape it
-  std::uint16_t file = 0;  // file of the line: Origin::file
+  std::uint16_t file = 0;  // number of the file that contains the line (Origin::file)
 };
 
 /// A snapshot of the session, and the number of blocks that were executed before this snapshot.

@@ -17,7 +17,7 @@
 namespace kadr {
 namespace {
 
-constexpr double drill_angle = 118, chamfer_angle = 90;  // degrees; usual tip angles of drills and chamfer tools
+constexpr double drill_angle = 118, chamfer_angle = 90;  // usual tip angles of drills and chamfer tools, degrees
 
 std::string stem(const std::string& path) { return std::filesystem::path(path).stem().string(); }
 

@@ -341,7 +341,7 @@ tl::expected<FileDigest, ServedFolder::Refused> ServedFolder::save(const std::st
   if (!beside.is_open()) return tl::unexpected(Refused{of_errno(file, errno)});
   std::optional<struct stat> there(std::in_place);
   if (::fstatat(beside.fd(), last.c_str(), &*there, AT_SYMLINK_NOFOLLOW) != 0) there.reset();
-  if (!now && there) return tl::unexpected(Refused{refusal(file)});  // a link, a folder or a device has this name
+  if (!now && there) return tl::unexpected(Refused{refusal(file)});  // refused, because a link, a folder or a device has this name
   take_away_unfinished(beside, last);
   if (const int error = put_in_place(beside, last, text, now ? there : std::nullopt); error != 0)
     return tl::unexpected(Refused{of_errno(file, error)});

@@ -22,7 +22,7 @@ struct FolderEntry {
 };
 
 struct FolderList {
-  std::vector<FolderEntry> entries;  // folders first, then files, each sorted by name
+  std::vector<FolderEntry> entries;  // entries sorted by name: first the folders, then the files
   bool more = false;                 // true if the folder has more than max_entries entries
 };
 

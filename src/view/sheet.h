@@ -26,13 +26,13 @@ struct Sheet {
     std::string corrector;         // words of the offsets that the program uses with the tool, such as "D1 H1"
     struct Shared {
       std::string word;                  // the word of the offset, such as "H3"
-      std::vector<std::uint32_t> tools;  // numbers of the other tools that use the same offset
+      std::vector<std::uint32_t> tools;  // numbers of the other tools that use this offset
     };
     std::vector<Shared> shared;         // offsets of this tool that other tools use too
     double seconds = 0;                 // time in which the tool moves at feed, s
-    std::vector<std::uint32_t> lines;   // the first lines of the main program that call the tool
+    std::vector<std::uint32_t> lines;   // numbers of the first lines of the main program that call the tool
     std::vector<ProfilePoint> outline;  // outline of the tool; empty if the shape of the tool is unknown
-    std::string comment;                // the comment that names the tool
+    std::string comment;                // comment of the program that names the tool
   };
   struct Note {
     std::uint32_t line = 0;

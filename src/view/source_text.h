@@ -31,7 +31,7 @@ class SourceText {
   std::shared_ptr<ByteSource> source_;
   Encoding encoding_ = Encoding::utf8;
   std::uint32_t lines_ = 0;
-  std::vector<std::uint64_t> places_;  // byte offsets of the lines 1, 257, …
+  std::vector<std::uint64_t> places_;  // positions in bytes of the lines 1, 257, …
 };
 
 /// Converts a program to UTF-8 with line feeds between lines. If the source already has this form, returns the source itself.

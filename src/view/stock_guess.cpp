@@ -10,17 +10,17 @@
 namespace kadr {
 namespace {
 
-constexpr double level_height = 0.25;        // mm; the heights of the path are divided into levels of this height
+constexpr double level_height = 0.25;        // height of a level in mm; the heights of the path are divided into these levels
 constexpr std::size_t max_levels = 100'000;  // greatest number of levels; a path with more levels is not the path of a part
 constexpr double mostly = 0.1;               // greatest fraction of the sideways travel that may be above Z0, if Z0 is the top of the blank
-constexpr double above = 0.01;               // mm; heights that differ by less than this count as equal
+constexpr double above = 0.01;               // limit in mm: heights that differ by less than this count as equal
 // Margin as a fraction of the longest side, and the limits of this margin in mm.
 constexpr double margin_share = 0.05, least_margin = 1, max_margin = 5;
 constexpr std::size_t max_places = 1000;  // greatest number of positions that are checked one by one
 // Mm; a path that ends closer to a descent than this ends in the same hole.
 constexpr double same_hole = 0.5;
 constexpr double turned_face = 1;  // stock in mm on the face of the part, if turning begins at Z0
-constexpr double in_plane = 1e-3;  // mm; tolerance within which a path counts as in one plane
+constexpr double in_plane = 1e-3;  // tolerance in mm within which a path counts as in one plane
 
 bool at_feed(PathKind kind) {
   return kind == PathKind::feed || kind == PathKind::arc_cw || kind == PathKind::arc_ccw || kind == PathKind::thread ||

@@ -46,11 +46,11 @@ class StockGuess {
     Vec3 at;
     std::uint32_t tool = 0;
   };
-  using Boxes = std::map<std::uint32_t, Box3>;  // a box for each tool number
+  using Boxes = std::map<std::uint32_t, Box3>;  // one box for each tool; the key is the number of the tool
   /// The material that the program cuts if the blank has a certain top.
   struct Cut {
     Boxes boxes;
-    std::vector<Place> beside;  // positions where tools descend outside the blank
+    std::vector<Place> beside;  // positions of tools that descend outside the blank
   };
   static void widen(Boxes& boxes, const Place& place);
   void take_way(Place from, Place to);
@@ -63,7 +63,7 @@ class StockGuess {
   std::vector<Place> starts_, ends_;  // positions where sideways travel starts after a rapid, and where sideways travel ends before a rapid
   std::optional<Place> end_;          // end of the last sideways travel, until the next motion is known
   bool after_rapid_ = true;
-  std::map<int, Level> levels_;  // levels by the number of the level
+  std::map<int, Level> levels_;  // levels of the path; the key is the number of the level, counted from the height 0
 };
 
 }  // namespace kadr

@@ -13,7 +13,8 @@
 namespace kadr {
 namespace {
 
-// mm: intersections of a line with the mesh that are closer together count as one, because positions are rounded to single precision
+// Limit in mm: intersections of a line with the mesh that are closer together count as one, because positions are rounded to single
+// precision.
 constexpr double same_hit = 1e-3;
 constexpr int lines_to_overlap = 128;
 

@@ -8,7 +8,7 @@
 namespace kadr {
 namespace {
 
-constexpr double same_circle = 1e-9;  // mm: circles whose heights differ by less count as one
+constexpr double same_circle = 1e-9;  // limit in mm: circles whose heights differ by less count as one
 
 /// Appends the tangent lines that replace a quarter circle about (x, y) with the radius r, from the point below the centre to the point at
 /// the centre's height.

@@ -9,7 +9,7 @@
 namespace kadr {
 namespace {
 
-// mm: greatest error where straight lines replace the arcs of a rounded end; the body becomes larger, never smaller.
+// Greatest error in mm where straight lines replace the arcs of a rounded end; the body becomes larger, never smaller.
 constexpr double chord_of_round = 0.002;
 
 /// Returns the 3 × 4 matrix of a pose, row by row.

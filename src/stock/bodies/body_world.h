@@ -19,12 +19,12 @@ struct SolidBody {
   int number = 0;
   LinkPose lies;
   BodyBall ball;       // sphere that encloses the body, in the coordinates of the description
-  bool convex = true;  // false for a mesh, which may have any shape
+  bool convex = true;  // true if the body is convex; a mesh may have any shape, so it is not assumed to be convex
 };
 
 struct BodyGap {
-  double distance = 0;       // mm; negative if the two bodies overlap
-  Vec3 on_first, on_second;  // the closest points of the two bodies; unset if they overlap
+  double distance = 0;       // distance in mm; negative if the two bodies overlap
+  Vec3 on_first, on_second;  // the closest points of the two bodies, mm; not set if the bodies overlap
 };
 
 class BodyWorld {

@@ -14,14 +14,14 @@
 
 namespace kadr {
 
-/// mm: two bodies whose distance is smaller than this count as having met
+/// Limit in mm: two bodies whose distance is smaller than this count as having met.
 inline constexpr double bodies_meet = 0.01;
 
-/// The role of a body; pairs of some roles are not checked against each other.
+/// The role of a body. Pairs of bodies with certain roles are not checked against each other.
 enum class BodyKind : std::uint8_t {
-  machine,  // from the machine's file
+  machine,  // a body from the machine's file
   tool,     // a part of the tool, including its shank and holder
-  work,     // the blank or a fixture; whether the tool cuts into it is found by the cutting simulation
+  work,     // the blank or a fixture; the cutting simulation finds whether the tool cuts into this body
 };
 
 /// A collision of two bodies.
@@ -72,10 +72,10 @@ class MovingBodies {
   };
   struct Pair {
     std::size_t first, second;
-    std::size_t carrier;   // the last link from the bed that carries both bodies
-    double at_least = 0;   // lower bound of the distance between the two bodies at the present axis positions
+    std::size_t carrier;   // the last link, counted from the bed, that carries both bodies
+    double at_least = 0;   // lower bound in mm of the distance between the two bodies at the present axis positions
     bool touches = false;  // true if the two bodies have met and have not separated since
-    bool touched = false;  // value of `touches` before this motion
+    bool touched = false;  // value that `touches` had before this motion
     bool as_built = false, is_checked = false;
   };
   void choose();

@@ -12,7 +12,7 @@
 namespace kadr {
 
 inline constexpr int brick_edge = 16;
-inline constexpr int brick_lines = brick_edge * brick_edge;  // number of lines in a family
+inline constexpr int brick_lines = brick_edge * brick_edge;  // number of lattice lines in a family
 
 inline constexpr std::int32_t of_blank = -1;  // marks an end of an interval that is on the blank's surface, where no sweep has cut
 
@@ -38,7 +38,7 @@ struct Brick {
   // stays above a bound removes nothing there and is skipped.
   alignas(32) std::array<float, 16> top_of_square;
   float top = 0;
-  int cuts_since = 0;  // number of cuts since the bounds were last computed
+  int cuts_since = 0;  // number of cuts after which the bounds have not been computed again
 };
 
 /// Recomputes the height bounds `top_of_square` and `top`.

@@ -18,13 +18,13 @@ struct BrickCopy {
 };
 
 struct BrickPast {
-  std::vector<std::int32_t> cuts;  // numbers of the sweeps that changed the brick, ascending
+  std::vector<std::int32_t> cuts;  // numbers of the sweeps that changed the brick, in ascending order
   std::vector<BrickCopy> copies;   // copies of the brick in ascending order of `cuts`
   bool was_full = false;           // true if the brick was full of material before the first cut
 
   /// Returns how many of the brick's cuts belong to the first `sweeps` sweeps of the stock.
   std::size_t cuts_before(std::size_t sweeps) const;
-  /// Returns the latest copy that was made after at most `cuts_made` cuts of the brick; nullptr if there is none.
+  /// Returns the latest copy that was made after at most `cuts_made` cuts of the brick; nullptr if no copy was made so early.
   const BrickCopy* copy_before(std::size_t cuts_made) const;
 };
 
@@ -41,8 +41,8 @@ struct Past {
   std::size_t bytes() const;
 
   std::vector<BrickPast> of_brick;
-  std::size_t most_copied;             // memory limit for the copies, bytes
-  std::atomic<std::size_t> copied{0};  // memory of the copies, bytes
+  std::size_t most_copied;             // greatest memory for the copies of bricks, bytes
+  std::atomic<std::size_t> copied{0};  // memory that the copies of bricks need at present, bytes
   std::size_t apart = 32;              // number of cuts from one copy of a brick to the next
 };
 

@@ -13,7 +13,7 @@ namespace lanes {
 template <class V>
 struct Taken {
   V gone, depth, longest;
-  V tip;  // height of the tool's tip where the body is lowest over each of the eight lines
+  V tip;  // height of the tool's tip where the body is lowest over each of the eight lines, mm
 };
 }  // namespace lanes
 

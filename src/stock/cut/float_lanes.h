@@ -21,7 +21,7 @@ namespace kadr::lanes {
 
 inline constexpr int lane_count = 8;
 
-// ---- one vector of 32 bytes
+// ---- functions for one vector of 32 bytes
 
 using Wide = float __attribute__((vector_size(32), may_alias));
 // Result of a comparison: all bits of a lane are set if the comparison is true, else none.
@@ -42,7 +42,7 @@ KADR_IN_LANES Wide square_root(const Wide& v) {
               __builtin_sqrtf(v[4]), __builtin_sqrtf(v[5]), __builtin_sqrtf(v[6]), __builtin_sqrtf(v[7])};
 }
 
-// ---- two vectors of 16 bytes
+// ---- functions for two vectors of 16 bytes
 
 using Quad = float __attribute__((vector_size(16), may_alias));
 using QuadMarks = std::int32_t __attribute__((vector_size(16), may_alias));

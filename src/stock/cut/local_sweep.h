@@ -11,16 +11,16 @@ namespace kadr {
 
 /// Distances in mm by which a body of the tool extends around the tip.
 struct AroundTip {
-  double beside, below, above;  // `below` is negative if the whole body is above the tip
+  double beside, below, above;  // three distances; `below` is negative if the whole body is above the tip
 };
 
 /// A straight path of the tip. Lengths are in mm, from the brick's corner.
 struct LocalSweep {
-  float from[3];  // start of the path
+  float from[3];  // start of the path of the tip
   float way[3];   // unit vector of the path; {1, 0, 0} if the tool does not move
   float length;
   float rise;               // Z component of the whole path in mm
-  float per_upward;         // 1 / way[2], large for a level path
+  float per_upward;         // 1 / way[2]; a large number for a level path
   float flat_direction[2];  // XY components of `way`; both 0 for a vertical path
   float flat, per_flat;     // length of flat_direction, and the inverse of this length, which is finite even for a length of 0
   bool upright;

@@ -16,7 +16,7 @@ namespace kadr::lanes {
 template <class V>
 struct Slope {
   V value;            // positive if the body reaches farther at later positions on the path
-  MarksOf<V> smooth;  // the line meets the body at this position, so the slope is continuous there
+  MarksOf<V> smooth;  // true if the line meets the body at this position, so that the slope is continuous there
 };
 
 inline constexpr int steady_steps = 2, max_steps = 48;

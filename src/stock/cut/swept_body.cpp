@@ -9,7 +9,7 @@
 namespace kadr {
 namespace {
 
-/// mm: error that is accepted in the point where the tool leaves a line. It decides how accurate a position on the path must be.
+/// Accepted error in mm of the point where the tool leaves a line. This error decides how accurate a position on the path must be.
 constexpr double error_by_position = 4e-4;
 
 BodyEnd end_of(RoundSolid::Form form) {

@@ -14,11 +14,11 @@ enum class BodyEnd : std::uint8_t { flat, ball, cone, torus };
 struct SweptBody {
   BodyEnd end = BodyEnd::flat;
   bool turned = false;
-  float bottom = 0, end_top = 0, top = 0;  // mm: heights of the bottom and the top of the end; height of the top of the cylinder
-  float flat = 0, radius = 0;              // mm: radius of the flat face at the bottom; radius of the cylinder
-  float corner = 0;                        // mm: radius of the rounding of a ball or torus
+  float bottom = 0, end_top = 0, top = 0;  // heights in mm: bottom of the end, top of the end, top of the cylinder
+  float flat = 0, radius = 0;              // radii in mm: of the flat face at the bottom, and of the cylinder
+  float corner = 0;                        // radius of the rounding of a ball or torus, mm
   float widens = 0, stands = 0;            // for a cone: change of the radius in mm per mm of height; height in mm per mm of radius
-  float error_at_position = 0;             // mm: accepted error of a position on the path (sweep_search.h)
+  float error_at_position = 0;             // accepted error of a position on the path, mm (sweep_search.h)
 
   float tall() const { return end_top - bottom; }  // height of the end in mm
 };

@@ -34,7 +34,7 @@ struct BallTube {
     radius_square = way.radius * way.radius;
   }
 
-  float line[2], lane[2], row[2];           // position of the ball's centre, at the start and the end of the path
+  float line[2], lane[2], row[2];           // position of the ball's centre at the start and at the end of the path, mm
   float along_line, along_lane, along_row;  // unit vector of the path
   float length;                             // length of the path in mm
   // square: sine² of the angle between the path and the lines; per_square: 1 / square; per_line: 1 / along_line.

@@ -7,7 +7,7 @@
 namespace kadr {
 namespace {
 
-constexpr double tilted_position_error = 4e-5;  // mm: error in the result that an inaccurate position on the path may cause
+constexpr double tilted_position_error = 4e-5;  // error in mm of the result that an inaccurate position on the path may cause
 
 Frustum larger_frustum(Frustum f, float by) {
   const float tall = f.high - f.low, widens = tall > 0 ? (f.high_radius - f.low_radius) / tall : 0.f;

@@ -23,7 +23,7 @@ struct TiltedBody {
   Kind kind = Kind::cylinder;
   Frustum end, shaft;
   float flat = 0, corner = 0, middle = 0;
-  float error_at_position = 0;  // mm: accepted error of a position on the path, the same number as SweptBody::error_at_position
+  float error_at_position = 0;  // accepted error of a position on the path, mm; the same number as SweptBody::error_at_position
 
   float low() const { return kind == Kind::cylinder ? shaft.low : kind == Kind::cone ? end.low : middle - corner; }
   float high() const { return kind == Kind::cone && shaft.high <= shaft.low ? end.high : shaft.high; }

@@ -41,7 +41,7 @@ struct LineSet {
 struct TiltedCut {
   const TiltedSweep& sweep;
   const TiltedBody& body;
-  const LocalSweep& tip;          // path of the tip alone
+  const LocalSweep& tip;          // path of the tip of the tool alone
   const SweptBody& upright_body;  // the same body as `body`, for the case that the tool is upright
   const LineSet* only = nullptr;  // the lines to cut; nullptr: all lines
 };

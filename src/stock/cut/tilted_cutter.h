@@ -98,7 +98,7 @@ class TiltedCutter : public Cutter {
 void cut_tilted_pair(TiltedCutter& cutter);
 void cut_tilted_wide(TiltedCutter& cutter);
 
-/// mm: accepted error of an end of an interval. If the shift is that of a position with an error of x mm, the result has an error of x
+/// Accepted error in mm of an end of an interval. If the shift is that of a position with an error of x mm, the result has an error of x
 /// times the turn (radians).
 inline constexpr float accepted_error = 2.5e-4f;
 inline constexpr int quick_steps = 2, max_refined = 16;
@@ -366,7 +366,7 @@ KADR_OWN_FUNCTION void TiltedCutter::cut_family(const Reached& reached, const Pa
     material_of_all(lines, first, last);
   }
   const V none = spread<V>(0.f);
-  Taken<V> taken{none, none, none, spread<V>(missed)};  // the depth is not computed for a tilted tool
+  Taken<V> taken{none, none, none, spread<V>(missed)};  // for a tilted tool, the tip at the height `missed` gives the depth 0
   const TiltedFamily<V> all = lines_of<V>(family, past);
   [[maybe_unused]] const auto tube = [&] {
     if constexpr (kind == TiltedBody::Kind::ball) return BallTube(ball_, family);

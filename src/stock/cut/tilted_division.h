@@ -12,7 +12,7 @@
 
 namespace kadr {
 
-/// mm, greatest permitted bend. The bend is the greatest distance of the path of a material point, in the tool's coordinates, from the
+/// Greatest permitted bend in mm. The bend is the greatest distance of the path of a material point, in the tool's coordinates, from the
 /// chord of this path.
 inline constexpr double bend_in_brick = 9e-4;
 

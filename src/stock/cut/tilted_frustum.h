@@ -27,7 +27,7 @@ KADR_IN_LANES Vec3Of<V> plus(const Vec3Of<V>& a, const V& by, const Vec3Of<V>& b
 
 // sine² of an angle; a line that makes a smaller angle with an axis counts as parallel to the axis.
 inline constexpr float nearly_along = 1e-11f;
-inline constexpr float shortest_path = 1e-6f;  // mm; a tool on a shorter path counts as not moving
+inline constexpr float shortest_path = 1e-6f;  // limit in mm; on a shorter path, a tool counts as not moving
 
 /// Returns the value `v` moved away from 0 to at least `by`, so that the result can be a divisor.
 template <class V>
@@ -124,7 +124,7 @@ KADR_IN_LANES void clip_between(Swept<V>& s, const V& start, const V& max_value,
   s = {most(s.from, least(a, b)), least(s.to, most(a, b))};
 }
 
-inline constexpr float nearly_still = 1e-24f;  // mm²; a tool on a path with a smaller squared length counts as not moving
+inline constexpr float nearly_still = 1e-24f;  // limit in mm²; on a path with a smaller squared length, a tool counts as not moving
 
 /// Returns the interval of t in which the point (x, y) + t · (way_x, way_y) is inside a circle about the tool's axis. `square` is the
 /// squared length of `way`; if it is less than `none`, the point counts as fixed.
@@ -179,8 +179,8 @@ KADR_IN_LANES float widens(const Frustum& f) {
   return f.low_radius == f.high_radius ? 0.f : (f.high_radius - f.low_radius) / (f.high - f.low);
 }
 
-/// mm: numerical error of a flat face. A line in the face to within this error counts as inside the body, because the tool's turn may move
-/// the line out of the face exactly at this position.
+/// Numerical error of a flat face in mm. A line in the face to within this error counts as inside the body, because the tool's turn may
+/// move the line out of the face exactly at this position.
 inline constexpr float in_face = 2e-5f;
 
 template <class V>

@@ -22,7 +22,7 @@
 
 namespace kadr {
 
-/// mm: accepted error where the part of a line between two swept intervals is removed too
+/// Accepted error in mm where the part of a line between two swept intervals is removed too.
 inline constexpr float over_allowed = 2e-4f;
 
 /// The families of lines for which a cut must check whether the surface turns over lines. Usually the curvature k is so great that no check

@@ -39,7 +39,7 @@ KADR_IN_LANES Swept<V> in_shifted_ball(const TiltedLines<V>& l, TiltedPosition<V
   return either(ends, where(meets & l.past.moves & (tube.from <= tube.to), tube.from, tube.to));
 }
 
-// ---- rounded edges
+// ---- functions for rounded edges
 
 /// The section of the path on which the top of the body is not below a point of the line. The ends of the section depend on the point.
 template <class V>
@@ -48,7 +48,7 @@ struct UnderTop {
 };
 
 inline constexpr int max_newton = 24;
-inline constexpr float on_surface = 5e-5f;  // mm: a point whose distance from the surface is at most this counts as on the surface
+inline constexpr float on_surface = 5e-5f;  // limit in mm: a point whose distance from the surface is at most this counts as on the surface
 
 /// Vector from a cylinder inside the body to a point of the line, after the tool has moved `t` mm along its path. The cylinder has the
 /// radius `flat` and is above the height `middle`.

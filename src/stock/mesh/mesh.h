@@ -10,7 +10,7 @@ namespace kadr {
 
 /// A surface of triangles, in mm. Seen from outside the body, the corners of a triangle are in counter-clockwise order.
 struct Mesh {
-  std::vector<float> points;             // x, y, z of each point
+  std::vector<float> points;             // coordinates x, y, z of each point, mm
   std::vector<std::uint32_t> triangles;  // numbers of the three corner points of each triangle
 
   std::size_t point_count() const { return points.size() / 3; }

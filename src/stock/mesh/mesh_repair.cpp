@@ -27,9 +27,9 @@ std::string at_point(const Vec3& p) { return "X" + mm(p.x) + " Y" + mm(p.y) + " 
 struct Repair {
   Mesh mesh;
   const MeshRules& rules;
-  std::vector<std::uint32_t> numbers{};  // number of each triangle in the file
+  std::vector<std::uint32_t> numbers{};  // number that each triangle had in the file
   std::vector<std::string> notes{};
-  MeshEdges edges{};  // result of close()
+  MeshEdges edges{};  // faulty edges that remain after close()
 
   std::string bad_point_message() const;
   void close();

@@ -11,8 +11,8 @@ namespace kadr {
 
 struct MeshRules {
   std::size_t memory = std::size_t(1) << 30;  // greatest memory in bytes for everything that is needed to read a mesh
-  double weld = 0.005;                        // mm: points of open edges whose distance is less than this are merged
-  double reach = 100'000;                     // mm: greatest permitted distance of a point from the origin; no machine is larger
+  double weld = 0.005;                        // points of open edges are merged if their distance in mm is less than this
+  double reach = 100'000;                     // greatest permitted distance of a point from the origin, mm; no machine is larger
 };
 
 struct SolidMesh {

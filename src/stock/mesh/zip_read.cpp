@@ -40,7 +40,7 @@ std::size_t end_of_directory(std::string_view archive) {
 }
 
 struct Directory {
-  std::uint64_t count, first;  // number of files in the archive; position of its first directory entry
+  std::uint64_t count, first;  // number of files in the archive; position of the first entry of the directory
 };
 
 /// Finds the directory of the archive. The position of the directory is read from the ZIP64 record too, because some programs write

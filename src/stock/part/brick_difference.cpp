@@ -7,7 +7,7 @@
 namespace kadr {
 namespace {
 
-// mm: shorter segments are ignored, because both ends of a segment are accurate only to a micrometre.
+// Least length in mm of a segment; shorter segments are ignored, because both ends are accurate only to a micrometre.
 constexpr double least_stretch = 1e-3;
 
 /// Collects the intervals of material on a lattice line, in ascending order.

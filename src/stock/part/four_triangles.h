@@ -11,7 +11,7 @@ namespace kadr {
 
 /// A block of four triangles. The same coordinate of all four triangles is stored contiguously, so that one vector can load it.
 struct FourTriangles {
-  alignas(16) float corner[3][3][4];  // indices: corner, axis, triangle
+  alignas(16) float corner[3][3][4];  // indices: number of the corner, axis, number of the triangle
 };
 
 /// One triangle in a block of four; `lane` (0 to 3) is the number of the triangle in the block.

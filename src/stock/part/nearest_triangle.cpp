@@ -22,7 +22,7 @@ constexpr float nowhere = 1e30f;
 // Numerical error of the point, of the box and of their difference, as a fraction of the greatest coordinate.
 constexpr float rounding_of_places = 0x1p-21f;
 constexpr double more_than_rounding = 1 + 4e-6;  // factor for the error of a squared distance in single precision
-constexpr double hair_squared = 1e-18;           // mm²; added to a squared distance, so that a distance of 0 has a margin too
+constexpr double hair_squared = 1e-18;           // mm² added to a squared distance, so that a distance of 0 has a margin too
 constexpr std::size_t nodes_at_once = 1024;
 
 /// Returns a limit for squared distances of boxes, which have the error of single precision. A box beyond this limit contains no triangle
@@ -125,7 +125,7 @@ class NearestTriangle::Search {
   float limit_ = 0;
   std::uint32_t nearest_, began_ = 0;
   std::uint32_t asked_for_[3 + in_block];
-  int count_ = 0;  // number of triangles in asked_for_
+  int count_ = 0;  // number of triangles that wait in asked_for_
   int waiting_ = 0;
   Waiting stack_[128];  // the depth is at most 11, because 2³¹ triangles are divided by eight; at most seven nodes wait at each level
 };
@@ -207,7 +207,7 @@ inline void NearestTriangle::Search::open(const Node& node) {
   if (waiting < first + 2) return;
   int nearest = first;
   for (int i = first + 1; i < waiting; ++i) nearest = stack_[i].square < stack_[nearest].square ? i : nearest;
-  std::swap(stack_[nearest], stack_[waiting - 1]);  // puts the nearest child on top of the stack
+  std::swap(stack_[nearest], stack_[waiting - 1]);  // this puts the nearest child on top of the stack, so the search visits it first
 }
 
 void NearestTriangle::Search::all() {

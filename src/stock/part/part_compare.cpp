@@ -19,7 +19,7 @@ namespace kadr {
 namespace {
 
 constexpr std::size_t points_at_once = 1024;
-// mm: a segment counts as a numerical error, on a line along a wall, if all its points are closer to the part's surface than this
+// Limit in mm: a segment counts as a numerical error, on a line along a wall, if all its points are closer to the part's surface than this.
 constexpr double same_surface = 2e-3;
 constexpr double step_of_cell = 0.5;  // distance, in lattice cells, between the points of a segment at which the depth is measured
 // A surface point may be this many times deeper than nearby lines show, because a groove may lie between the lines.

@@ -13,14 +13,14 @@
 namespace kadr {
 
 struct PartOffence {
-  double volume = 0;              // mm³
+  double volume = 0;              // volume of the difference, mm³
   double deepest = 0;             // greatest distance of the difference from the surface of the wanted part, mm
   Vec3 at;                        // position of this greatest distance, mm
-  std::int32_t sweep = of_blank;  // number of the sweep that last cut next to `at`
+  std::int32_t sweep = of_blank;  // number of the sweep that last cut next to `at`; of_blank if no sweep did
 };
 
 struct PartComparison {
-  PartOffence left_on;           // material outside the wanted part
+  PartOffence left_on;           // material that was left outside the wanted part
   PartOffence gouged;            // regions of the wanted part without material: cut away, or missing because the blank is too small
   std::vector<float> deviation;  // for each point of the material's surface, in mm: positive outside the wanted part, negative inside
 };

@@ -35,7 +35,7 @@ class PartLines {
     int turn;
   };
   struct Family {
-    std::vector<std::size_t> first;  // index in `ranges` of the first segment of each line; one more element at the end
+    std::vector<std::size_t> first;  // index in `ranges` of the first segment of each line; the last element is the number of all segments
     std::vector<LineRange> ranges;
   };
   void find(const Mesh& solid, int family, std::size_t first, std::size_t last, std::vector<Hit>& hits) const;
@@ -43,7 +43,7 @@ class PartLines {
   std::size_t first_from(int axis, double place) const;
 
   double cell_;
-  std::array<std::vector<double>, 3> places_;  // coordinates of the lattice points along each axis
+  std::array<std::vector<double>, 3> places_;  // coordinates of the lattice points along each axis, mm
   std::array<Family, 3> families_;
 };
 

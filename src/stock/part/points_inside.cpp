@@ -29,7 +29,7 @@ struct HeldPoint {
 struct PointSquares {
   double least_x = 0, least_y = 0, most_x = 0, most_y = 0, per_mm = 0;
   std::size_t columns = 1, rows = 1;
-  std::vector<std::uint32_t> first;  // index in `points` of the first point of each square; one more element at the end
+  std::vector<std::uint32_t> first;  // index in `points` of the first point of each square; the last element is the number of all points
   std::vector<HeldPoint> points;
 
   explicit PointSquares(const std::vector<float>& places);

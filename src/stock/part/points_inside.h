@@ -1,5 +1,5 @@
 #pragma once
-// Finds out which of many points are inside a solid. Used by stock/part/part_compare.
+// Finds out which of many given points are inside a solid. Used by stock/part/part_compare.
 
 #include <cstdint>
 #include <vector>

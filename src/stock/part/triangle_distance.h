@@ -1,5 +1,5 @@
 #pragma once
-// Computes the distance of the origin from a triangle.
+// Computes the distance of the origin from a triangle. A caller gives the corners relative to the point whose distance is needed.
 
 #include <algorithm>
 

@@ -14,15 +14,15 @@ namespace {
 
 using Form = RoundSolid::Form;
 
-/// mm: if the distances of two faces from a point differ by less, it is unknown which face cut at this point. This limit is a little more
-/// than the 2e-4 mm in the law of stock/cut/upright_rows.h and level_rows.h.
+/// Limit in mm: if the distances of two faces from a point differ by less, it is unknown which face cut at this point. This limit is a
+/// little more than the 2e-4 mm in the law of stock/cut/upright_rows.h and level_rows.h.
 constexpr double same_spot = 3e-4;
 // Least component of a normal along the lattice line; if the component is less, the line lies in the face.
 constexpr double along_the_line = 0.01;
 constexpr int max_steps = 60;
-constexpr double same_part = 1e-6;  // mm: two positions on the path closer than this count as equal
+constexpr double same_part = 1e-6;  // limit in mm: two positions on the path closer than this count as equal
 constexpr double level = 1e-9;      // a slope of the distance along the path counts as 0 if it is below this fraction of the path length
-constexpr double on_axis = 1e-12;   // mm: a point closer to the tool's axis than this counts as on the axis
+constexpr double on_axis = 1e-12;   // limit in mm: a point closer to the tool's axis than this counts as on the axis
 
 /// A face of the tool near the point: its distance from the point, and its outward normal in the half plane of radius and height.
 struct Near {
@@ -31,7 +31,7 @@ struct Near {
 
 /// The position of the point relative to the tool, with the tool at a given fraction of the path.
 struct Seen {
-  double x, y, radius, height;  // from the tip, mm
+  double x, y, radius, height;  // position relative to the tip, mm
 };
 
 struct Way {

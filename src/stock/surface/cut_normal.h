@@ -21,7 +21,7 @@ namespace kadr {
 struct BodyFaces {
   struct Side {
     RoundSolid::Form form;
-    double radius, height;            // mm: a point of the face; for a ball or torus, the centre of the generating circle
+    double radius, height;            // a point of the face, mm; for a ball or torus, the centre of the generating circle
     double normal_radial, normal_up;  // components of the normal of a cylinder or cone
     double circle;                    // radius in mm of the generating circle of a ball or torus
   };

@@ -30,7 +30,7 @@ class Decimation {
  private:
   struct Around {
     std::uint32_t triangle;
-    Vec3 normal;  // unit vector; {} if the triangle has no area
+    Vec3 normal;  // unit normal; {} if the triangle has no area
   };
   struct Held {
     std::uint32_t point;
@@ -63,7 +63,7 @@ class Decimation {
   std::vector<std::uint8_t> waits_, touched_;
   std::vector<std::uint32_t> mark_;  // for each point: the number of the last query that visited it
   std::uint32_t question_ = 0;
-  // Data of the point that is being tried:
+  // ---- data of the point that a removal is tried for
   std::vector<Around> star_;
   std::vector<std::uint32_t> ring_;
   std::vector<Candidate> candidates_;

@@ -16,7 +16,7 @@ constexpr double shares_of_tolerance[] = {0.1, 0.35, 1};
 constexpr int max_rounds = 4;
 // Safety factor for the next tolerance, because the distance is only roughly proportional to the tolerance.
 constexpr double of_found = 0.8;
-constexpr double at_points = 1e9;  // mm: a step larger than any triangle, so that only vertices are measured
+constexpr double at_points = 1e9;  // step in mm that is larger than any triangle, so that only vertices are measured
 
 /// Memory in bytes per triangle of the lists of Decimation and of its mesh; later, of the search trees of both surfaces.
 constexpr double bytes_a_triangle = 180;

@@ -10,14 +10,14 @@
 namespace kadr {
 namespace {
 
-/// mm: if the distances of two faces from a point differ by less, it is unknown which face cut at this point.
+/// Limit in mm: if the distances of two faces from a point differ by less, it is unknown which face cut at this point.
 constexpr double same_face = 3e-4;
-constexpr double on_the_axis = 1e-12;  // mm: a point closer to the axis of the part than this counts as on the axis
+constexpr double on_the_axis = 1e-12;  // limit in mm: a point closer to the axis of the part than this counts as on the axis
 
 struct NearFace {
   double distance = 1e30;
   double square = -1;  // component of the normal along the lattice line, positive towards the side without material
-  Vec3 normal;         // outward from the material
+  Vec3 normal;         // unit vector that points outward from the material
 };
 
 double distance_from(const RingSweep::Edge& e, const InsertPoint& p) {

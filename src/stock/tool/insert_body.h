@@ -22,7 +22,7 @@ struct InsertCorner {
 struct InsertBody {
   ToolPart part;
   std::vector<InsertCorner> corners;
-  std::vector<InsertPoint> outward;  // unit vectors
+  std::vector<InsertPoint> outward;  // outward normals of the edges, unit vectors
 };
 
 /// Returns the outlines of the cutting part, of the insert beyond its cutting edges, and of the holder.

@@ -57,7 +57,7 @@ ToolShape holder_of(const ToolShape& tool);
 /// The distance of a point from a solid, and the direction in which this distance grows. The direction is in the half plane of radius and
 /// height above the tip.
 struct Away {
-  double distance = 0;  // mm; negative inside the solid
+  double distance = 0;  // distance in mm; negative inside the solid
   double radial = 0, axial = 0;
 };
 Away away_from(const RoundSolid& solid, double radius, double height);

@@ -10,7 +10,7 @@ namespace kadr {
 namespace {
 
 constexpr std::size_t max_differences = 1000;
-// mm: default and limits of the tolerance in a request.
+// Default and limits of the tolerance in a request, mm.
 constexpr double default_tolerance = 0.001, least_tolerance = 1e-5, greatest_tolerance = 10;
 
 PageJson spot_json(const CourseSpot& from, const CourseSpot& to) {

@@ -155,13 +155,14 @@ struct PageSession::Inside {
   std::set<std::string> opened_names;  // names of the files that this page has opened; the page may overwrite only these files
   OpeningRequest opened_request;
   std::unique_ptr<SourceText> source;
-  std::map<std::uint32_t, std::unique_ptr<SourceText>> called_sources;  // texts of the files with called subprograms, by Origin::file
+  // Texts of the files with called subprograms; the key is Origin::file.
+  std::map<std::uint32_t, std::unique_ptr<SourceText>> called_sources;
   std::unique_ptr<ProgramRun> run;
   std::unique_ptr<Instants> instants;
   StockGuess guess;
   std::unique_ptr<PartRun> part_run;  // nullptr if nothing has been cut yet
   std::uint64_t page = 0;             // number of this page in the hub; 0 if the page has not displayed a machine yet
-  std::mutex place_lock;              // protects hub_machine, which another thread uses for an emergency stop
+  std::mutex place_lock;              // mutex for hub_machine, which another thread uses for an emergency stop
   std::shared_ptr<PanelHub::HubMachine> hub_machine;
 };
 

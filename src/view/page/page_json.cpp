@@ -27,7 +27,7 @@ PageJson vec(Vec3 v) { return {v.x, v.y, v.z}; }
 /// Returns the box `exact` of the statistics if it is the same as the box `seen` in the picture; else returns `seen`. The box of the
 /// statistics is exact, but in coordinates of a work offset; the box in the picture contains chords instead of arcs.
 Box shown_box(const Box& exact, const Box& seen) {
-  constexpr double alike = 0.01;  // mm; greater than the error of the chords that replace arcs
+  constexpr double alike = 0.01;  // limit in mm; it is greater than the error of the chords that replace arcs
   const Vec3 least = exact.least - seen.least, most = exact.most - seen.most;
   const double off =
       std::max({std::fabs(least.x), std::fabs(least.y), std::fabs(least.z), std::fabs(most.x), std::fabs(most.y), std::fabs(most.z)});

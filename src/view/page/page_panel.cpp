@@ -179,7 +179,8 @@ tl::expected<PanelMachine*, Refusal> PageSession::Inside::held_machine() const {
 }
 
 PageSession::Inside::Answer PageSession::Inside::panel(const PageJson&) {
-  if (hub_machine && server.hub->find(hub_machine->name) != hub_machine) leave_machine();  // another page has switched the machine off
+  // Another page has switched the machine off, so this page no longer has a machine.
+  if (hub_machine && server.hub->find(hub_machine->name) != hub_machine) leave_machine();
   if (!hub_machine) return refused(translated(texts::panel_page::no_machine));
   const PanelState state = hub_machine->machine->state();
   PageJson json = panel_json(state, hub_machine->machine->axes(), lang);

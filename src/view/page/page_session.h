@@ -26,7 +26,7 @@ class PageLine {
   virtual bool frame(std::string bytes) = 0;
 };
 
-/// The program file that any page of the server has opened last.
+/// The name of the program file that a page of the server has opened last.
 class LastOpened {
  public:
   std::string get() const {

@@ -26,7 +26,7 @@ struct ReportPart {
   std::string frame;  // the surface of the stock as a frame of kind 3 (docs/panel-protocol.md)
   // Cell size of the stock in mm; greatest distance in mm of the reduced triangles from the exact surface of the stock.
   double cell = 0, off = 0;
-  std::string result;  // JSON text from cut_json()
+  std::string result;  // result of the cut as JSON text, from cut_json()
   struct Hit {
     CutFinding finding;
     AlarmReport report;

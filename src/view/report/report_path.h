@@ -11,17 +11,17 @@ namespace kadr {
 
 /// The units in which the numbers of a path are packed, as whole multiples.
 struct ReportQuanta {
-  double length = 0.001;  // mm
-  double time = 1e-4;     // s
-  double feed = 0.1;      // mm/min
+  double length = 0.001;  // unit of positions, mm
+  double time = 1e-4;     // unit of times, s
+  double feed = 0.1;      // unit of feeds and speeds, mm/min
   double direction = 1e-5;
   double position = 1e-4;  // unit of joint positions, degrees or mm
 };
 
 /// Defines which vertices are omitted: the vertices whose PathVertex::level, set by set_levels(), is less than the following levels.
 struct Thinning {
-  int inner = 0;  // level for a vertex whose next vertex belongs to the same block
-  int any = 0;    // level for every vertex
+  int inner = 0;  // least level of a vertex that is not omitted, if the next vertex belongs to the same block
+  int any = 0;    // least level of any vertex that is not omitted
   /// Returns the greatest distance in mm by which the path may deviate because of the omitted vertices.
   double off() const;
 };
