@@ -193,7 +193,8 @@ void HttpServer::run() {
     try {
       inside_->network.run();
       over = true;
-    } catch (const std::bad_alloc&) {  // memory is exhausted for one connection, which this exception has ended; the server continues
+      // Memory is exhausted; the exception has ended only the connection that needed it, and the server continues.
+    } catch (const std::bad_alloc&) {
     }
   }
 }

@@ -55,7 +55,7 @@ struct PartResult {
 
 /// The result of the second, finer cut inside a window.
 struct WindowResult {
-  double stock = 0, left = 0, error_bound = 0;  // volumes inside the window, mm³, as in CutResult
+  double stock = 0, left = 0, error_bound = 0;  // volumes inside the window, mm³, with the same meanings as in CutResult
   double cell = 0;                              // edge length of a lattice cell in the window, mm
 };
 

@@ -13,10 +13,8 @@ namespace kadr {
 struct RingOutcome {
   bool changed = false;
   double length = 0;  // removed length, summed over the lattice lines along Z, mm
+  float longest = 0;  // longest interval removed from a lattice line of any direction, mm
   // True if `radii` and `heights` are to be recorded. They exclude removed intervals thinner than `least_piece` mm; the thickness is
-  // measured along the radius for lines along X and Y, and along Z for lines along Z.
-  float longest = 0;
-  // True: `radii` and `heights` are recorded too. Removed intervals thinner than `least_piece` are left out of them; the thickness is
   // measured along the radius for lines along X and Y, and along Z for lines along Z.
   bool watched = false;
   double least_piece = 0;

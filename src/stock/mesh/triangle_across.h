@@ -26,7 +26,7 @@ struct TriangleRow {
   int turn;
 
   bool holds(double u) const { return left.u <= u && u < right.u; }
-  /// Returns the position w of the segment at `u`.
+  /// Returns the coordinate w of the segment at the coordinate `u`.
   ///   pre  holds(u)
   double place(double u) const { return left.w + (u - left.u) / (right.u - left.u) * (right.w - left.w); }
 };

@@ -17,7 +17,7 @@ struct ZipEntry {
   std::uint16_t method;
   std::uint32_t crc;
   std::uint64_t packed, unpacked;  // size of the packed and of the unpacked file in bytes, according to the directory
-  std::uint64_t local;             // position of the entry's local header
+  std::uint64_t local;             // position of the local header of this entry in the archive, bytes
 };
 
 /// Reads the directory of an archive.

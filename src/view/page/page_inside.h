@@ -58,37 +58,37 @@ struct PageSession::Inside {
   Answer answer(const std::string& what, const PageJson& question);
   Answer language(const PageJson& question);
   Answer nothing(const PageJson&) { return PageJson::object(); }
-  // ---- the answers in page_folder.cpp
+  // ---- requests that are answered in page_folder.cpp
   Answer hello(const PageJson& question);
   Answer files(const PageJson& question);
   Answer read(const PageJson& question);
   Answer save(const PageJson& question);
-  // ---- the answers in page_program.cpp
+  // ---- requests that are answered in page_program.cpp
   Answer open(const PageJson& question);
   Answer source_lines(const PageJson& question);
   Answer state(const PageJson& question);
   Answer passes(const PageJson& question);
-  // ---- the answers in page_check.cpp
+  // ---- requests that are answered in page_check.cpp
   Answer check(const PageJson& question);
   Answer explain(const PageJson& question);
-  // ---- the answers in page_part.cpp
+  // ---- requests that are answered in page_part.cpp
   Answer cut(const PageJson& question);
   Answer part(const PageJson& question);
   Answer proposals(const PageJson& question);
   void cut_part();
-  // ---- the answers in page_sheet.cpp
+  // ---- requests that are answered in page_sheet.cpp
   Answer sheet(const PageJson& question);
-  // ---- the answers in page_compare.cpp
+  // ---- requests that are answered in page_compare.cpp
   Answer compare(const PageJson& question);
-  // ---- the answers in page_making.cpp and page_tape.cpp
+  // ---- requests that are answered in page_making.cpp and page_tape.cpp
   Answer mill(const PageJson& question);
   Answer tape(const PageJson& question);
   Answer punch(const PageJson& question, std::optional<TapeCode> code) const;
   Answer read_punched(const std::string& file, std::optional<TapeCode> code) const;
-  // ---- the answers in page_conversion.cpp
+  // ---- requests that are answered in page_conversion.cpp
   Answer convert(const PageJson& question);
   Answer conversion_answer(const PageConversion& conversion, const Converted& made, const SourceText& text, const PageJson& question) const;
-  // ---- the answers in page_panel.cpp
+  // ---- requests that are answered in page_panel.cpp
   Answer machines(const PageJson& question);
   Answer machine(const PageJson& question);
   Answer panel(const PageJson& question);
@@ -104,12 +104,12 @@ struct PageSession::Inside {
   void note(const char* kind, const std::string& text, std::uint32_t line) const;
   std::string keep(const char* what, const std::string& text) const;
   tl::expected<std::shared_ptr<PanelHub::HubMachine>, Refusal> switch_on(const std::string& file, const PageJson& question);
-  // ---- the answers in page_tables.cpp
+  // ---- requests that are answered in page_tables.cpp
   Answer tables(const PageJson& question);
   Answer edit(const PageJson& question);
   Answer keep_tables(const PageJson& question);
   Answer shift(const PageJson& question);
-  // ---- the answers in page_restart.cpp
+  // ---- requests that are answered in page_restart.cpp
   Answer restart(const PageJson& question);
   Answer go_there(const PageJson& question);
   Answer lead(const PageJson& question);

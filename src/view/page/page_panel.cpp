@@ -148,7 +148,7 @@ PageSession::Inside::Answer PageSession::Inside::machine(const PageJson& questio
       {"stood", stood},      {"lasts", server.journal->lasts()}};
 }
 
-/// Adds an entry to the log of the machine.
+/// Adds an entry to the log of the machine that this page displays.
 void PageSession::Inside::note(const char* kind, const std::string& text, std::uint32_t at_line) const {
   (void)server.journal->log(hub_machine->name, log_entry(kind, text, at_line));
 }

@@ -132,7 +132,7 @@ tl::expected<ReportPath, std::string> report_path(const std::vector<DrawnPiece>&
     while (way + 1 < ways.size() && double(kept_by(pieces, ways[way])) * by_vertex > most_packed) ++way;
     return way;
   };
-  // too_long: one more than the index of the coarsest thinning whose result was too long.
+  // The variable too_long is the index of the coarsest thinning whose result was too long, plus 1; 0 if no result was too long.
   std::size_t way = way_for(first_guess), too_long = 0;
   std::optional<ReportPath> made;
   for (int tries = 0; tries < max_tries || !made; ++tries) {
