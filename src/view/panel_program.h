@@ -22,8 +22,8 @@ class PanelProgram {
   const OpenedProgram& opened() const { return opened_; }
   const std::string& setup_file() const { return request_.setup; }
 
-  /// Sets the text that is executed and searched from now on: the contents that the program file had when the program started. All functions
-  /// below may be called from any thread.
+  /// Sets the text that is executed and searched from now on: the contents that the program file had when the program started. All
+  /// functions below may be called from any thread.
   ///   bytes   contents of the file; nullptr: the file is too long or unreadable, and is read again each time
   ///   digest  identifies the contents of the file at that time; empty if the file is unreadable
   void take_text(std::shared_ptr<const std::string> bytes, std::string digest);
