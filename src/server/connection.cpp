@@ -12,9 +12,12 @@ namespace {
 namespace beast = boost::beast;
 namespace websocket = beast::websocket;
 
-constexpr std::size_t max_unsent = std::size_t{8} << 20;           // limit of the data that wait to be sent to the page, bytes
-constexpr std::size_t max_questions = 256;                         // number of requests that wait for their answers
-constexpr std::size_t max_question_bytes = std::size_t{48} << 20;  // total length of the waiting requests, bytes
+// Limit in bytes of the messages that wait to be sent to the page; at this limit an answer pauses.
+constexpr std::size_t max_unsent = std::size_t{8} << 20;
+// Greatest number of requests that may wait for an answer; one more closes the connection.
+constexpr std::size_t max_questions = 256;
+// Greatest total length of the waiting requests in bytes; more bytes close the connection.
+constexpr std::size_t max_question_bytes = std::size_t{48} << 20;
 
 }  // namespace
 
@@ -26,13 +29,11 @@ Connection::~Connection() { --*sessions_; }
 void Connection::accept(const PageRequest& request) {
   beast::get_lowest_layer(socket_).expires_never();
   beast::error_code ignored;
-  beast::get_lowest_layer(socket_).socket().set_option(boost::asio::ip::tcp::no_delay(true),
-                                                       // without this option a second answer would wait 40 ms for the acknowledgement of
-                                                       // the first
-                                                       ignored);
+  // Without the option no_delay, a second answer would wait 40 ms for the acknowledgement of the first answer.
+  beast::get_lowest_layer(socket_).socket().set_option(boost::asio::ip::tcp::no_delay(true), ignored);
   socket_.set_option(websocket::stream_base::timeout::suggested(beast::role_type::server));
   socket_.read_message_max(PageSession::max_message);
-  socket_.auto_fragment(false);  // otherwise a long frame would be sent in pieces of 4 KiB
+  socket_.auto_fragment(false);  // without this option, a long message would be sent in pieces of 4 KiB
   socket_.async_accept(request, [self = shared_from_this()](beast::error_code error) {
     if (error) return self->lost();
     if (!begin_alone([self] { self->answer_all(); })) return self->close(websocket::close_code::try_again_later);
@@ -47,7 +48,7 @@ void Connection::read() {
   });
 }
 
-/// Reads a message from the page. A request to stop takes effect at once, also for the requests that arrived earlier and are still waiting.
+/// Reads a message from the page. A request to stop takes effect at once; it also stops the earlier requests that still wait for an answer.
 void Connection::take_message() {
   std::string text = beast::buffers_to_string(buffer_.data());
   buffer_.consume(buffer_.size());
@@ -69,8 +70,8 @@ void Connection::take_message() {
   read();
 }
 
-/// The main function of the session's thread. This thread also destroys the session: freeing its memory takes time, and the network's
-/// thread must not wait for that.
+/// The main function of the thread that answers requests. This thread also destroys the session: freeing the session's memory takes time,
+/// and the network's thread must not wait.
 void Connection::answer_all() {
   while (answer_next()) {
   }
@@ -83,7 +84,7 @@ void Connection::answer_all() {
   ::malloc_trim(0);
 }
 
-/// Answers the next request. Returns false if no more requests are to be answered.
+/// Answers the next request. Returns false if the connection has ended or must be closed, so no more requests are answered.
 bool Connection::answer_next() {
   Question question;
   {
@@ -99,7 +100,7 @@ bool Connection::answer_next() {
   bool goes_on = false;
   try {
     goes_on = session_->take(question.text);
-  } catch (const std::exception&) {  // out of memory: only the session of this page ends
+  } catch (const std::exception&) {  // memory is exhausted: only the session of this page ends, not the server
   }
   if (!goes_on) boost::asio::post(socket_.get_executor(), [self = shared_from_this()] { self->close_when_sent(); });
   return goes_on;
@@ -123,7 +124,7 @@ void Connection::write_next() {
   {
     const std::lock_guard hold(lock_);
     if (over_ || out_.empty()) return;
-    out = &out_.front();  // the address of the element stays valid until the message is sent
+    out = &out_.front();  // the address stays valid, because this element is removed only after the message is sent
   }
   socket_.binary(out->binary);
   socket_.async_write(boost::asio::buffer(out->bytes), [self = shared_from_this()](beast::error_code error, std::size_t) {
@@ -142,7 +143,7 @@ void Connection::write_next() {
   });
 }
 
-/// Closes the connection after everything still pending has been sent to the page.
+/// Closes the connection after all pending messages have been sent to the page.
 void Connection::close_when_sent() {
   {
     const std::lock_guard hold(lock_);

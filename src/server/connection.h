@@ -20,13 +20,13 @@ using PageRequest = boost::beast::http::request<boost::beast::http::string_body>
 
 class Connection : public PageLine, public std::enable_shared_from_this<Connection> {
  public:
-  /// `sessions`: counter of the open sessions, which is decremented when this session ends. `page` must outlive this object.
+  /// `sessions`: counter of the open sessions, which is decremented when this object is destroyed. `page` must outlive this object.
   Connection(boost::beast::tcp_stream stream, const PageServer& page, std::shared_ptr<std::atomic<int>> sessions);
   ~Connection() override;
 
   void accept(const PageRequest& request);
 
-  // ---- these functions are called by the thread that answers requests
+  // ---- functions that are called by the thread that answers requests
   bool text(std::string message) override { return send({std::move(message), false}); }
   bool frame(std::string bytes) override { return send({std::move(bytes), true}); }
 
@@ -52,16 +52,16 @@ class Connection : public PageLine, public std::enable_shared_from_this<Connecti
   boost::beast::websocket::stream<boost::beast::tcp_stream> socket_;
   boost::beast::flat_buffer buffer_;
   std::shared_ptr<std::atomic<int>> sessions_;
-  std::mutex lock_;                       // protects all members below
-  std::unique_ptr<PageSession> session_;  // nullptr: the session has ended
+  std::mutex lock_;                       // mutex that protects all members below
+  std::unique_ptr<PageSession> session_;  // nullptr after the session has ended
   std::condition_variable news_;
   std::deque<Question> questions_;
   std::size_t question_bytes_ = 0;
-  std::deque<Outgoing> out_;  // messages to be sent; the first one is being written
-  std::size_t unsent_ = 0;    // bytes in out_
-  // A stop was requested: the present answer must end at once, without waiting until the page has received the output before it.
+  std::deque<Outgoing> out_;  // messages for the page in the order of sending; the first one is being sent
+  std::size_t unsent_ = 0;    // total length in bytes of the messages in out_
+  // True after a request to stop: the present answer ends at once, and does not wait until the page has received the earlier messages.
   bool hurries_ = false;
-  bool ends_ = false;  // the connection is to be closed when out_ is empty
+  bool ends_ = false;  // true if the connection closes as soon as out_ is empty
   bool over_ = false;
 };
 

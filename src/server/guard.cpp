@@ -1,4 +1,5 @@
-// Guard. Used by server/http_server; tested by tests/server/guard_test.cpp.
+// Checks the host name and the origin of requests, and creates random tokens. Used by server/http_server; tested by
+// tests/server/guard_test.cpp.
 
 #include "server/guard.h"
 

@@ -1,4 +1,4 @@
-// HttpServer. Used by cli/serve; tested by tests/serve.py.
+// Accepts connections and answers HTTP requests (HttpServer). Used by cli/serve; tested by tests/serve.py.
 
 #include "server/http_server.h"
 
@@ -20,9 +20,9 @@ namespace http = beast::http;
 using tcp = asio::ip::tcp;
 using Response = http::response<http::string_body>;
 
-constexpr std::uint32_t max_header = 16 << 10, most_body = 1 << 10;  // greatest size of a request's header and of its body, bytes
+constexpr std::uint32_t max_header = 16 << 10, most_body = 1 << 10;  // greatest size in bytes of the header and of the body of a request
 constexpr auto until_asked = std::chrono::seconds(10), until_taken = std::chrono::seconds(60);
-constexpr int max_requests = 512;  // greatest number of open connections that have no session yet
+constexpr int max_requests = 512;  // greatest number of open connections without a session; the server closes further connections
 
 constexpr const char* policy =
     "default-src 'none'; script-src 'self'; worker-src 'self'; style-src 'self' 'unsafe-inline'; img-src 'self' blob:; connect-src 'self'; "
@@ -89,7 +89,7 @@ struct HttpServer::Inside : std::enable_shared_from_this<Inside> {
 
 namespace {
 
-/// A connection, from its acceptance until it opens a session or ends.
+/// A connection, from its acceptance until a WebSocket session begins or the connection ends.
 class Request : public std::enable_shared_from_this<Request> {
  public:
   struct Shared {
@@ -160,7 +160,8 @@ void HttpServer::Inside::accept() {
     if (!error && self->requests < max_requests)
       std::make_shared<Request>(std::move(socket), Request::Shared{self->address, self->page, self->sessions, self->requests})->read();
     if (!error) return self->accept();
-    self->rest.expires_after(std::chrono::milliseconds(50));  // no file descriptors are left: accepts again a little later
+    // No file descriptor is free: the server accepts connections again after 50 ms.
+    self->rest.expires_after(std::chrono::milliseconds(50));
     self->rest.async_wait([self](beast::error_code stopped) {
       if (!stopped) self->accept();
     });
@@ -192,7 +193,8 @@ void HttpServer::run() {
     try {
       inside_->network.run();
       over = true;
-    } catch (const std::bad_alloc&) {  // out of memory for one connection, which has ended by this exception
+      // Memory is exhausted; the exception has ended only the connection that needed it, and the server continues.
+    } catch (const std::bad_alloc&) {
     }
   }
 }

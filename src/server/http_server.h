@@ -1,6 +1,6 @@
 #pragma once
-// HttpServer: the HTTP and WebSocket server of the page. It has one PageSession per connection, each with its own thread, and one thread
-// for the network.
+// HttpServer: the HTTP and WebSocket server of the page. Each connection has its own PageSession with its own thread; one more thread
+// serves the network.
 
 #include <cstdint>
 #include <functional>
@@ -18,17 +18,17 @@ class HttpServer {
   static constexpr int max_sessions = 32;
 
   /// Starts listening, on any free port if the port is 0. `page` must outlive the server.
-  ///   returns  an error sentence
+  ///   returns  the server, or a sentence that describes the error
   static tl::expected<std::unique_ptr<HttpServer>, std::string> listen(const ServedAddress& address, const PageServer& page);
   ~HttpServer();
   HttpServer(const HttpServer&) = delete;
   HttpServer& operator=(const HttpServer&) = delete;
 
-  /// The address that the server listens on, with the actual port.
+  /// Returns the address that the server listens on, with the actual port.
   const ServedAddress& address() const;
-  /// Serves until stop().
+  /// Serves requests until stop() is called.
   void run();
-  /// May be called from any thread.
+  /// Ends run(). May be called from any thread.
   void stop();
 
  private:

@@ -1,4 +1,4 @@
-// Content types of files. Used by server/http_server.
+// Determines the content type of a file by its name. Used by server/http_server.
 
 #include "server/page_files.h"
 

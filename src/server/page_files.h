@@ -7,11 +7,11 @@
 
 namespace kadr {
 
-/// Returns the embedded files. Their names are relative to the page's folder: "index.html". Empty if npm was missing when the program was
-/// built, since the program then has no page.
+/// Returns the embedded files. Their names are relative to the page's folder: "index.html". The list is empty if npm was missing when the
+/// program was built: such a program has no page.
 std::span<const EmbeddedFile> page_files();
 
-/// Returns the content type for a file name, by its ending.
+/// Returns the content type of a file, which depends on the ending of the file's name.
 std::string_view content_type(std::string_view name);
 
 }  // namespace kadr

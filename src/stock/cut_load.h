@@ -1,5 +1,5 @@
 #pragma once
-// Part of CutResult: what each block of the program removes, and the blocks in which the tool moves at feed through air. Lengths in mm,
+// Part of CutResult: what each block of the program removes, and the blocks in which the tool moves at feed through air. Lengths are in mm,
 // volumes in mm³, times in s. docs/stock.md defines each value and when it is reported.
 
 #include <cstdint>
@@ -10,31 +10,32 @@
 
 namespace kadr {
 
-/// A block that moves at feed, and what its feed motions removed.
+/// The cutting load of a block: what the feed motions of this block removed.
 struct BlockLoad {
   Origin origin;
-  std::string program;  // the program file that contains the block, if it is not the main program
+  std::string program;  // the program file that contains the block; empty if the block is in the main program
   std::uint32_t tool = 0;
   double begins = 0;
-  double seconds = 0;  // time at feed
-  double length = 0;   // length of the path
+  double seconds = 0;  // time at feed, s
+  double length = 0;   // length of the path at feed, mm
   double volume = 0;
-  // Mean values. They are computed over at least two lattice cells of path; nullopt if the value is not reported.
+  // Mean values over at least two lattice cells of path; nullopt if the value is not reported.
   std::optional<double> rate;            // removal rate, mm³/s
-  std::optional<double> feed_per_tooth;  // mm
-  std::optional<double> depth, width;    // depth and width of cut
+  std::optional<double> feed_per_tooth;  // feed per tooth, mm
+  std::optional<double> depth, width;    // depth and width of cut, mm
   std::optional<double> angle;           // angle of engagement, degrees
-  Vec3 at;                               // position of the tip half way through the block, in the work system of the blank
+  Vec3 at;                               // position of the tip half way through the block, in the work coordinates of the blank
 };
 
 /// A block of the program in which the tool feeds through air.
 struct AirCut {
   Origin origin;
   std::string program;
-  std::uint32_t tool = 0;  // number of the tool when the block first runs
-  double seconds = 0;      // time in which nothing is removed, summed over all executions of the block
+  std::uint32_t tool = 0;  // number of the tool at the first execution of the block
+  double seconds = 0;      // time in s in which the block removes nothing, summed over all executions of the block
 };
 
-inline constexpr std::size_t max_reported = 10;  // greatest number of blocks in each of the two lists: heaviest and emptiest
+// Greatest number of blocks in each of the two lists, CutResult::heaviest and CutResult::emptiest.
+inline constexpr std::size_t max_reported = 10;
 
 }  // namespace kadr

@@ -1,5 +1,5 @@
 #pragma once
-// KeptSweeps: stores all sweeps of a stock in order of time. A sweep that starts where the previous sweep ends takes 12 bytes.
+// KeptSweeps: stores all sweeps of a stock in order of time. A sweep that starts where the previous sweep ends needs only 12 bytes.
 
 #include <array>
 #include <cstdint>
@@ -11,19 +11,19 @@
 
 namespace kadr {
 
-/// Coordinates are relative to the lattice's corner, so that single precision resolves some nanometres. For a turning tool, x is
-/// measured from the axis of the part.
+/// A stored sweep. Coordinates in mm are relative to the lattice's corner, so that single precision resolves some nanometres. For a turning
+/// tool, x is measured from the axis of the part.
 struct KeptSweep {
   float from[3], to[3];
   std::uint16_t tool;
   bool watched;
-  bool leans;  // the tool is tilted: Stock::tilted_ends() returns its directions
+  bool leans;  // true if the tool is tilted: Stock::tilted_ends() returns the directions of the tool
 };
 
 class KeptSweeps {
  public:
   std::size_t size() const { return size_; }
-  /// Can be called by several threads at once as long as no thread adds a sweep.
+  /// May be called by several threads at once as long as no thread adds a sweep.
   KeptSweep operator[](std::size_t i) const;
   /// Calls visit(number, sweep) for the sweeps `first` to `last` - 1.
   template <class Visit>
@@ -37,7 +37,7 @@ class KeptSweeps {
   struct Place {
     float at[3];
   };
-  /// Consecutive sweeps with the same tool and flags, each of which starts where the previous one ends.
+  /// Consecutive sweeps with the same tool and flags. Each sweep starts where the previous sweep ends, so only the end points are stored.
   struct Run {
     std::uint32_t first;
     Place from;
@@ -46,7 +46,7 @@ class KeptSweeps {
   };
   struct Page {
     static constexpr std::size_t places = 1024;
-    std::uint32_t run;  // number of the Run that contains the page's first sweep
+    std::uint32_t run;  // number of the Run that contains the first sweep of this page
     std::array<Place, places> to;
   };
   const Place& to(std::size_t i) const { return pages_[i / Page::places]->to[i % Page::places]; }
@@ -55,7 +55,7 @@ class KeptSweeps {
 
   std::size_t size_ = 0;
   std::vector<std::unique_ptr<Page>> pages_;
-  std::deque<Run> runs_;  // in ascending order of `first`
+  std::deque<Run> runs_;  // runs in ascending order of `first`
 };
 
 template <class Visit>

@@ -9,10 +9,10 @@
 namespace kadr {
 namespace {
 
-constexpr double one_piece = 1e-4;  // mm: intervals of neighbouring bricks that are closer than this are one interval
+constexpr double one_piece = 1e-4;  // limit in mm: intervals of neighbouring bricks with a smaller gap count as one interval
 
-/// Returns the index, counted through all bricks, of the lattice line nearest to a position along the axis; nullopt if the position is
-/// more than a cell outside the lattice.
+/// Returns the index, counted through all bricks, of the lattice line nearest to a position along the axis; nullopt if the position is more
+/// than one cell outside the lattice.
 std::optional<int> nearest_line(const Lattice& lattice, double from_corner, int axis) {
   const int lines = lattice.bricks(axis) * brick_edge, nearest = int(std::floor(from_corner / lattice.cell()));
   if (nearest < -1 || nearest > lines) return std::nullopt;

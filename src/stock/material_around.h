@@ -1,5 +1,5 @@
 #pragma once
-// Measures the material of a spinning part near a given point: the radii between which there is material.
+// Measures the material of a spinning part near a given point: finds the radii between which there is material.
 
 #include <optional>
 
@@ -12,8 +12,8 @@ struct RadiusRange {
   double inner, outer;
 };
 
-/// Returns the radii of the connected material that contains `radius` at the height `z`, measured on the X+ side of the part, on the
-/// lattice line along X that passes nearest to the axis. Returns nullopt if there is no material at `radius`.
+/// Returns the inner and outer radius of the connected material that contains `radius` at the height `z`. The material is measured on the
+/// X+ side of the part, on the lattice line along X that passes nearest to the axis. Returns nullopt if there is no material at `radius`.
 std::optional<RadiusRange> material_around(const Stock& stock, double radius, double z);
 
 }  // namespace kadr

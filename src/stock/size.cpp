@@ -12,9 +12,9 @@ namespace {
 
 constexpr double cells_along = 400, max_cells_along = 1600;
 constexpr double cells_in_tool = 4;
-constexpr double least_cell = 1e-3;  // mm
+constexpr double least_cell = 1e-3;  // least edge length of a cell, mm
 
-/// Rounds a number up to the next 1, 2.5 or 5 times a power of ten.
+/// Returns the number rounded up to the next 1, 2.5 or 5 times a power of ten.
 double round_up(double value) {
   const double power = std::pow(10.0, std::floor(std::log10(value)));
   for (const double step : {1.0, 2.5, 5.0})
@@ -27,7 +27,7 @@ double round_up(double value) {
 double bytes_of_bricks(const Box3& box, double cell) {
   double count = 1;
   for (int d = 0; d < 3; ++d) count *= std::ceil(((along(box.most, d) - along(box.least, d)) / cell + 4) / brick_edge);
-  return count * double(sizeof(Brick) + 64);  // 64 bytes for the brick's entries in the tables of the stock
+  return count * double(sizeof(Brick) + 64);  // each brick needs 64 bytes more for its entries in the tables of the stock
 }
 
 double cell_for(const Box3& box, double max_bytes, double finest) {

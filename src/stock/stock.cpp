@@ -1,4 +1,4 @@
-// Fills bricks with material from the blank, lists the sweeps for each brick, and cuts bricks in parallel.
+// Fills bricks with material from the blank, lists the sweeps for each brick, and cuts bricks in parallel (class Stock).
 
 #include "stock/stock.h"
 
@@ -12,15 +12,15 @@
 namespace kadr {
 namespace {
 
-constexpr double removed_unit = 1.0 / (1 << 20);  // mm: unit in which the removed lengths of lattice lines are counted as integers
+constexpr double removed_unit = 1.0 / (1 << 20);  // unit in mm; the removed lengths of lattice lines are counted as integers in this unit
 
-/// Number of sweeps after which the recorded history is reduced to its memory limit.
+/// Number of sweeps after which old copies in the recorded history are deleted, so that it stays within its memory limit.
 constexpr std::size_t between_room = 4096;
 
 double part_of_cell(double cell) { return cell / 50; }
 
-/// Clips an interval of a lattice line to the brick, relative to the brick's corner. An interval that spans the brick ends exactly on its
-/// faces.
+/// Clips an interval of a lattice line to the brick, and returns the interval relative to the brick's corner. An interval that spans the
+/// brick ends exactly on the faces of the brick.
 FurtherInterval within_brick(const LineRange& range, double corner, float edge, std::int32_t line) {
   const double from = std::max(range.from - corner, 0.0), to = std::min(range.to - corner, double(edge));
   return {line, float(from), float(to), of_blank, of_blank};
@@ -58,7 +58,7 @@ void raise_to(std::atomic<float>& most, float value) {
   }
 }
 
-/// Returns how far all bodies of a tool together extend around its tip.
+/// Returns the distances by which all bodies of a tool together extend around the tip.
 AroundTip around_tip(const ToolShape& tool) {
   AroundTip all{0, 0, 0};
   for (const ConvexBody& body : tool.bodies) {
@@ -85,7 +85,7 @@ Stock::Stock(std::shared_ptr<const Blank> blank, double cell, int threads)
   });
 }
 
-/// Fills a brick that the blank's surface does not cross: the whole brick is material, or the whole brick is empty.
+/// Fills a brick that the blank's surface does not cross: either with material or not at all.
 void Stock::fill_evenly(std::size_t i) {
   const Vec3 middle = lattice_.corner(i) + 0.5 * lattice_.edge() * Vec3{1, 1, 1};
   std::vector<LineRange> ranges;
@@ -187,7 +187,7 @@ void Stock::Worker::count(std::int32_t sweep, double length, float longest, floa
   raise_to(of_sweep.depth, depth);
 }
 
-/// Executes one sweep in one brick. `worker` records what the sweep removed; nullptr if nothing is to be recorded.
+/// Executes one sweep in one brick. `worker` records what the sweep removed; it is nullptr if nothing is to be recorded.
 ///   returns  true if the brick changed
 bool Stock::execute(std::int32_t number, std::size_t b, BrickNow now, Worker* worker) const {
   const Vec3 corner = lattice_.corner(b) - lattice_.origin();
@@ -223,7 +223,7 @@ bool Stock::execute(std::int32_t number, std::size_t b, BrickNow now, Worker* wo
   return changed;
 }
 
-/// Recomputes the brick's height bounds, and deletes a brick that has no material left.
+/// Recomputes the height bounds of the brick, and deletes the brick if no material remains.
 void Stock::settle(BrickNow now) const {
   if (!now.brick || now.brick->cuts_since == 0) return;
   refresh_tops(*now.brick, scale_.cell);
@@ -253,7 +253,7 @@ std::vector<Touch> Stock::cut(const StopToken& stop) {
     run_parallel(threads_, [&](int thread) {
       for (std::size_t i; !stop.asked() && (i = next++) < touched_.size();) cut_in(touched_[i], workers[std::size_t(thread)]);
     });
-    for (const std::size_t b : touched_) bins_[b] = std::vector<std::int32_t>();  // frees the memory of the lists too
+    for (const std::size_t b : touched_) bins_[b] = std::vector<std::int32_t>();  // frees the memory of the lists at once
     touched_.clear();
     done_ = last;
     if (past_) past_->make_room();

@@ -1,5 +1,5 @@
 #pragma once
-// Stock: the part that is being cut, and the interface of this room for all code that cuts. The input is the blank, and the sweeps
+// Stock: the part that is being cut, and the interface of the room `stock` for all code that cuts. The input is the blank and the sweeps
 // (straight tool paths) in order of time; the output is the remaining material.
 //
 //   Stock stock(blank, cell, threads);
@@ -8,9 +8,9 @@
 //   const std::vector<Touch> touches = stock.cut();        // executes the added sweeps
 //   const Surface surface = surface_of(stock);             // stock/surface/surface.h
 //
-// The stock is a lattice of bricks (stock/brick/brick.h). For each brick, Stock lists the sweeps that can reach it. One thread cuts a
-// whole brick, in order of time, so the result is the same, bit for bit, for any number of threads. Lengths are in mm, in the work
-// system of the blank.
+// The stock is a lattice of bricks (stock/brick/brick.h). For each brick, Stock lists the sweeps that can reach it. One thread cuts a whole
+// brick, in order of time, so the result is the same, bit for bit, for any number of threads. Lengths are in mm, in the work coordinates of
+// the blank.
 
 #include <atomic>
 #include <cstdint>
@@ -37,37 +37,37 @@ namespace kadr {
 /// A straight path of a tool. A tilted tool turns evenly from one direction to the other, along the shortest arc. The path of a turning
 /// tool lies in the half plane of a part that spins about the axis X0 Y0: x is the signed radius, y is 0.
 struct Sweep {
-  Vec3 from, to;           // positions of the tip
-  std::uint16_t tool = 0;  // number from Stock::add_tool
-  // true: removals by the cutting part are reported too, because the motion is a rapid or the spindle is at rest
+  Vec3 from, to;           // start and end position of the tip, mm
+  std::uint16_t tool = 0;  // number of the tool, as Stock::add_tool() returned it
+  // True if removals by the cutting part must be reported too, because the motion is a rapid or the spindle does not turn.
   bool watched = false;
-  Vec3 from_direction{0, 0, 1}, to_direction{0, 0, 1};  // unit vectors from the tip into the tool
+  Vec3 from_direction{0, 0, 1}, to_direction{0, 0, 1};  // unit vectors from the tip into the tool, at the start and the end of the path
 };
 
-/// Directions of a tilted tool at the start and the end of a sweep.
+/// Directions of a tilted tool at the start and the end of a sweep, as unit vectors.
 struct TiltedEnds {
   std::uint32_t sweep;
   float from[3], to[3];
 };
 
-/// Returns the path of a stored sweep of a tilted tool. Positions are relative to the lattice's corner.
+/// Returns the path of a stored sweep of a tilted tool. Positions are in mm, relative to the lattice's corner.
 TiltedPath tilted_path_of(const KeptSweep& sweep, const TiltedEnds& ends);
 
 /// A sweep of a tilted tool, in the coordinates of one brick.
 struct TiltedSweepInBrick {
-  TiltedPath way;  // path, relative to the brick's corner
+  TiltedPath way;  // path of the sweep, relative to the brick's corner
   AroundTip around;
   TiltedSweep sweep;
   LocalSweep tip;
 };
 
-/// A removal of material that has to be reported: a part of the tool removed material that it must not remove.
+/// A removal of material that must be reported: a part of the tool removed material that this part must not remove.
 struct Touch {
   std::uint32_t sweep;
   ToolPart part;
-  Box3 around;         // box of the removed material; for a turning tool x is the range of radii and y is 0
-  double volume;       // mm³
-  bool rings = false;  // true if a turning tool removed it
+  Box3 around;         // box around the removed material; for a turning tool x is the range of radii and y is 0
+  double volume;       // volume of the removed material, mm³
+  bool rings = false;  // true if a turning tool removed the material
 };
 
 class Stock {
@@ -78,40 +78,40 @@ class Stock {
   Stock(std::shared_ptr<const Blank> blank, double cell, int threads);
 
   std::uint16_t add_tool(const ToolShape& shape);
-  /// Adds a sweep, which the next cut() executes. If the tool turns far in the sweep, it is stored as several sweeps.
+  /// Adds a sweep, which the next cut() executes. A sweep in which the tool turns far is stored as several sweeps.
   void add(const Sweep& sweep);
-  /// Number of sweeps added so far; a divided sweep counts as several.
+  /// Returns the number of sweeps added so far; a divided sweep counts as several.
   std::size_t sweeps() const { return sweeps_.size(); }
   /// Executes the sweeps added since the last call. A removal that is shorter than least_piece() on every lattice line is not reported.
   ///   returns  the touches to report, in the order of the sweeps
   std::vector<Touch> cut(const StopToken& stop = {});
-  /// Divides the paths of tilted tools as a stock with this cell size would divide them, so that several stocks store the same sweeps.
-  /// Call it before the first add().
+  /// Sets the cell size that decides how the paths of tilted tools are divided, so that stocks with different cells store the same sweeps.
+  /// Must be called before the first add().
   void divide_as(double cell) { bend_cell_ = cell; }
-  /// Records the history of each brick from now on, so that at() can be called. Call it before the first add().
-  ///   max_bytes  limit for the stored copies of bricks: with fewer copies at() is slower. The list of the sweeps that cut each brick
-  ///               needs additional memory, 4 bytes per cut
+  /// Starts to record the history of each brick, so that at() can be called. Must be called before the first add().
+  ///   max_bytes  limit for the stored copies of bricks: with fewer copies, at() is slower. The list of the sweeps that cut each brick
+  ///              needs additional memory, 4 bytes per cut
   void keep_past(std::size_t max_bytes);
-  /// Returns the stock as it was after the first `count` sweeps and a share of the next sweep. If the share is 0, the result equals, bit
-  /// for bit, a stock that only the first `count` sweeps have cut.
-  ///   share  share of the path of the next sweep, 0 to 1
+  /// Returns the stock after the first `count` sweeps and a part of the next sweep. If `share` is 0, the result equals, bit for bit, a
+  /// stock that only the first `count` sweeps have cut.
+  ///   share  fraction of the path of the next sweep, 0 to 1
   ///   pre    keep_past() was called before the first add(); count is at most the number of executed sweeps
   Stock at(std::size_t count, double share = 0) const;
   /// Returns the memory of the recorded history in bytes; 0 if keep_past() was not called.
   std::size_t bytes_of_past() const;
   /// Returns the volume in mm³ that a sweep of the last cut() removed, measured on the lattice lines along Z.
   double removed_by(std::size_t sweep) const;
-  /// Returns the greatest height above the tip, in mm, at which the cutting part removed material from lattice lines along Z in a sweep
-  /// of the last cut(). On each line the height counts from the lowest position of the tip over the line.
+  /// Returns the greatest height above the tip, in mm, at which the cutting part removed material from lattice lines along Z in a sweep of
+  /// the last cut(). On each line the height is measured from the lowest position of the tip over the line.
   double depth_of(std::size_t sweep) const;
   /// Returns true if a sweep of the last cut() removed an interval of at least least_piece() from a lattice line in any direction.
   bool cuts_anything(std::size_t sweep) const;
 
-  // ---- remaining stock
+  // ---- the remaining stock
   const Lattice& lattice() const { return lattice_; }
   const Blank& blank() const { return *blank_; }
   State state(std::size_t brick) const { return states_[brick]; }
-  /// Returns nullptr if the brick is empty or full.
+  /// Returns a brick; nullptr if the brick is empty or full.
   const Brick* brick(std::size_t i) const { return bricks_[i].get(); }
   KeptSweep sweep(std::size_t i) const { return sweeps_[i]; }
   /// Calls visit(number, sweep) for all sweeps.
@@ -121,7 +121,7 @@ class Stock {
   }
   /// Returns the directions of a sweep with a tilted tool.
   const TiltedEnds& tilted_ends(std::size_t sweep) const;
-  /// Returns the greatest difference, in mm, between the positions of one surface on lattice lines of the three directions.
+  /// Returns the greatest difference, in mm, between the positions of the same surface on lattice lines of the three directions.
   float families_agree() const;
   const ToolShape& tool(std::size_t i) const { return tools_[i]; }
   std::size_t tools() const { return tools_.size(); }
@@ -131,7 +131,7 @@ class Stock {
   double least_piece() const;
 
  private:
-  /// What a sweep removed in all bricks, as sums and maxima, so that the order of the bricks does not matter.
+  /// What a sweep removed in all bricks. Sums and maxima are stored, so that the order of the bricks does not matter.
   struct Removed {
     std::atomic<std::int64_t> length{0};  // length removed from the lattice lines along Z, in units of `removed_unit`
     std::atomic<float> depth{0}, longest{0};
@@ -139,16 +139,18 @@ class Stock {
   struct Worker {
     std::vector<Touch> touches;
     std::vector<Removed>* removed;
-    std::size_t first;  // number of the sweep to which removed->front() belongs
+    std::size_t first;  // number of the sweep to which the first element of `removed` belongs
 
-    /// Adds what a sweep removed: mm of lattice lines along Z, the longest interval of any line, and the greatest height above the tip.
+    /// Adds what a sweep removed: the length in mm on lattice lines along Z, the longest interval of any line, and the greatest height
+    /// above the tip.
     void count(std::int32_t sweep, double length, float longest, float depth);
   };
   struct BrickNow {
     std::unique_ptr<Brick>& brick;
     State& state;
   };
-  /// The section of a sweep's path that is stored, as shares of the path; the remaining sections reach no material.
+  /// The part of a sweep's path that is stored, from the fraction `first` to the fraction `last` of the path; the other parts reach no
+  /// material.
   struct Shortened {
     std::uint32_t sweep;
     float first, last;
@@ -162,14 +164,14 @@ class Stock {
   void fill_evenly(std::size_t i);
   void bin(std::size_t first, std::size_t last);
   void put_in_bin(std::size_t brick, std::size_t sweep);
-  // Functions for tilted tools: stock_tilted.cpp.
+  // Functions for tilted tools; stock_tilted.cpp defines them.
   double most_bend() const;
   void add_tilted(const Sweep& sweep);
   void bin_tilted(std::size_t sweep);
   TiltedSweepInBrick tilted_sweep_in_brick(std::size_t sweep, std::size_t brick) const;
   bool may_reach(std::size_t sweep, const TiltedSweepInBrick& here, float top) const;
   void cut_tilted(std::size_t sweep, std::size_t body, const TiltedSweepInBrick& here, Brick& material, CutOutcome& outcome) const;
-  // Functions for turning tools: stock_turned.cpp.
+  // Functions for turning tools; stock_turned.cpp defines them.
   void add_turned(const Sweep& sweep);
   void bin_turned(std::size_t sweep);
   bool turn(std::int32_t sweep, std::size_t brick, Brick& material, Worker* worker) const;
@@ -181,23 +183,23 @@ class Stock {
   std::shared_ptr<const Blank> blank_;
   Lattice lattice_;
   BrickScale scale_;
-  double bend_cell_;  // mm, cell size that determines how paths of tilted tools are divided: divide_as()
+  double bend_cell_;  // cell size in mm that decides how the paths of tilted tools are divided; see divide_as()
   int threads_;
   std::vector<std::unique_ptr<Brick>> bricks_;
   std::vector<State> states_;
   std::vector<ToolShape> tools_;
-  std::vector<std::vector<SweptBody>> swept_;  // one vector for each tool, with its bodies
+  std::vector<std::vector<SweptBody>> swept_;  // the bodies of each tool, one vector per tool
   std::vector<std::vector<TiltedBody>> tilted_;
   KeptSweeps sweeps_;
-  std::deque<TiltedEnds>
-      tilted_ends_;                  // in the order of the sweeps; std::deque, because it grows to a million elements without moving them
-  std::deque<Shortened> shortened_;  // in the order of the sweeps; used only after keep_past()
+  // Directions of tilted tools in the order of the sweeps. A std::deque grows to a million elements without moving them.
+  std::deque<TiltedEnds> tilted_ends_;
+  std::deque<Shortened> shortened_;  // shortened paths in the order of the sweeps; used only after keep_past()
   std::size_t done_ = 0;             // number of executed sweeps
   std::size_t first_ = 0;            // number of the first sweep of the last cut()
   std::vector<std::vector<std::int32_t>> bins_;
   std::vector<std::size_t> touched_;
   std::unique_ptr<Past> past_;
-  std::vector<Removed> removed_;  // for each sweep of the last cut()
+  std::vector<Removed> removed_;  // what each sweep of the last cut() removed
 };
 
 }  // namespace kadr

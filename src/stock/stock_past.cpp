@@ -1,4 +1,4 @@
-// Restores the stock as it was after an earlier sweep.
+// Restores the state of the stock after an earlier sweep (class Stock).
 
 #include <algorithm>
 #include <cassert>
@@ -9,7 +9,7 @@
 namespace kadr {
 namespace {
 
-/// Returns the entries of a list that belong to the first `count` sweeps. The list is sorted by the number of the sweep.
+/// Returns the elements of a list that belong to the first `count` sweeps. The list is sorted by the number of the sweep.
 template <class OfSweeps>
 OfSweeps before(const OfSweeps& all, std::size_t count) {
   return OfSweeps(all.begin(), std::partition_point(all.begin(), all.end(), [&](const auto& of) { return of.sweep < count; }));
@@ -41,8 +41,8 @@ Stock::Stock(const Stock& later, std::size_t count)
       first_(count),
       bins_(later.bins_.size()) {}
 
-/// Restores one brick. If no later sweep has cut it, it is copied. Otherwise the last copy made before that time, or a brick of the
-/// blank, is cut again by the sweeps that changed the brick since.
+/// Restores one brick. If no later sweep has cut the brick, the brick is copied. Otherwise the last earlier copy, or a brick of the blank,
+/// is cut again by the sweeps that changed the brick after that copy.
 void Stock::go_back(const Stock& later, std::size_t b) {
   const BrickPast& past = later.past_->of_brick[b];
   const std::size_t made = past.cuts_before(sweeps_.size());
@@ -71,7 +71,7 @@ PathPart Stock::kept_part(std::size_t sweep) const {
   return {double(found->first), double(found->last)};
 }
 
-/// Executes the first `share` of the path of the next sweep, which is stored in the later stock.
+/// Executes the fraction `share` of the path of the next sweep, which is stored in the later stock.
 void Stock::begin_sweep(const Stock& later, double share) {
   const std::size_t next = sweeps_.size();
   const PathPart kept = later.kept_part(next);

@@ -1,4 +1,4 @@
-// Sweeps of tilted tools: how they are stored, which bricks they reach, and how one of them is executed in a brick.
+// Sweeps of tilted tools: how a sweep is stored, which bricks it reaches, and how it is executed in a brick (class Stock).
 
 #include <algorithm>
 #include <cassert>
@@ -14,20 +14,22 @@ namespace kadr {
 namespace {
 
 constexpr double bend_of_cell = 1.0 / 100;
-constexpr double greatest_bend = 2.5e-3;    // mm
-constexpr float upright_agree = 5e-4f;      // mm: a little over twice the 2e-4 mm of the law in stock/cut/upright_rows.h and level_rows.h
-constexpr float tilted_agree_cell = 2e-3f;  // share of the cell size: error that the bend and an estimated position may add
+constexpr double greatest_bend = 2.5e-3;  // greatest permitted bend in mm; see most_bend()
+// Accuracy in mm of positions that upright tools cut: a little over twice the 2e-4 mm of the law in stock/cut/upright_rows.h and
+// level_rows.h.
+constexpr float upright_agree = 5e-4f;
+constexpr float tilted_agree_cell = 2e-3f;  // error that the bend and an estimated position may add, as a fraction of the cell size
 
 struct BodyHeights {
   double low, high, radius;
 
-  /// Returns the distance of a position, in the tool's coordinates, from the body.
+  /// Returns the distance of a position, in the tool's coordinates, from the body, mm.
   double distance(Vec3 at) const {
     const double beside = std::max(length(Vec2{at.x, at.y}) - radius, 0.0), beyond = std::max({low - at.z, at.z - high, 0.0});
     return length(Vec2{beside, beyond});
   }
-  /// Returns a lower bound of the distance of a straight path, along which the distance is a convex function. The bound may be too small by
-  /// at most about `enough`.
+  /// Returns a lower bound, in mm, of the distance of a straight path from the body. Along the path, the distance is a convex function, so
+  /// the search for its least value can halve the path. The bound may be too small by at most about `enough` mm.
   double distance(Vec3 first, Vec3 last, double enough) const {
     double begin = 0, end = 1;
     const auto at = [&](double part) { return distance(first + part * (last - first)); };
@@ -54,16 +56,16 @@ AroundTip around_all(const ToolShape& tool, const TiltedPath& way) {
 
 }  // namespace
 
-/// Returns the greatest permitted distance, in mm, between the true curve of a material point in the tool's coordinates and the chord that
-/// replaces the curve.
+/// Returns the greatest permitted bend in mm: the distance between the true curve of a material point, in the tool's coordinates, and the
+/// chord that replaces the curve.
 double Stock::most_bend() const { return std::min(bend_cell_ * bend_of_cell, greatest_bend); }
 
 float Stock::families_agree() const {
   return tilted_ends_.empty() ? upright_agree : upright_agree + float(2 * most_bend()) + tilted_agree_cell * scale_.cell;
 }
 
-/// Divides the sweep into parts. Their number does not depend on the position of the bricks, so stocks that are divided for the same cell
-/// size store the same sweeps.
+/// Divides the sweep into parts and stores them. The number of parts does not depend on the position of the bricks, so stocks that are
+/// divided for the same cell size store the same sweeps.
 void Stock::add_tilted(const Sweep& sweep) {
   const ToolShape& tool = tools_[sweep.tool];
   const TiltedPath way{sweep.from - lattice_.origin(), sweep.to - lattice_.origin(), sweep.from_direction, sweep.to_direction};
@@ -87,7 +89,7 @@ void Stock::add_tilted(const Sweep& sweep) {
 }
 
 const TiltedEnds& Stock::tilted_ends(std::size_t sweep) const {
-  // The index is guessed first: in most programs all sweeps after the first sweep of a tilted tool have tilted tools too.
+  // A guessed index is tried first: in most programs, all sweeps after the first sweep of a tilted tool have tilted tools too.
   const std::size_t guess = sweep - tilted_ends_.front().sweep;
   if (guess < tilted_ends_.size() && tilted_ends_[guess].sweep == sweep) return tilted_ends_[guess];
   const auto found =
@@ -128,8 +130,7 @@ void Stock::bin_tilted(std::size_t i) {
   }
 }
 
-/// Returns the sweep in the coordinates of the brick. A path that is much longer than its section near the brick is shortened to this
-/// section.
+/// Returns the sweep in the coordinates of the brick. A path that is much longer than its part near the brick is shortened to this part.
 TiltedSweepInBrick Stock::tilted_sweep_in_brick(std::size_t number, std::size_t b) const {
   const KeptSweep s = sweeps_[number];
   const Vec3 corner = lattice_.corner(b) - lattice_.origin();
@@ -152,13 +153,13 @@ bool Stock::may_reach(std::size_t sweep, const TiltedSweepInBrick& here, float t
   return std::any_of(bodies.begin(), bodies.end(), [&](const TiltedBody& b) { return kadr::may_reach(here.sweep, b, scale_, top); });
 }
 
-/// Removes from one brick what one body of the tool sweeps.
+/// Removes from one brick the material that one body of the tool sweeps.
 void Stock::cut_tilted(std::size_t number, std::size_t i, const TiltedSweepInBrick& here, Brick& material, CutOutcome& outcome) const {
   const std::uint16_t tool = sweeps_[number].tool;
   const TiltedBody& body = tilted_[tool][i];
   if (!kadr::may_reach(here.sweep, body, scale_, material.top)) return;
-  // Lines over which the tool turns in a part of the path are cut with the two halves of the part, for which the permitted gap is twice as
-  // long (TiltedOver::apart).
+  // Lines over which the tool turns in a part of the path are cut with the two halves of this part. In each half, the permitted gap is
+  // twice as long (TiltedOver::apart).
   const std::function<void(const TiltedPath&, const TiltedSweep&, const LocalSweep&, const LineSet*)> cut =
       [&](const TiltedPath& way, const TiltedSweep& sweep, const LocalSweep& tip, const LineSet* only) {
         const LineSet later = cut_brick_tilted(material, scale_, {sweep, body, tip, swept_[tool][i], only}, std::int32_t(number), outcome);

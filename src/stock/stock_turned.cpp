@@ -1,4 +1,5 @@
-// Turning tools: their paths in the half plane of a spinning part, and the rings that they remove from the part's bricks.
+// Turning tools: their paths in the half plane of a spinning part, and the rings that they remove from the bricks of the part (class
+// Stock).
 
 #include <algorithm>
 #include <cmath>
@@ -9,11 +10,11 @@
 namespace kadr {
 namespace {
 
-constexpr double room = 1;  // mm, margin around everything that an insert can reach
+constexpr double room = 1;  // margin in mm around everything that an insert can reach
 
 InsertPoint point_of(const float (&at)[3]) { return {double(at[0]), double(at[2])}; }
 
-/// Returns the greatest distance of the insert's points from its programmed point, along x or z.
+/// Returns the greatest distance in mm of the insert's points from the programmed point, along x or z.
 double insert_reach(const ToolShape& tool) {
   double most = 0;
   for (const InsertBody& body : tool.insert)
@@ -21,7 +22,7 @@ double insert_reach(const ToolShape& tool) {
   return most;
 }
 
-/// Returns the section of a path on which one coordinate is between two limits.
+/// Returns the part of a path on which one coordinate is between two limits.
 PathPart part_between(double from, double to, double low, double high) {
   if (from == to) return from < low || from > high ? PathPart{1, 0} : PathPart{};
   const double a = (low - from) / (to - from), b = (high - from) / (to - from);
@@ -30,7 +31,7 @@ PathPart part_between(double from, double to, double low, double high) {
 
 }  // namespace
 
-/// Stores only the section of the path that can reach material, since single precision has only seven digits. A path that reaches no
+/// Stores only the part of the path that can reach material, because single precision has only seven digits. A path that reaches no
 /// material is reduced to its start.
 void Stock::add_turned(const Sweep& sweep) {
   const double reach = insert_reach(tools_[sweep.tool]) + room, edge = lattice_.edge();

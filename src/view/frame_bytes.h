@@ -22,7 +22,7 @@ class FrameBytes {
     std::memcpy(bytes, &value, sizeof value);
     bytes_.append(bytes, sizeof value);
   }
-  /// Appends `count` values that are consecutive in memory.
+  /// Appends `count` values that are stored consecutively in memory.
   template <class T>
   void put_all(const T* values, std::size_t count) {
     if (count != 0) bytes_.append(reinterpret_cast<const char*>(values), count * sizeof(T));

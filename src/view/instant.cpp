@@ -1,4 +1,4 @@
-// Instants: computes the state of a finished run at an instant. Used by view/page/page_session; tested by tests/view/instant_test.cpp.
+// Computes the state of a finished run at an instant (Instants). Used by view/page/page_session; tested by tests/view/instant_test.cpp.
 
 #include "view/instant.h"
 
@@ -10,7 +10,7 @@
 namespace kadr {
 namespace {
 
-/// Returns the position of the tool at an instant at which it is moving to vertex i.
+/// Returns the position of the tool at an instant at which the tool is moving to vertex i.
 Vec3 place_at(const ViewPiece& piece, std::size_t i, double instant) {
   const auto vec = [](const PathVertex& v) { return Vec3{double(v.at[0]), double(v.at[1]), double(v.at[2])}; };
   const PathVertex& to = piece.vertices[i];
@@ -51,8 +51,8 @@ Session::State Instants::run(const StopToken& stop) {
   return state;
 }
 
-/// Returns the tool radius from the offset tables at that time. If the program states a radius without an offset number, returns the radius
-/// by which the block's motions are compensated. Returns nullopt if no offset is in force.
+/// Returns the tool radius in mm from the offset tables at the present block. If the program states a radius without an offset number, the
+/// result is the radius by which the block's motions are compensated. Returns nullopt if no offset is in force.
 std::optional<double> Instants::radius_in_force(const std::vector<InForce>& all) const {
   const auto number = std::find_if(all.begin(), all.end(), [](const InForce& one) { return one.kind == InForce::Kind::offset; });
   if (number != all.end() && number->value > 0) {
@@ -63,7 +63,7 @@ std::optional<double> Instants::radius_in_force(const std::vector<InForce>& all)
   return compensated_by_ > 0 ? std::optional(compensated_by_) : std::nullopt;
 }
 
-/// Runs the session up to the block with that number, then to the end of that block, and stores what is in force at both moments.
+/// Runs the session up to the block `number`, then to the end of this block, and stores what is in force at both instants.
 Status Instants::reach(std::uint32_t number, InstantState& state, const StopToken& stop) {
   const auto& all = run_.checkpoints();
   auto from = std::partition_point(all.begin(), all.end(), [&](const RunCheckpoint& c) { return c.blocks <= number; });

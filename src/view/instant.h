@@ -1,6 +1,6 @@
 #pragma once
-// Instants: computes the state of a finished run at any instant. It restores the nearest snapshot before the instant, and executes block
-// by block from there.
+// Instants: computes the state of a finished run at any instant. The nearest snapshot before the instant is restored, and the blocks after
+// the snapshot are executed one by one.
 
 #include <memory>
 #include <optional>
@@ -15,26 +15,28 @@ struct InstantState {
   double at = 0;
   PathVertex vertex;   // the vertex of the path to which the tool is moving
   Vec3 place;          // position of the tool tip in the coordinates of the picture
-  bool moves = false;  // false: the path has ended, or the program has no motion
+  bool moves = false;  // false if the path has ended, or the program has no motion
   AlarmReport::Line line;
   Origin origin;
   std::uint32_t pass = 0;
   std::vector<AlarmReport::Call> calls;
-  std::vector<InForce> before, after;  // modes, tool and offsets in force before and after the block
-  std::optional<double> radius;        // tool radius by the offset in force after the block, mm; nullopt: none is in force
+  std::vector<InForce> before, after;  // modes, tool and offsets that are in force before and after the block
+  std::optional<double> radius;        // tool radius in mm by the offset in force after the block; nullopt if no offset is in force
 };
 
 class Instants {
  public:
+  /// Answers questions about a finished run.
   ///   pre  the run has ended, and outlives this object
   explicit Instants(const ProgramRun& run) : run_(run) {}
 
   /// Returns the state at an instant, or an error sentence. For a program of several channels the state contains the path only.
   tl::expected<InstantState, std::string> at(double instant, const StopToken& stop);
-  /// Returns the state at the end of the block with this Origin::number. If the run has no such block, uses the nearest block before it.
+  /// Returns the state at the end of the block whose Origin::number is `number`. If the run has no such block, the result is for the
+  /// nearest earlier block.
   tl::expected<InstantState, std::string> after(std::uint32_t number, const StopToken& stop);
-  /// One execution of a program line that moves: its start and end, s, and the number of its block. passes() returns at most `most`
-  /// executions; `count` is their number in the whole run.
+  /// One execution of a program line with motions: the start and the end in s, and the number of the block. passes() returns at most `most`
+  /// executions; `count` receives the number of executions in the whole run.
   struct Pass {
     double from, to;
     std::uint32_t number;
@@ -49,9 +51,9 @@ class Instants {
   tl::expected<Session*, std::string> session(const StopToken& stop);
 
   const ProgramRun& run_;
-  std::unique_ptr<Session> session_;  // created at the first query
-  std::uint32_t limit_ = 0;           // the session holds before the block with this number
-  Origin held_;                       // the block before which the session is held
+  std::unique_ptr<Session> session_;  // the session that restores snapshots; it is opened at the first question
+  std::uint32_t limit_ = 0;           // the session stops before the block with this number
+  Origin held_;                       // the block before which the session has stopped
   double compensated_by_ = 0;         // radius by which the block's motions are compensated, mm
 };
 

@@ -1,4 +1,4 @@
-// machine_bounds: travel limits and forbidden zones. Used by view/page/page_program; tested by tests/view/machine_bounds_test.cpp.
+// Computes travel limits and forbidden zones. Used by view/page/page_program; tested by tests/view/machine_bounds_test.cpp.
 
 #include "view/machine_bounds.h"
 
@@ -8,7 +8,8 @@
 namespace kadr {
 namespace {
 
-constexpr double unlimited = 1e299;  // AxisProfile has ±1e300 where an axis has no limit
+// Limit in mm or degrees: a value beyond ±1e299 means an axis without limit, for which AxisProfile has ±1e300.
+constexpr double unlimited = 1e299;
 
 std::optional<double> limit(double value) { return value > -unlimited && value < unlimited ? std::optional(value) : std::nullopt; }
 

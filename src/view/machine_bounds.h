@@ -1,5 +1,5 @@
 #pragma once
-// machine_bounds: the travel limits of the machine's axes and its forbidden zones, as boxes for the picture.
+// machine_bounds: the travel limits of the machine's axes and the machine's forbidden zones, as boxes for the picture.
 
 #include <array>
 #include <optional>
@@ -10,23 +10,23 @@
 
 namespace kadr {
 
-/// A box in machine coordinates X, Y, Z, mm. nullopt: the box has no face on that side.
+/// A box in machine coordinates X, Y, Z, in mm. A limit is nullopt if the box has no face on this side.
 struct SpaceBox {
   std::array<std::optional<double>, 3> least, most;
 };
 
 struct ForbiddenZone {
-  int number = 2;      // number of the zone in the control (nct 22)
-  bool inside = true;  // true: the tool must stay outside the box; false: inside
+  int number = 2;      // number of the zone in the control, 2 or 3 (nct 22)
+  bool inside = true;  // true if the tool must stay outside the box; false if it must stay inside
   SpaceBox box;
 };
 
 struct MachineBounds {
-  SpaceBox limits;  // box between the end positions of the axes
+  SpaceBox limits;  // box between the travel limits of the axes
   std::vector<ForbiddenZone> zones;
 };
 
-/// Returns the limits in force at the start of the program. The program may change zone 2 later, with G22.
+/// Returns the limits and zones in force at the start of the program. The program may change zone 2 later, with G22.
 MachineBounds machine_bounds(const OpenedProgram& opened, const Control& control);
 
 }  // namespace kadr

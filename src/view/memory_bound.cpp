@@ -1,4 +1,5 @@
-// MemoryBound: the memory limit of a server. Used by view/page/page_session and cli/serve; tested by tests/serve_attacks.py.
+// Measures whether the server uses more memory than permitted. Used by view/page/page_session and cli/serve; tested by
+// tests/serve_attacks.py.
 
 #include "view/memory_bound.h"
 

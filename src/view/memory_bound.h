@@ -9,18 +9,19 @@ namespace kadr {
 
 class MemoryBound {
  public:
-  /// `most`: the number of bytes that the process may use.
+  /// `most`: greatest number of bytes that the process may use.
   explicit MemoryBound(std::size_t most) : most_(most) {}
-  /// True if the process uses more than the limit. May be called often and from any thread: the system is queried once in 50 ms at most.
+  /// Returns true if the process uses more memory than the limit. May be called often and from any thread, because the system is queried at
+  /// most once in 50 ms.
   bool is_full() const;
 
  private:
   std::size_t most_;
-  mutable std::atomic<std::int64_t> asked_ = 0;  // time of the last query of the system, ms of the steady clock
+  mutable std::atomic<std::int64_t> asked_ = 0;  // time of the last query of the system, in ms of the steady clock
   mutable std::atomic<bool> full_ = false;
 };
 
-/// Returns the memory that this process uses, in bytes; 0 if the system does not report it.
+/// Returns the memory in bytes that this process uses; 0 if the system does not report it.
 std::size_t memory_in_use();
 
 }  // namespace kadr

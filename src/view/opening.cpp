@@ -1,4 +1,4 @@
-// Opens a program with its control and machine. Used by view/page/page_session; tested by tests/serve.py.
+// Opens a program with the control and the machine that the page requests. Used by view/page/page_session; tested by tests/serve.py.
 
 #include "view/opening.h"
 
@@ -24,8 +24,8 @@ OpenedText text_of(const OpenedProgram& opened) {
 
 tl::unexpected<std::string> wrong(std::string text) { return tl::unexpected(std::move(text)); }
 
-/// Returns the control that the request names; else the one that .kadr.toml in the program's folder names; else the one that `kadr check`
-/// would guess. A guess is stored in `opened.guess`.
+/// Returns the control that the request names. If the request names no control, returns the control that .kadr.toml in the program's folder
+/// names, else the control that `kadr check` would guess. A guess is stored in `opened.guess`.
 tl::expected<std::string, std::string> control_for(const OpeningRequest& request, OpenedProgram& opened) {
   std::string wrong_memory;
   RememberedControls remembered([&](const std::string& why) { wrong_memory = why; }, request.door);

@@ -1,5 +1,5 @@
 #pragma once
-// Opens a program of the served folder as the page requests, with everything that is needed to run it.
+// Opens a program of the served folder as the page requests, with all that a run of this program needs.
 
 #include <memory>
 #include <optional>
@@ -15,14 +15,14 @@
 
 namespace kadr {
 
-/// What the page requests to open. Paths are in the file system; a path that is not given is empty.
+/// The files that the page requests to open. Paths are in the file system; a path that the request does not give is empty.
 struct OpeningRequest {
   std::string path;
   std::string control, machine, setup, encoding;
-  std::optional<std::string> text;  // text of the program, UTF-8, used instead of the contents of the file
-  std::string tables{};             // JSON in the form of a set-up, which overrides values of the set-up file; empty: none
+  std::optional<std::string> text;  // text of the program in UTF-8, which is used instead of the contents of the file
+  std::string tables{};             // JSON in the form of a set-up, which overrides values of the set-up file; may be empty
   Lang lang = Lang::en;
-  const FileAccess* door = nullptr;  // opens these files, and the files that they name; outlives the run
+  const FileAccess* door = nullptr;  // opens these files, and the files that these files name; must outlive the run
 };
 
 struct OpenedProgram {
@@ -31,28 +31,28 @@ struct OpenedProgram {
   std::shared_ptr<const AlarmTexts> texts;
   MachineProfile machine;
   Setup setup;
-  std::set<std::string> stated;  // keys that the set-up states: PlacedSetup::stated
+  std::set<std::string> stated;  // keys that the set-up states; copy of PlacedSetup::stated
   GivenEncoding encoding;
   std::shared_ptr<const ToolTable> tools;  // the tools file with which the checklist compares the program
-  std::optional<Guess> guess;              // the guessed control; nullopt: the user has named the control
+  std::optional<Guess> guess;              // the guessed control; nullopt if the user or .kadr.toml has named the control
   std::optional<std::string> text;
   std::uint32_t number = 0;  // number of the program to run, on a tape with several programs; 0: the first program
-  RunLimits limits;          // limits for a run that writes no files
+  RunLimits limits;          // limits of a run for the page, which writes no files
   const FileAccess* door = nullptr;
 
   /// Returns the text of the program; on a tape with several programs, the text of program `number`.
-  ///   returns  an error sentence
+  ///   returns  the program, or an error sentence
   tl::expected<Program, std::string> program() const;
-  /// Returns a program with the text `other`, but with everything else as in program().
+  /// Returns a program with the text `other`; everything else is the same as in program().
   tl::expected<Program, std::string> program_of(const std::string& other) const;
   tl::expected<Program, std::string> program_of(OpenedText other) const;
   SessionSpec spec(Program program, const StopToken& stop) const;
 };
 
-/// Reads the set-up file and overrides its values by the tables of the request.
+/// Reads the set-up file, and overrides its values by the tables in the request.
 tl::expected<PlacedSetup, std::string> read_with_tables(const OpeningRequest& request, const ControlDef& def);
 
-/// Opens a program. Returns an error sentence if its file cannot be read or is no program of a control that Kadr supports, or if the
+/// Opens a program. Returns an error sentence if the program's file cannot be read, if Kadr supports no control for this program, or if the
 /// set-up is wrong.
 tl::expected<OpenedProgram, std::string> open_for_page(const OpeningRequest& request);
 

@@ -1,4 +1,4 @@
-// Converts a machine's events to the JSON in which they are saved. Used by view/page/page_panel, view/page/page_tables; tested by
+// Converts the events of a machine to the JSON in which they are saved. Used by view/page/page_panel, view/page/page_tables; tested by
 // tests/panel_kills.py.
 
 #include "view/panel_content.h"

@@ -13,7 +13,7 @@
 namespace kadr {
 namespace {
 
-/// Returns a number as JSON. JSON has no NaN or infinity; they become null.
+/// Returns a number as JSON. NaN and infinity become null, because JSON does not have them.
 PageJson finite(double value) { return std::isfinite(value) ? PageJson(value) : PageJson(); }
 
 PageJson axes_json(const std::vector<std::string>& names, const Axes& values) {
@@ -30,7 +30,7 @@ PageJson stops_json(const std::map<std::size_t, StopPoint>& stops) {
   return list;
 }
 
-/// Converts the channels of a machine to JSON; an empty list if the machine has only one.
+/// Converts the channels of a machine to JSON; an empty list if the machine has only one channel.
 PageJson channels_json(const std::vector<PanelChannel>& channels) {
   PageJson list = PageJson::array();
   for (const PanelChannel& one : channels) {
@@ -51,7 +51,7 @@ PageJson channels_json(const std::vector<PanelChannel>& channels) {
   return list;
 }
 
-/// Adds to the JSON: the codes in force, and the values in force that do not belong to an axis (feed, tool, …).
+/// Adds to the JSON the codes in force, and the values in force that belong to no axis (feed, tool, …).
 void put_modes(PageJson& json, const PanelModes& modes) {
   PageJson codes = PageJson::array();
   for (const InForce& one : modes.in_force)

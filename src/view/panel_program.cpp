@@ -1,5 +1,5 @@
-// PanelProgram: opens the sessions of a panel machine. Used by view/page/page_panel, view/page/page_tables; tested by
-// tests/panel_tables.py.
+// Opens the sessions of a panel machine, and edits its tables (PanelProgram). Used by view/page/page_panel, view/page/page_tables; tested
+// by tests/panel_tables.py.
 
 #include "view/panel_program.h"
 
@@ -13,9 +13,9 @@
 namespace kadr {
 namespace {
 
-constexpr std::size_t max_edited = 1 << 20;  // greatest size of the edits as JSON, bytes
+constexpr std::size_t max_edited = 1 << 20;  // greatest size in bytes of all edits as JSON
 
-/// Returns the set-up with `start` as the start position of the axes; its tables are unchanged.
+/// Returns the set-up with `start` as the start position of the axes; the tables are unchanged.
 Setup standing_at(Setup setup, const std::vector<std::string>& axes, const Axes& start) {
   setup.start_in_work = false;
   for (std::size_t a = 0; a < std::min(axes.size(), max_axes); ++a) setup.start[axes[a]] = start[a];
@@ -29,8 +29,8 @@ PageJson part_of(const PageJson& rows, const std::string& name, const std::strin
   return row == rows.end() || !row->contains(part) ? PageJson(0) : (*row)[part];
 }
 
-/// Compares two versions of a table of numbers. Returns the changed rows; of each row, the values that have changed and the values that
-/// differ from `stated`, the version in the set-up file.
+/// Compares two versions of a table of numbers, and returns the changed rows. Each row contains the values that have changed, and the
+/// values that differ from `stated`, the version in the set-up file.
 PageJson changed_numbers(const PageJson& before, const PageJson& after, const PageJson& stated) {
   PageJson rows = PageJson::object(), all = before;
   all.merge_patch(after);
@@ -43,7 +43,7 @@ PageJson changed_numbers(const PageJson& before, const PageJson& after, const Pa
   return rows;
 }
 
-/// Compares two versions of a table. Returns the changed rows as they are in `after`; null for a row that `after` does not have.
+/// Compares two versions of a table. Returns the changed rows with their values in `after`; null for a row that `after` does not have.
 PageJson changed_rows(const PageJson& before, const PageJson& after) {
   PageJson rows = PageJson::object();
   for (const auto& [name, row] : after.items())
@@ -111,7 +111,7 @@ bool PanelProgram::knows_axes() const {
 
 tl::expected<std::unique_ptr<Session>, std::string> PanelProgram::open(const std::optional<Axes>& start, const StopToken& stop) {
   if (start && !knows_axes())
-    if (auto first = open({}, stop); !first) return first;  // this session provides the names of the axes
+    if (auto first = open({}, stop); !first) return first;  // this session provides the names of the axes, which standing_at() needs
   auto text = program();
   if (!text) return tl::unexpected(text.error());
   SessionSpec spec = opened_.spec(std::move(*text), stop);

@@ -1,4 +1,4 @@
-// PartRun: cuts a blank with a program for the page. Used by view/page/page_part; tested by tests/view/part_run_test.cpp, tests/serve.py.
+// Cuts a blank with a program for the page (PartRun). Used by view/page/page_part; tested by tests/view/part_run_test.cpp, tests/serve.py.
 
 #include "view/part_run.h"
 
@@ -25,10 +25,11 @@ namespace {
 using Failed = tl::unexpected<std::string>;
 
 constexpr double bytes_per_mb = 1 << 20;
-constexpr double cells_seen = 200;       // cells along the longest side of the displayed stock, which gives some hundred thousand triangles
-constexpr double share_for_past = 0.25;  // share of the memory limit for earlier states of the displayed stock
-constexpr double least_cell = 1e-3, max_cell = 1000;  // limits of the cell size, mm
-constexpr std::uint16_t of_no_tool = 65535;           // tool number, in a frame, of surface that no tool has cut
+// Number of cells along the longest side of the displayed stock, which gives some hundred thousand triangles.
+constexpr double cells_seen = 200;
+constexpr double share_for_past = 0.25;               // fraction of the memory limit for earlier states of the displayed stock
+constexpr double least_cell = 1e-3, max_cell = 1000;  // limits of the cell size in a request, mm
+constexpr std::uint16_t of_no_tool = 65535;           // tool number that a frame contains for surface that no tool has cut
 
 double longest_side(const Box3& box) {
   const Vec3 size = box.most - box.least;
@@ -46,8 +47,8 @@ tl::expected<std::shared_ptr<const Blank>, std::string> PartRun::body(const std:
   return named->body;
 }
 
-/// Chooses the cell sizes. The fine stock has the same cells as in `kadr cut`. The displayed stock is coarser, so that its state at any
-/// instant can be computed within a second.
+/// Chooses the cell sizes. The fine stock has the same cells as in `kadr cut`. The displayed stock has larger cells, so that its state at
+/// any instant can be computed within a second.
 tl::expected<void, std::string> PartRun::find_material(const PartRequest& request) {
   auto blank = body(request.stock);
   if (!blank) return Failed(blank.error());
@@ -103,7 +104,8 @@ tl::expected<std::unique_ptr<PartRun>, std::string> PartRun::make(const OpenedPr
 
 void PartRun::report_progress() {
   if (!progress_clock_.is_due()) return;
-  too_much_ = double(run_->cutting().bytes()) > max_bytes * 1.25;  // the memory of the sweeps adds to that of the stock
+  // The limit is higher than for the stocks alone, because the sweeps need memory too.
+  too_much_ = double(run_->cutting().bytes()) > max_bytes * 1.25;
   if (!on_progress) return;
   const Control& control = session_->settled_control();
   const double bytes = double(control.bytes());
@@ -149,7 +151,8 @@ PartThen PartRun::at(double instant) const {
   return then;
 }
 
-/// Writes the points relative to the machine's zero, like the points of the path.
+/// Returns the frame of kind 3 with the surface of the stock. The points are relative to the machine's zero point, in the same way as the
+/// points of the path.
 std::string PartRun::frame_of(const PartThen& then) const {
   const Surface& s = then.surface;
   const Cutting& cutting = run_->cutting();

@@ -3,7 +3,7 @@
 // (docs/panel-protocol.md: cut, part).
 //
 //   PartRequest ─ PartRun::make() ─▶ its own session ─ CutRun ─▶ two stocks: a fine one as in `kadr cut`, for volumes and findings,
-//                                                              and a coarser one that keeps its past, for display
+//                                                              and a coarser one that records its history, for display
 
 #include <functional>
 #include <memory>
@@ -18,34 +18,35 @@
 
 namespace kadr {
 
-/// What is to be cut. Solids are descriptions for body_of(), in which files are paths in the file system.
+/// The blank, fixtures and tools of a cut. Solids are descriptions for body_of(), in which files are paths in the file system.
 struct PartRequest {
   std::string stock;
   std::vector<std::string> fixtures;
   std::vector<std::string> fixture_names;  // names of the fixtures as the page displays them
   ToolLibrary tools;
-  double resolution = 0;  // cell size of the stock, mm; 0: chosen automatically
+  double resolution = 0;  // cell size of the stock in mm; 0 if Kadr is to choose it
 };
 
 /// The remaining stock at an instant.
 struct PartThen {
-  double seconds = 0;  // the instant, s; at most the end of the program
-  double stock = 0;    // volume of the remaining stock, mm³
+  double seconds = 0;  // the instant in s; at most the end of the program
+  double stock = 0;    // volume of the blank, mm³
   double left = 0;
   double cell = 0;  // cell size of the displayed stock, mm
-  Surface surface;  // surface of the stock, in the work system of the blank
+  Surface surface;  // surface of the stock, in the work coordinates of the blank
 };
 
 class PartRun {
  public:
-  static constexpr double max_bytes = 400e6;  // memory limit for both stocks, with the earlier states of the displayed one, bytes
+  static constexpr double max_bytes = 400e6;  // memory limit in bytes for both stocks, including the earlier states of the displayed stock
 
+  /// Creates a run.
   ///   opened   the program; must outlive this object
-  ///   returns  an error sentence
+  ///   returns  the run, or an error sentence
   static tl::expected<std::unique_ptr<PartRun>, std::string> make(const OpenedProgram& opened, const PartRequest& request,
                                                                   const StopToken& stop);
 
-  /// Called several times per second with the progress, from 0 to 1.
+  /// Receives the progress of the run, from 0 to 1, several times per second.
   std::function<void(double part)> on_progress;
   std::function<void(const CutFinding&, const AlarmReport&)> on_finding;
 
@@ -53,15 +54,15 @@ class PartRun {
   ///   returns  an error sentence if the run was stopped, memory ran out, or the shape of a tool is unknown
   tl::expected<void, std::string> execute();
 
-  // ---- the results; call these after execute()
+  // ---- the results; to be called after execute()
   const CutResult& result() const { return result_; }
-  /// Number of alarms and warnings that the program itself has caused.
+  /// Returns the number of alarms, and that of warnings, that the program itself has caused.
   std::size_t alarms() const { return run_->alarms(); }
   std::size_t warnings() const { return run_->warnings(); }
   /// Sentences about mesh files that were repaired, and about questionable input that was used unchanged.
   const std::vector<std::string>& notes() const { return notes_; }
   PartThen at(double instant) const;
-  /// Converts the stock to a binary frame of kind 3.
+  /// Converts a state of the stock to a binary frame of kind 3.
   std::string frame_of(const PartThen& then) const;
 
  private:
@@ -81,7 +82,7 @@ class PartRun {
   std::unique_ptr<CutRun> run_;
   CutResult result_;
   ProgressClock progress_clock_;
-  bool too_much_ = false;  // the memory limit was exceeded
+  bool too_much_ = false;  // true if the run has exceeded the memory limit
 };
 
 }  // namespace kadr

@@ -1,4 +1,5 @@
-// Computes levels of detail and binary frames of a piece of path. Used by view/path_record; tested by tests/view/path_piece_test.cpp.
+// Computes levels of detail and binary frames of a segment of a path (ViewPiece). Used by view/path_record; tested by
+// tests/view/path_piece_test.cpp.
 
 #include "view/path_piece.h"
 
@@ -13,7 +14,7 @@ namespace kadr {
 namespace {
 
 constexpr std::size_t levels = 16;
-// Number of vertices whose levels are computed together. The work for them is some eight times this number.
+// Number of vertices whose levels are computed together. The number of computed distances is some eight times this number.
 constexpr std::size_t run_length = 256;
 
 double distance_to_chord(Vec3 p, Vec3 from, Vec3 to) {
@@ -28,13 +29,13 @@ std::uint8_t level_of(double off) {
   return std::uint8_t(std::min(double(levels - 1), std::floor(std::log2(off / finest_level))));
 }
 
-/// True if tool, kind of motion, feed or file change at this vertex, which therefore remains at every level.
+/// Returns true if the tool, the kind of motion, the feed or the file changes at this vertex, which therefore remains at every level.
 bool is_boundary(const PathVertex& a, const PathVertex& b) {
   return a.kind != b.kind || a.tool != b.tool || a.file != b.file || a.feed != b.feed || b.kind == PathKind::jump;
 }
 
-/// Sets levels by the algorithm of Douglas and Peucker. A vertex gets no higher level than the vertex that divided its segment, so that
-/// each level contains all vertices of the levels above.
+/// Sets the levels by the algorithm of Douglas and Peucker. No vertex gets a higher level than the vertex that divided its segment, so that
+/// each level contains all vertices of the higher levels.
 void divide(std::vector<PathVertex>& v, std::size_t first, std::size_t last, double most) {
   while (last - first > 1) {
     const Vec3 from = v[first].place(), to = v[last].place();
@@ -46,7 +47,7 @@ void divide(std::vector<PathVertex>& v, std::size_t first, std::size_t last, dou
     }
     const double off = std::min(farthest, most);
     v[at].level = level_of(off);
-    // Recursion for the shorter segment and a loop for the longer one limit the depth to log2 of the number of vertices.
+    // Recursion for the shorter segment, and a loop for the longer segment, limit the depth to log2 of the number of vertices.
     if (at - first < last - at) divide(v, first, at, off), first = at;
     else divide(v, at, last, off), last = at;
     most = off;

@@ -1,4 +1,4 @@
-// PathRecord: converts steps to vertices of a path. Used by view/program_run; tested by tests/view/path_record_test.cpp.
+// Converts the steps of a run to vertices of a path (PathRecord). Used by view/program_run; tested by tests/view/path_record_test.cpp.
 
 #include "view/path_record.h"
 
@@ -7,10 +7,10 @@
 namespace kadr {
 namespace {
 
-constexpr double chord = 0.002;      // mm by which a chord may deviate from the arc that it replaces
-constexpr double same_place = 1e-6;  // mm: points that are nearer count as the same
+constexpr double chord = 0.002;      // greatest distance in mm between a chord and the arc that the chord replaces
+constexpr double same_place = 1e-6;  // limit in mm: points whose distance is smaller count as the same
 constexpr double seconds_a_minute = 60;
-constexpr double shortest_dwell = 1e-3;  // s; shortest dwell that gets a vertex of its own
+constexpr double shortest_dwell = 1e-3;  // least time in s of a dwell that gets its own vertex
 
 PathKind kind_of(MotionKind kind) {
   switch (kind) {
@@ -25,7 +25,7 @@ PathKind kind_of(MotionKind kind) {
   }
 }
 
-/// Returns the joints that turn the part: the control's own joints if tool centre point control is active, else those of the machine's
+/// Returns the joints that turn the part: the control's own joints if tool centre point control is active, else the joints of the machine
 /// file.
 std::vector<PartJoint> joints_at(const Step& step, const MachineTree* tree) {
   const auto* const space = dynamic_cast<const FiveAxisTransform*>(step.from.space.get());

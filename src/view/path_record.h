@@ -1,5 +1,5 @@
 #pragma once
-// PathRecord: records the path of the tool over the part, for the page. It converts the steps of a run to pieces of vertices.
+// PathRecord: records the path of the tool over the part, for the page. It converts the steps of a run to segments of vertices.
 
 #include <deque>
 #include <functional>
@@ -15,38 +15,39 @@ namespace kadr {
 
 class PathRecord {
  public:
-  /// `tool`: number of the tool in the spindle at the start. The other parameters are those of ToolPath.
+  /// `tool` is the number of the tool in the spindle at the start. The other parameters are those of ToolPath.
   PathRecord(const AxisRoles& roles, std::shared_ptr<const MachineTree> tree, const std::optional<Axes>& apart, std::uint32_t tool);
 
-  /// Receives each piece of the path when the piece is complete. The reference stays valid as long as this object exists.
+  /// Receives each segment of the path when the segment is complete. The reference stays valid as long as this object exists.
   std::function<void(const ViewPiece&)> on_piece;
 
-  /// Consumes a step of the run.
-  ///   later   s by which the step starts later on the machine than the time estimate says
-  ///   longer  s by which the step takes longer on the machine than the time estimate says
+  /// Records a step of the run.
+  ///   later   delay in s: how much later than in the time estimate the step starts on the machine
+  ///   longer  extension in s: how much longer than in the time estimate the step takes on the machine
   void consume(const Step& step, double later, double longer);
-  /// For a contour that was recorded without times: gives each vertex the time at which its block ends on `path`, the path of the tool.
+  /// Sets the times of a contour that was recorded without times: each vertex gets the time at which its block ends on `path`, the path of
+  /// the tool.
   void take_times_of(const PathRecord& path);
-  /// Returns the time, s, at which the block with that number ends. For a block without motion this is the end of the last block with
-  /// motion before it.
+  /// Returns the time in s at which the block with the number `number` ends. A block without motion ends at the same time as the last
+  /// earlier block with motion.
   double end_of_block(std::uint32_t number) const;
-  /// Completes the present piece, even if it is not full.
+  /// Completes the present segment, even if the segment is not full.
   void flush();
-  /// True if the greatest number of vertices is reached. Nothing more is recorded then.
+  /// Returns true if the greatest number of vertices is reached; later steps are then not recorded.
   bool is_full() const { return vertices_ >= max_vertices; }
 
   const std::deque<ViewPiece>& pieces() const { return pieces_; }
   std::size_t vertices() const { return vertices_; }
-  /// Zero point of the picture, in machine coordinates.
+  /// Returns the zero point of the picture in machine coordinates.
   Vec3 zero() const { return way_.zero().value_or(way_.present_origin()); }
-  /// Returns the box around the path, relative to the zero point of the picture. Chords replace arcs.
+  /// Returns the box around the path, relative to the zero point of the picture. The box contains chords instead of arcs.
   Box reach() const { return moved(all_); }
   Box cutting_reach() const { return moved(cutting_); }
-  /// The joints of the machine whose positions are stored with the vertices.
+  /// Returns the joints of the machine whose positions are stored with the vertices.
   const std::vector<PartJoint>& joints() const { return joints_; }
-  /// Returns the first vertex that the tool reaches at or after an instant; nullptr if the path ends before.
+  /// Returns the first vertex that the tool reaches at or after an instant; nullptr if the path ends before the instant.
   const PathVertex* at(double instant) const;
-  /// Returns the time of a vertex, s.
+  /// Returns the time of a vertex in s.
   static double time_of(const ViewPiece& piece, const PathVertex& vertex) { return piece.begins + double(vertex.time); }
 
  private:
@@ -61,17 +62,17 @@ class PathRecord {
   AxisRoles roles_;
   std::shared_ptr<const MachineTree> tree_;
   ToolPath way_;
-  std::vector<PartJoint> joints_;          // empty until the first motion
-  std::vector<float> stand_, last_stand_;  // joint positions: at the vertex that is being added; at the previous vertex
+  std::vector<PartJoint> joints_;          // joints whose positions are recorded; empty until the first motion
+  std::vector<float> stand_, last_stand_;  // joint positions: at the vertex that is being added, and at the previous vertex
   std::uint32_t tool_;
   std::vector<PathSegment> ways_;
-  std::deque<ViewPiece> pieces_;  // the last piece is being filled, except after flush()
+  std::deque<ViewPiece> pieces_;  // segments of the path; the last segment is not complete, except after flush()
   bool open_ = false;
   std::size_t vertices_ = 0;
   double last_time_ = 0;
   Vec3 last_, last_direction_{0, 0, 1};
   bool begun_ = false;
-  Box cutting_, all_;  // boxes relative to the zero point of the machine
+  Box cutting_, all_;  // boxes around the cutting motions and around the whole path, relative to the zero point of the machine
 };
 
 }  // namespace kadr

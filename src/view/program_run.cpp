@@ -1,4 +1,5 @@
-// ProgramRun. Used by view/page/page_session; tested by tests/view/program_run_test.cpp, tests/serve.py.
+// Runs a program for the page, and records its path, marks, findings and checkpoints (ProgramRun). Used by view/page/page_session; tested
+// by tests/view/program_run_test.cpp, tests/serve.py.
 
 #include "view/program_run.h"
 
@@ -15,9 +16,9 @@ namespace kadr {
 namespace {
 
 constexpr std::size_t max_marks = 10'000;
-// Greatest number of checkpoints. With the batches that the control has executed ahead, each needs some 600 KB.
+// Greatest number of checkpoints. Each checkpoint needs some 600 KB, because it includes the batches that the control has executed ahead.
 constexpr std::size_t max_checkpoints = 48;
-constexpr double short_dwell = 0.05;  // s; a shorter dwell gets no mark on the time line
+constexpr double short_dwell = 0.05;  // time in s; a shorter dwell gets no mark on the time line
 
 }  // namespace
 
@@ -83,7 +84,7 @@ void ProgramRun::attach() {
     };
 }
 
-/// Observes the paths and the alarms of the other channels. The page displays nothing else of these channels.
+/// Records the paths and the alarms of the other channels. The page displays nothing else about these channels.
 void ProgramRun::attach_others() {
   std::vector<Channel>& channels = session_->channels();
   others_.reserve(channels.size());
@@ -142,7 +143,7 @@ void ProgramRun::emit_contour() {
   contour_.reset();
 }
 
-/// Reports the findings of the checks that are made after the run. These findings have no time.
+/// Reports the findings of the checks that are made after the run. These findings get the time of the end of the run.
 void ProgramRun::report_final_findings() {
   if (end_ == End::cancelled || !on_alarm) return;
   if (end_ == End::ended)
@@ -169,7 +170,8 @@ void ProgramRun::mark(const Step& step, double at) {
               ZoneChange, Couple, Uncouple, CompensationBreak, CompensationCorner, CompensationCheck>);
 }
 
-/// Adds a checkpoint. If there are too many then, every second one is dropped.
+/// Adds a checkpoint. If the greatest number of checkpoints is reached, every second checkpoint is deleted first, and further checkpoints
+/// are twice as far apart.
 void ProgramRun::keep_checkpoint() {
   auto now = session_->snapshot();
   if (!now) return;

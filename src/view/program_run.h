@@ -1,6 +1,6 @@
 #pragma once
 // ProgramRun: runs a program once from its beginning, for the page. It records the path, the marks on the time line, the statistics, and
-// the snapshots from which the state at any instant can be computed.
+// the snapshots with which the state at any instant can be computed.
 
 #include <functional>
 #include <memory>
@@ -22,11 +22,11 @@ struct TimeMark {
   double at = 0;
   Kind kind = Kind::tool;
   std::uint32_t line = 0;
-  std::string text;        // may contain text of the program: escape it for display
-  std::uint16_t file = 0;  // file of the line: Origin::file
+  std::string text;        // text of the mark; may contain text of the program, so the page must escape it
+  std::uint16_t file = 0;  // number of the file that contains the line (Origin::file)
 };
 
-/// A snapshot of the session, with the number of blocks that were executed before it.
+/// A snapshot of the session, and the number of blocks that were executed before this snapshot.
 struct RunCheckpoint {
   std::uint64_t blocks;
   SessionSnapshot snapshot;
@@ -37,11 +37,13 @@ class ProgramRun {
   /// Opens a run. Returns an error sentence if the set-up has a key that the control does not support.
   static tl::expected<std::unique_ptr<ProgramRun>, std::string> make(const OpenedProgram& opened, const StopToken& stop);
 
-  /// Receives each piece of the path. `channel` is 0 for the program's own channel; the other channels count from 1, sorted by number.
+  /// Receives each segment of the path. `channel` is 0 for the program's own channel; the other channels are counted from 1, sorted by
+  /// number.
   std::function<void(const ViewPiece&, std::uint32_t channel)> on_piece;
-  /// Receives, after the run, the pieces of the contour without tool radius compensation, where compensation was in force.
+  /// Receives, after the run, the segments of the contour without cutter compensation, where compensation was in force.
   std::function<void(const ViewPiece&)> on_contour;
-  /// Receives each alarm. `at` is its time, s; `channel` the number of its channel on the machine, 0 for the program's own channel.
+  /// Receives each alarm. `at` is the time of the alarm in s. `channel` is the number of the alarm's channel on the machine, 0 for the
+  /// program's own channel.
   std::function<void(const AlarmReport&, double at, int channel)> on_alarm;
   /// Called several times per second with the progress of the run.
   std::function<void(double part, std::uint64_t blocks, double seconds)> on_progress;
@@ -87,20 +89,21 @@ class ProgramRun {
   std::vector<Other> others_;
   AxisRoles roles_;
   std::unique_ptr<PathRecord> record_;
-  std::unique_ptr<PathRecord> contour_;  // the contour where compensation was in force; its times are set at the end
-  std::unique_ptr<Steps> programmed_;    // computes the positions that the program states, without compensation
+  // Contour without compensation, where compensation was in force; the times of its vertices are set after the run.
+  std::unique_ptr<PathRecord> contour_;
+  std::unique_ptr<Steps> programmed_;  // computes the positions that the program states, without compensation
   std::unique_ptr<Checklist> checklist_;
   std::unique_ptr<Statistics> statistics_;
   std::vector<TimeMark> marks_;
   std::vector<RunCheckpoint> checkpoints_;
   std::uint64_t apart_ = 4096;  // number of blocks between two checkpoints
-  double later_ = 0;            // s by which the machine is later than the programmed times say
+  double later_ = 0;            // delay of the machine, in s, after the programmed times
   double seconds_ = 0;
   ProgressClock progress_clock_;
   End end_ = End::ended;
 };
 
-/// Returns the kinematics of the program's machine, from which the path of the tool over the part is computed.
+/// Returns the kinematics of the program's machine, with which the path of the tool over the part is computed.
 std::shared_ptr<const MachineTree> tree_of(const OpenedProgram& opened, const Control& control);
 std::optional<Axes> apart_of(const OpenedProgram& opened, const Control& control);
 

@@ -7,7 +7,8 @@ namespace kadr {
 
 class ProgressClock {
  public:
-  /// True if the last report is at least a tenth of a second ago. If it returns true, the waiting time for the next report starts.
+  /// Returns true if the last report was made at least a tenth of a second ago. The result true counts as a report, so the next tenth of a
+  /// second starts now.
   bool is_due() {
     const Clock::time_point now = Clock::now();
     if (now - reported_ < interval) return false;

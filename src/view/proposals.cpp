@@ -1,4 +1,4 @@
-// Proposes tools from tools files, set-up and comments. Used by view/page/page_part; tested by tests/view/proposals_test.cpp.
+// Proposes tools from tools files, the set-up and comments. Used by view/page/page_part; tested by tests/view/proposals_test.cpp.
 
 #include "view/proposals.h"
 
@@ -17,7 +17,7 @@
 namespace kadr {
 namespace {
 
-constexpr double drill_angle = 118, chamfer_angle = 90;  // degrees; usual tip angles of drills and chamfer tools
+constexpr double drill_angle = 118, chamfer_angle = 90;  // usual tip angles of drills and chamfer tools, degrees
 
 std::string stem(const std::string& path) { return std::filesystem::path(path).stem().string(); }
 
@@ -27,7 +27,7 @@ const Use* first_use(const ProgramRun& run, UseKind kind, const std::function<bo
   return nullptr;
 }
 
-/// Sets the diameter from the radius that the set-up states for the tool's offset.
+/// Sets the diameter from the radius that the set-up states for the tool's offset. Returns false if the set-up states no radius.
 bool take_setup(const ProgramRun& run, ProposedTool& to) {
   const Use* const use = first_use(run, UseKind::radius, [&](const Use& u) { return u.tool == to.tool.number && u.number != 0; });
   if (use == nullptr) return false;
@@ -38,7 +38,8 @@ bool take_setup(const ProgramRun& run, ProposedTool& to) {
   return true;
 }
 
-/// Sets kind and dimensions of the tool from a comment. Dimensions that the comment does not state get usual values for tools of that kind.
+/// Sets the kind and the dimensions of the tool from a comment. Dimensions that the comment does not state get usual values for this kind
+/// of tool. Returns false if the comment does not name the kind.
 bool take_comment(const ToolProposal& proposal, ProposedTool& to) {
   ToolGeometry& t = to.tool;
   const std::string_view kind = kind_word(proposal.said);
@@ -128,7 +129,8 @@ std::function<double(std::uint32_t)> radii_of(const std::vector<ProposedTool>& t
 bool is_turning(const ProgramRun& run) {
   const AxisRoles roles = AxisRoles::of(run.control().axes(), run.control().rotary());
   if (roles.xyz[1] < 0) return true;
-  const auto last = Instants(run).at(run.seconds(), {});  // the state before the end of the program, since the end resets the plane
+  // The state before the end of the program is used, because the end resets the plane.
+  const auto last = Instants(run).at(run.seconds(), {});
   return last && std::any_of(last->after.begin(), last->after.end(), [](const InForce& one) { return one.code == "G18"; });
 }
 

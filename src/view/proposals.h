@@ -1,6 +1,6 @@
 #pragma once
-// Proposes the tools for which a program seems to be written. The evidence is the tools files next to the program, its set-up and its
-// comments. A person must check the proposals.
+// Proposes the tools for which a program was probably written. The evidence is the tools files next to the program, the set-up of the
+// program and its comments. The user must check the proposals.
 
 #include <cstdint>
 #include <functional>
@@ -15,8 +15,8 @@ namespace kadr {
 
 struct ProposedTool {
   ToolGeometry tool;
-  std::string from;    // text that says in which file or comment the tool was found
-  bool known = false;  // the shape of the tool is known; false: the user must enter it
+  std::string from;    // text that states the file or comment that describes the tool
+  bool known = false;  // true if the shape of the tool is known; otherwise the user must enter the shape
 };
 
 /// A tools file that has been read.
@@ -28,19 +28,19 @@ struct KnownTools {
 /// Returns the numbers of the tools with which the program cuts; tool 0 for a program that calls no tool.
 std::vector<std::uint32_t> tools_cutting(const ProgramRun& run);
 
-/// Returns the file that describes all tools with which the program cuts. If several files do, returns the one that has the name of the
-/// program, or is named "tools".
+/// Returns the file that describes all tools with which the program cuts. If several files qualify, returns the file with the name of the
+/// program, or with the name "tools".
 ///   returns  nullptr if no file qualifies
 const KnownTools* tools_file_for(const std::vector<KnownTools>& files, const ProgramRun& run);
 
-/// Returns one tool for each number with which the program cuts, in the order of use. `file`: tools file that is searched first; nullptr:
-/// none.
+/// Returns one tool for each number with which the program cuts, in the order of use. `file` is the tools file that is searched first;
+/// nullptr: no file.
 std::vector<ProposedTool> proposed_tools(const ProgramRun& run, const KnownTools* file);
 
-/// Returns a function that gives the radius of a tool by its number, mm; 0 if the radius is unknown.
+/// Returns a function that returns the radius in mm of the tool with a given number; 0 if the radius is unknown.
 std::function<double(std::uint32_t tool)> radii_of(const std::vector<ProposedTool>& tools);
 
-/// True if the program seems to be for turning, where the part rotates: the control has no Y axis, or arcs are in the plane of a lathe.
+/// Returns true if the program was probably written for a lathe: the control has no Y axis, or arcs are in the plane G18.
 bool is_turning(const ProgramRun& run);
 
 }  // namespace kadr

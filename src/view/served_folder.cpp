@@ -1,4 +1,4 @@
-// ServedFolder. Used by view/page/page_session; tested by tests/view/served_folder_test.cpp.
+// Reads and saves files of the served folder (ServedFolder). Used by view/page/page_session; tested by tests/view/served_folder_test.cpp.
 
 #include "view/served_folder.h"
 
@@ -49,7 +49,7 @@ class OpenFile {
   int fd_;
 };
 
-/// Opens a file beneath a folder without following links.
+/// Opens a file beneath a folder. Links are not followed, so the file is certainly beneath the folder.
 OpenFile open_beneath(int folder, const std::string& name, int flags, mode_t mode = 0) {
   open_how how{};
   how.flags = std::uint64_t(flags) | O_CLOEXEC | O_NONBLOCK;
@@ -58,7 +58,7 @@ OpenFile open_beneath(int folder, const std::string& name, int flags, mode_t mod
   return OpenFile(int(::syscall(SYS_openat2, folder, name.empty() ? "." : name.c_str(), &how, sizeof how)));
 }
 
-/// True if a component of the name is hidden or empty.
+/// Returns true if a component of the name is hidden (begins with a dot) or empty.
 bool is_hidden(std::string_view name) {
   if (name.empty() || name.find('\0') != std::string_view::npos || name.front() == '/') return true;
   for (std::size_t begin = 0; begin <= name.size();) {
@@ -69,7 +69,8 @@ bool is_hidden(std::string_view name) {
   return false;
 }
 
-/// True for a file named .kadr.toml in a folder that is not hidden. Kadr keeps its choice of control for the folder in that file.
+/// Returns true for a file named .kadr.toml in a folder that is not hidden. In this file Kadr remembers which control the folder's programs
+/// are for.
 bool is_memory(const std::string& name) {
   const std::filesystem::path path(name);
   return path.filename() == remembering_file && (!path.has_parent_path() || !is_hidden(path.parent_path().string()));
@@ -89,7 +90,7 @@ std::string of_errno(const std::string& file, int error) {
   return fmt::format("{}: {}", file, errno_message(error));
 }
 
-std::uint64_t hash_of(std::string_view bytes) {  // FNV-1a, 64 bits: detects changes, but not forgery
+std::uint64_t hash_of(std::string_view bytes) {  // FNV-1a with 64 bits, which detects changes but not forgery
   std::uint64_t hash = 0xcbf29ce484222325;
   for (const char c : bytes) hash = (hash ^ static_cast<unsigned char>(c)) * 0x100000001b3;
   return hash;
@@ -103,7 +104,7 @@ struct Opened {
   OpenFile file;
   struct stat stat;
 };
-/// True if the name has no control characters. Other names are refused, because controls and users write file names into programs.
+/// Returns true if the name has no control characters. Other names are refused, because controls and users write file names into programs.
 bool is_plain_name(std::string_view name) { return visible_name(name) == name; }
 
 std::string beginning_of(int fd) {
@@ -113,7 +114,8 @@ std::string beginning_of(int fd) {
   return sample;
 }
 
-/// True for programs, set-ups, tools and related files. The name decides or, if it cannot, the contents. Key files are never served.
+/// Returns true for programs, set-ups, tools and related files. The name decides or, if the name is not sufficient, the contents. Key files
+/// are never served.
 bool is_served(std::string_view name, int fd) {
   constexpr std::array with_programs = {"stl", "3mf", "ply", "dxf", "svg", "ini", "var", "csv"};
   const std::string sample = beginning_of(fd);
@@ -196,7 +198,7 @@ tl::expected<FolderList, std::string> ServedFolder::list(const std::string& fold
   if (!opened.is_open()) return tl::unexpected(of_errno(folder, errno));
   const std::unique_ptr<DIR, int (*)(DIR*)> rows(::fdopendir(::dup(opened.fd())), ::closedir);
   if (!rows) return tl::unexpected(of_errno(folder, errno));
-  constexpr int max_looked_into = 500;  // greatest number of files that are judged by their contents
+  constexpr int max_looked_into = 500;  // greatest number of files whose contents are examined
   int looked_into = 0;
   FolderList list;
   while (const dirent* const row = ::readdir(rows.get())) {
@@ -230,8 +232,8 @@ tl::expected<std::string, std::string> ServedFolder::path_of(const std::string& 
   return path_ + "/" + file;
 }
 
-/// Returns the path relative to the folder; nullopt if it is outside the folder. `..` is resolved in the text only; that is correct, since
-/// links are not followed when the file is opened.
+/// Returns the path relative to the served folder; nullopt if the path is outside the folder. `..` is resolved in the text only. This is
+/// correct, because links are not followed when the file is opened.
 std::optional<std::string> ServedFolder::beneath(const std::string& path) const {
   const std::string plain = std::filesystem::path(path).lexically_normal().string(), front = path_ == "/" ? path_ : path_ + "/";
   if (!plain.starts_with(front)) return std::nullopt;
@@ -276,7 +278,8 @@ tl::expected<FileDigest, std::string> ServedFolder::digest(const std::string& fi
 
 namespace {
 
-/// Removes unfinished copies of the file from the folder. A server that was killed, or this one, has left them there.
+/// Removes unfinished copies of the file, which a killed server or this server has left in the folder. A copy remains if its server is
+/// still running.
 void take_away_unfinished(const OpenFile& folder, const std::string& file) {
   const std::unique_ptr<DIR, int (*)(DIR*)> rows(::fdopendir(open_beneath(folder.fd(), "", O_RDONLY | O_DIRECTORY).release()), ::closedir);
   const std::string front = "." + file + ".";
@@ -289,15 +292,15 @@ void take_away_unfinished(const OpenFile& folder, const std::string& file) {
   }
 }
 
-/// Gives the file `made` the access rights and the owner in `like`, as far as this program may set them.
+/// Gives the file `made` the access rights and the owner that `like` states, as far as this process may set them.
 void make_alike(int made, const struct stat& like) {
   if (::fchown(made, like.st_uid, like.st_gid) != 0) (void)::fchown(made, uid_t(-1), like.st_gid);
   (void)::fchmod(made, like.st_mode & 0777);
 }
 
-/// Writes the text to a new file in the same folder, gives it the attributes of the replaced file, and renames it to `last`.
-///   replaces  attributes of the file to be replaced; nullopt: no file of that name may exist
-///   returns   an errno; 0: success
+/// Writes the text to a new file in the same folder, gives this file the attributes of the replaced file, and renames it to `last`.
+///   replaces  attributes of the file to be replaced; nullopt: no file of this name may exist
+///   returns   an errno; 0 on success
 int put_in_place(const OpenFile& folder, const std::string& last, std::string_view text, const std::optional<struct stat>& replaces) {
   static std::atomic<unsigned> count{0};
   const std::string unfinished = fmt::format(".{}.{}.{}.kadr", last, ::getpid(), ++count);
@@ -311,7 +314,7 @@ int put_in_place(const OpenFile& folder, const std::string& last, std::string_vi
   if (!write_all(made.fd(), text)) return give_up(errno);
   if (replaces) {
     if (::renameat(folder.fd(), unfinished.c_str(), folder.fd(), last.c_str()) != 0) return give_up(errno);
-  } else {  // a link cannot be created if a file of this name exists by now
+  } else {  // linkat() fails if another process has created a file of this name, so no file is overwritten
     if (::linkat(folder.fd(), unfinished.c_str(), folder.fd(), last.c_str(), 0) != 0) return give_up(errno);
     ::unlinkat(folder.fd(), unfinished.c_str(), 0);
   }
@@ -324,11 +327,11 @@ int put_in_place(const OpenFile& folder, const std::string& last, std::string_vi
 tl::expected<FileDigest, ServedFolder::Refused> ServedFolder::save(const std::string& file, std::string_view text,
                                                                    const std::optional<FileDigest>& replaces) const {
   if (is_hidden(file) || !is_plain_name(file)) return tl::unexpected(Refused{refusal(visible_name(file))});
-  // A file that is to be replaced was read before, and has therefore passed is_served().
+  // This check is only for new files: a file that is to be replaced was read before, and has therefore passed is_served().
   if (!replaces && kind_of_file(file) == FolderEntry::Kind::other)
     return tl::unexpected(Refused{translated(texts::view::not_a_name_to_save, file)});
   if (text.size() > max_saved) return tl::unexpected(Refused{translated(texts::view::too_long_to_save, file)});
-  static std::mutex one_at_a_time;  // if two pages save the same file, the second sees what the first has saved
+  static std::mutex one_at_a_time;  // if two pages save the same file, the second page finds that the first page has changed it
   const std::lock_guard hold(one_at_a_time);
   const auto now = digest(file);
   if (now ? !replaces || *now != *replaces : replaces.has_value())
@@ -338,7 +341,7 @@ tl::expected<FileDigest, ServedFolder::Refused> ServedFolder::save(const std::st
   if (!beside.is_open()) return tl::unexpected(Refused{of_errno(file, errno)});
   std::optional<struct stat> there(std::in_place);
   if (::fstatat(beside.fd(), last.c_str(), &*there, AT_SYMLINK_NOFOLLOW) != 0) there.reset();
-  if (!now && there) return tl::unexpected(Refused{refusal(file)});  // the name is that of a link, a folder or a device
+  if (!now && there) return tl::unexpected(Refused{refusal(file)});  // refused, because a link, a folder or a device has this name
   take_away_unfinished(beside, last);
   if (const int error = put_in_place(beside, last, text, now ? there : std::nullopt); error != 0)
     return tl::unexpected(Refused{of_errno(file, error)});

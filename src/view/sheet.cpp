@@ -1,4 +1,4 @@
-// The set-up sheet. Used by view/page/page_sheet, view/report/page_report; tested by tests/view/sheet_test.cpp.
+// Creates the set-up sheet of a program. Used by view/page/page_sheet, view/report/page_report; tested by tests/view/sheet_test.cpp.
 
 #include "view/sheet.h"
 
@@ -17,10 +17,10 @@
 namespace kadr {
 namespace {
 
-constexpr std::uint32_t head_lines = 200;  // number of lines at the beginning of a program in which notes are searched
-constexpr std::size_t max_calls = 12;      // greatest number of lines listed as calling a tool
+constexpr std::uint32_t head_lines = 200;  // number of lines at the beginning of a program that are searched for notes
+constexpr std::size_t max_calls = 12;      // greatest number of listed lines that call a tool
 constexpr std::size_t max_stops = 500;     // greatest number of stops on a sheet
-constexpr double flutes_by_diameter = 3;   // length of flutes, in diameters, that is assumed if only the radius is known
+constexpr double flutes_by_diameter = 3;   // length of the flutes, in diameters, that is assumed if only the radius is known
 
 std::string today() {
   const std::time_t now = std::time(nullptr);
@@ -30,7 +30,7 @@ std::string today() {
   return std::string(text, std::strftime(text, sizeof text, "%Y-%m-%d", &local));
 }
 
-/// True for a line that contains only comments, and the number of a program or a block.
+/// Returns true for a line that contains only comments, or only comments and the number of a program or a block.
 bool is_head(const std::string& line) {
   std::string rest = without_comments(line);
   rest.erase(std::remove_if(rest.begin(), rest.end(), [](unsigned char c) { return c <= ' '; }), rest.end());
@@ -80,13 +80,13 @@ class SheetMaker {
   }
 
  private:
-  /// Returns the comment in that line; else a comment in the line before or after it, if that line contains only comments.
+  /// Returns the comment in the line `line`; else a comment in the line before or after it, if that line contains only comments.
   std::string comment_on_line(std::uint32_t line) const {
     if (line == 0) return {};
     const std::uint32_t first = line > 1 ? line - 1 : 1;
     const std::vector<std::string> lines = source_.from(first, 3);
     const std::size_t here = line - first;
-    // for the first line, here − 1 wraps around, and is out of range
+    // For the first line, here − 1 wraps around and is out of range, so the line before it is skipped.
     for (const std::size_t i : {here, here - 1, here + 1}) {
       if (i >= lines.size()) continue;
       if (i != here && !without_comments(lines[i]).empty()) continue;
@@ -96,7 +96,7 @@ class SheetMaker {
     return {};
   }
 
-  /// Returns a comment at the beginning of the program that names the tool, else the comment at the block that calls it.
+  /// Returns a comment at the beginning of the program that names the tool, else the comment at the block that calls the tool.
   std::string comment_of(std::uint32_t tool, std::uint32_t called_at) const {
     for (const std::string& line : source_.from(1, head_lines))
       for (const std::string& comment : comments_of(line))
@@ -112,7 +112,7 @@ class SheetMaker {
     return found == all.end() ? nullptr : &found->second;
   }
 
-  /// Lists the other tools that use the same offset, since editing the offset for one tool changes it for all.
+  /// Lists the other tools that use the same offset, because an edit of the offset for one tool changes it for all these tools.
   void take_shared(Sheet::Tool& tool, const Use& by, const std::string& word) const {
     std::set<std::uint32_t> others;
     for (const Use& use : run_.control().use().all())

@@ -1,4 +1,4 @@
-// SourceText. Used by view/page/page_session; tested by tests/view/source_text_test.cpp.
+// Finds and converts lines of a program (SourceText). Used by view/page/page_session; tested by tests/view/source_text_test.cpp.
 
 #include "view/source_text.h"
 
@@ -26,7 +26,8 @@ std::string utf8_of(std::string_view bytes, Encoding encoding) {
   return text;
 }
 
-/// True if the piece of text consists of ASCII characters only, with line feeds as line ends, so that it needs no conversion.
+/// Returns true if a part of the text consists only of ASCII characters with line feeds as line ends, so that this part needs no
+/// conversion.
 bool is_plain(std::string_view piece) {
   constexpr std::uint64_t high_bits = 0x8080808080808080;
   std::uint64_t any = 0;

@@ -1,5 +1,6 @@
 #pragma once
-// SourceText: returns the lines of a program by number, as UTF-8, whatever the length of the program.
+// SourceText: returns lines of a program by their numbers, as UTF-8. Only a few line positions are stored, so the program may have any
+// length.
 
 #include <memory>
 #include <string>
@@ -12,28 +13,28 @@ namespace kadr {
 
 class SourceText {
  public:
-  /// Reads the whole text once, to find where its lines begin.
+  /// Reads the whole text once, to find where the lines begin.
   explicit SourceText(OpenedText text) : SourceText(std::shared_ptr<ByteSource>(std::move(text.source)), text.encoding) {}
   SourceText(std::shared_ptr<ByteSource> source, std::optional<Encoding> encoding);
 
   std::uint32_t lines() const { return lines_; }
   Encoding encoding() const { return encoding_; }
   std::uint64_t bytes() const;
-  /// Returns `count` lines beginning with number `line`, which counts from 1. Returns fewer at the end of the text.
+  /// Returns `count` lines from the line `line` on, which is counted from 1. Returns fewer lines at the end of the text.
   std::vector<std::string> from(std::uint32_t line, std::uint32_t count) const;
   /// Returns the whole text, with line feeds between lines.
   std::string whole() const;
 
  private:
-  static constexpr std::uint32_t stretch = 256;  // number of lines between two stored offsets
+  static constexpr std::uint32_t stretch = 256;  // number of lines from one stored offset to the next
 
   std::shared_ptr<ByteSource> source_;
   Encoding encoding_ = Encoding::utf8;
   std::uint32_t lines_ = 0;
-  std::vector<std::uint64_t> places_;  // byte offsets of the lines 1, 257, …
+  std::vector<std::uint64_t> places_;  // positions in bytes of the lines 1, 257, …
 };
 
-/// Converts a program to UTF-8 with line feeds between lines. Returns the source itself if it has this form already.
+/// Converts a program to UTF-8 with line feeds between lines. If the source already has this form, returns the source itself.
 ///   returns  an empty text if there is no text
 std::shared_ptr<ByteSource> utf8_text(OpenedText text);
 

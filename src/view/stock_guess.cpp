@@ -1,4 +1,4 @@
-// StockGuess. Used by view/page/page_part; tested by tests/view/stock_guess_test.cpp.
+// Proposes a blank for a program (StockGuess). Used by view/page/page_part; tested by tests/view/stock_guess_test.cpp.
 
 #include "view/stock_guess.h"
 
@@ -10,15 +10,17 @@
 namespace kadr {
 namespace {
 
-constexpr double level_height = 0.25;        // the heights of the path are divided into levels of this height, mm
-constexpr std::size_t max_levels = 100'000;  // greatest number of levels; a path with more is not that of a part
-constexpr double mostly = 0.1;               // share of the sideways travel that may be above Z0, if Z0 is the blank's top
-constexpr double above = 0.01;               // mm; heights that differ less are the same
-constexpr double margin_share = 0.05, least_margin = 1, max_margin = 5;  // margin as a share of the longest side; its limits, mm
-constexpr std::size_t max_places = 1000;                                 // greatest number of positions that are checked one by one
-constexpr double same_hole = 0.5;                                        // mm; a path that ends nearer to a descent ends in the same hole
-constexpr double turned_face = 1;                                        // mm of stock on the face, if turning begins at Z0
-constexpr double in_plane = 1e-3;                                        // mm; tolerance for a path in one plane
+constexpr double level_height = 0.25;        // height of a level in mm; the heights of the path are divided into these levels
+constexpr std::size_t max_levels = 100'000;  // greatest number of levels; a path with more levels is not the path of a part
+constexpr double mostly = 0.1;               // greatest fraction of the sideways travel that may be above Z0, if Z0 is the top of the blank
+constexpr double above = 0.01;               // limit in mm: heights that differ by less than this count as equal
+// Margin as a fraction of the longest side, and the limits of this margin in mm.
+constexpr double margin_share = 0.05, least_margin = 1, max_margin = 5;
+constexpr std::size_t max_places = 1000;  // greatest number of positions that are checked one by one
+// Mm; a path that ends closer to a descent than this ends in the same hole.
+constexpr double same_hole = 0.5;
+constexpr double turned_face = 1;  // stock in mm on the face of the part, if turning begins at Z0
+constexpr double in_plane = 1e-3;  // tolerance in mm within which a path counts as in one plane
 
 bool at_feed(PathKind kind) {
   return kind == PathKind::feed || kind == PathKind::arc_cw || kind == PathKind::arc_ccw || kind == PathKind::thread ||
@@ -40,7 +42,7 @@ void take_sides(Box3& box, const Box3& other) {
   box.most.x = std::max(box.most.x, other.most.x), box.most.y = std::max(box.most.y, other.most.y);
 }
 
-/// Reduces the box `wide` so that a tool of this radius does not touch it at `at`, a point outside of the box `cut`.
+/// Reduces the box `wide` so that a tool with this radius does not touch the box when the tool is at `at`, a point outside the box `cut`.
 void end_before(Box3& wide, const Box3& cut, Vec3 at, double radius) {
   const double left = cut.least.x - at.x, right = at.x - cut.most.x, front = cut.least.y - at.y, back = at.y - cut.most.y;
   const double farthest = std::max({left, right, front, back});
@@ -51,7 +53,7 @@ void end_before(Box3& wide, const Box3& cut, Vec3 at, double radius) {
   else wide.most.y = std::min(wide.most.y, at.y - radius);
 }
 
-/// Both functions round to whole mm, outwards: least values down, greatest values up.
+/// down() and up() round to whole mm, so that a box becomes larger: least values are rounded down, greatest values up.
 double down(double value) { return std::floor(value + 1e-3) + 0.0; }
 double up(double value) { return std::ceil(value - 1e-3) + 0.0; }
 
@@ -99,8 +101,8 @@ void StockGuess::take(const ViewPiece& piece) {
   }
 }
 
-/// Returns what is cut if the blank's top is at this height: the path at feed, without the paths on which the tool descends outside the
-/// blank.
+/// Returns the material that the program cuts if the top of the blank is at the height `top`: the path at feed, without the paths on which
+/// the tool descends outside the blank.
 StockGuess::Cut StockGuess::cut_below(double top) const {
   Cut cut{certain_, {}};
   for (const Place& start : starts_) {
@@ -118,7 +120,7 @@ StockGuess::Cut StockGuess::cut_below(double top) const {
   return cut;
 }
 
-/// Returns the machine coordinate Z of the blank's top. `zero`: that of the work zero.
+/// Returns the machine coordinate Z of the top of the blank. `zero` is the machine coordinate Z of the work zero.
 double StockGuess::top_of(double zero) const {
   if (levels_.empty()) return all_->least.z < zero ? zero : all_->most.z;
   double all = 0, beyond = 0;

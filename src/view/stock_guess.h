@@ -1,6 +1,6 @@
 #pragma once
-// StockGuess: proposes the blank for which a program seems to be written. It uses the path that the program moves at feed. A person must
-// check the proposal.
+// StockGuess: proposes the blank for which a program was probably written. The proposal is based on the path that the program travels at
+// feed. The user must check the proposal.
 
 #include <cstdint>
 #include <functional>
@@ -16,41 +16,41 @@ namespace kadr {
 
 class StockGuess {
  public:
-  /// Adds a piece of the path. The pieces must come in order, with positions relative to the machine's zero point.
+  /// Adds a segment of the path. The segments must be added in order, with positions relative to the machine's zero point.
   void take(const ViewPiece& piece);
 
-  /// Returns the radius of a tool by its number, mm; 0: unknown.
+  /// A function that returns the radius in mm of the tool with a given number; 0 if the radius is unknown.
   using RadiusOf = std::function<double(std::uint32_t tool)>;
 
-  /// Returns the blank as a text for `--stock`. For milling it is a box around what is cut, with a margin. The box contains more than the
-  /// area that the tools sweep, so that a pocket has walls. But a tool that descends outside the blank does not touch the box. For turning,
-  /// the blank is a cylinder about the axis.
+  /// Returns the blank as a text for `--stock`. For milling, the blank is a box around the material that is cut, with a margin. The box
+  /// contains more than the area that the tools sweep, so that a pocket has walls. But a tool that descends outside the blank does not
+  /// touch the box. For turning, the blank is a cylinder about the axis.
   ///
-  /// The top of the blank is Z0 if nearly everything is cut below Z0, since most programs have their zero there. Otherwise it is the
-  /// highest level at which the tool moves sideways at feed. A point below the top to which the tool descends at rapid is outside the
-  /// blank; the paths from that point to the part, and back, are not counted as cutting.
+  /// The top of the blank is Z0 if nearly everything is cut below Z0, because most programs have their zero at the top. Otherwise the top
+  /// is the highest level at which the tool moves sideways at feed. A point below the top to which the tool descends at rapid is outside
+  /// the blank; the paths from this point to the part, and back, are not counted as cutting.
   ///   zero     zero point of the picture
-  ///   turned   true: the part rotates about X0 Y0
-  ///   returns  an empty text if nothing is cut
+  ///   turned   true if the part rotates about X0 Y0
+  ///   returns  the blank; an empty text if nothing is cut
   std::string text(Vec3 zero, bool turned, const RadiusOf& radius_of) const;
 
-  /// True if the whole path at feed is in one plane through the axis X0 Y0, as on a lathe and rarely on a mill.
+  /// Returns true if the whole path at feed is in one plane through the axis X0 Y0, as is usual on a lathe and rare on a mill.
   bool is_flat(Vec3 zero) const;
 
  private:
   struct Level {
-    double way = 0;  // length of the path that moves sideways at feed on this level, mm
+    double way = 0;  // length in mm of the path that the tool moves sideways at feed on this level
     double highest = -1e300;
   };
   struct Place {
     Vec3 at;
     std::uint32_t tool = 0;
   };
-  using Boxes = std::map<std::uint32_t, Box3>;  // a box for each tool number
-  /// What is cut if the blank has a certain top.
+  using Boxes = std::map<std::uint32_t, Box3>;  // one box for each tool; the key is the number of the tool
+  /// The material that the program cuts if the blank has a certain top.
   struct Cut {
     Boxes boxes;
-    std::vector<Place> beside;  // positions where tools descend outside the blank
+    std::vector<Place> beside;  // positions of tools that descend outside the blank
   };
   static void widen(Boxes& boxes, const Place& place);
   void take_way(Place from, Place to);
@@ -59,11 +59,11 @@ class StockGuess {
   Cut cut_below(double top) const;
 
   std::optional<Box3> all_;           // box around the path at feed
-  Boxes certain_;                     // boxes around the path at feed, without the ends in starts_ and ends_
-  std::vector<Place> starts_, ends_;  // starts of sideways travel after a rapid; ends of sideways travel before a rapid
+  Boxes certain_;                     // boxes around the path at feed, without the positions in starts_ and ends_
+  std::vector<Place> starts_, ends_;  // positions where sideways travel starts after a rapid, and where sideways travel ends before a rapid
   std::optional<Place> end_;          // end of the last sideways travel, until the next motion is known
   bool after_rapid_ = true;
-  std::map<int, Level> levels_;  // by height
+  std::map<int, Level> levels_;  // levels of the path; the key is the number of the level, counted from the height 0
 };
 
 }  // namespace kadr

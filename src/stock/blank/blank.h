@@ -1,5 +1,5 @@
 #pragma once
-// Blank: the material before the first cut. Lengths in mm, in the work system.
+// Blank: the material before the first cut. Lengths are in mm, in the work coordinates of the blank.
 
 #include <memory>
 #include <vector>
@@ -27,16 +27,16 @@ class Blank {
   /// is true, else the line enters the blank.
   virtual Vec3 normal(Vec3 at, int family, bool out) const = 0;
   virtual double volume() const = 0;
-  /// Returns the volume in mm³ inside a box. Blanks without a better method add up intervals of lines, with a relative error of some 1e-5.
+  /// Returns the volume in mm³ inside a box. Blanks without a better method add up intervals of lines, with a relative error of about 1e-5.
   virtual double volume_within(const Box3& box) const;
-  /// True if solid bodies of the blank overlap; the blank is then their union.
+  /// Returns true if solid bodies of the blank overlap; the blank is then the union of these bodies.
   virtual bool overlaps() const { return false; }
-  /// Returns the memory of the blank in bytes; 0 if it is small.
+  /// Returns the memory of the blank in bytes; 0 if the blank needs almost no memory.
   virtual std::size_t bytes() const { return 0; }
   /// Returns for each brick of the lattice whether the blank's surface may cross it; an empty vector means that it may cross any brick.
   /// For a brick that the surface does not cross, one line through the brick shows whether the brick is full or empty.
   virtual std::vector<bool> bricks_at_surface(const Lattice&) const { return {}; }
-  /// Returns the mesh that defines the blank; nullptr if there is none.
+  /// Returns the mesh that defines the blank; nullptr if the blank is not a mesh.
   virtual const Mesh* mesh() const { return nullptr; }
 };
 

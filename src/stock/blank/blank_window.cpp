@@ -8,7 +8,8 @@
 namespace kadr {
 namespace {
 
-constexpr double same_place = 1e-3;  // mm: positions that differ by less count as equal, because they were rounded to single precision
+// Limit in mm: positions that differ by less than this count as equal, because positions are rounded to single precision.
+constexpr double same_place = 1e-3;
 
 class BlankWindow : public Blank {
  public:

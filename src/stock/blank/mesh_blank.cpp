@@ -13,7 +13,8 @@
 namespace kadr {
 namespace {
 
-// mm: hits at positions that differ by less count as one, because positions were rounded to single precision
+// Limit in mm: intersections of a line with the mesh that are closer together count as one, because positions are rounded to single
+// precision.
 constexpr double same_hit = 1e-3;
 constexpr int lines_to_overlap = 128;
 
@@ -24,7 +25,8 @@ class MeshBlank : public Blank {
   MeshBlank& operator=(const MeshBlank&) = delete;
 
   Box3 box() const override { return box_; }
-  /// The volume formula of the mesh would count regions inside two overlapping shells twice.
+  /// The volume formula of the mesh would count regions inside two overlapping shells twice, so lattice lines measure the volume of such a
+  /// mesh.
   double volume() const override { return overlaps() ? Blank::volume_within(box_) : volume_; }
   const Mesh* mesh() const override { return &mesh_; }
   double volume_within(const Box3& box) const override { return overlaps() ? Blank::volume_within(box) : mesh_within(mesh_, box).volume; }
@@ -58,14 +60,14 @@ const MeshIndex& MeshBlank::index(int family) const {
   return *along_[family];
 }
 
-/// The order of hits along a line: returns true if `a` comes before `b`. Where two solid bodies touch, the hit that enters the second comes
-/// before the hit that leaves the first.
+/// Returns true if the intersection `a` comes before the intersection `b` along a line. Where two solid bodies touch, the intersection at
+/// which the line enters the second body comes before the one at which it leaves the first body.
 bool before(const MeshHit& a, const MeshHit& b) {
   if (a.place != b.place) return a.place < b.place;
   return a.turn != b.turn ? a.turn > b.turn : a.triangle < b.triangle;
 }
 
-/// Returns true if some interval of the line is inside two shells.
+/// Returns true if some interval of the line is inside two shells of the mesh at once.
 bool winds_twice(std::vector<MeshHit>& hits) {
   std::sort(hits.begin(), hits.end(), before);
   int depth = 0;
@@ -122,7 +124,7 @@ Vec3 MeshBlank::normal(Vec3 at, int family, bool out) const {
   return best == nullptr ? square : normal_of(best->triangle, square);
 }
 
-/// Marks the bricks around each triangle. A small margin covers the rounding of positions on lines.
+/// Marks the bricks that the box around each triangle meets. A small margin covers the rounding of positions on lines.
 std::vector<bool> MeshBlank::bricks_at_surface(const Lattice& lattice) const {
   std::vector<bool> at(lattice.size(), false);
   const double hair = 1e-3 * lattice.cell();

@@ -13,7 +13,7 @@ namespace kadr {
 namespace {
 
 constexpr const char* bodies_file = "kadr-bodies.so";
-// The folders in which the module is searched. The first two are relative to the folder of the program, the next two to the folder of
+// The folders in which the module is searched for. The first two are relative to the folder of the program, the next two to the folder of
 // libkadr.so, the last to the folder of the tests in a build.
 constexpr const char* bodies_folders[] = {"", "../lib/kadr/modules/", "kadr/modules/", "../kadr/modules/", "../"};
 
@@ -22,7 +22,7 @@ std::string folder_of_this() {
   static const char here = 0;
   Dl_info info{};
   if (dladdr(&here, &info) == 0 || info.dli_fname == nullptr) return "";
-  // dladdr may return the program's name as it was typed; then /proc/self/exe is the file.
+  // dladdr may return the program's name as the user typed it, without a folder; in this case /proc/self/exe leads to the file.
   const char* const name = std::string_view(info.dli_fname).find('/') == std::string_view::npos ? "/proc/self/exe" : info.dli_fname;
   const std::unique_ptr<char, void (*)(void*)> whole(realpath(name, nullptr), std::free);
   if (!whole) return "";

@@ -8,12 +8,13 @@
 namespace kadr {
 namespace {
 
-constexpr double same_circle = 1e-9;  // mm
+constexpr double same_circle = 1e-9;  // limit in mm: circles whose heights differ by less count as one
 
 /// Appends the tangent lines that replace a quarter circle about (x, y) with the radius r, from the point below the centre to the point at
 /// the centre's height.
 void add_arc(std::vector<Vec2>& profile, double x, double y, double r, double chord) {
-  const double half = std::acos(1 / (1 + std::max(chord, 1e-9) / r));  // the tangents lie outside the circle by `chord`
+  // The corners between the tangents are about `chord` mm outside the circle.
+  const double half = std::acos(1 / (1 + std::max(chord, 1e-9) / r));
   const int count = std::clamp(int(std::ceil(pi / 4 / half)), 2, 64);
   const double step = pi / 2 / count, about = r / std::cos(step / 2);
   profile.push_back({x, y - r});
@@ -36,8 +37,8 @@ void add_solid(std::vector<Vec2>& profile, const RoundSolid& s, double chord) {
 
 }  // namespace
 
-/// Returns the outer side of the convex hull of the points, in ascending order, including its two ends (Andrew's monotone chain). An end
-/// of radius 0 is a single point.
+/// Returns the outer side of the convex hull of the points, in ascending order, including the two ends (Andrew's monotone chain). An end of
+/// radius 0 is a single point.
 std::vector<Vec2> circles_of(const ConvexBody& body, double chord) {
   std::vector<Vec2> profile;
   for (const RoundSolid& s : body.solids) add_solid(profile, s, chord);
@@ -47,7 +48,7 @@ std::vector<Vec2> circles_of(const ConvexBody& body, double chord) {
     while (hull.size() >= 2 && cross(hull.back() - hull[hull.size() - 2], p - hull.back()) <= same_circle * same_circle) hull.pop_back();
     hull.push_back(p);
   }
-  // Of several circles at the same height, only the widest is kept.
+  // Of several circles at the same height, only the widest remains.
   std::vector<Vec2> circles;
   for (const Vec2& p : hull) {
     if (!circles.empty() && p.y - circles.back().y < same_circle) circles.back().x = std::max(circles.back().x, p.x);

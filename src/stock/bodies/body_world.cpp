@@ -9,7 +9,8 @@
 namespace kadr {
 namespace {
 
-constexpr double chord_of_round = 0.002;  // mm by which a rounded end may be too large, because straight lines replace its arcs
+// Greatest error in mm where straight lines replace the arcs of a rounded end; the body becomes larger, never smaller.
+constexpr double chord_of_round = 0.002;
 
 /// Returns the 3 × 4 matrix of a pose, row by row.
 std::array<double, 12> rows_of(const LinkPose& p) {
@@ -57,7 +58,8 @@ std::optional<SolidBody> BodyWorld::add(const ConvexBody& body) {
   std::vector<double> numbers;
   for (const Vec2& c : circles) numbers.insert(numbers.end(), {c.x, c.y});
   auto added = body_at(door_->add_round(bodies_.get(), numbers.data(), int(circles.size())), {}, box);
-  if (added) added->ball.radius *= 1.001;  // the polygon that the module uses encloses the circle
+  // The module replaces each circle by a polygon that encloses the circle, so the body becomes slightly larger.
+  if (added) added->ball.radius *= 1.001;
   return added;
 }
 

@@ -19,12 +19,12 @@ struct SolidBody {
   int number = 0;
   LinkPose lies;
   BodyBall ball;       // sphere that encloses the body, in the coordinates of the description
-  bool convex = true;  // false for a mesh, which may have any shape
+  bool convex = true;  // true if the body is convex; a mesh may have any shape, so it is not assumed to be convex
 };
 
 struct BodyGap {
-  double distance = 0;       // mm; negative if they overlap
-  Vec3 on_first, on_second;  // the closest points of the two bodies; unset if they overlap
+  double distance = 0;       // distance in mm; negative if the two bodies overlap
+  Vec3 on_first, on_second;  // the closest points of the two bodies, mm; not set if the bodies overlap
 };
 
 class BodyWorld {
@@ -33,16 +33,17 @@ class BodyWorld {
   ///   pre  the module is loaded
   explicit BodyWorld(const KadrBodiesInterface& door);
 
-  /// Returns nullopt if memory runs out. A shape that is given by a file is a mesh: this overload returns nullopt for it; use the next.
+  /// Adds a body to the set. Returns nullopt if memory runs out, or if the shape is given by a mesh file; for a mesh, call add(const
+  /// Mesh&).
   std::optional<SolidBody> add(const BodyShape& shape);
   std::optional<SolidBody> add(const Mesh& mesh);
-  /// Adds a body of the tool, in coordinates with the origin at the tip and Z along the tool's axis.
+  /// Adds a body of the tool. The origin of the tool's coordinates is the tip, and Z is along the tool's axis.
   std::optional<SolidBody> add(const ConvexBody& body);
 
   /// `pose_a`, `pose_b` are the poses of the coordinates in which each body was described.
-  ///   returns  distance 0 if FCL finds no result
+  ///   returns  the distance and the closest points; the distance is 0 if FCL finds no result
   BodyGap gap(const SolidBody& a, const LinkPose& pose_a, const SolidBody& b, const LinkPose& pose_b) const;
-  /// Returns by how much the two bodies overlap, mm; 0 if unknown.
+  /// Returns the depth in mm by which the two bodies overlap; 0 if the depth is unknown.
   double depth(const SolidBody& a, const LinkPose& pose_a, const SolidBody& b, const LinkPose& pose_b) const;
 
  private:

@@ -9,7 +9,7 @@
 namespace kadr {
 namespace {
 
-constexpr int depth_samples = 8;  // number of positions in the rest of the motion at which the overlap is measured
+constexpr int depth_samples = 8;  // number of positions, from the collision to the end of the motion, at which the overlap is measured
 
 Axes scaled(const Axes& axes, double by) {
   Axes scaled{};
@@ -42,7 +42,7 @@ bool MovingBodies::belongs_together(const Pair& pair) const {
   return a.link != b.link && (a.kind == BodyKind::machine || b.kind == BodyKind::machine);
 }
 
-/// Chooses the pairs in which both bodies are shown and which are not excluded by accept_initial_contacts().
+/// Chooses the pairs to check: both bodies are shown, and accept_initial_contacts() has not excluded the pair.
 void MovingBodies::choose() {
   chosen_.clear();
   for (std::size_t i = 0; i < pairs_.size(); ++i)
@@ -76,7 +76,7 @@ std::vector<std::pair<std::size_t, std::size_t>> MovingBodies::accept_initial_co
     const Body &a = bodies_[pair.first], &b = bodies_[pair.second];
     const bool of_machine = a.kind == BodyKind::machine && b.kind == BodyKind::machine;
     // A body on a link that carries the tool may touch the tool by design, because the tool is in the spindle. But a contact between the
-    // tool and a body of the table at axis positions 0 does not prove that the machine is built so.
+    // tool and a body of the table at axis positions 0 does not prove that the machine is built so; that pair is still checked.
     const Body& other = a.kind == BodyKind::tool ? b : a;
     const bool about_spindle = (a.kind == BodyKind::tool || b.kind == BodyKind::tool) && links_.carries_tool(other.link);
     if (!of_machine && !about_spindle) continue;
@@ -97,8 +97,8 @@ BodyGap MovingBodies::gap(const Pair& pair, const std::vector<LinkPose>& links) 
   return world_.gap(bodies_[pair.first].solid, pose(pair.first, links), bodies_[pair.second].solid, pose(pair.second, links));
 }
 
-/// Returns an upper bound for the approach of two bodies. Between convex bodies there is a separating plane, and only motion across this
-/// plane counts.
+/// Returns an upper bound for the approach of two bodies. Between convex bodies there is a separating plane, so only motion across this
+/// plane brings the bodies closer.
 double MovingBodies::nearing(const Pair& pair, const BodyGap& gap, const std::vector<LinkPose>& links, const Axes& by) const {
   const Travel a = travel(pair.first, pair.carrier, links, by), b = travel(pair.second, pair.carrier, links, by);
   const Vec3 together = a.together - b.together;
@@ -133,7 +133,7 @@ void MovingBodies::move(const Axes& from, const Axes& to, std::vector<BodyMeetin
   for (const BodyMeeting& meeting : met) tell(meeting, first_new, found);
 }
 
-/// Advances along the motion in steps that are too short for the two bodies to meet.
+/// Advances along the motion in steps, each too short for the two bodies to meet.
 void MovingBodies::follow(Pair& pair, const Axes& from, const Axes& by, std::vector<BodyMeeting>& found) {
   double part = 0;
   while (true) {
@@ -156,7 +156,7 @@ void MovingBodies::follow(Pair& pair, const Axes& from, const Axes& by, std::vec
   }
 }
 
-/// Checks whether two bodies that have met have separated at the axis positions `to`. Before they have separated, they are not reported
+/// Checks whether two bodies that have met have separated at the axis positions `to`. Bodies that are still in contact are not reported
 /// again.
 void MovingBodies::part_from(Pair& pair, const Axes& to) {
   links_.poses(to, now_);

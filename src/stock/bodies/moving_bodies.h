@@ -1,10 +1,10 @@
 #pragma once
 // MovingBodies: solid bodies on the links of a machine. Finds which bodies collide (meet) while the axes move.
 //
-// For each pair of bodies a lower bound of their distance is stored. A motion reduces the bound by the most that the two bodies can
-// approach each other (MachineLinks::travel). Only if the bound would become 0, FCL computes the distance, repeatedly along the path:
-// each time at the farthest position up to which the two bodies cannot have met (conservative advancement). So no collision is missed,
-// however short, and each is found before the gap is below 0.01 mm.
+// For each pair of bodies a lower bound of their distance is stored. A motion reduces this bound by the most that the two bodies can
+// approach each other (MachineLinks::travel). Only if the bound would become 0, FCL computes the distance, repeatedly along the path: each
+// time at the farthest position up to which the two bodies cannot have met (conservative advancement). So even the shortest collision is
+// found, always before the distance of the two bodies is below 0.01 mm.
 
 #include <cstdint>
 #include <string>
@@ -14,22 +14,22 @@
 
 namespace kadr {
 
-/// mm: two bodies with a smaller gap count as having met
+/// Limit in mm: two bodies whose distance is smaller than this count as having met.
 inline constexpr double bodies_meet = 0.01;
 
-/// The role of a body; pairs of some roles are not checked against each other.
+/// The role of a body. Pairs of bodies with certain roles are not checked against each other.
 enum class BodyKind : std::uint8_t {
-  machine,  // from the machine's file
+  machine,  // a body from the machine's file
   tool,     // a part of the tool, including its shank and holder
-  work,     // the blank or a fixture; whether the tool cuts into it is found by the cutting simulation
+  work,     // the blank or a fixture; the cutting simulation finds whether the tool cuts into this body
 };
 
 /// A collision of two bodies.
 struct BodyMeeting {
-  std::size_t first, second;  // numbers from add()
-  double part;                // share of the motion (0 to 1) at which they met
-  Vec3 at;                    // in the coordinates of the bed
-  double depth;               // mm by which the two bodies overlap after the motion; 0: unknown
+  std::size_t first, second;  // numbers of the two bodies, as add() returned them
+  double part;                // fraction of the motion (0 to 1) at which the two bodies met
+  Vec3 at;                    // position of the collision in the coordinates of the bed, mm
+  double depth;               // greatest overlap of the two bodies in mm, from the collision to the end of the motion; 0 if unknown
 };
 
 class MovingBodies {
@@ -72,10 +72,10 @@ class MovingBodies {
   };
   struct Pair {
     std::size_t first, second;
-    std::size_t carrier;   // the last link from the bed that carries both bodies
-    double at_least = 0;   // lower bound of the distance between the two bodies at the present axis positions
-    bool touches = false;  // they have met and have not separated since
-    bool touched = false;  // value of `touches` before this motion
+    std::size_t carrier;   // the last link, counted from the bed, that carries both bodies
+    double at_least = 0;   // lower bound in mm of the distance between the two bodies at the present axis positions
+    bool touches = false;  // true if the two bodies have met and have not separated since
+    bool touched = false;  // value that `touches` had before this motion
     bool as_built = false, is_checked = false;
   };
   void choose();
@@ -97,8 +97,8 @@ class MovingBodies {
   std::vector<Body> bodies_;
   std::vector<Pair> pairs_;
   std::vector<std::size_t> chosen_;    // indices in pairs_ of the pairs to check
-  std::vector<LinkPose> start_, now_;  // poses of the links
-  std::vector<Travel> travels_;        // displacement bounds of the bodies in a motion, in the coordinates of the bed
+  std::vector<LinkPose> start_, now_;  // poses of the links at the start of the motion, and at the present step along the motion
+  std::vector<Travel> travels_;        // upper bounds of the displacements of the bodies in a motion, in the coordinates of the bed
   std::uint64_t asked_ = 0;
 };
 

@@ -9,12 +9,13 @@ namespace {
 
 constexpr int square_edge = 4, squares_along = brick_edge / square_edge;
 
-/// Returns the bound of the square of 4 × 4 lines along Z that contains the lattice indices x, y.
+/// Returns the height bound of the square of 4 × 4 lattice lines along Z that contains the line with the indices x, y.
 float& square_of(Brick& brick, int x, int y) { return brick.top_of_square[std::size_t(y / square_edge * squares_along + x / square_edge)]; }
 
 void raise(float& top, float to) { top = std::max(top, to); }
 
-/// Raises the bounds by the material between two positions of a line along X or Y (family 0 or 1), at the height of its lattice points.
+/// Raises the height bounds to the material between two positions of a line along X or Y (family 0 or 1). The material is at the height of
+/// the lattice points of this line.
 void raise_by_level_line(Brick& brick, int family, int line, float from, float to, float cell) {
   if (from >= to) return;
   const int lane = line % brick_edge, row = line / brick_edge;

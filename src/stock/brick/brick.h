@@ -12,9 +12,9 @@
 namespace kadr {
 
 inline constexpr int brick_edge = 16;
-inline constexpr int brick_lines = brick_edge * brick_edge;  // number of lines in a family
+inline constexpr int brick_lines = brick_edge * brick_edge;  // number of lattice lines in a family
 
-inline constexpr std::int32_t of_blank = -1;  // marks an end of an interval that belongs to the blank's surface
+inline constexpr std::int32_t of_blank = -1;  // marks an end of an interval that is on the blank's surface, where no sweep has cut
 
 /// A second or later interval of a line.
 struct FurtherInterval {
@@ -23,7 +23,7 @@ struct FurtherInterval {
   std::int32_t from_by, to_by;
 };
 
-/// The first interval of each line of one family, and the further ones. An interval whose `to` is not greater than its `from` is empty.
+/// The first interval of each line of one family, and the further intervals. An interval is empty if `to` is not greater than `from`.
 struct BrickLines {
   alignas(32) float from[brick_lines];
   alignas(32) float to[brick_lines];
@@ -34,11 +34,11 @@ struct BrickLines {
 
 struct Brick {
   std::array<BrickLines, 3> family;
-  // Upper bounds of the height of the material, with which sweeps above it are excluded quickly: one for each square of four by four
-  // lines along Z, and one for the whole brick.
+  // Upper bounds of the height of the material, mm: one for each square of 4 × 4 lines along Z, and one for the whole brick. A sweep that
+  // stays above a bound removes nothing there and is skipped.
   alignas(32) std::array<float, 16> top_of_square;
   float top = 0;
-  int cuts_since = 0;  // number of cuts since the bounds were last computed
+  int cuts_since = 0;  // number of cuts after which the bounds have not been computed again
 };
 
 /// Recomputes the height bounds `top_of_square` and `top`.

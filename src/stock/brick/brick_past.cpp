@@ -1,4 +1,4 @@
-// The history of a brick. Used by stock/stock.
+// Records and restores the history of a brick. Used by stock/stock.
 
 #include "stock/brick/brick_past.h"
 

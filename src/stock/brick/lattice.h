@@ -56,7 +56,7 @@ class Lattice {
   Vec3 corner(BrickPlace p) const { return origin_ + edge() * Vec3{double(p.x), double(p.y), double(p.z)}; }
   Vec3 corner(std::size_t i) const { return corner(place(i)); }
 
-  /// Returns how many bricks are needed along an axis in which the box has this length.
+  /// Returns the number of bricks that are needed along an axis for a box of this length in mm.
   static int bricks_for(double length, double cell) { return int(std::ceil((length / cell + 4) / brick_edge)); }
 
  private:

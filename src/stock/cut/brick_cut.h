@@ -9,7 +9,7 @@
 
 namespace kadr {
 
-/// The box around the material that a sweep removed, mm from the brick's corner.
+/// The box around the material that a sweep removed, in mm from the brick's corner.
 struct RemovedBox {
   float least[3] = {1e30f, 1e30f, 1e30f};
   float most[3] = {-1e30f, -1e30f, -1e30f};
@@ -19,10 +19,11 @@ struct RemovedBox {
 /// What a sweep removed from a brick.
 struct CutOutcome {
   bool changed = false;
-  double length = 0;              // removed length, summed over the lattice lines along Z, mm
-  float depth = 0;                // greatest height of removed material above the tip's lowest position over the line, mm
-  float longest = 0;              // longest interval removed from a lattice line of any direction, mm
-  RemovedBox* watched = nullptr;  // receives the removed box unless nullptr; intervals shorter than `least_piece` are left out
+  double length = 0;  // removed length, summed over the lattice lines along Z, mm
+  float depth = 0;    // greatest height of removed material above the tip's lowest position over the line, mm
+  float longest = 0;  // longest interval removed from a lattice line of any direction, mm
+  // Receives the box around the removed material unless nullptr; removed intervals shorter than `least_piece` mm are left out of the box.
+  RemovedBox* watched = nullptr;
   float least_piece = 0;
 };
 
@@ -33,12 +34,13 @@ struct BrickScale {
   alignas(32) float place[brick_edge];
 };
 
-/// Width of the processor's vectors to use. Both widths give bit for bit the same result.
+/// Vectors with which the processor computes: pair means two vectors of 16 bytes, wide means one of 32 bytes. Both give the same result,
+/// bit for bit.
 enum class LaneWidth : std::uint8_t { pair, wide };
 /// Returns the greatest width that this processor supports.
 LaneWidth widest_lanes();
 
-/// Removes the material that the body sweeps.
+/// Removes from the brick the material that the body sweeps.
 ///   by  number of the sweep, which is stored at the new ends of intervals
 void cut_brick(Brick& brick, const BrickScale& scale, const LocalSweep& sweep, const SweptBody& body, std::int32_t by, CutOutcome& outcome,
                LaneWidth width = widest_lanes());

@@ -1,4 +1,5 @@
-// The part of Cutter that handles lines one by one: whole bricks, lines with several intervals, reports.
+// The part of Cutter that handles lattice lines one by one: bricks that are removed as a whole, lines with several intervals, and the
+// record of what was removed.
 
 #include "stock/cut/cutter.h"
 
@@ -29,7 +30,7 @@ Cutter::Cutter(Brick& brick, const BrickScale& scale, const LocalSweep& sweep, c
       below_(body.turned ? -body.top : body.bottom),
       above_(body.turned ? -body.bottom : body.top) {}
 
-/// Returns the lowest height of the body's bottom while it passes the brick.
+/// Returns the lowest height of the body's bottom while the body passes the brick.
 float Cutter::lowest_over_brick() const {
   const LocalSweep& s = sweep_;
   const float half = scale_.edge / 2, along_plane = (half - s.from[0]) * s.flat_direction[0] + (half - s.from[1]) * s.flat_direction[1];
@@ -117,7 +118,7 @@ void Cutter::watch_lanes(const BrickLines& lines, int family, int at, const floa
   }
 }
 
-/// Handles lines in which the swept interval divides the first interval in two: the upper one becomes a further interval.
+/// Handles lines in which the swept interval divides the first interval in two: the upper part becomes a further interval.
 void Cutter::split(BrickLines& lines, int at, const float* from, const float* to) {
   for (int i = 0; i < lanes::lane_count; ++i) {
     if (!(from[i] > lines.from[at + i] && to[i] < lines.to[at + i] && from[i] < to[i])) continue;

@@ -1,9 +1,9 @@
 #pragma once
 // Cutter: removes what one body of a tool sweeps in one sweep from one brick. Used by stock/cut/brick_cut.
 //
-// It finds the lattice lines that the body can meet, then the interval of each line that the body sweeps (upright_rows, level_rows),
-// and then what this removes from the material. Code that handles eight lines at once, one per lane of a processor vector, is in
-// cutter_lanes.h; the rest is in cutter.cpp.
+// The Cutter finds the lattice lines that the body can meet, then the interval of each line that the body sweeps (upright_rows,
+// level_rows), and then removes this interval from the material. Code that handles eight lines at once, one per lane of a processor vector,
+// is in cutter_lanes.h; the rest is in cutter.cpp.
 
 #include "stock/cut/brick_cut.h"
 #include "stock/cut/float_lanes.h"
@@ -13,8 +13,8 @@ namespace kadr {
 namespace lanes {
 template <class V>
 struct Swept;
-/// What a sweep removes from the lines of one family, in mm, for each lane: sum of lengths, greatest height above the tip, longest
-/// interval.
+/// What a sweep removes from the lines of one family, in mm, one number for each lane: the sum of the removed lengths, the greatest height
+/// of removed material above the tip, the longest removed interval.
 template <class V>
 struct Taken;
 }  // namespace lanes
@@ -38,8 +38,8 @@ class Cutter {
   void end();
 
  protected:
-  /// Safety margin, mm, for skipping material that the sweep does not reach. The height bounds of the brick may be older than its last
-  /// cuts, that is, too high but never too low; so skipping never changes the result.
+  /// Safety margin in mm for skipping material that the sweep does not reach. The height bounds of the brick may be older than its last
+  /// cuts. Such bounds are too high but never too low, so skipping never changes the result.
   float margin() const { return scale_.cell * 1e-3f; }
   float lowest_over_brick() const;
   template <class V>

@@ -1,6 +1,6 @@
 #pragma once
-// The part of Cutter that handles eight lattice lines at once (stock/cut/float_lanes.h). Only for stock/cut/brick_cut, which compiles it
-// for each type of processor.
+// The part of Cutter that handles eight lattice lines at once (stock/cut/float_lanes.h). Only stock/cut/brick_cut includes this file, and
+// compiles it for each type of processor.
 
 #include "stock/cut/cutter.h"
 #include "stock/cut/level_rows.h"
@@ -13,7 +13,7 @@ namespace lanes {
 template <class V>
 struct Taken {
   V gone, depth, longest;
-  V tip;  // height of the tool's tip where the body is lowest over each of the eight lines
+  V tip;  // height of the tool's tip where the body is lowest over each of the eight lines, mm
 };
 }  // namespace lanes
 
@@ -26,7 +26,8 @@ KADR_IN_LANES V lowest_height(const SweptBody& b, const V& radius) {
   return spread<V>(b.corner) - root(spread<V>(b.corner * b.corner) - beyond * beyond);
 }
 
-/// Excludes squares of 4 × 4 lattice lines along Z whose material ends below the sweep, or that the sweep does not reach.
+/// Excludes squares of 4 × 4 lattice lines along Z in which the sweep removes nothing: the material ends below the sweep, or the sweep does
+/// not reach the square.
 template <class V>
 KADR_IN_LANES void Cutter::narrow_by_squares(float least_place[3], float most_place[3]) const {
   static constexpr float middle_x[16] = {2, 6, 10, 14, 2, 6, 10, 14, 2, 6, 10, 14, 2, 6, 10, 14};
@@ -110,7 +111,8 @@ KADR_IN_LANES void Cutter::cut_family(const PointRange& range) {
   BrickLines& lines = brick_.family[std::size_t(family)];
   const LocalSweep sweep = body_.turned ? upside_down(sweep_) : sweep_;
   const LevelPath way(sweep, family == 2 ? 0 : family);
-  // The further intervals are tested for before this cut, because intervals that this cut itself splits off lie outside the swept volume.
+  // This test for further intervals is made before this cut, because intervals that this cut itself splits off are outside the swept
+  // volume.
   const bool several = !lines.further.empty();
   alignas(32) float all_from[brick_lines], all_to[brick_lines], all_tips[brick_lines];
   if (several) std::fill(all_from, all_from + brick_lines, missed), std::fill(all_to, all_to + brick_lines, -missed);

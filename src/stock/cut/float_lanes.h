@@ -1,8 +1,8 @@
 #pragma once
 // Lanes: eight single-precision numbers that are computed in parallel, as one vector of the processor (Wide) or as two vectors (Pair).
 //
-// Code that is written once for both, as `template <class V>`, gives bit for bit the same result: +, -, *, / and the square root are
-// rounded alike on all processors, and the compiler never fuses two operations (-ffp-contract=off).
+// Code that is written once for both types, as `template <class V>`, gives the same result with either type, bit for bit: +, -, *, / and
+// the square root are rounded alike on all processors, and the compiler never fuses two operations (-ffp-contract=off).
 //
 // A function that uses lanes is compiled for the processors that have such vectors. Small functions are inlined into their callers
 // (KADR_IN_LANES). Large functions that are called from several places are not (KADR_OWN_FUNCTION): inlining them everywhere would give
@@ -12,7 +12,7 @@
 #include <cmath>
 #include <cstdint>
 
-#pragma GCC diagnostic ignored "-Wpsabi"  // the ABI for passing Lanes without AVX; they are never passed
+#pragma GCC diagnostic ignored "-Wpsabi"  // GCC warns that passing vectors by value depends on AVX; these vectors are never passed by value
 
 #define KADR_IN_LANES inline __attribute__((always_inline))
 #define KADR_OWN_FUNCTION __attribute__((noinline))
@@ -21,10 +21,11 @@ namespace kadr::lanes {
 
 inline constexpr int lane_count = 8;
 
-// ---- one vector of 32 bytes
+// ---- functions for one vector of 32 bytes
 
 using Wide = float __attribute__((vector_size(32), may_alias));
-using WideMarks = std::int32_t __attribute__((vector_size(32), may_alias));  // comparison result: all bits of a lane set, or none
+// Result of a comparison: all bits of a lane are set if the comparison is true, else none.
+using WideMarks = std::int32_t __attribute__((vector_size(32), may_alias));
 
 KADR_IN_LANES Wide choose(const WideMarks& m, const Wide& a, const Wide& b) { return m ? a : b; }
 KADR_IN_LANES WideMarks choose(const WideMarks& m, const WideMarks& a, const WideMarks& b) { return m ? a : b; }
@@ -41,7 +42,7 @@ KADR_IN_LANES Wide square_root(const Wide& v) {
               __builtin_sqrtf(v[4]), __builtin_sqrtf(v[5]), __builtin_sqrtf(v[6]), __builtin_sqrtf(v[7])};
 }
 
-// ---- two vectors of 16 bytes
+// ---- functions for two vectors of 16 bytes
 
 using Quad = float __attribute__((vector_size(16), may_alias));
 using QuadMarks = std::int32_t __attribute__((vector_size(16), may_alias));
@@ -87,7 +88,7 @@ KADR_IN_LANES Quad square_root(const Quad& v) {
 }
 KADR_IN_LANES Pair square_root(const Pair& v) { return {square_root(v.low), square_root(v.high)}; }
 
-// ---- for both, Wide and Pair
+// ---- functions for both types, Wide and Pair
 
 template <class V>
 using MarksOf = decltype(V{} < V{});
@@ -117,7 +118,7 @@ KADR_IN_LANES Wide spread_of(float v, const Wide&) { return Wide{v, v, v, v, v, 
 KADR_IN_LANES Pair spread_of(float v, const Pair&) { return {Quad{v, v, v, v}, Quad{v, v, v, v}}; }
 KADR_IN_LANES WideMarks spread_of(std::int32_t v, const WideMarks&) { return WideMarks{v, v, v, v, v, v, v, v}; }
 KADR_IN_LANES PairMarks spread_of(std::int32_t v, const PairMarks&) { return {QuadMarks{v, v, v, v}, QuadMarks{v, v, v, v}}; }
-/// Returns lanes that all contain this number.
+/// Returns lanes that all contain the number `v`.
 template <class V>
 KADR_IN_LANES V spread(auto v) {
   return spread_of(v, V{});

@@ -1,8 +1,8 @@
 #pragma once
-// Finds the intervals of lattice lines along X or Y inside the volume that a body of an upright tool sweeps along a straight path. Single
-// precision, lengths in mm from the brick's corner.
+// Finds the intervals of lattice lines along X or Y inside the volume that a body of an upright tool sweeps along a straight path. Numbers
+// have single precision; lengths are in mm from the brick's corner.
 //
-//   law  a point in an interval is inside the body at some share of the path, to within 2e-4 mm   (tests/stock/sweep_test)
+//   law  a point in an interval is inside the body at some position on the path, to within 2e-4 mm (tests/stock/sweep_test)
 
 #include "stock/cut/upright_rows.h"
 
@@ -16,21 +16,22 @@ struct LevelPath {
     per_across = 1 / guarded;
     side = s.flat_direction[axis] * s.per_flat * (guarded > 0.f ? 1.f : -1.f);
   }
-  float start, across_start;  // position of the tip at the start, along the lines and across them
+  float start, across_start;  // position of the tip at the start of the path, mm: along the lines and across the lines
   float forth, across, up;    // unit vector of the path
   float per_across;
-  // signed distance, across the lines, of the centre of a disc of the tool from a line, per mm of the disc's radius, at the position on the
-  // path where the disc reaches farthest along the line
+  // Signed distance, across the lines, of the centre of a disc of the tool from a line, per mm of the disc's radius. It is measured at the
+  // position on the path where the disc reaches farthest along the line.
   float side;
 };
 
-/// Positions of lines relative to the tip at the start of the path: distance across the lines, and height above the tip.
+/// Positions of lattice lines relative to the tip at the start of the path: the distance across the lines, and the height above the tip,
+/// mm.
 template <class V>
 struct LevelLines {
   V across, up;
 };
 
-/// The section of the path on which a range of heights of the tool passes the height of the line.
+/// The section of the path on which a given range of heights of the tool passes the height of a lattice line.
 template <class V>
 struct Stretch {
   V first, last;
@@ -43,7 +44,7 @@ KADR_IN_LANES Stretch<V> at_height(const LocalSweep& s, const V& up, float low, 
   return {first, last, (up >= std::min(s.rise, 0.f) + low) & (up <= std::max(s.rise, 0.f) + high) & (first <= last)};
 }
 
-/// A position on the path, and the square of half the length of the line inside the tool at this position.
+/// A position on the path in mm, and the square of half the length of the lattice line inside the tool at this position.
 template <class V>
 struct LeftAt {
   V place, square;
@@ -54,7 +55,7 @@ KADR_IN_LANES Swept<V> between(const LevelPath& w, const LeftAt<V>& from, const 
   return where(meets, from.place * w.forth + w.start - root(from.square), to.place * w.forth + w.start + root(to.square));
 }
 
-/// Returns the intervals that a cylinder sweeps on this section of the path.
+/// Returns the intervals of lattice lines that a cylinder sweeps on a section of the path.
 template <class V>
 KADR_IN_LANES Swept<V> level_cylinder(const LevelPath& w, const LevelLines<V>& lines, const Stretch<V>& on, float radius) {
   const float edge = radius * w.side;
@@ -64,11 +65,11 @@ KADR_IN_LANES Swept<V> level_cylinder(const LevelPath& w, const LevelLines<V>& l
   return between(w, LeftAt<V>{from, square - from_side * from_side}, LeftAt<V>{to, square - to_side * to_side}, on.any);
 }
 
-/// Returns the intervals that the lower half of a ball sweeps.
+/// Returns the intervals of lattice lines that the lower half of a ball sweeps.
 template <class V>
 KADR_IN_LANES Swept<V> level_ball(const LevelPath& w, const SweptBody& b, const LevelLines<V>& lines, const Stretch<V>& on) {
   float across = w.across, up = w.up,
-        square = across * across + up * up;  // 1 - forth² would lose all digits if the path is along the lines
+        square = across * across + up * up;  // the equal term 1 - forth² would lose all digits if the path is along the lines
   const bool along = square < upright_below * upright_below;
   if (along) across = up = 0.f, square = upright_below * upright_below;
   const float per_square = 1 / square, slope = w.forth / std::sqrt(square);
@@ -81,18 +82,18 @@ KADR_IN_LANES Swept<V> level_ball(const LevelPath& w, const SweptBody& b, const 
   return between(w, LeftAt<V>{from, room - from_far * from_far * square}, LeftAt<V>{to, room - to_far * to_far * square}, on.any);
 }
 
-/// The intersection of a line with the end of a tool (a cone or a rounded edge), at one position on the path.
+/// The intersection of a lattice line with the end of a tool (a cone or a corner radius), at one position on the path.
 template <class V>
 struct EndAt {
-  V square;  // square of half the length of the line inside the end
-  V forth;   // sign · forth + turn is proportional to the slope, along the path, of the position where the line leaves the end
-  V turn;    // see `forth`
+  V square;  // square of half the length of the line inside the end of the tool, mm²
+  V forth;   // sign · forth + turn is proportional to the slope, along the path, of the position where the line leaves the end of the tool
+  V turn;    // second summand of the slope; see `forth`
 };
 template <class V, BodyEnd end>
 KADR_IN_LANES EndAt<V> end_at(const LevelPath& w, const SweptBody& b, const LevelLines<V>& lines, const V& place) {
   const V none = spread<V>(0.f), height = within(lines.up - place * w.up - b.bottom, none, spread<V>(b.tall()));
   const V side = place * w.across - lines.across;
-  V radius, grows, scale;  // grows / scale is the change of the radius per mm of height
+  V radius, grows, scale;  // grows / scale is the change of the radius in mm per mm of height
   if constexpr (end == BodyEnd::cone) {
     radius = height * b.widens + b.flat, grows = spread<V>(b.widens), scale = spread<V>(1.f);
   } else {
@@ -107,7 +108,7 @@ KADR_IN_LANES EndAt<V> end_at(const LevelPath& w, const SweptBody& b, const Leve
           choose(meets, -(rises * radius + side * scale * w.across), -(rises + scale * towards))};
 }
 
-/// Finds the position on the path at which the end reaches farthest along the line, in the direction `sign` (1 or -1).
+/// Finds the position on the path at which the end of the tool reaches farthest along the line, in the direction `sign` (1 or -1).
 template <class V, BodyEnd end>
 KADR_IN_LANES LeftAt<V> farthest(const LevelPath& w, const SweptBody& b, const LevelLines<V>& lines, const Stretch<V>& on, float sign,
                                  const EndAt<V>& first, const EndAt<V>& last) {
@@ -132,8 +133,8 @@ KADR_IN_LANES Swept<V> level_end(const LevelPath& w, const SweptBody& b, const L
   }
 }
 
-/// Returns the intervals of lines at the positions `across`, `z`. The body is convex, so its end and its cylinder together sweep one
-/// interval of a line.
+/// Returns the intervals of lattice lines that the body sweeps; the lines are at the positions `across`, `z`. The body is convex, so its
+/// end and its cylinder together sweep one interval of a line.
 template <class V, BodyEnd end>
 KADR_IN_LANES Swept<V> level_lines(const LocalSweep& s, const LevelPath& w, const SweptBody& b, const V& across, const V& z) {
   const LevelLines<V> lines{across - w.across_start, z - s.from[2]};

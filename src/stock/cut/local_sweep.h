@@ -1,5 +1,5 @@
 #pragma once
-// LocalSweep: a straight motion of an upright tool, in the coordinates of one brick.
+// LocalSweep: a straight motion of a tool whose axis is parallel to Z, in the coordinates of one brick.
 
 #include <algorithm>
 #include <cmath>
@@ -9,39 +9,40 @@
 
 namespace kadr {
 
-/// How far a body of the tool extends around the tip, mm.
+/// Distances in mm by which a body of the tool extends around the tip.
 struct AroundTip {
-  double beside, below, above;  // `below` is negative if the whole body is above the tip
+  double beside, below, above;  // three distances; `below` is negative if the whole body is above the tip
 };
 
-/// A straight path of the tip; lengths in mm, from the brick's corner.
+/// A straight path of the tip. Lengths are in mm, from the brick's corner.
 struct LocalSweep {
-  float from[3];  // start of the path
+  float from[3];  // start of the path of the tip
   float way[3];   // unit vector of the path; {1, 0, 0} if the tool does not move
   float length;
-  float rise;               // Z component of the whole path
-  float per_upward;         // 1 / way[2], large for a level path
-  float flat_direction[2];  // way[0], way[1]; both 0 for a vertical path
-  float flat, per_flat;     // length of flat_direction, and its inverse, which is finite even for a length of 0
+  float rise;               // Z component of the whole path in mm
+  float per_upward;         // 1 / way[2]; a large number for a level path
+  float flat_direction[2];  // XY components of `way`; both 0 for a vertical path
+  float flat, per_flat;     // length of flat_direction, and the inverse of this length, which is finite even for a length of 0
   bool upright;
 
   float lowest() const { return from[2] + std::min(rise, 0.f); }
   float highest() const { return from[2] + std::max(rise, 0.f); }
 };
 
-/// A path that is more than this many times longer than its section near the brick is shortened to that section, because single
-/// precision has only seven digits.
+/// A path that is more than this many times longer than its section near the brick is shortened to that section, because single precision
+/// has only seven digits.
 inline constexpr double clipped_above = 4;
-/// A path is vertical if the XY component of its unit vector is less than this: within a brick the error is less than 1e-4 mm.
+/// A path counts as vertical if the XY component of its unit vector is less than this limit: within a brick the error is less than 1e-4 mm.
 inline constexpr float upright_below = 3e-6f;
 inline constexpr float nearly_none = 1e-12f;
 
-/// A section of a path, as shares from 0 to 1.
+/// A section of a path, from the fraction `first` to the fraction `last` of its length (0 to 1).
 struct PathPart {
   double first = 0, last = 1;
 };
 
-/// Returns the section of the path on which the tool can reach a box from {0, 0, 0} to `most`, with some margin; {0, 0} if it never can.
+/// Returns the section of the path on which the tool can reach a box from {0, 0, 0} to `most`, with some margin; {0, 0} if the tool never
+/// reaches the box.
 inline PathPart part_that_reaches(Vec3 from, Vec3 way, const AroundTip& tool, Vec3 most) {
   PathPart part;
   for (int d = 0; d < 3; ++d) {
@@ -77,7 +78,8 @@ inline LocalSweep local_sweep(Vec3 from, Vec3 to, const AroundTip& tool, double 
   return s;
 }
 
-/// Mirrors the path about the plane z = 0 through the brick's corner, so that a body that becomes narrower upwards becomes wider upwards.
+/// Mirrors the path about the plane z = 0 through the brick's corner. A body that becomes narrower upwards is mirrored too, so that it
+/// becomes wider upwards and needs no code of its own.
 inline LocalSweep upside_down(LocalSweep s) {
   s.from[2] = -s.from[2], s.way[2] = -s.way[2], s.rise = -s.rise;
   s.per_upward = 1 / (std::fabs(s.way[2]) < nearly_none ? nearly_none : s.way[2]);

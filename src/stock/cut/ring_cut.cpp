@@ -12,7 +12,7 @@ namespace {
 constexpr int rings_between_tops = 8;
 constexpr float no_position = 1e30f;
 
-/// The interval of each line of a family that the ring removes; `from` is greater than `to` if the line misses the ring.
+/// The interval of each lattice line of a family that the ring removes; `from` is greater than `to` if the line misses the ring.
 struct LineTakings {
   std::array<float, brick_lines> from, to;
   bool any = false;
@@ -59,7 +59,8 @@ class RingCutter {
   double edge_;
 };
 
-/// True if the brick's rectangle of radii and heights lies wholly inside the swept outline, on one side of the axis. The outline is convex.
+/// Returns true if the sweep removes the whole brick: the brick's rectangle of radii and heights lies inside the swept outline on one side
+/// of the axis. Testing the corners is enough, because the outline is convex.
 bool RingCutter::holds_all(const BrickRing& own) const {
   for (const double side : {1.0, -1.0}) {
     bool all = true;
@@ -86,7 +87,7 @@ void RingCutter::clear() {
   outcome_.longest = scale_.edge;
 }
 
-/// Cuts lines along Z with the outline on both sides of the axis; the two intervals of a line may overlap.
+/// Cuts lines along Z with the outline on both sides of the axis. The two intervals of a line may overlap, so each is removed separately.
 void RingCutter::cut_upright_lines(const RingRange& reached) {
   const BrickLines& lines = brick_.family[2];
   LineTakings right, left;
@@ -102,8 +103,8 @@ void RingCutter::cut_upright_lines(const RingRange& reached) {
   take(2, left);
 }
 
-/// Cuts lines along X and Y. A line that passes through the hole of the ring meets the ring in two intervals, one on each side, else in
-/// one.
+/// Cuts lines along X and Y. A line through the hole of the ring meets the ring in two intervals, one on each side of the hole; any other
+/// line meets the ring in one interval.
 void RingCutter::cut_level_lines() {
   std::array<RingRange, brick_edge> at_height;
   for (int i = 0; i < brick_edge; ++i) at_height[std::size_t(i)] = folded(sweep_.at_z(corner_.z + place(i)));
@@ -127,7 +128,7 @@ void RingCutter::cut_level_lines() {
   }
 }
 
-/// Removes one interval from each line, from all its intervals of material.
+/// Removes one interval from each lattice line of a family, also from the further intervals of material.
 void RingCutter::take(int family, const LineTakings& takings) {
   if (!takings.any) return;
   BrickLines& lines = brick_.family[std::size_t(family)];
@@ -166,7 +167,7 @@ void RingCutter::take_further(int family, const LineTakings& takings) {
   std::erase_if(further, [](const FurtherInterval& f) { return f.to <= f.from; });
 }
 
-/// Records a removed interval.
+/// Records an interval that was removed from a lattice line.
 void RingCutter::note(int family, int line, float from, float to) {
   outcome_.changed = true;
   const double length = double(to) - double(from), lane = place(line % brick_edge), row = place(line / brick_edge);

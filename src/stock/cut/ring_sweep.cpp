@@ -12,7 +12,7 @@ InsertPoint moved(const InsertPoint& p, const InsertPoint& by, double k = 1) { r
 
 double inner(const InsertPoint& a, const InsertPoint& b) { return a.x * b.x + a.z * b.z; }
 
-/// Returns the second coordinate of the point of an edge whose first coordinate is `at`.
+/// Returns the second coordinate of the point of a straight edge whose first coordinate is `at`.
 double along_edge(double from, double per, double at, double other_from, double other_to) {
   const double share = std::clamp((at - from) * per, 0.0, 1.0);
   return other_from + share * (other_to - other_from);
@@ -33,7 +33,8 @@ RingSweep::RingSweep(const InsertBody& body, const InsertPoint& from, const Inse
   const InsertPoint way{to.x - from.x, to.z - from.z};
   const double far = std::sqrt(inner(way, way));
   const InsertPoint right =
-      // unit vector to the right of the path: counter-clockwise from it, the normals of the outline point ahead
+      // Unit vector to the right of the path. In counter-clockwise order after this vector, the normals of the outline point ahead along
+      // the path.
       far > 0 ? InsertPoint{way.z / far, -way.x / far} : InsertPoint{};
   std::vector<InsertCorner> corners;
   std::vector<InsertPoint> outward;
@@ -62,7 +63,8 @@ void RingSweep::add_edge(const InsertCorner& a, const InsertCorner& b, const Ins
   edges_.push_back({from, to, outward, x != 0 ? 1 / x : 0, z != 0 ? 1 / z : 0});
 }
 
-/// The whole circles of the corners are inside the swept area, so whole circles can be used instead of arcs.
+/// Returns the heights swept at the signed radius x. The circles of the rounded corners lie wholly inside the swept area, so whole circles
+/// can be used instead of arcs.
 RingRange RingSweep::at_x(double x) const {
   RingRange range;
   for (const Edge& e : edges_) {

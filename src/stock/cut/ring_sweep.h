@@ -1,13 +1,13 @@
 #pragma once
-// RingSweep: the ring about the axis of a spinning part that a convex outline of a turning tool sweeps on a straight path. It is
-// described in the half plane through the axis.
+// RingSweep: the ring that a turning tool sweeps about the axis of a spinning part, when the convex outline of its insert moves along a
+// straight path. The ring is described in the half plane through the axis.
 //
-// Outline and path are convex, and so is the swept area: its outline is that of the tool, with the path inserted as two more straight
-// edges where the tool's outline changes from its front to its back. Lattice lines along Z have a constant radius, level lines a
-// constant height: each intersects the swept area in one interval, in closed form. x is the signed radius: if the insert reaches across
-// the axis, it cuts on both sides.
+// The outline and the path are convex, so the swept area is convex too. The outline of the swept area is that of the insert, with the path
+// inserted as two more straight edges where the insert's outline changes from its front to its back. Lattice lines along Z have a constant
+// radius, and lines along X and Y have a constant height. Each line intersects the swept area in one interval, which has an exact formula.
+// x is the signed radius: an insert that reaches across the axis cuts on both sides.
 //
-//   law  a point is in an interval if the insert is there at some share of the path, to within 1e-9 mm   (tests/stock/turn_test)
+//   law  a point is in an interval if the insert contains the point at some position on the path, to within 1e-9 mm (tests/stock/turn_test)
 
 #include <vector>
 
@@ -30,16 +30,16 @@ class RingSweep {
  public:
   struct Edge {
     InsertPoint from, to, outward;
-    double per_x, per_z;  // 1 / length along x, z; 0 if that length is 0
+    double per_x, per_z;  // 1 / length of the edge along x and along z; 0 if this length is 0
   };
-  /// An arc of the outline. `first`, `last`: outward unit normals at the ends of the arc.
+  /// An arc of the outline. `first` and `last` are the outward unit normals at the two ends of the arc.
   struct Arc {
     InsertPoint centre;
     double radius;
     InsertPoint first, last;
   };
 
-  /// `from`, `to`: start and end of the path of the programmed point.
+  /// `from`, `to`: start and end of the path of the programmed point, mm.
   RingSweep(const InsertBody& body, const InsertPoint& from, const InsertPoint& to);
 
   /// Returns the heights that are swept at a signed radius.

@@ -3,25 +3,25 @@
 // stock/cut/level_rows and stock/cut/upright_rows.
 //
 // For a convex body on a straight path, the distance that the body reaches along a line is a concave function of the position on the path.
-// So there is one maximum, and the sign of the function's slope at a position shows on which side of it the maximum is. For most lines the
-// slopes at both ends of the path decide. For the others, the section of the path that contains the maximum (the bracket) is narrowed step
-// by step. The next position is the zero of the straight line (chord) through the slopes at both ends of the bracket; the middle of the
-// bracket is used instead if the line misses the body at one end, or if the last chord has not halved the bracket.
+// So the function has one maximum, and the sign of its slope at a position shows on which side of the position the maximum is. For most
+// lines the slopes at both ends of the path decide. For the other lines, the section of the path that contains the maximum (the bracket) is
+// narrowed step by step. The next position is the zero of the straight line (chord) through the slopes at both ends of the bracket. The
+// middle of the bracket is used instead if the lattice line misses the body at one end, or if the last chord has not halved the bracket.
 
 #include "stock/cut/float_lanes.h"
 
 namespace kadr::lanes {
 
-/// The slope of the reach along the line, at one position on the path.
+/// The slope of the distance that the body reaches along a lattice line, at one position on the path.
 template <class V>
 struct Slope {
-  V value;            // positive: the body reaches farther at later positions on the path
-  MarksOf<V> smooth;  // the line meets the body at this position, so the slope is continuous there
+  V value;            // positive if the body reaches farther at later positions on the path
+  MarksOf<V> smooth;  // true if the line meets the body at this position, so that the slope is continuous there
 };
 
 inline constexpr int steady_steps = 2, max_steps = 48;
 
-/// The section of the path that contains the maximum.
+/// The section of the path that contains the position of farthest reach.
 template <class V>
 struct Bracket {
   V first, last;
@@ -41,7 +41,8 @@ KADR_IN_LANES Bracket<V> bracketed(const V& way_first, const V& way_last, const 
     const V width = last - first, middle = half * (first + last);
     if (!any(sought & (width > error))) break;
     const V chord = within(first + width * (at_first.value / (at_first.value - at_last.value)), first, last);
-    // The position is moved slightly towards the middle, so that the maximum is between this position and the nearer end of the bracket.
+    // The position is moved slightly towards the middle. The maximum is then between this position and the nearer end of the bracket, so
+    // the bracket becomes much shorter.
     const V pushed = choose(chord < middle, least(chord + beyond, middle), most(chord - beyond, middle));
     const V place = choose(at_first.smooth & at_last.smooth & ~slow, pushed, middle);
     const Slope<V> here = slope_at(place);
@@ -61,8 +62,8 @@ KADR_IN_LANES V farthest_position(const V& way_first, const V& way_last, const S
   return 0.5f * (b.first + b.last);
 }
 
-/// Like bracketed(), for a slope that is smooth everywhere. It interpolates in the final bracket, which gives a much smaller error than
-/// `error`.
+/// Does the same as bracketed(), for a slope that is smooth everywhere, and then interpolates in the final bracket. The error of the result
+/// is much smaller than `error`.
 template <class V>
 KADR_IN_LANES V smooth_farthest_position(const V& way_first, const V& way_last, const Slope<V>& slope_first, const Slope<V>& slope_last,
                                          const MarksOf<V>& sought, float error, const auto& slope_at) {

@@ -9,7 +9,7 @@
 namespace kadr {
 namespace {
 
-/// mm: a wrong position on the path may shift the point where the tool leaves a line by this much.
+/// Accepted error in mm of the point where the tool leaves a line. This error decides how accurate a position on the path must be.
 constexpr double error_by_position = 4e-4;
 
 BodyEnd end_of(RoundSolid::Form form) {
@@ -43,7 +43,7 @@ SweptBody swept_body(const ConvexBody& convex) {
     body.widens = float((end.top_radius - end.bottom_radius) / (end.top - end.bottom));
     body.stands = float((end.top - end.bottom) / (end.top_radius - end.bottom_radius));
   }
-  // A position on the path that is wrong by e shifts the result by e² / (2 corner), or at the apex of a cone by up to e.
+  // A position on the path with an error of e mm shifts the result by e² / (2 corner); at the apex of a cone the result shifts by up to e.
   body.error_at_position = float(body.end == BodyEnd::cone ? 3e-4 : std::sqrt(2 * error_by_position * double(body.corner)));
   return body;
 }

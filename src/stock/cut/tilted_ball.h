@@ -1,20 +1,22 @@
 #pragma once
-// Finds the intervals of lattice lines inside the volume that a ball sweeps along a straight path: the ball end of a tilted tool. Single
-// precision, lengths in mm, relative to the brick's middle.
+// Finds the intervals of lattice lines inside the volume that a ball sweeps along a straight path: the ball end of a tilted tool. Numbers
+// have single precision; lengths are in mm, relative to the brick's middle.
 //
-// A ball looks the same however the tool is tilted. Its centre moves on a nearly straight path: the deviation is within the bend that
-// is permitted for every part of a path (tilted_path.h). The swept volume is a ball at either end of the path and a tube between them.
+// A ball has the same shape however the tool is tilted. The centre of the ball moves on a nearly straight path: the deviation is within the
+// bend that is permitted for every part of a path (tilted_path.h). The swept volume is a ball at either end of the path and a tube between
+// them.
 
 #include "stock/cut/tilted_rows.h"
 
 namespace kadr::lanes {
 
 struct BallPath {
-  float from[3], to[3];  // start and end of the path of the ball's centre
+  float from[3], to[3];  // start and end of the path of the ball's centre, mm
   float radius;
 };
 
-/// A BallPath in the coordinates of the lattice lines of one family: components along the lines, and across them by lane and by row.
+/// A BallPath in the coordinates of the lattice lines of one family: one component along the lines, and two across the lines, by lane and
+/// by row.
 struct BallTube {
   KADR_IN_LANES BallTube(const BallPath& way, int family) {
     const int axes[3] = {family, (family + 1) % 3, (family + 2) % 3};
@@ -32,12 +34,13 @@ struct BallTube {
     radius_square = way.radius * way.radius;
   }
 
-  float line[2], lane[2], row[2];           // position of the ball's centre, at the start and the end of the path
+  float line[2], lane[2], row[2];           // position of the ball's centre at the start and at the end of the path, mm
   float along_line, along_lane, along_row;  // unit vector of the path
-  float length;                             // length of the path
-  float square, per_square, per_line;       // square: sine² of the angle between path and lines; per_…: 1 / square, 1 / along_line
+  float length;                             // length of the path in mm
+  // square: sine² of the angle between the path and the lines; per_square: 1 / square; per_line: 1 / along_line.
+  float square, per_square, per_line;
   float radius_square;
-  bool is_there;  // false if the balls at both ends contain the whole swept volume
+  bool is_there;  // true if the ball sweeps a tube; false if the balls at both ends contain the whole swept volume
 };
 
 template <class V>
@@ -46,7 +49,8 @@ KADR_IN_LANES Swept<V> in_ball_of(const BallTube& b, int end, const V& lanes, co
   return where(room > 0.f, b.line[end] - half, b.line[end] + half);
 }
 
-/// Returns the intervals that the ball sweeps, of lines at the positions `lanes`. `row` is one position for all lines, or one for each.
+/// Returns the intervals that the ball sweeps of lattice lines at the positions `lanes`. `row` is one position for all lines, or one
+/// position for each line.
 template <class V>
 KADR_IN_LANES Swept<V> in_ball_tube(const BallTube& b, const V& lanes, const auto& row) {
   const Swept<V> ends = either(in_ball_of(b, 0, lanes, row), in_ball_of(b, 1, lanes, row));
@@ -61,8 +65,8 @@ KADR_IN_LANES Swept<V> in_ball_tube(const BallTube& b, const V& lanes, const aut
   return either(ends, where((room > 0.f) & (tube.from <= tube.to), tube.from + b.line[0], tube.to + b.line[0]));
 }
 
-/// Returns for each line the interval of material that the shaft above the ball may still have to cut: `material` without what the ball
-/// removes at one of its ends.
+/// Returns for each line the interval of material that the shaft above the ball may still have to cut: the interval `material` without the
+/// part at one of its ends that the ball removes.
 template <class V>
 KADR_IN_LANES Swept<V> left_by(const Swept<V>& ball, const Swept<V>& material) {
   const MarksOf<V> takes_from = ball.from <= material.from, takes_to = ball.to >= material.to;

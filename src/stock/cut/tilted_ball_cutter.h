@@ -1,6 +1,6 @@
 #pragma once
-// TiltedCutter for tools with a ball end: removes what the ball sweeps, then what the shaft sweeps of the rest. Only for
-// stock/cut/tilted_cut.
+// The part of TiltedCutter for tools with a ball end: removes what the ball sweeps, then what the shaft sweeps of the remaining material.
+// Only stock/cut/tilted_cut includes this file.
 
 #include "stock/cut/tilted_cutter.h"
 
@@ -19,7 +19,7 @@ KADR_IN_LANES bool TiltedCutter::sweeps_ball(const TiltedFamily<V>& all, int fam
   if (!sweeps<V, TiltedBody::Kind::cylinder>(all, family, row, lane, left, shaft)) return meets;
   shaft = where(meet(shaft, left), shaft.from, shaft.to);
   // A line that nearly lies in the surface of ball and shaft may be met by the ball at one end of the path, and by the shaft at the other.
-  // If the two swept intervals are apart, the line is cut with the two halves of the path instead.
+  // If the two swept intervals do not overlap, the line is cut with the two halves of the path instead.
   const V between = most(swept.from, shaft.from) - least(swept.to, shaft.to);
   const MarksOf<V> apart = (swept.from <= swept.to) & (shaft.from <= shaft.to) & (between > (over_.apart > 0 ? over_.apart : missed)),
                    ball_takes = meet(swept, material);

@@ -1,34 +1,34 @@
 #pragma once
-// TiltedBody: a convex body of a tool in single precision, as needed to intersect lattice lines with a tilted tool.
+// TiltedBody: a convex body of a tool in single precision, with the numbers that intersect lattice lines with a tilted tool.
 
 #include "stock/cut/swept_body.h"
 
 namespace kadr {
 
-/// A cylinder, or a cone without its apex, about the tool's axis: its radius is `low_radius` at the height `low` and `high_radius` at
-/// `high`.
+/// A cylinder, or a cone without its apex, about the tool's axis, in mm. The radius is `low_radius` at the height `low`, and `high_radius`
+/// at the height `high`.
 struct Frustum {
   float low = 0, high = 0;
   float low_radius = 0, high_radius = 0;
 };
 
-/// The body is the union of the members that its kind names.
+/// A convex body of a tilted tool: the union of the members that its kind names.
 struct TiltedBody {
   enum class Kind : std::uint8_t {
-    cylinder,  // cylinder `shaft`
-    cone,      // cone `end`, and cylinder `shaft` above it if its height is not 0
+    cylinder,  // the cylinder `shaft`
+    cone,      // the cone `end`, and the cylinder `shaft` above the cone if the height of the cylinder is not 0
     ball,      // a whole ball of radius `corner` with its centre on the axis at the height `middle`, and `shaft` above the centre
     rounded,   // bull nose: all points within `corner` of a cylinder of radius `flat` that begins at the height `middle`, below shaft.high
   };
   Kind kind = Kind::cylinder;
   Frustum end, shaft;
   float flat = 0, corner = 0, middle = 0;
-  float error_at_position = 0;  // mm, the same as SweptBody::error_at_position
+  float error_at_position = 0;  // accepted error of a position on the path, mm; the same number as SweptBody::error_at_position
 
   float low() const { return kind == Kind::cylinder ? shaft.low : kind == Kind::cone ? end.low : middle - corner; }
   float high() const { return kind == Kind::cone && shaft.high <= shaft.low ? end.high : shaft.high; }
   float widest() const { return std::max(shaft.low_radius, std::max(end.low_radius, end.high_radius)); }
-  /// Returns a body that is larger on all sides by at least `by` mm.
+  /// Returns a body that is at least `by` mm larger on all sides.
   TiltedBody larger(float by) const;
 };
 

@@ -1,4 +1,4 @@
-// Cuts with a tilted tool: the part that handles no lanes, and the selection of the vector width. Used by stock/stock.
+// Cuts with a tilted tool: the code that uses no lanes, and the selection of the vector width. Used by stock/stock.
 
 #include "stock/cut/tilted_cut.h"
 
@@ -8,10 +8,10 @@
 namespace kadr {
 namespace {
 
-constexpr float square_reach = 2 * 1.41422f;  // distance from the middle of a square of 4 × 4 lines to its corners, in cells
+constexpr float square_reach = 2 * 1.41422f;  // distance from the middle of a square of 4 × 4 lines to its corners, in lattice cells
 
-/// Enlarges the body for lines through the middles of squares: sideways by the size of a square, and vertically by the difference in
-/// height that results from this. Rounded edges count as sharp.
+/// Returns an enlarged body for lines through the middles of squares: larger sideways by the size of a square, and vertically by the
+/// resulting difference in height. Rounded edges count as sharp, so the body is never too small.
 TiltedBody around_squares(const TiltedBody& body, const TiltedSweep& s, const BrickScale& scale) {
   const float aside = square_reach * scale.cell, room = s.guess_error() + scale.cell * 1e-3f;
   TiltedBody around = body.larger(aside + room);
@@ -28,8 +28,8 @@ float half_shift(const TiltedSweep& s) {
   return length / 2 + s.guess_error() + 1e-4f;
 }
 
-/// Returns a cylinder, in the pose half way along the path, that encloses everything the body sweeps; for a ball end, everything that its
-/// shaft sweeps.
+/// Returns a cylinder in the pose half way along the path. The cylinder encloses everything that the body sweeps; for a ball end,
+/// everything that the shaft sweeps.
 Frustum bounds_of(const TiltedBody& body, const TiltedSweep& s) {
   const float room = s.guess_error() + 1e-4f, rise = std::fabs(s.shift[2]) / 2 + room,
               beside = std::sqrt(s.shift[0] * s.shift[0] + s.shift[1] * s.shift[1]) / 2 + room;
@@ -56,7 +56,7 @@ TiltedSweep::TiltedSweep(const TiltedPath& way, Vec3 corner, double edge) {
     along(axis, d) = 1;
     const Vec3 a = ToolEnds::in(ends.axes_first, axis), b = ToolEnds::in(ends.axes_last, axis);
     const Vec3 sum = a + b;
-    const double per = 1 / std::sqrt(dot(sum, sum));  // normalises the mean direction, which is too short by turn² / 8
+    const double per = 1 / std::sqrt(dot(sum, sum));  // normalises the mean direction, whose length is less than 1 by turn² / 8
     for (int i = 0; i < 3; ++i) {
       axes[d][i] = float(per * (along(a, i) + along(b, i)));
       axes_first[d][i] = float(along(a, i)), axes_last[d][i] = float(along(b, i));
@@ -93,7 +93,7 @@ BallPath TiltedCutter::ball_path(float radius) const {
   return way;
 }
 
-/// Returns for each line the interval from the start of its first interval to the end of its last one.
+/// Returns for each line the interval from the start of the first material to the end of the last material.
 void TiltedCutter::material_of_all(const BrickLines& lines, float* from, float* to) {
   std::copy(lines.from, lines.from + brick_lines, from), std::copy(lines.to, lines.to + brick_lines, to);
   for (const FurtherInterval& f : lines.further) {
@@ -102,14 +102,15 @@ void TiltedCutter::material_of_all(const BrickLines& lines, float* from, float* 
   }
 }
 
-/// True if all points of the brick are always below the lower face of the shaft, which is inside the ball: then the ball alone cuts.
+/// Returns true if all points of the brick always stay below the lower face of the shaft. This face is inside the ball, so the ball alone
+/// cuts the brick.
 bool TiltedCutter::is_below_shaft() const {
   float high = tilted_sweep_.middle[2] + std::fabs(tilted_sweep_.shift[2]) / 2 + tilted_sweep_.guess_error() + margin();
   for (int d = 0; d < 3; ++d) high += std::fabs(tilted_sweep_.axes[d][2]) * half_;
   return high < tilted_body_.shaft.low;
 }
 
-/// Finds out which flat faces of the body may enter the brick during the sweep, with a margin for enlarged bodies.
+/// Returns which flat faces of the body may enter the brick during the sweep. The margin covers the enlarged bodies.
 FacesNear TiltedCutter::faces_near() const {
   float reach = std::fabs(tilted_sweep_.shift[2]) * 1.5f + tilted_sweep_.guess_error() + 4 * scale_.cell;
   for (int d = 0; d < 3; ++d) reach += std::fabs(tilted_sweep_.axes[d][2]) * half_;
@@ -120,7 +121,7 @@ FacesNear TiltedCutter::faces_near() const {
   return near;
 }
 
-/// True if the brick is inside the shaft in the pose half way along the path.
+/// Returns true if the sweep removes the whole brick, because the brick is inside the shaft in the pose half way along the path.
 bool TiltedCutter::takes_all() const {
   const Frustum& f = tilted_body_.shaft;
   const float reach = tilted_sweep_.reach + tilted_sweep_.guess_error(), height = tilted_sweep_.middle[2];
@@ -132,7 +133,8 @@ bool TiltedCutter::takes_all() const {
 
 bool may_reach(const TiltedSweep& s, const TiltedBody& body, const BrickScale& scale, float top) {
   const float half = scale.edge / 2, tall = top / 2, room = half_shift(s) + scale.cell * 1e-3f;
-  float at[3], size[3][3];  // middle and half edges of the material's box, in the tool's coordinates in the pose half way
+  // Middle and half edges of the box of the material, mm, in the tool's coordinates in the pose half way along the path.
+  float at[3], size[3][3];
   for (int i = 0; i < 3; ++i) {
     at[i] = s.middle[i] + s.axes[2][i] * (tall - half);
     size[0][i] = s.axes[0][i] * half, size[1][i] = s.axes[1][i] * half, size[2][i] = s.axes[2][i] * tall;

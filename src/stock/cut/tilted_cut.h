@@ -7,10 +7,10 @@
 
 namespace kadr {
 
-/// A path on which the tool turns only a little, as seen from one brick. A point of the brick is given by `place`, its vector from the
-/// brick's middle. Its position in the tool's coordinates (x, y from the tool's axis, z above the tip, mm) is at the start of the path
+/// A path on which the tool turns only a little, as seen from one brick. `place` is the vector from the brick's middle to a point of the
+/// brick. The position of this point in the tool's coordinates (x, y from the tool's axis, z above the tip, mm) at the start of the path is
 ///   middle + sum of axes[d] * place[d] - half of (shift + sum of shift_grows[d] * place[d])
-/// and at the end the same with + half.
+/// The position at the end of the path is the same sum with + instead of -.
 struct TiltedSweep {
   ///   corner  position of the brick's corner, in the coordinates of `way`
   ///   edge    edge length of the brick, mm
@@ -18,39 +18,40 @@ struct TiltedSweep {
 
   float middle[3], shift[3];
   float axes[3][3], shift_grows[3][3];
-  float axes_first[3][3], axes_last[3][3];  // tool's axes at the start and at the end of the path
-  float tips[2][3], directions[2][3];       // tip and direction of the tool at the start and the end, relative to the brick's middle
-  float half_turn;                          // half the angle by which the tool turns, radians
-  float aside[3];                           // half way along the path: offset of the brick's middle from the chord of its path
-  float bend;                               // upper bound of this offset for all points of the brick
-  float reach;                              // distance from the brick's middle to its corners
-  /// Greatest error of an intersection in the brick, mm, if the intersection is computed with the shift that belongs to another position on
-  /// the line.
+  float axes_first[3][3], axes_last[3][3];  // axes of the tool at the start and at the end of the path
+  // Tip (mm) and direction of the tool at the start and the end of the path, relative to the brick's middle.
+  float tips[2][3], directions[2][3];
+  float half_turn;  // half the angle by which the tool turns on the path, radians
+  float aside[3];   // offset of the brick's middle, half way along the path, from the chord of its path, mm
+  float bend;       // upper bound of this offset for all points of the brick, mm
+  float reach;      // distance from the brick's middle to the brick's corners, mm
+  /// Returns the greatest error in mm of an intersection in the brick, if the intersection is computed with the shift that belongs to
+  /// another position on the line.
   float guess_error() const { return half_turn * reach; }
 };
 
 /// A set of lattice lines of a brick, one bit for each line.
 struct LineSet {
   static constexpr int at_once = 8;
-  std::uint8_t bits[3][brick_lines / at_once] = {};  // indices: family, then one byte for each eight consecutive lines
+  std::uint8_t bits[3][brick_lines / at_once] = {};  // bits by family; each byte holds the bits of eight consecutive lines
   bool any = false;
 };
 
-/// What is to be cut: one body of the tool in one sweep.
+/// The body of a tool and the sweep that are to be cut from a brick.
 struct TiltedCut {
   const TiltedSweep& sweep;
   const TiltedBody& body;
-  const LocalSweep& tip;          // path of the tip alone
+  const LocalSweep& tip;          // path of the tip of the tool alone
   const SweptBody& upright_body;  // the same body as `body`, for the case that the tool is upright
-  const LineSet* only = nullptr;  // if not nullptr, only these lines are cut
+  const LineSet* only = nullptr;  // the lines to cut; nullptr: all lines
 };
 
-/// Returns true if the body may reach a brick whose material ends at the height `top` above the brick's lower side. Tests the box of
-/// the material against planes: the body's faces and tangents to its side or ball.
+/// Returns true if the body may reach a brick whose material ends at the height `top` mm above the brick's lower side. The function tests
+/// the box of the material against planes: the body's flat faces, and planes that touch the side or the ball of the body.
 bool may_reach(const TiltedSweep& sweep, const TiltedBody& body, const BrickScale& scale, float top);
 
-/// Removes what the body sweeps, except from lines over which its surface turns during the sweep (tilted_over.h).
-///   returns  the lines left out; the caller must cut them with the two halves of the path instead
+/// Removes the material that the body sweeps, except from lines over which the body's surface turns during the sweep (tilted_over.h).
+///   returns  the excepted lines; the caller must cut them with the two halves of the path instead
 LineSet cut_brick_tilted(Brick& brick, const BrickScale& scale, const TiltedCut& cut, std::int32_t by, CutOutcome& outcome,
                          LaneWidth width = widest_lanes());
 

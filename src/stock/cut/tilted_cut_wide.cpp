@@ -1,7 +1,7 @@
 // Cuts with a tilted tool, with the vectors of AVX2. Used by stock/cut/tilted_cut, which checks that the processor has AVX2.
 
-// All code without lanes is included before the pragma, so that it is compiled without AVX2: the linker may use this file's copy of such a
-// function for the whole program.
+// All code without lanes is included before the pragma, so that this code is compiled without AVX2. Otherwise the linker could use a copy
+// of a function from this file in the whole program, also on processors without AVX2.
 #include <algorithm>
 #include <cmath>
 #include <cstdint>

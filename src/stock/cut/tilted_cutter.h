@@ -1,12 +1,12 @@
 #pragma once
-// TiltedCutter: removes what one body of a tilted tool sweeps in one sweep from one brick. Only for stock/cut/tilted_cut, which compiles it
-// for each type of processor.
+// TiltedCutter: removes what one body of a tilted tool sweeps in one sweep from one brick. Only stock/cut/tilted_cut includes this file,
+// and compiles it for each type of processor.
 //
-// It first finds the squares of 4 × 4 lattice lines along Z that the sweep reaches. Then it finds the lines near the sweep: by their
-// distance from the tool's axis, and by a cylinder in the pose half way, enlarged by the tool's shift (its motion without the turn).
-// For a cylinder, the poses at both ends of the path decide most lines (tilted_pose.h). For other bodies it tests an enlarged body with
-// the shift of the brick's middle; then it approaches the ends of the swept interval from outside, using the shift at the position on
-// the line where the tool leaves it. For a ball end it cuts with the ball first, and with the shaft only what the ball leaves.
+// The cutter first finds the squares of 4 × 4 lattice lines along Z that the sweep reaches. Then it finds the lines near the sweep: by
+// their distance from the tool's axis, and by a cylinder in the pose half way, enlarged by the tool's shift (its motion without the turn).
+// For a cylinder, the poses at both ends of the path decide most lines (tilted_pose.h). For other bodies the cutter tests an enlarged body
+// with the shift of the brick's middle. Then it approaches the ends of the swept interval from outside, using the shift at the position on
+// the line where the tool leaves the line. A ball end cuts first; the shaft cuts only what the ball leaves.
 
 #include "stock/cut/cutter_lanes.h"
 #include "stock/cut/tilted_ball.h"
@@ -25,11 +25,11 @@ class TiltedCutter : public Cutter {
 
  private:
   static constexpr int squares_along = 4;
-  /// The material that the sweep reaches, by squares of 4 × 4 lattice lines along Z.
+  /// The material that the sweep reaches, in squares of 4 × 4 lattice lines along Z.
   struct Reached {
-    std::uint32_t squares = 0;  // one bit per square
-    // For each column and row of reached squares: the height of the material's top, and the height where the body starts. Empty if the top
-    // is below the start.
+    std::uint32_t squares = 0;  // one bit for each square
+    // For each column and row of reached squares: the height of the top of the material, and the height where the body starts. The square
+    // column or row is empty if the top is below the start.
     float top_x[squares_along], top_y[squares_along], low_x[squares_along], low_y[squares_along];
   };
   template <class V>
@@ -70,7 +70,7 @@ class TiltedCutter : public Cutter {
   MarksOf<V> is_where_flat(const TiltedFamily<V>& all, const TiltedRow<V>& line, int family, const V& place) const;
   static void material_of_all(const BrickLines& lines, float* from, float* to);
   struct RowRange {
-    int first, last;  // indices of rows; `last` is one past the end
+    int first, last;  // indices of rows; `last` is one after the last row
   };
   static RowRange rows_of(const Reached& reached, int family, int square, int lane, const BrickScale& scale);
   FacesNear faces_near() const;
@@ -84,20 +84,22 @@ class TiltedCutter : public Cutter {
   Frustum around_;
   FacesNear near_;
   bool shifts_little_;
-  Frustum around_columns_;  // used if shifts_little_: like around_, for squares of lines along Z; for a ball end, it encloses the shaft
-  float widest_;            // greatest radius of the body, with a margin for guess errors
-  BallPath ball_;           // path of the ball, if the body has a ball end
+  // like around_, for squares of lines along Z; for a ball end, it encloses the shaft; unused unless shifts_little_
+  Frustum around_columns_;
+  float widest_;   // greatest radius of the body in mm, with a margin for guess errors
+  BallPath ball_;  // path of the ball, if the body has a ball end
   bool below_shaft_;
   TiltedOver over_;
   const LineSet* only_;
   LineSet& later_;
 };
 
-/// Cut eight lines at once, with two vectors of the processor or with one; cut_tilted_wide() needs AVX2.
+/// Cuts eight lines at once, with two vectors of the processor or with one; cut_tilted_wide() needs AVX2.
 void cut_tilted_pair(TiltedCutter& cutter);
 void cut_tilted_wide(TiltedCutter& cutter);
 
-/// mm, accepted error. If the shift is taken at a position that is wrong by x, the result is wrong by x times the turn (radians).
+/// Accepted error in mm of an end of an interval. If the shift is that of a position with an error of x mm, the result has an error of x
+/// times the turn (radians).
 inline constexpr float accepted_error = 2.5e-4f;
 inline constexpr int quick_steps = 2, max_refined = 16;
 
@@ -141,7 +143,7 @@ KADR_IN_LANES TiltedPosition<V> TiltedCutter::evenly_shifted_position(const Tilt
   return {first, first, last};
 }
 
-/// Tests whether the sweep reaches squares of 4 × 4 lines along Z: intersects the lines through their middles with a body that is
+/// Tests whether the sweep reaches squares of 4 × 4 lines along Z. Each square is replaced by the line through its middle, and the body is
 /// enlarged by the size of a square.
 template <class V>
 KADR_OWN_FUNCTION Swept<V> TiltedCutter::over_squares(const PathPast<V>& past, const V& x, const V& y) const {
@@ -186,7 +188,7 @@ KADR_IN_LANES TiltedCutter::Reached TiltedCutter::reached(const PathPast<V>& pas
   return r;
 }
 
-/// Returns those of four rows of lines (row `square` of the squares) in which the sweep may reach one of the eight lines from `lane` on.
+/// Returns the rows, among the four in the row `square` of squares, in which the sweep may reach a line, from the line `lane` on.
 inline TiltedCutter::RowRange TiltedCutter::rows_of(const Reached& r, int family, int square, int lane, const BrickScale& scale) {
   constexpr int wide = brick_edge / squares_along;
   const RowRange all{square * wide, square * wide + wide}, none{0, 0};
@@ -221,10 +223,10 @@ KADR_IN_LANES void TiltedCutter::cut_kind(const Reached& r, const PathPast<V>& p
   cut_family<V, kind, 0>(r, past);
 }
 
-/// Finds one end of the swept interval of each line in `wanted`: where the tool enters the line (in the lanes of `by_from`), else
-/// where it leaves the line. A position is swept if the tool, with the shift at this very position, contains it. So the test is repeated
-/// at the position found last, then between a position inside and one outside. A line that is missed with the shift at one position may
-/// be met with the shift at a position nearer to the middle of the interval.
+/// Finds one end of the swept interval of each line in `wanted`: where the tool enters the line (in the lanes of `by_from`), else where it
+/// leaves the line. A position is swept if the tool, with the shift at exactly this position, contains the position. So the test is
+/// repeated at the last position found, then between a position inside and a position outside the tool. A line that is missed with the
+/// shift at one position may be met with the shift at a position nearer to the middle of the interval.
 template <class V, TiltedBody::Kind kind>
 KADR_OWN_FUNCTION Swept<V> TiltedCutter::by_end(const TiltedFamily<V>& all, int family, const TiltedRow<V>& line, const Swept<V>& guess,
                                                 const MarksOf<V>& by_from, const MarksOf<V>& wanted, const Swept<V>& material) const {
@@ -262,7 +264,7 @@ KADR_OWN_FUNCTION Swept<V> TiltedCutter::by_end(const TiltedFamily<V>& all, int 
   return where(~misses, end.from, end.to);
 }
 
-/// Returns the intervals that the tool sweeps of the lines. Ends outside `material` need not be exact.
+/// Returns the intervals of the lines that the tool sweeps. Ends outside `material` need not be exact, because nothing is removed there.
 template <class V, TiltedBody::Kind kind>
 KADR_IN_LANES Swept<V> TiltedCutter::ends_in(const TiltedFamily<V>& all, int family, const TiltedRow<V>& line, const Swept<V>& guess,
                                              const Swept<V>& material) const {
@@ -270,19 +272,19 @@ KADR_IN_LANES Swept<V> TiltedCutter::ends_in(const TiltedFamily<V>& all, int fam
   const MarksOf<V> reached = meet(guess, material);
   const MarksOf<V> by_from = (guess.from > material.from - room) | (guess.to > material.to + room);
   const Swept<V> one = by_end<V, kind>(all, family, line, guess, by_from, reached, material);
-  // An end of the interval is certainly outside the material only if it is an end in the pose at the start or the end of the path.
+  // An end of the interval is certainly outside the material only if this end is computed in the pose at the start or the end of the path.
   const MarksOf<V> open_from = line.at_ends.from + half_ > material.from, open_to = line.at_ends.to + half_ < material.to;
   const MarksOf<V> other_to = by_from & ((one.to < material.to + room) | open_to);
   const MarksOf<V> other_from = ~by_from & ((one.from > material.from - room) | open_from);
-  // The other end is computed even if, with the shift at this end, the material is missed: the shift at the other end may differ.
+  // The other end is computed even if the line misses the material with the shift at this end: the shift at the other end may differ.
   const MarksOf<V> wanted = reached & (one.from <= one.to) & (other_to | other_from);
   if (!any(wanted)) return one;
   const Swept<V> two = by_end<V, kind>(all, family, line, one, ~by_from, wanted, material);
   return {choose(wanted & other_from, two.from, one.from), choose(wanted & other_to, two.to, one.to)};
 }
 
-/// Computes the intervals that the tool, or only its shaft, sweeps of eight lines.
-///   returns  false if none of them meets material
+/// Computes the intervals of eight lines that the tool, or only its shaft, sweeps.
+///   returns  false if none of the intervals meets material
 template <class V, TiltedBody::Kind kind>
 KADR_OWN_FUNCTION bool TiltedCutter::sweeps(const TiltedFamily<V>& all, int family, int row, int lane, const Swept<V>& material,
                                             Swept<V>& swept) const {
@@ -293,7 +295,7 @@ KADR_OWN_FUNCTION bool TiltedCutter::sweeps(const TiltedFamily<V>& all, int fami
   if (!any(beside)) return false;
   TiltedRow<V> line;
   line.at = line_value(tilted_sweep_.middle, tilted_sweep_.axes, family, places, row_position);
-  // A quick test with the pose half way along the path and a body enlarged by the shift.
+  // A quick test with the pose half way along the path, and a body enlarged by the shift, excludes most lines.
   const Swept<V> nearly = in_cylinder(line.at, all.even.heading, around_);
   const MarksOf<V> near = beside & meet({nearly.from + half_, nearly.to + half_}, material);
   if (!any(near)) return false;
@@ -318,7 +320,7 @@ KADR_OWN_FUNCTION bool TiltedCutter::sweeps(const TiltedFamily<V>& all, int fami
   }
 }
 
-/// Like sweeps(), for a cylinder: uses the end poses; what the tool sweeps between them is computed only where it may reach more material.
+/// Does the same as sweeps() for a cylinder. Between the end poses, the cylinder is tested only where it may reach more material.
 template <class V>
 KADR_IN_LANES bool TiltedCutter::sweeps_cylinder(const TiltedFamily<V>& all, int family, TiltedRow<V>& line, const MarksOf<V>& near,
                                                  const Swept<V>& material, Swept<V>& swept) const {
@@ -364,7 +366,7 @@ KADR_OWN_FUNCTION void TiltedCutter::cut_family(const Reached& reached, const Pa
     material_of_all(lines, first, last);
   }
   const V none = spread<V>(0.f);
-  Taken<V> taken{none, none, none, spread<V>(missed)};  // the depth is not computed for a tilted tool
+  Taken<V> taken{none, none, none, spread<V>(missed)};  // for a tilted tool, the tip at the height `missed` gives the depth 0
   const TiltedFamily<V> all = lines_of<V>(family, past);
   [[maybe_unused]] const auto tube = [&] {
     if constexpr (kind == TiltedBody::Kind::ball) return BallTube(ball_, family);

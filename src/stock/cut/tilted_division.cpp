@@ -8,7 +8,7 @@
 namespace kadr {
 namespace {
 
-/// The heights of the brick's points above the tip, during the whole path.
+/// The range of heights in mm, above the tip, at which points of the brick are during the path.
 struct HeightRange {
   float low, high;
   bool holds(float height) const { return height >= low && height <= high; }
@@ -33,15 +33,15 @@ bool has_face(const TiltedBody& body, const HeightRange& heights) {
   return true;
 }
 
-/// Returns the bend (tilted_division.h) of the path past one body, mm. For a ball the bend at its centre counts; the shaft of a ball end
-/// counts only in bricks above the centre.
+/// Returns the bend (tilted_division.h) of the path past one body, mm. For a ball the bend of the path of the ball's centre counts; the
+/// shaft of a ball end counts only in bricks above the centre.
 double bend_of(const TiltedSweep& s, const TiltedBody& body, const HeightRange& heights) {
   if (body.kind != TiltedBody::Kind::ball) return double(s.bend);
   const double of_ball = double(body.middle * s.half_turn * s.half_turn) / 2;
   return heights.high < body.shaft.low ? of_ball : std::max(of_ball, double(s.bend));
 }
 
-/// Inserts a share into the ascending list `share`; `count` is the number of segments between the shares.
+/// Inserts a fraction of the path into the ascending list `share`; `count` is the number of segments between the fractions.
 void put_between(std::array<double, 5>& share, int& count, double at) {
   std::size_t i = std::size_t(++count);
   for (; share[i - 1] > at; --i) share[i] = share[i - 1];

@@ -1,8 +1,8 @@
 #pragma once
 // TiltedDivision: the parts into which the path of a tilted tool is divided for one brick.
 //
-// In each part, the points of the brick must move past the tool on nearly straight paths, since the bend of these paths is the error of
-// the cut. And no lattice line of the brick may turn from one side of a flat face of the tool to the other: the face would reach the line
+// In each part, the points of the brick must move past the tool on nearly straight paths, because the bend of these paths is the error of
+// the cut. Also, no lattice line of the brick may turn from one side of a flat face of the tool to the other: the face would reach the line
 // from both ends of the line, and the material between the two positions would be removed too.
 
 #include <array>
@@ -12,10 +12,11 @@
 
 namespace kadr {
 
-/// mm, greatest permitted bend: distance of the path of a material point, in the tool's coordinates, from its chord
+/// Greatest permitted bend in mm. The bend is the greatest distance of the path of a material point, in the tool's coordinates, from the
+/// chord of this path.
 inline constexpr double bend_in_brick = 9e-4;
 
-/// Shares of a path in ascending order; each part goes from one share to the next.
+/// Fractions of a path (0 to 1) in ascending order; each part of the path is between one fraction and the next.
 struct TiltedDivision {
   static constexpr int max_parts = 8;
   std::array<double, max_parts + 1> share{0, 1};

@@ -25,10 +25,11 @@ KADR_IN_LANES Vec3Of<V> plus(const Vec3Of<V>& a, const V& by, const Vec3Of<V>& b
   return {a.x + by * b.x, a.y + by * b.y, a.z + by * b.z};
 }
 
-inline constexpr float nearly_along = 1e-11f;  // a line counts as parallel to an axis if the sine² of their angle is less
-inline constexpr float shortest_path = 1e-6f;  // mm; a shorter path counts as no motion
+// sine² of an angle; a line that makes a smaller angle with an axis counts as parallel to the axis.
+inline constexpr float nearly_along = 1e-11f;
+inline constexpr float shortest_path = 1e-6f;  // limit in mm; on a shorter path, a tool counts as not moving
 
-/// Returns the value moved away from 0, so that it can be a divisor.
+/// Returns the value `v` moved away from 0 to at least `by`, so that the result can be a divisor.
 template <class V>
 KADR_IN_LANES V guarded(const V& v, float by = nearly_none) {
   return choose(v < 0.f, least(v, spread<V>(-by)), most(v, spread<V>(by)));
@@ -52,25 +53,25 @@ struct Heading {
 
   float x, y, z;
   float per_z;
-  float square, per_square;  // x² + y², the squared component across the tool's axis, and its inverse
+  float square, per_square;  // x² + y², the squared component across the tool's axis; and the inverse of this sum
 };
 template <class V>
 KADR_IN_LANES Vec3Of<V> vector_of(const Heading& h) {
   return {spread<V>(h.x), spread<V>(h.y), spread<V>(h.z)};
 }
 
-/// The motion of the tool past lines during the path, without the tool's turn.
+/// The motion of the tool past lattice lines during the path, without the tool's turn.
 template <class V>
 struct PathPast {
-  Vec3Of<V> way, forth;  // way: motion vector; forth: its unit vector
+  Vec3Of<V> way, forth;  // way: vector of the motion, mm; forth: unit vector of the motion
   V length, per_flat;
   MarksOf<V> moves, moves_flat;
 };
 
-/// Lines with one direction, and the motion of the tool past each line.
+/// Lattice lines with one direction, and the motion of the tool past each line.
 template <class V>
 struct TiltedLines {
-  Heading heading, first, last;  // direction of the lines in the tool's coordinates: half way, at the start and at the end of the path
+  Heading heading, first, last;  // direction of the lines in the tool's coordinates half way along the path, at its start and at its end
   PathPast<V> past;
 };
 template <class V>
@@ -85,8 +86,8 @@ KADR_IN_LANES PathPast<V> path_past(const Vec3Of<V>& way) {
   return l;
 }
 
-/// The middle of a line in the tool's coordinates at the start (`first`) and the end (`last`) of the path; `at` is its position at the
-/// start if the tool only shifted, without a turn.
+/// The middle of a line in the tool's coordinates at the start (`first`) and the end (`last`) of the path. `at` is the position of this
+/// middle at the start of the path if the tool only shifted, without a turn.
 template <class V>
 struct TiltedPosition {
   Vec3Of<V> at, first, last;
@@ -100,28 +101,30 @@ template <class V>
 KADR_IN_LANES Swept<V> both(const Swept<V>& a, const Swept<V>& b) {
   return {most(a.from, b.from), least(a.to, b.to)};
 }
-/// Returns the interval from the lesser start to the greater end of two intervals, which belong to one convex whole.
+/// Returns the interval from the lesser start to the greater end of two intervals. Both intervals belong to one convex volume, so the
+/// volume also contains what is between them.
 template <class V>
 KADR_IN_LANES Swept<V> either(const Swept<V>& a, const Swept<V>& b) {
   const MarksOf<V> meets = b.from <= b.to;
   return {choose(meets, least(a.from, b.from), a.from), choose(meets, most(a.to, b.to), a.to)};
 }
 
-/// Limits the intervals to where start + place * slope is not negative.
+/// Limits the intervals to the positions `place` on the line at which start + place * slope is not negative.
 template <class V>
 KADR_IN_LANES void clip(Swept<V>& s, const V& start, const V& slope) {
   const V at = -start / guarded(slope);
   const MarksOf<V> rises = slope >= 0.f;
   s = {choose(rises, most(s.from, at), s.from), choose(rises, s.to, least(s.to, at))};
 }
-/// Limits the intervals to where start + place * slope is between 0 and `max_value`; `per` is 1 / slope.
+/// Limits the intervals to the positions `place` on the line at which start + place * slope is between 0 and `max_value`; `per` is 1 /
+/// slope.
 template <class V>
 KADR_IN_LANES void clip_between(Swept<V>& s, const V& start, const V& max_value, const auto& per) {
   const V a = -start * per, b = (max_value - start) * per;
   s = {most(s.from, least(a, b)), least(s.to, most(a, b))};
 }
 
-inline constexpr float nearly_still = 1e-24f;  // mm²; a path with a smaller squared length counts as no motion
+inline constexpr float nearly_still = 1e-24f;  // limit in mm²; on a path with a smaller squared length, a tool counts as not moving
 
 /// Returns the interval of t in which the point (x, y) + t · (way_x, way_y) is inside a circle about the tool's axis. `square` is the
 /// squared length of `way`; if it is less than `none`, the point counts as fixed.
@@ -134,7 +137,7 @@ KADR_IN_LANES Swept<V> in_circle(const V& x, const V& y, const V& way_x, const V
           choose(along, choose(inside, spread<V>(missed), spread<V>(-missed)), choose(room > 0.f, middle + half, spread<V>(-missed)))};
 }
 
-/// Returns the interval of a line inside a circle about the tool's axis: inside a cylinder without ends.
+/// Returns the interval of a line that is inside a circle about the tool's axis, that is, inside a cylinder of unlimited height.
 template <class V>
 KADR_IN_LANES Swept<V> in_circle(const V& x, const V& y, const Heading& h, float radius) {
   if (h.along_axis()) {
@@ -153,7 +156,7 @@ KADR_IN_LANES Swept<V> in_cylinder(const Vec3Of<V>& at, const Heading& h, const 
   return s;
 }
 
-/// Returns the interval in which the line is inside the side of a cone, whose radius grows by `widens` per mm of height.
+/// Returns the interval in which the line is inside a cone of unlimited height, whose radius grows by `widens` mm per mm of height.
 template <class V>
 KADR_IN_LANES Swept<V> in_cone(const Vec3Of<V>& at, const Vec3Of<V>& e, float radius, float bottom, float widens) {
   const V here = spread<V>(radius) + (at.z - bottom) * widens, grows = e.z * widens;
@@ -169,15 +172,15 @@ KADR_IN_LANES Swept<V> in_cone(const Vec3Of<V>& at, const Vec3Of<V>& e, float ra
   return where(meets, from, to);
 }
 
-/// The side of a frustum: `straight` is a cylinder, `any` may be a cone.
+/// Shape of the side of a frustum: `straight` is the side of a cylinder, `any` may be that of a cone.
 enum class Side { straight, any };
 
 KADR_IN_LANES float widens(const Frustum& f) {
   return f.low_radius == f.high_radius ? 0.f : (f.high_radius - f.low_radius) / (f.high - f.low);
 }
 
-/// mm: a line that is in a flat face to within this numerical error counts as inside the body, because the tool's turn may move the line
-/// out of the face at this very position.
+/// Numerical error of a flat face in mm. A line in the face to within this error counts as inside the body, because the tool's turn may
+/// move the line out of the face exactly at this position.
 inline constexpr float in_face = 2e-5f;
 
 template <class V>
@@ -193,11 +196,11 @@ KADR_IN_LANES Swept<V> in_frustum(const Vec3Of<V>& at, const Heading& h, const F
   return s;
 }
 
-/// Returns the interval that a flat face sweeps by a shift without a turn: the face is a disc, the same at every height.
+/// Returns the interval of each line that a flat face sweeps by a shift without a turn. The face is a disc across the tool's axis.
 template <class V>
 KADR_IN_LANES Swept<V> in_shifted_disc(const TiltedLines<V>& l, const Vec3Of<V>& at, float height, float radius) {
-  // The point at s on the line is in the plane of the face, which is at t on the path, if s h.z - t way.z = height - at.z. The solutions
-  // (s, t) form a straight line; the solution nearest to the origin (0, 0) is computed first.
+  // The point at the position s on the line is in the plane of the face, when the face is at the position t on the path, if s h.z - t way.z
+  // = height - at.z. The solutions (s, t) form a straight line; the solution nearest to the origin (0, 0) is computed first.
   const Heading& h = l.heading;
   const Vec3Of<V>& way = l.past.way;
   const V square = way.z * way.z + h.z * h.z, per = 1.f / most(square, spread<V>(shortest_path * shortest_path)),
@@ -208,18 +211,19 @@ KADR_IN_LANES Swept<V> in_shifted_disc(const TiltedLines<V>& l, const Vec3Of<V>&
   Swept<V> in = in_circle(x, y, way_x, way_y, way_x * way_x + way_y * way_y, spread<V>(radius), nearly_still);
   clip_between(in, t, spread<V>(1.f), h.per_z);
   const V a = s + in.from * way.z, b = s + in.to * way.z;
-  // If neither the face's motion nor the line has a Z component, the line is in the face at an end of the path, or never.
+  // If neither the motion of the face nor the line has a Z component, the line is in the face at an end of the path or never, so the result
+  // is empty.
   return where((in.from <= in.to) & (square > shortest_path * shortest_path) & l.past.moves, least(a, b), most(a, b));
 }
 
-/// Returns the interval that the outline of the side sweeps. The outline consists of those two straight lines of the side that form its
-/// edge when it is seen along the path.
+/// Returns the interval of each line that the outline of the side sweeps. The outline consists of the two straight lines that bound the
+/// side when the frustum is seen along the path.
 template <class V>
 KADR_IN_LANES Swept<V> in_shifted_outline(const TiltedLines<V>& l, const Vec3Of<V>& at, const Frustum& f) {
   const Heading& e = l.heading;
   const PathPast<V>& p = l.past;
   const V ux = p.way.x * p.per_flat, uy = p.way.y * p.per_flat;
-  // A point is level with the outline at the share t of the path at which it is exactly to the side of the axis.
+  // A point is level with the outline at the fraction t (0 to 1) of the path at which the point is exactly to the side of the axis.
   const V part = (at.x * ux + at.y * uy) * p.per_flat, part_slope = (e.x * ux + e.y * uy) * p.per_flat;
   const V side = at.y * ux - at.x * uy, side_slope = e.y * ux - e.x * uy;
   const V height = at.z - part * p.way.z, height_slope = e.z - part_slope * p.way.z;
@@ -230,7 +234,7 @@ KADR_IN_LANES Swept<V> in_shifted_outline(const TiltedLines<V>& l, const Vec3Of<
   return where((s.from <= s.to) & p.moves_flat, s.from, s.to);
 }
 
-/// Like in_shifted_outline(), for a cone.
+/// Does the same as in_shifted_outline(), for a cone.
 template <class V>
 KADR_IN_LANES Swept<V> in_shifted_cone_outline(const TiltedLines<V>& l, const Vec3Of<V>& at, const Frustum& f, float widens) {
   const Heading& e = l.heading;
@@ -238,7 +242,7 @@ KADR_IN_LANES Swept<V> in_shifted_cone_outline(const TiltedLines<V>& l, const Ve
   const V ux = p.way.x * p.per_flat, uy = p.way.y * p.per_flat, one = spread<V>(1.f);
   const V facing = p.way.z * p.per_flat * widens, beside_square = one - facing * facing, beside = root(beside_square);
   const V per = p.per_flat / most(beside_square, spread<V>(shortest_path));
-  // The outline is at the share t of the path where along - facing * radius(height) = 0.
+  // The outline is at the fraction t (0 to 1) of the path at which along - facing * radius(height) = 0.
   const V radius = spread<V>(f.low_radius) + (at.z - f.low) * widens;
   const V part = (at.x * ux + at.y * uy - facing * radius) * per, part_slope = (e.x * ux + e.y * uy - facing * (e.z * widens)) * per;
   const V side = at.y * ux - at.x * uy, side_slope = e.y * ux - e.x * uy;
@@ -252,8 +256,8 @@ KADR_IN_LANES Swept<V> in_shifted_cone_outline(const TiltedLines<V>& l, const Ve
   return where((s.from <= s.to) & p.moves_flat & (beside_square > shortest_path), s.from, s.to);
 }
 
-/// Marks the lines that may come nearer to the axis than `radius`: all lines except those that stay on one side of the axis and farther
-/// away during the whole path.
+/// Marks the lines that may come nearer to the axis than `radius`. All other lines stay on one side of the axis, and farther away than
+/// `radius`, during the whole path.
 template <class V>
 KADR_IN_LANES MarksOf<V> come_near(const TiltedLines<V>& l, const Vec3Of<V>& at, float radius) {
   const Heading& h = l.heading;
@@ -262,7 +266,7 @@ KADR_IN_LANES MarksOf<V> come_near(const TiltedLines<V>& l, const Vec3Of<V>& at,
   return (least(first, last) <= reach) & (most(first, last) >= -reach);
 }
 
-/// Whether the lower and the upper flat face of the frustum can be in the brick.
+/// Whether the lower and the upper flat face of the frustum may enter the brick; a face that cannot is not computed.
 struct FacesNear {
   bool low = true, high = true;
 };
@@ -273,7 +277,7 @@ KADR_IN_LANES Swept<V> in_frustum_at_ends(const TiltedLines<V>& l, const TiltedP
   return either(where(first.from <= first.to, first.from, first.to), in_frustum<V, side>(place.last, l.last, f));
 }
 
-/// Returns what the frustum sweeps between the poses at the two ends of its path.
+/// Returns the interval of each line that the frustum sweeps between the poses at the two ends of the path.
 template <class V, Side side>
 KADR_IN_LANES Swept<V> in_frustum_between(const TiltedLines<V>& l, const Vec3Of<V>& at, const Frustum& f, FacesNear near) {
   Swept<V> s;

@@ -1,15 +1,16 @@
 #pragma once
 // Part of TiltedCutter: finds the lines for which the computed interval may be wrong. TiltedCutter does not cut these lines; the caller
-// cuts them with the two halves of the path. Only for stock/cut/tilted_cut.
+// cuts them with the two halves of the path. Only stock/cut/tilted_cut includes this file.
 
 #include "stock/cut/tilted_cutter.h"
 
 namespace kadr {
 
-/// Marks lines on which `end`, an end of the swept interval, is also an end of the interval inside the cylinder in this pose (at the start
-/// or the end of the path), and on which the line crosses the cylinder's surface at an angle much greater than the tool's turn.
-///   half   half the edge of the brick: positions of poses are relative to its middle
-///   steep  sine of the least such angle
+/// Marks lines that meet two conditions. `end`, an end of the swept interval, is also an end of the interval inside the cylinder in the
+/// given pose (at the start or the end of the path). And the line crosses the cylinder's surface there at an angle much greater than the
+/// tool's turn.
+///   half  half the edge length of the brick in mm, because the positions in poses are relative to the brick's middle
+///   steep  sine of the least angle that is steep enough
 template <class V>
 KADR_IN_LANES MarksOf<V> meets_steeply(const Pose<V>& pose, const V& end, bool is_from, float half, float radius, float steep) {
   const Heading& e = pose.heading;
@@ -20,7 +21,8 @@ KADR_IN_LANES MarksOf<V> meets_steeply(const Pose<V>& pose, const V& end, bool i
   return (pose.in.from <= pose.in.to) & (found <= end) & (found >= end) & (sine >= steep * radius);
 }
 
-/// Marks positions at which the surface of a bull-nose tool may be nearly parallel to the line: close to its lower face, or at its side.
+/// Marks positions at which the surface of a bull-nose tool may be nearly parallel to the line: positions close to the tool's lower face,
+/// or on its side.
 template <class V>
 KADR_IN_LANES MarksOf<V> TiltedCutter::is_where_flat(const TiltedFamily<V>& all, const TiltedRow<V>& line, int family,
                                                      const V& place) const {
@@ -33,9 +35,9 @@ KADR_IN_LANES MarksOf<V> TiltedCutter::is_where_flat(const TiltedFamily<V>& all,
                                             : missed));
 }
 
-/// Marks lines of which more than the computed interval may be swept. An end was computed with the shift at that very end; at a position
-/// farther out by x, this shift is wrong by x · turn / 2. The intersection with a slightly larger body shows the angle between surface
-/// and line: if the surface is steeper than this error, nothing farther out can be reached.
+/// Marks lines of which the tool may sweep more than the computed interval. An end was computed with the shift that belongs to the position
+/// of this end; at a position x mm farther out, this shift has an error of x · turn / 2. The intersection with a slightly larger body shows
+/// the angle between the surface and the line: if the surface is steeper than this error, the tool cannot reach a position farther out.
 template <class V, TiltedBody::Kind kind>
 KADR_IN_LANES MarksOf<V> TiltedCutter::may_reach_farther(const TiltedFamily<V>& all, int family, const TiltedRow<V>& line,
                                                          const Swept<V>& swept, const Swept<V>& material) const {
@@ -78,7 +80,7 @@ KADR_IN_LANES MarksOf<V> TiltedCutter::may_reach_farther(const TiltedFamily<V>& 
     farther = misses & meet(Swept<V>{even.from + half_, even.to + half_}, material) &
               (least(even.to, spread<V>(half_)) - most(even.from, spread<V>(-half_)) > most_off);
   }
-  // If even the larger body does not contain the end, the search for this end has failed.
+  // If even the larger body does not contain the end, the search for this end has failed, and the line is marked.
   const auto look_at = [&](const MarksOf<V>& open, const V& end, bool is_from) {
     if (!any(open)) return;
     const Swept<V> larger = with_shift_at(end);
@@ -90,7 +92,7 @@ KADR_IN_LANES MarksOf<V> TiltedCutter::may_reach_farther(const TiltedFamily<V>& 
   return farther;
 }
 
-/// Records lines that the caller must cut with the two halves of the path.
+/// Records lines that TiltedCutter leaves uncut and that the caller must cut with the two halves of the path.
 template <class V>
 KADR_IN_LANES void TiltedCutter::leave_for_later(const MarksOf<V>& later, int family, int row, int lane) {
   alignas(32) std::int32_t each[lane_count];
@@ -103,7 +105,7 @@ KADR_IN_LANES void TiltedCutter::leave_for_later(const MarksOf<V>& later, int fa
   later_.any = later_.any || later_.bits[family][at] != 0;
 }
 
-/// Returns and records which of eight lines the caller must cut with the two halves of the path.
+/// Returns and records the lines, among eight, that the caller must cut with the two halves of the path.
 template <class V, TiltedBody::Kind kind>
 KADR_OWN_FUNCTION MarksOf<V> TiltedCutter::for_later(const TiltedFamily<V>& all, int family, int row, int lane, const Swept<V>& swept,
                                                      const Swept<V>& material) {

@@ -1,5 +1,5 @@
 #pragma once
-// Marks which of eight lattice lines the surface of a tilted tool turns over (tilted_over.h). Used by stock/cut/tilted_cutter.
+// Marks the lattice lines, among eight, over which the surface of a tilted tool turns (tilted_over.h). Used by stock/cut/tilted_cutter.
 
 #include "stock/cut/tilted_over.h"
 #include "stock/cut/tilted_pose.h"
@@ -21,8 +21,9 @@ struct LineAtEnd {
   Heading heading;
 };
 
-/// Marks lines with an interval in both end poses (`first`, `last`) and a gap of more than `apart` between the two. A line whose interval
-/// `asked` extends only a little into this gap is not marked, because the error is then at most turn · (length in the gap).
+/// Marks lines that have an interval in both end poses (`first`, `last`), with a gap of more than `apart` mm between the two intervals. A
+/// line whose interval `asked` extends only a little into this gap is not marked, because the error is then at most turn · (length in the
+/// gap).
 template <class V>
 KADR_IN_LANES MarksOf<V> are_apart(const Swept<V>& first, const Swept<V>& last, const Swept<V>& asked, float apart) {
   const V from = least(first.to, last.to), to = most(first.from, last.from);
@@ -30,8 +31,8 @@ KADR_IN_LANES MarksOf<V> are_apart(const Swept<V>& first, const Swept<V>& last, 
          (least(asked.to - from, to - asked.from) > 0.25f * apart);
 }
 
-/// Marks lines of which more than `apart` mm of the interval `asked` are outside the intervals in the end poses, and lines that
-/// are_apart() marks. The curvature of a cone grows towards its apex, so a gap may appear and vanish between the end poses.
+/// Marks lines of which more than `apart` mm of the interval `asked` are outside the intervals in the end poses, and lines that are_apart()
+/// marks. The curvature of a cone grows towards the apex, so a gap may appear and vanish between the end poses.
 template <class V>
 KADR_IN_LANES MarksOf<V> are_far_from(const Swept<V>& first, const Swept<V>& last, const Swept<V>& asked, float apart) {
   const V from = least(first.from, last.from), to = most(first.to, last.to);
@@ -45,7 +46,7 @@ KADR_IN_LANES Swept<V> in_cone_and_shaft(const LineAtEnd<V>& line, const TiltedB
   return body.shaft.high > body.shaft.low ? either(cone, in_frustum<V, Side::straight>(line.at, line.heading, body.shaft)) : cone;
 }
 
-/// Returns the intervals inside the rounded (bull-nose) body in one pose.
+/// Returns the intervals of the lines inside a bull-nose body in one pose.
 template <class V>
 KADR_IN_LANES Swept<V> in_rounded(const LineAtEnd<V>& line, const TiltedBody& body) {
   const V none = spread<V>(0.f);
@@ -60,8 +61,8 @@ KADR_IN_LANES MarksOf<V> are_turned_over(const TiltedOver& over, int family, con
   MarksOf<V> turned = asked.from < asked.to;
   if (!any(turned)) return turned;
   turned = turned & ~turned;
-  // The side of the shaft counts as unlimited in height: a line that meets the side beyond a face of the body in an end pose meets the body
-  // at another time on the path.
+  // The side of the shaft counts as unlimited in height: a line that, in an end pose, meets the side beyond a face of the body meets the
+  // body itself at another position on the path.
   if (by.by_shaft) {
     const float radius = body.shaft.low_radius;
     const auto in = [&](const LineAtEnd<V>& l) { return in_circle(l.at.x, l.at.y, l.heading, radius); };

@@ -9,11 +9,12 @@ namespace kadr {
 namespace {
 
 constexpr int max_parts = 1 << 16;
-constexpr double same_direction = 1e-12;  // two unit vectors whose difference is shorter are the same
-constexpr double opposite = 1e-9;         // two unit vectors are opposite if half the length of their sum is less
-constexpr double small_chord = 0.02;      // on a chord this short, even motion on the chord gives an even turn, to within 1e-6 of the chord
+constexpr double same_direction = 1e-12;  // two unit vectors count as equal if the length of their difference is less than this
+constexpr double opposite = 1e-9;         // two unit vectors count as opposite if half the length of their sum is less than this
+// On a chord this short, an even motion along the chord replaces the even turn, with an error of at most 1e-6 of the chord.
+constexpr double small_chord = 0.02;
 
-/// Returns the length of a vector. It uses only the square root, which every library rounds alike.
+/// Returns the length of a vector. The function uses only the square root, which every library rounds alike.
 double size_of(Vec3 v) { return std::sqrt(dot(v, v)); }
 Vec3 unit_by_root(Vec3 v) { return (1 / size_of(v)) * v; }
 
@@ -36,20 +37,21 @@ class Carry {
 
 }  // namespace
 
-/// Returns the angle by which the tool turns: for a short chord by the series of 2 asin(chord / 2), else an upper bound.
+/// Returns the angle in radians by which the tool turns. A short chord is converted by the series of 2 asin(chord / 2); for a longer chord,
+/// the result is an upper bound.
 double TiltedPath::turn() const {
   const double chord = size_of(to_direction - from_direction), square = chord * chord;
   return chord < 0.5 ? chord * (1 + square * (1 / 24.0 + square * (3 / 640.0 + square * 5 / 7168.0))) : chord * pi / 2;
 }
 
-/// Returns the direction of the tool at a share of the path. Halves the arc repeatedly, and uses only the square root, which every
-/// processor rounds alike.
+/// Returns the direction of the tool at the fraction `part` (0 to 1) of the path. The function halves the arc repeatedly, and uses only the
+/// square root, which every processor rounds alike.
 Vec3 TiltedPath::direction(double part) const {
   if (part <= 0 || from_direction == to_direction) return from_direction;
   if (part >= 1) return to_direction;
   Vec3 a = from_direction, b = to_direction;
   double first = 0, last = 1;
-  // Between opposite directions there is no unique shortest arc: any of them is used.
+  // Between opposite directions there is no unique shortest arc, so any of the shortest arcs is used.
   const auto middle = [](Vec3 c, Vec3 d) { return size_of(c + d) < 2 * opposite ? beside(c) : unit_by_root(c + d); };
   while (size_of(b - a) > small_chord) {
     const double half = (first + last) / 2;
@@ -81,7 +83,8 @@ ToolEnds::ToolEnds(const TiltedPath& way) : from(way.from), to(way.to) {
 
 Box3 box_around(const TiltedPath& way, double low, double high, double radius) {
   Box3 box{{1e300, 1e300, 1e300}, {-1e300, -1e300, -1e300}};
-  const double bent = high * way.turn() * way.turn() / 8;  // deviation of the path of a point at the height `high` from its chord
+  // Deviation in mm of the path of a point, at the height `high` on the tool, from the chord of this path.
+  const double bent = high * way.turn() * way.turn() / 8;
   for (const bool end : {false, true}) {
     const Vec3 tip = end ? way.to : way.from, direction = end ? way.to_direction : way.from_direction;
     for (const double height : {low, high})

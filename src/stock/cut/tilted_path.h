@@ -1,9 +1,10 @@
 #pragma once
-// TiltedPath: the path of a tilted tool. The tip moves evenly on a straight line, and the direction turns evenly along the shortest arc.
+// TiltedPath: the path of a tilted tool. The tip moves evenly on a straight line, and the direction of the tool turns evenly along the
+// shortest arc.
 //
-// In the tool's coordinates, a point of the material moves on a nearly straight curve. If its chord replaces the curve, the tool sweeps
-// the point by a shift alone, without a turn. Each point has its own shift, so the poses at both ends of a part of the path are exact up
-// to rounding. The remaining error is the greatest distance of the curve from its chord:
+// In the tool's coordinates, a point of the material moves on a nearly straight curve. If the chord of this curve replaces the curve, the
+// tool sweeps the point by a shift alone, without a turn. Each point has its own shift, so the poses at both ends of a part of the path are
+// exact up to rounding. The remaining error is the greatest distance of the curve from its chord:
 //
 //   bend = way · turn / 4 + reach · turn² / 8      way: length of the part, mm; turn: angle of the tool's turn in the part, radians;
 //                                                  reach: greatest distance of the tool's points from its tip, mm
@@ -18,28 +19,29 @@
 namespace kadr {
 
 struct TiltedPath {
-  Vec3 from, to;                      // positions of the tip
+  Vec3 from, to;                      // start and end position of the tip, mm
   Vec3 from_direction, to_direction;  // unit vectors from the tip into the tool
 
   Vec3 tip(double part) const { return from + part * (to - from); }
   Vec3 direction(double part) const;
-  double turn() const;  // angle between the directions at start and end, radians
+  double turn() const;  // angle between the directions at the start and the end, radians
   TiltedPath between(double first, double last) const { return {tip(first), tip(last), direction(first), direction(last)}; }
 };
 
-/// Greatest turn of a part of a path, radians. It is limited because the final position on a line is computed from an estimated one.
+/// Greatest turn of a part of a path, radians. A larger turn would make the result inaccurate, because the final position on a line is
+/// computed from an estimated position.
 inline constexpr double max_turn = 0.02;
 
-/// Returns the number of equal parts of a path for which no part bends by more than `bend` mm.
+/// Returns the number of equal parts into which a path must be divided so that no part bends by more than `bend` mm.
 ///   reach  distance from the tip to the farthest point of the tool, mm
 int parts_of(const TiltedPath& way, double reach, double bend);
 
 double reach_of(const ToolShape& tool);
 
-/// True if the direction is vertical up to rounding.
+/// Returns true if the direction is vertical (Z+) to within rounding errors.
 inline bool is_upright(Vec3 direction) { return std::fabs(direction.x) < 1e-9 && std::fabs(direction.y) < 1e-9 && direction.z > 0; }
 
-/// The tool's own axes in one pose: the rows x and y are across the tool's axis, z is along it.
+/// The tool's own axes in one pose: the rows x and y are across the tool's axis, the row z is along this axis.
 using ToolAxes = std::array<Vec3, 3>;
 
 /// Converts a point into the tool's coordinates at the start, half way and at the end of a path: x, y from the tool's axis, z above the
@@ -56,10 +58,10 @@ struct ToolEnds {
 };
 
 /// Returns a box around the volume that a body of a tool sweeps on a path with a small turn.
-///   low, high  heights of the body's ends above the tip, mm
+///   low, high  heights of the bottom and the top of the body above the tip, mm
 Box3 box_around(const TiltedPath& way, double low, double high, double radius);
 
-/// Returns upper bounds for the extent of a body around its tip on the path, for all directions of the tool on the path.
+/// Returns upper bounds for the distances by which a body extends around its tip, for all directions of the tool on the path.
 AroundTip around_tilted_tip(const TiltedPath& way, double low, double high, double radius);
 
 }  // namespace kadr

@@ -1,39 +1,39 @@
 #pragma once
-// Intersects lattice lines with a cylinder of a tilted tool in the poses at both ends of its path, and finds whether the cylinder
-// reaches farther along a line between these poses.
+// Intersects lattice lines with a cylinder of a tilted tool in the poses at both ends of its path, and finds whether the cylinder reaches
+// farther along a line between these poses.
 //
-// For a convex body that shifts without turning, the pairs (position on the line, position on the path) for which the body contains the
-// point of the line form a convex set. So the position at which the line enters the body is a convex function of the path. If this
-// position, in an end pose, moves out of the face or side that it is on, the body reaches farthest in this end pose. A turn of the body
-// may disturb this if the line nearly lies in that face or side: such lines are left undecided here.
+// Let a convex body shift without turning. The pairs (position on the line, position on the path) for which the body contains the point of
+// the line then form a convex set. So the position at which the line enters the body is a convex function of the position on the path. If,
+// in an end pose, this entry point moves out of the face or side that contains it, the body reaches farthest in this end pose. A turn of
+// the body may change this result if the line nearly lies in the face or side: such lines are left undecided here.
 
 #include "stock/cut/tilted_rows.h"
 
 namespace kadr::lanes {
 
-/// The lines of a family, in the tool's coordinates in the pose half way.
+/// The lines of a family, in the tool's coordinates in the pose half way along the path.
 template <class V>
 struct TiltedFamily {
-  TiltedLines<V> even;  // the lines, with the shift of the brick's middle for all
+  TiltedLines<V> even;  // the lines; all have the shift of the brick's middle
   Heading first, last;  // direction of the lines in the end poses
-  /// Signed distance of a line from the tool's axis times the sine of the angle between them: `aside` for the line through the brick's
-  /// middle, and its change per mm of lane and per mm of row. `reach` bounds the absolute value of this product for lines that come near
-  /// the tool.
+  /// Signed distance of a line from the tool's axis times the sine of the angle between the line and the axis: `aside` for the line through
+  /// the brick's middle, and the change of this product per mm of lane and per mm of row. `reach` bounds the absolute value of the product
+  /// for lines that come near the tool.
   float aside, aside_lane, aside_row, reach;
 };
-/// Eight lines of a family.
+/// Eight lattice lines of a family, and their intervals in the end poses.
 template <class V>
 struct TiltedRow {
-  Vec3Of<V> at, shift;    // middle points of the lines, and their shift; `at` is corrected to half way between the chord and the true curve
+  Vec3Of<V> at, shift;    // middle points of the lines, and their shift; `at` is half way between the chord and the true curve
   Vec3Of<V> first, last;  // middle points of the lines in the end poses
-  Swept<V> at_ends;       // intervals inside the tool in the end poses
+  Swept<V> at_ends;       // intervals of the lines inside the tool in the end poses
 };
 
 template <class V>
 struct Pose {
-  Vec3Of<V> at;  // middle point of each line
+  Vec3Of<V> at;  // middle point of each lattice line
   Heading heading;
-  Swept<V> side, in;  // side: interval inside the cylinder without ends; in: interval inside the cylinder
+  Swept<V> side, in;  // side: interval inside the cylinder of unlimited height; in: interval inside the cylinder itself
 };
 
 template <class V>
@@ -47,14 +47,14 @@ KADR_IN_LANES Pose<V> in_pose(const Vec3Of<V>& at, const Heading& h, const Frust
 /// The motion of the points of a line past the tool.
 template <class V>
 struct PastTool {
-  Vec3Of<V> shift, grows;  // shift of the line's middle point, and its change per mm along the line
-  float radius;            // radius of the cylinder
+  Vec3Of<V> shift, grows;  // shift of the line's middle point, and the change of this shift per mm along the line
+  float radius;            // radius of the cylinder, mm
   float steep;             // sine of the angle between line and face (or side) above which the tool's turn has no influence
-  float bend;              // mm by which the paths of the points may deviate from straight lines
+  float bend;              // distance in mm by which the paths of the points may deviate from straight lines
 };
 
 /// Marks lines whose entry or exit point at `place` is moving out of the cylinder, as the tool moves along its path (`forth` 1) or back
-/// (`forth` -1). In the lanes of `by_face` the point is on a flat face (the upper one if `face_is_upper`), else on the side.
+/// (`forth` -1). In the lanes of `by_face` the point is on a flat face (the upper face if `face_is_upper`), in the other lanes on the side.
 template <class V>
 KADR_IN_LANES MarksOf<V> moves_out(const Pose<V>& pose, const V& place, const PastTool<V>& past, float forth, const MarksOf<V>& by_face,
                                    bool face_is_upper) {

@@ -1,14 +1,14 @@
 #pragma once
-// Finds the intervals of lattice lines inside the volume that a body of a tilted tool sweeps. Single precision, lengths in mm, in the
-// tool's coordinates with the tool's axis along Z. Positions on a line are mm from the line's middle.
+// Finds the intervals of lattice lines inside the volume that a body of a tilted tool sweeps. Numbers have single precision; lengths are in
+// mm, in the tool's coordinates with the tool's axis along Z. Positions on a line are in mm from the line's middle.
 //
-// What a convex body sweeps along a straight path is convex. Where a line leaves this volume, it is on the body in an end pose, on the
-// volume swept by the edge circle of a flat face, or on the volume swept by the body's outline as seen along the path. Each of these is
-// part of a convex volume, whose intersection with a line has a closed form; the result is the interval from the least of their ends to the
-// greatest. Only rounded edges need an iteration: the distance from a rounded edge is a convex function along the line, so Newton's method
-// converges from outside.
+// The volume that a convex body sweeps along a straight path is convex. The point where a line leaves this volume is on the body in an end
+// pose, on the volume swept by the edge circle of a flat face, or on the volume swept by the body's outline as seen along the path. Each of
+// these surfaces is part of a convex volume, whose intersection with a line has an exact formula. The result is the interval from the least
+// to the greatest end of these intersections. Only rounded edges need an iteration: the distance from a rounded edge is a convex function
+// along the line, so Newton's method converges from outside.
 //
-//   law  a point in an interval is inside the body at some share of the path, to within 2e-4 mm   (tests/stock/tilted_sweep_test)
+//   law  a point in an interval is inside the body at some position on the path, to within 2e-4 mm (tests/stock/tilted_sweep_test)
 
 #include "stock/cut/tilted_frustum.h"
 
@@ -39,22 +39,22 @@ KADR_IN_LANES Swept<V> in_shifted_ball(const TiltedLines<V>& l, TiltedPosition<V
   return either(ends, where(meets & l.past.moves & (tube.from <= tube.to), tube.from, tube.to));
 }
 
-// ---- rounded edges
+// ---- functions for rounded edges
 
-/// The section of the path on which the top of the body is not below a point of the line; its ends depend on the point.
+/// The section of the path on which the top of the body is not below a point of the line. The ends of the section depend on the point.
 template <class V>
 struct UnderTop {
   V first, last;
 };
 
 inline constexpr int max_newton = 24;
-inline constexpr float on_surface = 5e-5f;  // mm
+inline constexpr float on_surface = 5e-5f;  // limit in mm: a point whose distance from the surface is at most this counts as on the surface
 
-/// Vector from a cylinder inside the body (radius `flat`, above the height `middle`) to a point of the line, after the tool has moved `t`
-/// mm along its path.
+/// Vector from a cylinder inside the body to a point of the line, after the tool has moved `t` mm along its path. The cylinder has the
+/// radius `flat` and is above the height `middle`.
 template <class V>
 struct FromShaft {
-  V beside, below;  // horizontal and vertical component: `beside` is at least 0, `below` is at most 0
+  V beside, below;  // horizontal and vertical component in mm: `beside` is at least 0, `below` is at most 0
   V out_x, out_y;   // unit vector in the direction of `beside`
 };
 template <class V>
@@ -64,8 +64,8 @@ KADR_IN_LANES FromShaft<V> from_shaft(const TiltedLines<V>& l, const TiltedBody&
   return {most(radius - b.flat, spread<V>(0.f)), least(at.z - b.middle, spread<V>(0.f)), at.x * per, at.y * per};
 }
 
-/// Finds one end of the interval in which the line is within `corner` of that cylinder, by an iteration that starts outside the body.
-/// `sign` is the outward direction along the line, 1 or -1.
+/// Finds one end of the interval in which the line is at most `corner` mm away from the cylinder of FromShaft. The iteration starts outside
+/// the body. `sign` is the outward direction along the line, 1 or -1.
 template <class V>
 KADR_OWN_FUNCTION V end_of_rounded(const TiltedLines<V>& l, const TiltedBody& b, const Vec3Of<V>& at, const MarksOf<V>& sought,
                                    const V& start, float sign) {
@@ -93,7 +93,7 @@ KADR_OWN_FUNCTION V end_of_rounded(const TiltedLines<V>& l, const TiltedBody& b,
     const FromShaft<V> from = from_shaft(l, b, here, t);
     const V far = square_root(from.beside * from.beside + from.below * from.below), distance = far - b.corner;
     V grows = from.beside * (from.out_x * e.x + from.out_y * e.y) + from.below * e.z;
-    // If the top of the body limits the section of the path that counts, this limit changes with the position on the line.
+    // If the top of the body limits the section of the path, this limit changes with the position on the line, and so does the distance.
     const V towards = from.beside * (from.out_x * forth.x + from.out_y * forth.y) + from.below * up;
     const MarksOf<V> held = ~level & choose(rises, begins & (bound > 0.f), ends & (bound < length));
     grows = grows - choose(held, towards * e.z * per_up, none);
@@ -131,13 +131,13 @@ KADR_OWN_FUNCTION Swept<V> tilted_swept(const TiltedLines<V>& l, const TiltedBod
 }
 
 /// tilted_swept() consists of two parts: tilted_at_ends() uses the end poses, which do not depend on the shift; tilted_between() computes
-/// what is swept between them.
+/// what the body sweeps between these poses.
 template <class V, TiltedBody::Kind kind>
 KADR_OWN_FUNCTION Swept<V> tilted_at_ends(const TiltedLines<V>& l, const TiltedBody& b, const TiltedPosition<V>& at) {
   if constexpr (kind == TiltedBody::Kind::cylinder) return in_frustum_at_ends<V, Side::straight>(l, at, b.shaft);
   if constexpr (kind == TiltedBody::Kind::rounded) {
-    // The end poses of cylinders inside the body are used. Without the turn, a line that nearly lies in the side or a flat face of a
-    // cylinder could seem to leave it in the wrong direction.
+    // The end poses of cylinders inside the body are used: without the turn, a line that nearly lies in the side or a flat face of a
+    // cylinder could seem to leave the cylinder in the wrong direction.
     const Frustum core{b.middle - b.corner, b.shaft.high, b.flat, b.flat};
     Swept<V> s{spread<V>(missed), spread<V>(-missed)};
     if (b.flat > 0) s = either(s, in_frustum_at_ends<V, Side::straight>(l, at, core));
@@ -154,8 +154,8 @@ KADR_IN_LANES Swept<V> tilted_between(const TiltedLines<V>& l, const TiltedBody&
   return b.shaft.high > b.shaft.low ? either(end, in_frustum_between<V, Side::straight>(l, at.at, b.shaft, {false, near.high})) : end;
 }
 
-/// Returns the intervals in the end poses as if the tool only shifted. They differ from those in the true poses by the bend of the
-/// path; the computation of what is swept between the poses starts from them.
+/// Returns the intervals in the end poses as if the tool only shifted. They differ from the intervals in the true poses by the bend of the
+/// path. The computation of what the body sweeps between the poses starts from these intervals.
 template <class V, TiltedBody::Kind kind>
 KADR_IN_LANES Swept<V> shifted_at_ends(const TiltedLines<V>& l, const TiltedBody& b, const Vec3Of<V>& at) {
   return tilted_at_ends<V, kind>({l.heading, l.heading, l.heading, l.past}, b, {at, at, plus(at, spread<V>(-1.f), l.past.way)});

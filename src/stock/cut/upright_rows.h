@@ -1,8 +1,8 @@
 #pragma once
-// Finds the intervals of lattice lines along Z inside the volume that a body of an upright tool sweeps along a straight path. Single
-// precision, lengths in mm from the brick's corner.
+// Finds the intervals of lattice lines along Z inside the volume that a body of an upright tool sweeps along a straight path. Numbers have
+// single precision; lengths are in mm from the brick's corner.
 //
-//   law  a point in an interval is inside the body at some share of the path, to within 2e-4 mm   (tests/stock/sweep_test)
+//   law  a point in an interval is inside the body at some position on the path, to within 2e-4 mm (tests/stock/sweep_test)
 
 #include "stock/cut/sweep_search.h"
 #include "stock/cut/swept_body.h"
@@ -22,10 +22,11 @@ KADR_IN_LANES Swept<V> where(const MarksOf<V>& meets, const V& from, const V& to
   return {choose(meets, from, spread<V>(missed)), choose(meets, to, spread<V>(-missed))};
 }
 
-/// The part of the path on which the body is over a line.
+/// The section of the path on which the body is over a lattice line.
 template <class V>
 struct Over {
-  // position on the path where the tool's axis is nearest to the line; squared distance of axis and line at this position
+  // Position on the path where the tool's axis is nearest to the line (mm); squared distance of the axis and the line at this position
+  // (mm²).
   V nearest, apart;
   V first, last;
   MarksOf<V> meets;
@@ -42,11 +43,11 @@ KADR_IN_LANES Over<V> over_line(const LocalSweep& s, const V& x, float y, float 
   return {nearest, apart, first, last, (room > 0.f) & (first <= last)};
 }
 
-/// mm by which a cone's side is moved outwards, so that a distance from the axis that was rounded up does not give too great a height on
-/// a nearly vertical side.
+/// mm by which the side of a cone is moved outwards. Without this margin, a distance from the axis that was rounded up would give too great
+/// a height on a nearly vertical side.
 inline constexpr float rounded_radius = 1e-5f;
 
-/// Returns the height of the end's surface above the end's bottom at the distance `radius` from the axis.
+/// Returns the height in mm of the surface of the body's end, above the bottom of the end, at the distance `radius` from the axis.
 template <class V, BodyEnd end>
 KADR_IN_LANES V end_height(const SweptBody& b, const V& radius) {
   const V beyond = most(radius - (end == BodyEnd::cone ? b.flat + rounded_radius : b.flat), spread<V>(0.f));
@@ -56,7 +57,7 @@ KADR_IN_LANES V end_height(const SweptBody& b, const V& radius) {
   return spread<V>(0.f);
 }
 
-/// Returns the position on the path at which a rounded edge is lowest over the line.
+/// Returns the position on the path at which the corner radius of the body is lowest over the line.
 template <class V>
 KADR_IN_LANES V lowest_of_torus(const LocalSweep& s, const SweptBody& b, const Over<V>& over) {
   const float square = s.flat * s.flat, corner_square = b.corner * b.corner;
@@ -73,8 +74,8 @@ KADR_IN_LANES V lowest_of_torus(const LocalSweep& s, const SweptBody& b, const O
   return place;
 }
 
-/// A cone is nearest to a line at one position on the path and lowest over the line at another. Returns the distance of these positions,
-/// in the XY plane, per mm of the nearest distance between cone axis and line.
+/// Returns the distance, in the XY plane, between two positions on the path: the one at which a cone is nearest to a line, and the one at
+/// which the cone is lowest over the line. The result is per mm of the nearest distance between the cone's axis and the line.
 inline float cone_lag(const LocalSweep& s, const SweptBody& b) {
   const float steep = std::fabs(s.way[2]) * s.per_flat * b.widens;
   return steep < 1.f ? steep / std::sqrt(std::max(1.f - steep * steep, nearly_none)) : missed;
@@ -86,7 +87,7 @@ KADR_IN_LANES V lowest_place(const LocalSweep& s, const SweptBody& b, const Over
   const V none = spread<V>(0.f);
   if constexpr (end == BodyEnd::flat) return s.way[2] > 0.f ? over.first : over.last;
   if constexpr (end == BodyEnd::torus) return lowest_of_torus(s, b, over);
-  V before;  // distance from the lowest position to the nearest position, along the path in the XY plane, if the path rises
+  V before;  // distance in mm, along the path in the XY plane, from the lowest position to the nearest position; positive if the path rises
   if constexpr (end == BodyEnd::ball) {
     before = root(spread<V>(b.radius * b.radius) - over.apart) * (s.way[2] * s.per_flat);
   } else {
@@ -97,7 +98,7 @@ KADR_IN_LANES V lowest_place(const LocalSweep& s, const SweptBody& b, const Over
   return within(over.nearest - before, over.first, over.last);
 }
 
-/// Returns the intervals of lines at the positions `x`, `y`.
+/// Returns the intervals of lattice lines at the positions `x`, `y` that the body sweeps.
 ///   tip  receives, for each line, the height of the tip at the position where the body's end is lowest over the line
 template <class V, BodyEnd end>
 KADR_IN_LANES Swept<V> upright_lines(const LocalSweep& s, const SweptBody& b, const V& x, float y, V& tip) {

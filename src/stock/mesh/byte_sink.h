@@ -1,13 +1,13 @@
 #pragma once
-// ByteSink: the destination of a file that is written piece by piece: a temporary file, memory or a pipe.
+// ByteSink: the destination of a file that is written in portions: a temporary file, memory or a pipe.
 
 #include <functional>
 #include <string_view>
 
 namespace kadr {
 
-/// Receives the next bytes.
-///   returns  false if the bytes could not be written; the sink is then not called again
+/// A function that receives the next bytes of the file.
+///   returns  false if the bytes could not be written; the writer then does not call the sink again
 using ByteSink = std::function<bool(std::string_view)>;
 
 }  // namespace kadr

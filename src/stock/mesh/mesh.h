@@ -8,10 +8,10 @@
 
 namespace kadr {
 
-/// Seen from outside the body, the corners of a triangle run counter-clockwise. Lengths in mm.
+/// A surface of triangles, in mm. Seen from outside the body, the corners of a triangle are in counter-clockwise order.
 struct Mesh {
-  std::vector<float> points;             // x, y, z of each point
-  std::vector<std::uint32_t> triangles;  // three point numbers each
+  std::vector<float> points;             // coordinates x, y, z of each point, mm
+  std::vector<std::uint32_t> triangles;  // numbers of the three corner points of each triangle
 
   std::size_t point_count() const { return points.size() / 3; }
   std::size_t triangle_count() const { return triangles.size() / 3; }
@@ -25,7 +25,7 @@ double volume_of(const Mesh& mesh);
 /// Returns the area of all triangles in mm².
 double area_of(const Mesh& mesh);
 
-/// Returns the box around all points; an empty box at the origin if there are none.
+/// Returns the box around all points; an empty box at the origin if the mesh has no points.
 Box3 box_of(const Mesh& mesh);
 
 }  // namespace kadr

@@ -11,7 +11,7 @@ std::vector<EdgeUse> edge_uses(const Mesh& mesh) {
     for (std::size_t t = 0; t < mesh.triangle_count(); ++t)
       for (std::size_t k = 0; k < 3; ++k) visit(t, mesh.triangles[3 * t + k], mesh.triangles[3 * t + (k + 1) % 3]);
   };
-  // First a counting sort by the lower point number; then each group has only a few edges.
+  // A counting sort by the lower point number comes first; each group then has only a few edges, which std::sort orders.
   std::vector<std::size_t> next(mesh.point_count() + 1, 0);
   each([&](std::size_t, std::uint32_t a, std::uint32_t b) { ++next[std::size_t(std::min(a, b)) + 1]; });
   for (std::size_t i = 1; i < next.size(); ++i) next[i] += next[i - 1];

@@ -1,4 +1,5 @@
-// Sorts the triangles into a grid of squares in the plane across the lines. Used by stock/blank/mesh_blank and stock/mesh/mesh_repair.
+// Sorts the triangles of a mesh into a grid of squares in the plane across the lines. Used by stock/blank/mesh_blank and
+// stock/mesh/mesh_repair.
 
 #include "stock/mesh/mesh_index.h"
 
@@ -8,7 +9,8 @@
 namespace kadr {
 namespace {
 
-constexpr double max_entries = 6;  // mean number of squares per triangle: if long triangles cross many squares, a coarser grid is used
+// Greatest mean number of squares per triangle: if long triangles cross more squares, a coarser grid is used.
+constexpr double max_entries = 6;
 
 }  // namespace
 

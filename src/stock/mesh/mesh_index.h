@@ -37,8 +37,9 @@ class MeshIndex {
   int family_;
   double least_u_ = 0, least_v_ = 0, per_u_ = 0, per_v_ = 0;
   std::uint32_t columns_ = 1, rows_ = 1;
-  std::vector<std::uint32_t> first_;      // index in triangles_ of the first triangle of each square; one more element at the end
-  std::vector<std::uint32_t> triangles_;  // numbers of the triangles whose bounding rectangle overlaps the square
+  // Index in triangles_ of the first triangle of each square; the last element is the number of all entries.
+  std::vector<std::uint32_t> first_;
+  std::vector<std::uint32_t> triangles_;  // numbers of the triangles whose bounding rectangles overlap each square, square by square
 };
 
 }  // namespace kadr

@@ -1,4 +1,4 @@
-// Closes a mesh, turns its triangles the right way, and reports its faults. Used by stock/mesh/mesh_file.
+// Closes a mesh, turns its triangles so that they face outwards, and reports faults of the mesh. Used by stock/mesh/mesh_file.
 
 #include "stock/mesh/mesh_repair.h"
 
@@ -27,9 +27,9 @@ std::string at_point(const Vec3& p) { return "X" + mm(p.x) + " Y" + mm(p.y) + " 
 struct Repair {
   Mesh mesh;
   const MeshRules& rules;
-  std::vector<std::uint32_t> numbers{};  // number of each triangle in the file
+  std::vector<std::uint32_t> numbers{};  // number that each triangle had in the file
   std::vector<std::string> notes{};
-  MeshEdges edges{};  // result of close()
+  MeshEdges edges{};  // faulty edges that remain after close()
 
   std::string bad_point_message() const;
   void close();
@@ -41,7 +41,8 @@ struct Repair {
   void turn(std::size_t triangle) { std::swap(mesh.triangles[3 * triangle + 1], mesh.triangles[3 * triangle + 2]); }
 };
 
-/// Returns a message about a corner with an invalid coordinate or point number, or far beyond any machine; empty if there is none.
+/// Returns a message about a corner with an invalid coordinate or point number, or at a position that is far beyond any machine; an empty
+/// text if there is no such corner.
 std::string Repair::bad_point_message() const {
   for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
     const std::size_t triangle = i / 3 + 1;
@@ -55,8 +56,8 @@ std::string Repair::bad_point_message() const {
   return {};
 }
 
-/// Two neighbouring triangles must use their common edge in opposite directions. Turns the triangles of each shell so that they fit its
-/// first triangle. Returns false if this is not possible.
+/// Turns the triangles of each shell so that they fit the first triangle of the shell: two neighbouring triangles must use their common
+/// edge in opposite directions. Returns false if no orientation of the triangles fits.
 bool Repair::turn_to_fit() {
   const std::vector<EdgeUse> ways = edge_uses(mesh);
   const std::size_t count = mesh.triangle_count();
@@ -70,7 +71,7 @@ bool Repair::turn_to_fit() {
     beside[3 * std::size_t(a.triangle) + found[a.triangle]++] = 2 * b.triangle + same;
     beside[3 * std::size_t(b.triangle) + found[b.triangle]++] = 2 * a.triangle + same;
   }
-  std::vector<std::uint8_t> turned(count, 2);  // 2: not yet decided
+  std::vector<std::uint8_t> turned(count, 2);  // 1: the triangle is turned; 0: not turned; 2: not yet decided
   std::vector<std::uint32_t> open;
   std::size_t turns = 0;
   for (std::size_t first = 0; first < count; ++first) {
@@ -84,7 +85,7 @@ bool Repair::turn_to_fit() {
         const std::uint32_t other = beside[3 * std::size_t(t) + k] / 2;
         const std::uint8_t wanted = turned[t] ^ std::uint8_t(beside[3 * std::size_t(t) + k] & 1);
         if (turned[other] == 2) turned[other] = wanted, open.push_back(other);
-        else if (turned[other] != wanted) return false;  // a one-sided surface, such as a Möbius strip
+        else if (turned[other] != wanted) return false;  // the surface has only one side, as a Möbius strip has
       }
     }
   }
@@ -94,7 +95,8 @@ bool Repair::turn_to_fit() {
   return true;
 }
 
-/// Merges points within the tolerance, then turns triangles the right way. Each of these two repairs is made only if edges are still open.
+/// Merges points within the tolerance, then turns triangles that have the wrong orientation. Each of these two repairs is made only if
+/// edges are still open.
 void Repair::close() {
   edges = edges_of(mesh);
   if (edges.open == 0) return;
@@ -102,7 +104,7 @@ void Repair::close() {
   if (edges.open != 0 && turn_to_fit()) edges = edges_of(mesh);
 }
 
-/// Merges points of edges that belong to an odd number of triangles.
+/// Merges points of edges that belong to an odd number of triangles, because such edges are open.
 void Repair::join_near() {
   std::vector<bool> marked(mesh.point_count(), false);
   const std::vector<EdgeUse> ways = edge_uses(mesh);
@@ -140,7 +142,7 @@ std::vector<std::uint32_t> Repair::shells() const {
   return shell;
 }
 
-/// Turns shells that are inside out. A shell that lies inside another one is a cavity and remains inside out.
+/// Turns shells that are inside out. A shell inside another shell is a cavity and remains inside out.
 void Repair::turn_shells() {
   if (volume_of(mesh) < 0) {
     for (std::size_t t = 0; t < mesh.triangle_count(); ++t) turn(t);

@@ -1,8 +1,9 @@
-// Computes volume and area inside a box: clips triangles by the planes of the box. Used by stock/blank and session/cutting.
+// Computes the volume and area of a mesh inside a box: clips triangles by the planes of the box. Used by stock/blank and session/cutting.
 //
-// Take a vertical line through the box. If each crossing of the closed mesh outside the box is moved to the box's floor or ceiling, the
-// signed sum of the crossings is the length inside both mesh and box. So the contribution of each triangle is its height above the floor,
-// integrated over the area of the triangle that is between the box's walls.
+// Method: consider a vertical line through the box. Each crossing of the line with the closed mesh, outside the box, is moved to the floor
+// or ceiling of the box. The signed sum of the crossings is then the length of the line inside both the mesh and the box. So the
+// contribution of each triangle is its height above the floor, integrated over the area of the triangle that is between the walls of the
+// box.
 
 #include "stock/mesh/mesh_within.h"
 
@@ -14,7 +15,7 @@
 namespace kadr {
 namespace {
 
-/// A convex polygon. A triangle has at most one more corner after each of the six planes.
+/// A convex polygon. A triangle gets at most one more corner from each of the six planes, so nine corners suffice.
 struct Polygon {
   std::array<Vec3, 12> corner;
   std::size_t count = 0;
@@ -22,7 +23,7 @@ struct Polygon {
   void add(const Vec3& p) { corner[count++] = p; }
 };
 
-/// Returns the section of the polygon above a position along the axis (`side` 1), or below it (`side` −1).
+/// Returns the part of the polygon above a position along the axis (`side` 1), or below the position (`side` −1).
 Polygon clipped(const Polygon& from, int axis, double place, int side) {
   Polygon to;
   for (std::size_t i = 0; i < from.count; ++i) {
@@ -37,13 +38,13 @@ Polygon clipped(const Polygon& from, int axis, double place, int side) {
   return to;
 }
 
-/// Visits the triangles of the polygon, divided as a fan from its first corner.
+/// Visits the triangles of the polygon, which is divided like a fan from its first corner.
 template <class Visit>
 void each_triangle(const Polygon& p, const Visit& visit) {
   for (std::size_t i = 2; i < p.count; ++i) visit(p.corner[0], p.corner[i - 1], p.corner[i]);
 }
 
-/// Returns the area seen from above, positive if the corners run counter-clockwise.
+/// Returns the area in mm² as seen from above; positive if the corners are in counter-clockwise order.
 double flat_area(const Vec3& a, const Vec3& b, const Vec3& c) { return ((b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x)) / 2; }
 
 void add_triangle(const Polygon& triangle, const Box3& box, MeshWithin& sum) {
@@ -54,7 +55,7 @@ void add_triangle(const Polygon& triangle, const Box3& box, MeshWithin& sum) {
   }
   const double height = box.most.z - box.least.z;
   each_triangle(clipped(between_walls, 2, box.most.z, 1), [&](const Vec3& a, const Vec3& b, const Vec3& c) {
-    // a triangle in the plane of the ceiling is counted with the section below the ceiling, and must not be counted twice
+    // A triangle in the plane of the ceiling is skipped here, because it is counted with the part below the ceiling.
     const bool at_ceiling = std::max({a.z, b.z, c.z}) <= box.most.z;
     if (!at_ceiling) sum.volume += flat_area(a, b, c) * height;
   });

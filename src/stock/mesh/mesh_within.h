@@ -1,5 +1,5 @@
 #pragma once
-// Computes the exact volume and area of the section of a closed mesh inside a box. Used by stock/blank and session/cutting.
+// Computes the exact volume and area of the part of a closed mesh that is inside a box. Used by stock/blank and session/cutting.
 
 #include "stock/mesh/mesh.h"
 

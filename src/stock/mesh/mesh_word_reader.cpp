@@ -1,4 +1,4 @@
-// Reads words of a text and their positions. Used by the mesh readers.
+// Reads the words of a text and the positions of these words. Used by the mesh readers.
 
 #include "stock/mesh/mesh_word_reader.h"
 

@@ -1,4 +1,4 @@
-// Writes binary PLY. Used to show the deviation of the cut part from the wanted part.
+// Writes binary PLY, which shows the deviation of the cut part from the wanted part. Used by cli/cut_meshes.
 
 #include <bit>
 #include <string>

@@ -1,4 +1,4 @@
-// Finds points that are equal or near, with a hash table of positions. Used by stock/mesh/mesh_repair.
+// Finds points that are equal or close to each other, with a hash table of positions. Used by stock/mesh/mesh_repair.
 
 #include "stock/mesh/point_weld.h"
 
@@ -31,7 +31,7 @@ class Buckets {
     std::uint32_t& head = head_[mixed(key) & (head_.size() - 1)];
     next_[i] = head, head = i;
   }
-  /// Returns the lowest number with this key for which `fits` is true; `nothing` if there is none.
+  /// Returns the lowest number with this key for which `fits` is true; `nothing` if there is no such number.
   template <class Fits>
   std::uint32_t lowest(const Key& key, const Fits& fits) const {
     std::uint32_t best = nothing;
@@ -60,7 +60,7 @@ void weld_equal(Mesh& mesh) {
     float* const p = &mesh.points[3 * i];
     Key key;
     for (std::size_t d = 0; d < 3; ++d) {
-      p[d] += 0.f;  // turns -0 into 0
+      p[d] += 0.f;  // turns -0 into 0, so that both have the same key
       key[d] = std::bit_cast<std::int32_t>(p[d]);
     }
     const std::uint32_t same = buckets.lowest(key, [&](std::uint32_t k) {

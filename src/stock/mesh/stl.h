@@ -1,5 +1,5 @@
 #pragma once
-// Reads and writes STL, binary and text. Lengths are assumed to be in mm, since the format has no unit.
+// Reads and writes STL, binary and text. Lengths are assumed to be in mm, because the format has no unit.
 
 #include <string>
 #include <string_view>
@@ -12,11 +12,11 @@ namespace kadr {
 
 /// Reads three points per triangle, without merging equal points. Normals in the file are ignored. The number of triangles in a binary
 /// file is computed from the file's length, not read from its header.
-///   returns  the triangles, or an error sentence with the number of the line or triangle
+///   returns  the triangles, or an error sentence that contains the number of the line or triangle
 tl::expected<SolidMesh, std::string> read_stl(std::string_view bytes, const MeshRules& rules);
 
-/// Writes binary STL. The same mesh gives the same bytes.
-///   returns  false if the sink did not accept everything
+/// Writes binary STL. The same mesh always gives the same bytes.
+///   returns  false if the sink refused bytes; the file is then incomplete
 bool write_stl(const Mesh& mesh, const ByteSink& sink);
 
 }  // namespace kadr

@@ -43,11 +43,11 @@ ReadMesh read_binary(std::string_view bytes, const MeshRules& rules, std::vector
   return mesh;
 }
 
-/// Formats a word of the file for a message, in quotation marks. An empty word means the end of the file, and is formatted as a phrase.
+/// Formats a word of the file for a message, in quotation marks. An empty word means the end of the file; the result is then a phrase.
 std::string word_shown(std::string_view word) { return word.empty() ? translated(texts::mesh_file::end_of_file) : "'" + shown(word) + "'"; }
 
-/// Reads text STL. Format: solid NAME { facet normal x y z outer loop { vertex x y z } x3 endloop endfacet } endsolid NAME, repeated any
-/// number of times.
+/// Reads text STL. The format is: solid NAME { facet normal x y z outer loop { vertex x y z } x3 endloop endfacet } endsolid NAME, repeated
+/// any number of times.
 class TextStl {
  public:
   TextStl(std::string_view text, const MeshRules& rules) : words_(text), rules_(rules) {}
@@ -83,8 +83,8 @@ bool TextStl::number(float& value) {
   return false;
 }
 
-/// Reads a facet after the word "facet". The normal in the file is skipped: some programs write "nan" as the normal of a triangle without
-/// area.
+/// Reads a facet after the word "facet". The normal in the file is skipped, because some programs write "nan" as the normal of a triangle
+/// without area.
 bool TextStl::facet() {
   if (!expect("normal")) return false;
   for (int i = 0; i < 3; ++i) (void)words_.next();
@@ -120,7 +120,7 @@ ReadMesh TextStl::read() {
   return std::move(mesh_);
 }
 
-/// Detects binary files by their length and content, since a binary file too may begin with "solid".
+/// Returns true if the file is binary. The length and the content decide, because a binary file too may begin with "solid".
 bool is_binary(std::string_view bytes) {
   if (bytes.size() < header_bytes) return false;
   if (bytes.size() == header_bytes + record_bytes * std::size_t(number_at(bytes, header_bytes - 4))) return true;

@@ -1,4 +1,4 @@
-// Writes binary STL. Used to export the cut part.
+// Writes binary STL, for the export of the cut part. Used by cli/cut_meshes.
 
 #include <array>
 #include <bit>
@@ -23,13 +23,13 @@ Vec3 unit_normal(const Vec3& a, const Vec3& b, const Vec3& c) {
   const Vec3 p = b - a, q = c - a;
   const Vec3 n{p.y * q.z - p.z * q.y, p.z * q.x - p.x * q.z, p.x * q.y - p.y * q.x};
   const double size = std::sqrt(n.x * n.x + n.y * n.y + n.z * n.z);
-  return size > 0 ? (1 / size) * n : Vec3{};  // {}: a normal of zero means that the reader computes it from the corners
+  return size > 0 ? (1 / size) * n : Vec3{};  // {}: a reader of the file computes a normal of zero from the corners
 }
 
 }  // namespace
 
 bool write_stl(const Mesh& mesh, const ByteSink& sink) {
-  std::string out = "binary STL, mm, Kadr";  // does not begin with "solid", which readers take as a sign of text STL
+  std::string out = "binary STL, mm, Kadr";  // this header must not begin with "solid", which readers take as a sign of text STL
   out.resize(head_bytes, ' ');
   put_number(out, std::uint32_t(mesh.triangle_count()));
   for (std::size_t t = 0; t < mesh.triangle_count(); ++t) {

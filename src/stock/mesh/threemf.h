@@ -11,7 +11,7 @@
 namespace kadr {
 
 /// Reads the objects that the file's `build` element assembles, in mm, without support structures.
-///   returns  one mesh, or an error sentence; rules.memory limits the size of the unpacked file
+///   returns  one mesh of all these objects, or an error sentence; rules.memory limits the size of the unpacked file
 tl::expected<SolidMesh, std::string> read_3mf(std::string_view bytes, const MeshRules& rules);
 
 /// Writes a 3MF file with one object, in mm. The same mesh always gives the same bytes.

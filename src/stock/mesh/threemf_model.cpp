@@ -1,4 +1,4 @@
-// Converts the XML elements of a model into objects. Used by stock/mesh/threemf_read.
+// Converts the XML elements of a 3MF model into objects. Used by stock/mesh/threemf_read.
 
 #include "stock/mesh/threemf_model.h"
 
@@ -14,7 +14,7 @@ namespace {
 
 using Failed = tl::unexpected<std::string>;
 
-constexpr std::size_t max_objects = 100'000;  // limit for objects; also for components and build items together
+constexpr std::size_t max_objects = 100'000;  // greatest number of objects; also of components and build items together
 
 struct Unit {
   std::string_view name;
@@ -43,7 +43,7 @@ class ModelReader {
 
   XmlScan scan_;
   std::size_t most_triangles_, triangles_ = 0, items_ = 0;
-  std::string prefix_;  // prefix of the core namespace, taken from the root element
+  std::string prefix_;  // prefix of the core namespace in element names, as the root element has it
   Model model_;
   ModelObject* object_ = nullptr;
   std::string fault_;
@@ -82,7 +82,8 @@ bool ModelReader::transform(ModelTransform& matrix) {
   return !words.more() || wrong_attribute("transform");
 }
 
-/// Refuses a file that requires extensions of 3MF; optional extensions are ignored.
+/// Reads the prefix and the length unit from the root element. Refuses a file that requires extensions of 3MF; optional extensions are
+/// ignored.
 bool ModelReader::take_root() {
   const std::string_view root = scan_.name();
   const std::size_t colon = root.find(':');

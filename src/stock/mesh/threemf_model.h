@@ -1,5 +1,5 @@
 #pragma once
-// Reads the model of a 3MF file: its objects, and how they are placed. Used by stock/mesh/threemf_read.
+// Reads the model of a 3MF file: the objects, and how they are placed. Used by stock/mesh/threemf_read.
 
 #include <array>
 #include <cstdint>
@@ -23,20 +23,20 @@ struct ModelItem {
 };
 
 struct ModelObject {
-  Mesh mesh;                     // in the unit of the file
+  Mesh mesh;                     // mesh of the object, in the length unit of the file
   std::vector<ModelItem> parts;  // the objects (components) that this object contains
-  bool is_body = true;           // false for a support structure
+  bool is_body = true;           // false for a support structure, which is not part of the result
 };
 
 struct Model {
-  double unit = 1;  // length unit of the file, mm
+  double unit = 1;  // length of the file's unit in mm
   std::map<std::uint32_t, ModelObject> objects;
   std::vector<ModelItem> build;
 };
 
 /// Parses the XML text of a model.
-///   max_triangles  limit for all objects together
-///   returns         the model, or an error sentence with line and column
+///   max_triangles  greatest number of triangles of all objects together
+///   returns         the model, or an error sentence that contains the line and column
 tl::expected<Model, std::string> read_model(std::string_view text, std::size_t max_triangles);
 
 }  // namespace kadr

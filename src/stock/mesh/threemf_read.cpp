@@ -18,17 +18,17 @@ using Failed = tl::unexpected<std::string>;
 constexpr std::string_view relationships = "_rels/.rels", usual_model = "3D/3dmodel.model";
 constexpr std::string_view model_type = "http://schemas.microsoft.com/3dmanufacturing/2013/01/3dmodel";
 constexpr std::size_t relationship_bytes = 1 << 20;
-constexpr int deepest_object = 16;  // nesting limit, which also stops circular references
+constexpr int deepest_object = 16;  // greatest depth of nested objects; this limit also stops circular references
 constexpr std::size_t max_placed = 100'000;
 
-/// OPC 6.2.2.3 compares the names in an archive without regard to case.
+/// Returns the entry with the given name; nullptr if there is none. Upper and lower case are equal, as OPC 6.2.2.3 requires.
 const ZipEntry* entry_of(const std::vector<ZipEntry>& entries, std::string_view name) {
   if (name.starts_with('/')) name.remove_prefix(1);
   const auto found = std::find_if(entries.begin(), entries.end(), [&](const ZipEntry& e) { return equal_ignoring_case(e.name, name); });
   return found == entries.end() ? nullptr : &*found;
 }
 
-/// Returns the file name of the model according to the archive; the usual name if the archive gives no readable name.
+/// Returns the name of the model's file according to the archive; the usual name if the archive gives no readable name.
 std::string model_name(std::string_view archive, const std::vector<ZipEntry>& entries) {
   const ZipEntry* const entry = entry_of(entries, relationships);
   if (entry == nullptr) return std::string(usual_model);
@@ -84,8 +84,8 @@ void Builder::put_mesh(const Mesh& from, const ModelTransform& m) {
   }
 }
 
-/// Adds an object and its components. A short file may use one object many thousand times, so the size is checked before anything is
-/// added.
+/// Adds an object and its components to the mesh. A short file may use one object many thousand times, so the size is checked before
+/// anything is added.
 std::string Builder::put(const ModelItem& item, const ModelTransform& outer, int depth) {
   const auto found = model_.objects.find(item.object);
   if (found == model_.objects.end()) return translated(texts::threemf::no_object, item.object);
@@ -102,7 +102,7 @@ std::string Builder::put(const ModelItem& item, const ModelTransform& outer, int
   return {};
 }
 
-/// Reads the model and builds its mesh. The memory of the model's text is freed before this returns.
+/// Reads the model and builds its mesh. The memory of the model's text is freed as soon as the model is read.
 tl::expected<Mesh, std::string> built(std::string_view bytes, const MeshRules& rules) {
   const auto entries = zip_entries(bytes);
   if (!entries) return Failed(entries.error());

@@ -1,4 +1,4 @@
-// Writes a model with one object. Used to export the cut part.
+// Writes a 3MF model with one object, for the export of the cut part. Used by cli/cut_meshes.
 
 #include <charconv>
 
@@ -45,7 +45,7 @@ constexpr std::string_view model_ends = R"(    </triangles>
 </model>
 )";
 
-/// Formats a number with the fewest digits that read back as the same value.
+/// Appends an attribute. The number has the fewest digits from which a reader gets exactly the same value.
 template <class Number>
 void put_attribute(std::string& out, std::string_view name, Number value) {
   char text[32];

@@ -2,7 +2,7 @@
 // TriangleAcross: intersects one triangle of a mesh with lines along one axis. Used by stock/mesh/mesh_index and stock/part.
 //
 // TriangleAcross intersects the edges of the triangle with a ray in the plane across the lines. The position of an intersection depends
-// only on the two ends of the edge, so two triangles with a common edge get the same position, bit for bit.
+// only on the two ends of the edge, so two triangles with a common edge get exactly the same position.
 
 #include <algorithm>
 #include <array>
@@ -12,12 +12,12 @@
 namespace kadr {
 
 struct MeshHit {
-  double place;  // position along the axis, mm
-  int turn;      // 1: the line enters the solid; -1: the line leaves it
+  double place;  // position of the intersection along the axis, mm
+  int turn;      // 1 if the line enters the solid, -1 if the line leaves the solid
   std::uint32_t triangle;
 };
 
-/// The section of a triangle at one position `v`: a segment from one of its edges to another.
+/// The intersection of a triangle with the plane at one position `v`: a segment from one edge of the triangle to another edge.
 struct TriangleRow {
   struct EdgePlace {
     double u, w;
@@ -26,11 +26,12 @@ struct TriangleRow {
   int turn;
 
   bool holds(double u) const { return left.u <= u && u < right.u; }
-  /// pre  holds(u)
+  /// Returns the coordinate w of the segment at the coordinate `u`.
+  ///   pre  holds(u)
   double place(double u) const { return left.w + (u - left.u) / (right.u - left.u) * (right.w - left.w); }
 };
 
-/// u, v, w are coordinates along the axes (family + 1) % 3, (family + 2) % 3 and family.
+/// A triangle in the coordinates u, v, w along the axes (family + 1) % 3, (family + 2) % 3 and family.
 class TriangleAcross {
  public:
   TriangleAcross(const Mesh& mesh, std::size_t triangle, int family) {
@@ -46,7 +47,8 @@ class TriangleAcross {
   double least_v() const { return std::min({corner_[0].v, corner_[1].v, corner_[2].v}); }
   double most_v() const { return std::max({corner_[0].v, corner_[1].v, corner_[2].v}); }
 
-  /// Computes the section at `v`. Returns false if no edge crosses `v`; otherwise two edges do, one upwards and one downwards.
+  /// Computes the intersection with the plane at `v`. Returns false if no edge crosses `v`. Otherwise two edges cross it, one upwards and
+  /// one downwards.
   bool row(double v, TriangleRow& row) const {
     TriangleRow::EdgePlace place[2];
     bool upwards[2];
@@ -63,7 +65,7 @@ class TriangleAcross {
     row = {place[first_is_right], place[!first_is_right], upwards[!first_is_right] ? -1 : 1};
     return true;
   }
-  /// Returns the least and the greatest u of the section of the triangle between two positions of v.
+  /// Returns the least and the greatest u of the part of the triangle between two positions of v.
   std::array<double, 2> between(double low, double high) const {
     std::array<double, 2> extent{most_u(), least_u()};
     const auto include = [&](double u) { extent = {std::min(extent[0], u), std::max(extent[1], u)}; };
@@ -81,7 +83,7 @@ class TriangleAcross {
     double u, v, w;
   };
   /// Computes the point of an edge at `v`. The computation starts at the lower end of the edge, whatever the orientation of the triangle,
-  /// so that both triangles of an edge get the same bits.
+  /// so that both triangles of an edge get exactly the same numbers.
   static TriangleRow::EdgePlace edge_place(const Corner& low, const Corner& high, double v) {
     const double share = (v - low.v) / (high.v - low.v);
     const auto between = [&](double a, double b) { return std::clamp(a + share * (b - a), std::min(a, b), std::max(a, b)); };

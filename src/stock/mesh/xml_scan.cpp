@@ -16,8 +16,9 @@ namespace kadr {
 namespace {
 
 constexpr std::size_t deepest = 64;
-constexpr std::size_t piece = 1 << 16;    // bytes passed to expat at once; expat keeps a copy of them
-constexpr std::size_t longest = 1 << 20;  // limit for a tag or comment, bytes: expat scans an unfinished one again with each piece
+constexpr std::size_t piece = 1 << 16;  // number of bytes passed to expat at once; expat keeps a copy of these bytes
+// Greatest length of a tag or comment in bytes; expat reads an unfinished tag again with each new portion of bytes.
+constexpr std::size_t longest = 1 << 20;
 
 std::string xml_error_message(XML_Error error) {
   switch (error) {
@@ -34,7 +35,7 @@ std::string xml_error_message(XML_Error error) {
 
 }  // namespace
 
-/// Expat reports elements by callbacks. Each callback suspends the parser, and the next call of next() resumes it.
+/// Calls expat, which reports elements by callbacks. Each callback suspends the parser, and the next call of next() resumes it.
 struct XmlScan::Parser {
   struct Element {
     Event event = Event::fault;
@@ -96,7 +97,7 @@ struct XmlScan::Parser {
     return status.parsing == XML_FINISHED;
   }
 
-  /// Moves to the next element, and stores it in `now`.
+  /// Moves to the next begin or end of an element, and stores it in `now`.
   Event next() {
     while (waiting.empty()) {
       if (parser == nullptr) return failed(0, translated(texts::mesh_xml::no_library));
@@ -120,7 +121,7 @@ struct XmlScan::Parser {
   XML_Parser parser = nullptr;
   std::string_view text;
   std::size_t handed = 0, open = 0, refused_at = 0;
-  std::deque<Element> waiting;  // queue, since the begin and the end of an empty element arrive together
+  std::deque<Element> waiting;  // a queue, because the begin and the end of an empty element arrive together
   Element now;
   std::string fault;
 };

@@ -1,5 +1,5 @@
 #pragma once
-// XmlScan: reads the elements of an XML text one at a time with expat, without storing a tree. It refuses a text with a document type
+// XmlScan: reads the elements of an XML text one at a time with expat, without storing a tree. XmlScan refuses a text with a document type
 // declaration, so that entities are never expanded.
 
 #include <memory>
@@ -20,14 +20,14 @@ class XmlScan {
 
   /// Moves to the next begin or end of an element; an empty element has both a begin and an end.
   Event next();
-  /// Returns the element's name as it is in the text, including its prefix.
+  /// Returns the element's name exactly as the text has it, including the prefix.
   std::string_view name() const;
   std::size_t depth() const;
-  /// Returns nullptr if the element has no attribute of that name. At the end of an element there are no attributes.
+  /// Returns the value of an attribute; nullptr if the element has no attribute of that name. The end of an element has no attributes.
   const std::string* attribute(std::string_view name) const;
   /// Returns an error message with line and column.
   std::string fault() const;
-  std::string location_here() const;  // "line 3, column 5: ", the position of the element
+  std::string location_here() const;  // position of the element for a message, such as "line 3, column 5: "
 
  private:
   struct Parser;

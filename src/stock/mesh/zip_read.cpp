@@ -16,11 +16,11 @@ constexpr std::size_t end_bytes = 22, entry_bytes = 46, local_bytes = 30, longes
 constexpr std::uint32_t end_mark = 0x06054b50, entry_mark = 0x02014b50, local_mark = 0x04034b50;
 constexpr std::uint32_t end64_mark = 0x06064b50, locator64_mark = 0x07064b50;
 constexpr std::size_t end64_bytes = 56, locator64_bytes = 20;
-constexpr std::uint64_t in_zip64 = 0xffffffff;  // this value means that the number is stored with eight bytes in the ZIP64 record
+constexpr std::uint64_t in_zip64 = 0xffffffff;  // a number with this value is stored with eight bytes in the ZIP64 record instead
 constexpr std::size_t max_files = 10'000;
 constexpr std::uint16_t stored = 0, deflated = 8, has_password = 1;
 
-/// Reads a little-endian number; bytes beyond the end count as 0.
+/// Returns a little-endian number; bytes beyond the end of the text count as 0.
 std::uint64_t le_number(std::string_view bytes, std::size_t at, std::size_t size) {
   std::uint64_t value = 0;
   for (std::size_t i = 0; i < size && at + i < bytes.size(); ++i)
@@ -30,7 +30,7 @@ std::uint64_t le_number(std::string_view bytes, std::size_t at, std::size_t size
 
 Failed cut_off() { return Failed(translated(texts::zip_file::damaged)); }
 
-/// Returns the position of the archive's end record; npos if there is none.
+/// Returns the position of the archive's end record; npos if the archive has no end record.
 std::size_t end_of_directory(std::string_view archive) {
   if (archive.size() < end_bytes) return std::string_view::npos;
   const std::size_t last = archive.size() - end_bytes, first = last > longest_comment ? last - longest_comment : 0;
@@ -40,11 +40,11 @@ std::size_t end_of_directory(std::string_view archive) {
 }
 
 struct Directory {
-  std::uint64_t count, first;  // number of files in the archive; position of its first directory entry
+  std::uint64_t count, first;  // number of files in the archive; position of the first entry of the directory
 };
 
-/// Finds the archive's directory. Its position is read from the ZIP64 record too, because some programs write eight-byte numbers even if
-/// four bytes would suffice.
+/// Finds the directory of the archive. The position of the directory is read from the ZIP64 record too, because some programs write
+/// eight-byte numbers even if four bytes would suffice.
 Directory directory_at(std::string_view archive, std::size_t end) {
   const Directory plain{le_number(archive, end + 10, 2), le_number(archive, end + 16, 4)};
   if (plain.first != in_zip64 || end < locator64_bytes || le_number(archive, end - locator64_bytes, 4) != locator64_mark) return plain;
@@ -53,7 +53,8 @@ Directory directory_at(std::string_view archive, std::size_t end) {
   return {le_number(archive, std::size_t(at) + 32, 8), le_number(archive, std::size_t(at) + 48, 8)};
 }
 
-/// Reads the sizes and the position of an entry that do not fit into four bytes: they are in the entry's extra fields, in this order.
+/// Reads the sizes and the position of an entry that do not fit into four bytes. The extra fields of the entry contain these numbers in the
+/// order of the loop below.
 void take_zip64(std::string_view extra, ZipEntry& entry) {
   for (std::size_t at = 0; at + 4 <= extra.size();) {
     const std::size_t size = std::size_t(le_number(extra, at + 2, 2));
@@ -66,12 +67,12 @@ void take_zip64(std::string_view extra, ZipEntry& entry) {
   }
 }
 
-/// Unpacks step by step, until the end of the data or until the result exceeds the limit.
+/// Unpacks in steps, until the data ends or the result exceeds the limit.
 tl::expected<std::string, std::string> inflated(std::string_view packed, std::size_t most, const Failed& too_long) {
   const Zlib* const zlib = zlib_library();
   if (zlib == nullptr) return Failed(translated(texts::zip_file::no_zlib));
   z_stream stream{};
-  constexpr int raw_window = -15;  // no zlib header
+  constexpr int raw_window = -15;  // the negative window size means that the data has no zlib header
   if (zlib->inflateInit2_(&stream, raw_window, ZLIB_VERSION, int(sizeof stream)) != Z_OK) return cut_off();
   stream.next_in = reinterpret_cast<Bytef*>(const_cast<char*>(packed.data()));
   stream.avail_in = uInt(packed.size());
@@ -85,7 +86,7 @@ tl::expected<std::string, std::string> inflated(std::string_view packed, std::si
     stream.avail_out = uInt(more);
     state = zlib->inflate(&stream, Z_NO_FLUSH);
     out.resize(out.size() - stream.avail_out);
-    if (out.size() == before && state == Z_OK) state = Z_DATA_ERROR;  // no progress: the data is damaged
+    if (out.size() == before && state == Z_OK) state = Z_DATA_ERROR;  // a step without progress means that the data is damaged
   }
   zlib->inflateEnd(&stream);
   if (out.size() > most) return too_long;

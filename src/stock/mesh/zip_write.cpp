@@ -1,4 +1,4 @@
-// Writes archives file by file. Used by stock/mesh/threemf_write.
+// Writes archives, one file after the other. Used by stock/mesh/threemf_write.
 
 #include "stock/mesh/zip.h"
 #include "stock/mesh/zlib_library.h"
@@ -7,16 +7,17 @@
 namespace kadr {
 namespace {
 
-constexpr std::size_t max_bytes = 0xfffffffe;            // greatest size of an archive without ZIP64
-constexpr std::uint32_t first_day = (1 << 5 | 1) << 16;  // 1 January 1980, so that the bytes do not depend on the date
+constexpr std::size_t max_bytes = 0xfffffffe;  // greatest size of an archive without ZIP64, bytes
+// Date of all files: 1 January 1980, so that the bytes do not depend on the present date.
+constexpr std::uint32_t first_day = (1 << 5 | 1) << 16;
 constexpr std::uint32_t version = 20, deflate = 8;
-constexpr int packing_level = 3;  // zlib level, 1 to 9: a level that takes twice the time makes a mesh only a tenth shorter
+constexpr int packing_level = 3;  // zlib level, 1 to 9; a level that takes twice the time would make a mesh only a tenth shorter
 
 void put_le(std::string& out, std::uint32_t value, int bytes) {
   for (int i = 0; i < bytes; ++i) out.push_back(char(value >> (8 * i) & 0xff));
 }
 
-/// Packs its input, and computes the length and the checksum of the input.
+/// Packs bytes, and computes the length and the checksum of the bytes before packing.
 class Deflater {
  public:
   explicit Deflater(const Zlib& zlib) : zlib_(zlib) {
@@ -68,7 +69,7 @@ std::string ZipWriter::add(const std::string& name, const std::function<bool(con
   if (written_ + deflater.packed().size() + name.size() > max_bytes || deflater.length() > max_bytes)
     return translated(texts::zip_file::too_long_to_write);
   if (!whole) return translated(texts::zip_file::not_written);
-  std::string sizes;  // fields that both headers of the file contain
+  std::string sizes;  // the fields that both headers of a file contain
   put_le(sizes, 0, 2), put_le(sizes, deflate, 2), put_le(sizes, first_day, 4), put_le(sizes, deflater.crc(), 4);
   put_le(sizes, std::uint32_t(deflater.packed().size()), 4), put_le(sizes, std::uint32_t(deflater.length()), 4);
   put_le(sizes, std::uint32_t(name.size()), 2), put_le(sizes, 0, 2);

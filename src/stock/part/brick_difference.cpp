@@ -1,4 +1,4 @@
-// Compares intervals of the material with those of the part, line by line. Used by stock/part/part_compare.
+// Compares the intervals of the material with the intervals of the part, line by line. Used by stock/part/part_compare.
 
 #include "stock/part/brick_difference.h"
 
@@ -7,9 +7,10 @@
 namespace kadr {
 namespace {
 
-constexpr double least_stretch = 1e-3;  // mm: both ends of a segment are accurate to a micrometre only, so shorter segments are ignored
+// Least length in mm of a segment; shorter segments are ignored, because both ends are accurate only to a micrometre.
+constexpr double least_stretch = 1e-3;
 
-/// Collects the intervals of material on a line, in ascending order.
+/// Collects the intervals of material on a lattice line, in ascending order.
 void take_material(const BrickLines& lines, std::int32_t line, std::vector<Stretch>& material) {
   material.clear();
   if (lines.from[line] < lines.to[line])
@@ -23,7 +24,7 @@ void put(std::vector<Stretch>& to, const Stretch& stretch) {
   if (stretch.to - stretch.from > least_stretch) to.push_back(stretch);
 }
 
-/// Collects the segments of material outside the wanted part.
+/// Collects the segments of a lattice line with material outside the wanted part.
 void take_left_on(const std::vector<Stretch>& material, const std::vector<LineRange>& part, std::vector<Stretch>& left_on) {
   for (const Stretch& m : material) {
     Stretch rest = m;
@@ -38,8 +39,8 @@ void take_left_on(const std::vector<Stretch>& material, const std::vector<LineRa
   }
 }
 
-/// Collects the segments of a lattice line that lie inside the wanted part but have no material left. Each end of such a segment gets the
-/// number of the sweep that cut the material next to it.
+/// Collects the segments of a lattice line that are inside the wanted part but contain no material. Each end of such a segment gets the
+/// number of the sweep that cut the material next to this end.
 void take_gouged(const std::vector<Stretch>& material, const std::vector<LineRange>& part, std::int32_t line,
                  std::vector<Stretch>& gouged) {
   for (const LineRange& p : part) {

@@ -1,5 +1,5 @@
 #pragma once
-// Compares the material in a brick with the wanted part, line by line: finds the segments of lattice lines that are only in one of them.
+// Compares the material in a brick with the wanted part, line by line. Finds the segments of lattice lines that are in only one of the two.
 // Used by stock/part/part_compare.
 
 #include <array>
@@ -11,18 +11,18 @@
 
 namespace kadr {
 
-/// A segment of a lattice line, mm from the brick's corner.
+/// A segment of a lattice line, in mm from the brick's corner.
 struct Stretch {
   std::int32_t line;
   double from, to;
-  std::int32_t from_by, to_by;  // the sweeps that cut the material at either end of the segment; of_blank if no sweep did
+  std::int32_t from_by, to_by;  // the sweeps that cut the material at the two ends of the segment; of_blank where no sweep cut
 };
 
 struct LineDifference {
   std::vector<Stretch> left_on, gouged;
 };
 
-/// Buffers of one thread, reused for each brick.
+/// Buffers of one thread, which are reused for each brick.
 struct BrickDifference {
   std::array<LineDifference, 3> family;
   std::vector<LineRange> part;
@@ -32,11 +32,11 @@ struct BrickDifference {
 /// A brick of the lattice on whose lines the wanted part was computed.
 struct BrickAt {
   BrickPlace place;
-  Vec3 corner;  // in the work system, mm
+  Vec3 corner;  // corner of the brick in work coordinates, mm
   double cell;
 };
 
-/// Computes the differences in one brick. `brick` is the brick of the stock; nullptr if it is full (`is_full`) or empty.
+/// Computes the differences in one brick. `brick` is the brick of the stock; nullptr if the brick is full (`is_full`) or empty.
 void take_difference(const Brick* brick, bool is_full, const PartLines& part, const BrickAt& at, BrickDifference& difference);
 
 }  // namespace kadr

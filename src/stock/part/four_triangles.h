@@ -1,6 +1,6 @@
 #pragma once
-// Computes the distances of a point from four triangles, by the method of stock/part/triangle_distance, for two triangles at a time.
-// Used by stock/part/nearest_triangle.
+// Computes the distances of a point from four triangles, two triangles at a time, by the method of stock/part/triangle_distance. Used by
+// stock/part/nearest_triangle.
 
 #include <cstddef>
 #include <cstdint>
@@ -9,12 +9,12 @@
 
 namespace kadr {
 
-/// A block of four triangles, stored so that the same coordinate of all four is contiguous.
+/// A block of four triangles. The same coordinate of all four triangles is stored contiguously, so that one vector can load it.
 struct FourTriangles {
-  alignas(16) float corner[3][3][4];  // indices: corner, axis, triangle
+  alignas(16) float corner[3][3][4];  // indices: number of the corner, axis, number of the triangle
 };
 
-/// One triangle, `lane` (0 to 3), of a block of four.
+/// One triangle in a block of four; `lane` (0 to 3) is the number of the triangle in the block.
 struct OneOfFour {
   const FourTriangles* four;
   std::uint32_t lane;
@@ -24,7 +24,7 @@ namespace lanes {
 
 using Two = double __attribute__((vector_size(16), may_alias));
 
-/// Two vectors, one for each of two triangles.
+/// Two vectors in space, one for each of two triangles.
 struct TwoPlaces {
   Two x, y, z;
 };
@@ -45,7 +45,7 @@ inline Two square_to_segment(const TwoPlaces& from, const TwoPlaces& way) {
   return dot(nearest, nearest);
 }
 
-/// Returns the squared distances of the point from two triangles. The corners are given relative to the point.
+/// Returns the squared distances in mm² of the point from two triangles. The corners are given relative to the point.
 inline Two square_to_triangle(const TwoPlaces (&corner)[3]) {
   const Two none{};
   TwoPlaces side[3];
@@ -66,7 +66,7 @@ inline Two square_to_triangle(const TwoPlaces (&corner)[3]) {
 }  // namespace lanes
 
 /// Computes the squared distances in mm² from the point to an even number of triangles. `pair(k, d, i)` must return the coordinate d of
-/// corner k of the triangles i and i + 1.
+/// corner k for the triangles i and i + 1.
 template <std::size_t count>
 inline void squares_to_pairs(const auto& pair, const Vec3& point, double (&squares)[count]) {
   for (std::size_t i = 0; i < count; i += 2) {
@@ -77,8 +77,8 @@ inline void squares_to_pairs(const auto& pair, const Vec3& point, double (&squar
   }
 }
 
-/// Like squares_to_pairs(), for triangles that may be in different blocks.
-///   law  equal to kadr::square_to_triangle() to the bit   (tests/stock/nearest_triangle_test)
+/// Does the same as squares_to_pairs(), for triangles that may be in different blocks.
+///   law  the result equals that of kadr::square_to_triangle(), bit for bit   (tests/stock/nearest_triangle_test)
 template <std::size_t count>
 inline void squares_to_triangles(const OneOfFour (&one)[count], const Vec3& point, double (&squares)[count]) {
   const auto place = [&](std::size_t k, std::size_t d, std::size_t i) { return double(one[i].four->corner[k][d][one[i].lane]); };
@@ -89,7 +89,7 @@ inline void squares_to_triangles(const OneOfFour (&one)[count], const Vec3& poin
       point, squares);
 }
 
-/// Like squares_to_pairs(), for all triangles of one block, whose coordinates are contiguous.
+/// Does the same as squares_to_pairs(), for all triangles of one block, whose coordinates are contiguous.
 inline void squares_to_all(const FourTriangles& four, const Vec3& point, double (&squares)[4]) {
   using TwoFloats = float __attribute__((vector_size(8), may_alias));
   const auto pair = [&](std::size_t k, std::size_t d, std::size_t i) {

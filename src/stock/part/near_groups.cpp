@@ -11,10 +11,10 @@
 namespace kadr {
 namespace {
 
-constexpr std::ptrdiff_t worth_a_thread = 1 << 12;  // triangles; shorter lists are sorted without another thread
+constexpr std::ptrdiff_t worth_a_thread = 1 << 12;  // number of triangles; a shorter list is sorted without another thread
 
 struct Middle {
-  float at[3];  // three times the centre of the triangle (the sum of its corners)
+  float at[3];  // sum of the three corners of a triangle, that is, three times its centre, mm
   std::uint32_t triangle;
 };
 
@@ -29,7 +29,7 @@ int longest_axis(const Middle* first, const Middle* last) {
   return axis;
 }
 
-/// Sorts the triangles so that each consecutive group of `group` triangles, and each smaller group inside it, is compact.
+/// Sorts the triangles so that each group of `group` consecutive triangles, and each smaller group inside this group, is compact.
 void arrange(Middle* first, Middle* last, std::size_t group, GroupSizes sizes, int threads) {
   const auto count = std::size_t(last - first);
   while (group >= count && group > sizes.smallest) group /= sizes.times;

@@ -1,5 +1,5 @@
 #pragma once
-// Sorts triangles so that triangles near each other form groups. Used by stock/part/nearest_triangle.
+// Sorts triangles so that triangles close to each other form groups. Used by stock/part/nearest_triangle.
 
 #include <cstdint>
 #include <vector>
@@ -8,13 +8,13 @@
 
 namespace kadr {
 
-/// Sizes of the groups: `smallest` triangles, then `times` as many, then `times` as many again, and so on.
+/// Sizes of the groups in triangles: the smallest size is `smallest`, and each next size is `times` as large.
 struct GroupSizes {
   std::size_t smallest, times;
 };
 
-/// Returns the numbers of all triangles, sorted so that consecutive groups of each size are compact. The list is halved recursively by
-/// the centres of the triangles along the longest side of their box; each cut is at the border between two groups.
+/// Returns the numbers of all triangles, sorted so that consecutive groups of each size are compact. The list is halved recursively: the
+/// centres of the triangles are divided along the longest edge of their box, each time at the border between two groups.
 std::vector<std::uint32_t> near_groups(const Mesh& mesh, GroupSizes sizes, int threads);
 
 }  // namespace kadr

@@ -1,5 +1,5 @@
-// Builds and searches the tree: blocks of four triangles, nodes with the boxes of eight blocks, and nodes with the boxes of eight nodes.
-// Used by stock/part/part_compare.
+// Builds and searches a tree of three types of elements: blocks of four triangles, nodes with the boxes of eight blocks, and nodes with the
+// boxes of eight nodes. Used by stock/part/part_compare.
 
 #include "stock/part/nearest_triangle.h"
 
@@ -19,19 +19,19 @@ namespace {
 
 constexpr std::uint32_t of_blocks = std::uint32_t{1} << 31;
 constexpr float nowhere = 1e30f;
-// numerical error of the point, the box and their difference, as a share of the greatest coordinate
+// Numerical error of the point, of the box and of their difference, as a fraction of the greatest coordinate.
 constexpr float rounding_of_places = 0x1p-21f;
-constexpr double more_than_rounding = 1 + 4e-6;  // factor for a squared distance that was computed in single precision
-constexpr double hair_squared = 1e-18;           // mm²
+constexpr double more_than_rounding = 1 + 4e-6;  // factor for the error of a squared distance in single precision
+constexpr double hair_squared = 1e-18;           // mm² added to a squared distance, so that a distance of 0 has a margin too
 constexpr std::size_t nodes_at_once = 1024;
 
-/// Returns a limit for the squared distance of a box, which has an error of single precision: a box above the limit contains no triangle
-/// nearer than the squared distance `square`.
+/// Returns a limit for squared distances of boxes, which have the error of single precision. A box beyond this limit contains no triangle
+/// nearer than the squared distance `square`, so the search may skip the box.
 double limit_of(double square) { return square * more_than_rounding + hair_squared; }
 
 }  // namespace
 
-/// Fills a node of the lowest level, and its blocks of triangles.
+/// Fills a node of the lowest level, and the blocks of triangles of this node.
 void NearestTriangle::put_blocks(const Mesh& mesh, const std::vector<std::uint32_t>& order, std::size_t number) {
   Node& node = nodes_[number];
   node.first_child = of_blocks | std::uint32_t(number * width);
@@ -51,7 +51,7 @@ void NearestTriangle::put_blocks(const Mesh& mesh, const std::vector<std::uint32
   }
 }
 
-/// Fills a node of a higher level.
+/// Fills a node of a higher level, whose children are nodes.
 void NearestTriangle::put_boxes(std::size_t number, std::size_t first_child, std::size_t last_child) {
   Node& node = nodes_[number];
   node.first_child = std::uint32_t(first_child);
@@ -86,7 +86,7 @@ NearestTriangle::NearestTriangle(const Mesh& mesh, int threads) {
   }
 }
 
-/// One query for a point. Triangles are tested four at a time: up to three triangles wait until there are four.
+/// A search for the triangle nearest to one point. Triangles are tested four at a time; up to three triangles wait until there are four.
 class NearestTriangle::Search {
  public:
   Search(const NearestTriangle& tree, const Vec3& point, std::uint32_t hint) : tree_(tree), point_(point), nearest_(hint) {
@@ -125,12 +125,12 @@ class NearestTriangle::Search {
   float limit_ = 0;
   std::uint32_t nearest_, began_ = 0;
   std::uint32_t asked_for_[3 + in_block];
-  int count_ = 0;  // number of triangles in asked_for_
+  int count_ = 0;  // number of triangles that wait in asked_for_
   int waiting_ = 0;
-  Waiting stack_[128];  // 2³¹ triangles divided by eight give a depth of at most 11, with seven waiting nodes at each level
+  Waiting stack_[128];  // the depth is at most 11, because 2³¹ triangles are divided by eight; at most seven nodes wait at each level
 };
 
-/// Returns the squared distances of the point from four boxes.
+/// Returns the squared distances in mm² of the point from four boxes.
 inline lanes::Quad NearestTriangle::Search::squares_to(const Quad (&least)[3], const Quad (&most)[3]) const {
   const Quad none{};
   Quad sum{};
@@ -143,7 +143,7 @@ inline lanes::Quad NearestTriangle::Search::squares_to(const Quad (&least)[3], c
   return sum;
 }
 
-/// Tests two or four triangles, given by their numbers in blocks_.
+/// Tests two or four triangles, which are given by their numbers in blocks_.
 template <std::size_t count>
 inline void NearestTriangle::Search::ask(const std::uint32_t (&triangle)[count]) {
   OneOfFour all[count];
@@ -154,7 +154,7 @@ inline void NearestTriangle::Search::ask(const std::uint32_t (&triangle)[count])
   limit_ = float(limit_of(square_));
 }
 
-/// Tests those triangles of a block whose own boxes are near enough.
+/// Tests the triangles of a block whose own boxes are close enough to the point.
 inline void NearestTriangle::Search::look_at(std::uint32_t block) {
   const auto& corner = tree_.blocks_[block].corner;
   Quad least[3], most[3];
@@ -176,7 +176,7 @@ inline void NearestTriangle::Search::look_at(std::uint32_t block) {
   ask<4>({last[0], last[1], last[2], last[3]});
 }
 
-/// Prefetches a child that will be visited soon into the processor's cache.
+/// Prefetches into the processor's cache a child of a node that the search will visit soon.
 inline void NearestTriangle::Search::fetch(std::uint32_t child) const {
   constexpr std::size_t cache_line = 64;
   const bool is_block = (child & of_blocks) != 0;
@@ -185,8 +185,9 @@ inline void NearestTriangle::Search::fetch(std::uint32_t child) const {
   for (std::size_t line = 0; line < sizeof(FourTriangles); line += cache_line) __builtin_prefetch(at + line);
 }
 
-/// The processor cannot predict whether a box is near enough. So all children are written to the stack without a branch, and a child that
-/// is too far is overwritten by the next. The counter is a local variable: the compiler must assume that the writes could change a member.
+/// Puts the children of a node that are close enough onto the stack. The processor cannot predict which children are close enough. So all
+/// children are written to the stack without a branch, and the next child overwrites a child that is too far away. The counter is a local
+/// variable, because the compiler must assume that the writes could change a member.
 inline void NearestTriangle::Search::open(const Node& node) {
   const int first = waiting_;
   const float limit = limit_;
@@ -206,7 +207,7 @@ inline void NearestTriangle::Search::open(const Node& node) {
   if (waiting < first + 2) return;
   int nearest = first;
   for (int i = first + 1; i < waiting; ++i) nearest = stack_[i].square < stack_[nearest].square ? i : nearest;
-  std::swap(stack_[nearest], stack_[waiting - 1]);  // puts the nearest child on top of the stack
+  std::swap(stack_[nearest], stack_[waiting - 1]);  // this puts the nearest child on top of the stack, so the search visits it first
 }
 
 void NearestTriangle::Search::all() {

@@ -19,15 +19,16 @@ namespace kadr {
 namespace {
 
 constexpr std::size_t points_at_once = 1024;
-// mm: a segment whose points are all nearer to the part's surface is a numerical error on a line that lies along a wall
+// Limit in mm: a segment counts as a numerical error, on a line along a wall, if all its points are closer to the part's surface than this.
 constexpr double same_surface = 2e-3;
-constexpr double step_of_cell = 0.5;  // distance between the points of a segment at which the depth is measured, in cells
-// a surface point may be this many times deeper than nearby lines show, because a groove may be between lines
+constexpr double step_of_cell = 0.5;  // distance, in lattice cells, between the points of a segment at which the depth is measured
+// A surface point may be this many times deeper than nearby lines show, because a groove may lie between the lines.
 constexpr double between_lines = 2;
 
-constexpr double bytes_of_triangle = 130;  // memory of the tree, and of the triangle itself twice
+constexpr double bytes_of_triangle = 130;  // memory in bytes per triangle: the tree, and the triangle itself twice
 
-/// The position of the greatest depth of one sort. If depths are equal, `order` decides, so that the threads' order has no influence.
+/// The position of the greatest depth of one sort of difference. If depths are equal, `order` decides, so that the order of the threads has
+/// no influence.
 struct Deepest {
   double depth = 0;
   Vec3 at;
@@ -51,7 +52,7 @@ struct BrickFound {
   float left_depth = 0, gouge_depth = 0;
 };
 
-/// The lattice of the stock, extended by as many bricks as the wanted part needs.
+/// The lattice of the stock, extended by the bricks that the wanted part needs.
 struct WiderLattice {
   Lattice lattice;
   BrickPlace stock_at;  // indices of the stock's first brick in this lattice
@@ -111,10 +112,11 @@ class PartInComparison {
   PartLines lines_;
   std::vector<bool> part_at_;
   std::vector<BrickFound> found_;
-  std::vector<std::uint8_t> inside_;  // for each point of the surface: 1 if it is inside the wanted part
+  std::vector<std::uint8_t> inside_;  // for each point of the surface: 1 if the point is inside the wanted part, else 0
 };
 
-/// Returns true if a point of the material's surface is inside the wanted part. In a window, the wanted part ends at the window's faces.
+/// Returns true if a point of the material's surface is inside the wanted part. In a window, the wanted part ends at the faces of the
+/// window.
 bool PartInComparison::is_inside(std::size_t point, const Vec3& at) const {
   if (inside_[point] == 0 || faces_ == nullptr) return inside_[point] != 0;
   const Box3 box = body_->box();
@@ -123,9 +125,9 @@ bool PartInComparison::is_inside(std::size_t point, const Vec3& at) const {
   return true;
 }
 
-/// Limits the depth of a point of the surface. Such points are estimated from the exact positions on the lattice lines around them, and
-/// where edges meet some are wrong by a fraction of the cell. A depth that no line shows cannot be trusted.
-///   returns  the greatest depth on lines of the bricks that the point's cell touches, mm
+/// Returns a limit for the depth of a surface point: the greatest depth in mm on lines of the bricks that the point's cell touches. Surface
+/// points are estimated from the exact positions on the lattice lines around them. Where edges meet, some points have an error of a
+/// fraction of the cell, so a depth that no line shows cannot be trusted.
 double PartInComparison::depth_around(const Vec3& at, bool inside) const {
   const Lattice& lattice = wider_.lattice;
   int low[3], high[3];
@@ -156,7 +158,8 @@ void PartInComparison::hold_points(std::size_t chunk, std::vector<float>& deviat
   }
 }
 
-/// Returns the index of the same brick in the stock's lattice; nullopt if the brick is outside the stock, where there never was material.
+/// Returns the index of the same brick in the stock's lattice; nullopt if the brick is outside the stock, where there was never any
+/// material.
 std::optional<std::size_t> PartInComparison::of_stock(std::size_t brick) const {
   BrickPlace place = wider_.lattice.place(brick);
   place.x -= wider_.stock_at.x, place.y -= wider_.stock_at.y, place.z -= wider_.stock_at.z;
@@ -176,8 +179,8 @@ void PartInComparison::hold_brick(std::size_t brick, Work& work) {
   work.found.take(here);
 }
 
-/// Handles a brick that is wholly material or wholly empty, and that is wholly inside or wholly outside the part. One line of the brick
-/// shows whether the brick is inside.
+/// Handles a brick that is either full of material or empty, and that is wholly inside or wholly outside the wanted part. One line of the
+/// brick shows whether the brick is inside the part.
 void PartInComparison::hold_evenly(std::size_t brick, bool material, Work& work) {
   const double edge = wider_.lattice.edge(), middle = wider_.lattice.corner(brick).z + 0.5 * edge;
   const auto stretches = lines_.of(wider_.lattice.place(brick), 2, brick_lines / 2 + brick_edge / 2);
@@ -191,9 +194,9 @@ void PartInComparison::hold_evenly(std::size_t brick, bool material, Work& work)
   (part ? work.found.gouged : work.found.left_on).take(here);
 }
 
-/// Computes the volume of the difference in a brick, along the direction whose lines contain most of the difference: lines across a thin
-/// layer measure it well, lines along the layer hardly meet it. Finds the depth along all three directions, ignoring segments that are
-/// numerical errors on lines along a wall.
+/// Computes the volume of the difference in a brick along the direction whose lines contain most of the difference: lines across a thin
+/// layer measure the layer well, lines along the layer hardly meet it. Finds the greatest depth along all three directions, but ignores
+/// segments that are numerical errors on lines along a wall.
 ///   returns  the volume, mm³
 float PartInComparison::hold_stretches(std::size_t brick, bool gouged, Deepest& deepest, Work& work) {
   const auto of = [&](int family) -> const std::vector<Stretch>& {
@@ -212,7 +215,7 @@ float PartInComparison::hold_stretches(std::size_t brick, bool gouged, Deepest& 
   return float(length * wider_.lattice.cell() * wider_.lattice.cell());
 }
 
-/// Measures the depth at the middle of a segment, and in steps along it if it can exceed the greatest depth found so far.
+/// Measures the depth at the middle of a segment, and in steps along the segment if the depth can exceed the greatest depth found so far.
 ///   returns  false if the segment is a numerical error on a line along a wall
 bool PartInComparison::walk(const Stretch& stretch, int family, std::size_t brick, Deepest& deepest, Work& work) const {
   const double cell = wider_.lattice.cell(), half = (stretch.to - stretch.from) / 2;

@@ -1,6 +1,6 @@
 #pragma once
-// Compares the remaining material with the wanted part: finds the material left on and the material gouged, where it is, and which sweep
-// caused it.
+// Compares the remaining material with the wanted part: finds the material that was left on and the material that was gouged, their
+// positions, and the sweeps that caused them.
 
 #include <cstdint>
 #include <vector>
@@ -13,31 +13,31 @@
 namespace kadr {
 
 struct PartOffence {
-  double volume = 0;              // mm³
+  double volume = 0;              // volume of the difference, mm³
   double deepest = 0;             // greatest distance of the difference from the surface of the wanted part, mm
-  Vec3 at;                        // position of this greatest distance
-  std::int32_t sweep = of_blank;  // number of the sweep that last cut next to `at`
+  Vec3 at;                        // position of this greatest distance, mm
+  std::int32_t sweep = of_blank;  // number of the sweep that last cut next to `at`; of_blank if no sweep did
 };
 
 struct PartComparison {
-  PartOffence left_on;           // material outside the wanted part
+  PartOffence left_on;           // material that was left outside the wanted part
   PartOffence gouged;            // regions of the wanted part without material: cut away, or missing because the blank is too small
-  std::vector<float> deviation;  // for each point of the material's surface, mm: positive outside the wanted part, negative inside
+  std::vector<float> deviation;  // for each point of the material's surface, in mm: positive outside the wanted part, negative inside
 };
 
 /// Compares the stock with the wanted part. Volumes are exact on the lattice lines: in each brick the intervals of the material and
 /// those of the part are compared along the direction whose lines contain most of the difference. If the part extends beyond the blank
 /// by more than the blank's longest side, the region farther out is ignored.
-///   part    a closed mesh, not empty, in the work system of the blank; for a window, its box must meet the window
-///   law     bit for bit the same for any number of threads
+///   part    a closed mesh, not empty, in the work coordinates of the blank; for a window, its box must meet the window
+///   law     the result is the same, bit for bit, for any number of threads
 ///   faces   for a stock that is a window (blank_within()), the window's faces: only the wanted part inside the window counts, and
 ///           points on the faces get no deviation; nullptr for a whole stock
 ///   memory  4 bytes per point of the surface, 25 more per point while the points are classified as inside or outside, and
 ///           bytes_of_comparison()
 PartComparison compare(const Stock& stock, const Surface& surface, const Mesh& part, const WindowFaces* faces = nullptr);
 
-/// Returns the memory in bytes that comparison with a stock of this box needs. It includes the triangles of the wanted part, but neither
-/// the stock nor its surface.
+/// Returns the memory in bytes that a comparison with a stock of this box needs. The result includes the triangles of the wanted part, but
+/// neither the stock nor its surface.
 enum class ComparedPart : std::uint8_t { whole, window };
 double bytes_of_comparison(const Box3& stock, double cell, const Mesh& part, ComparedPart held);
 

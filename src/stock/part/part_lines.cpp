@@ -1,4 +1,4 @@
-// Finds the hits of all triangles with the lattice lines, and sorts the hits by line. Used by stock/part/part_compare.
+// Finds the intersections (hits) of all triangles with the lattice lines, and sorts the hits by line. Used by stock/part/part_compare.
 
 #include "stock/part/part_lines.h"
 
@@ -18,7 +18,7 @@ namespace {
 
 constexpr std::size_t shares = 8;  // number of portions into which the triangles are divided for the threads
 
-/// Clips the segments to the window, as blank_within() does.
+/// Clips the segments to the window in the same way as blank_within().
 void clip(std::vector<LineRange>& ranges, std::size_t first, double least, double most) {
   std::size_t kept = first;
   for (std::size_t i = first; i < ranges.size(); ++i) {
@@ -50,7 +50,7 @@ PartLines::PartLines(const Mesh& solid, const Lattice& lattice, const std::optio
   share(3, [&](std::size_t family) { order(int(family), std::span(found).subspan(family * shares, shares), window); });
 }
 
-/// Returns the index of the first lattice point along the axis at or after the position.
+/// Returns the index of the first lattice point along the axis that is not before the position.
 std::size_t PartLines::first_from(int axis, double place) const {
   const std::vector<double>& all = places_[std::size_t(axis)];
   const double guess = std::clamp((place - all.front()) / cell_, 0.0, double(all.size()));
@@ -85,7 +85,7 @@ void PartLines::order(int family, const std::span<std::vector<Hit>>& found, cons
   std::vector<MeshHit> ordered(next.back());
   for (std::vector<Hit>& hits : found) {
     for (const Hit& h : hits) ordered[next[h.line]++] = {h.place, h.turn, h.triangle};
-    hits = std::vector<Hit>();  // frees the memory of the hits too
+    hits = std::vector<Hit>();  // frees the memory of these hits at once
   }
   Family& all = families_[std::size_t(family)];
   all.first.assign(next.size(), 0);
@@ -112,9 +112,9 @@ std::span<const LineRange> PartLines::of(BrickPlace brick, int family, int line)
   return {all.ranges.data() + all.first[number], all.ranges.data() + all.first[number + 1]};
 }
 
-/// Estimates the number of hits, and returns the memory for them. Lines along an axis meet a triangle about as often as the triangle's
-/// area, seen along the axis, contains lattice cells. For a triangle that extends out of the lattice, the section of its bounding rectangle
-/// inside the lattice is used instead.
+/// Returns the memory in bytes for an estimated number of hits. Lines along an axis meet a triangle about as often as the triangle's area,
+/// seen along the axis, contains lattice cells. For a triangle that extends out of the lattice, the part of its bounding rectangle inside
+/// the lattice is used instead.
 double PartLines::bytes(const Mesh& solid, const Lattice& lattice) {
   constexpr double bytes_of_hit = 2 * (sizeof(Hit) + sizeof(MeshHit));  // a vector may reserve twice the memory of its content
   double hits = 0;

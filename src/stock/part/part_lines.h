@@ -1,8 +1,8 @@
 #pragma once
 // PartLines: the segments in which the lines of a lattice are inside a solid. Used by stock/part/part_compare.
 //
-// PartLines goes through the triangles, and finds for each triangle the lines that cross it. The opposite order (stock/mesh/mesh_index),
-// which finds for each line the triangles that the line crosses, takes several times as long if nearly all lines of a lattice are needed.
+// PartLines visits the triangles, and finds for each triangle the lines that cross it. The opposite order (stock/mesh/mesh_index) finds for
+// each line the triangles that the line crosses. That order takes several times as long if nearly all lines of a lattice are needed.
 
 #include <array>
 #include <cstdint>
@@ -18,14 +18,14 @@ namespace kadr {
 class PartLines {
  public:
   /// `window` limits the segments to a box; nullopt means no limit.
-  ///   law  bit for bit equal to the segments of mesh_blank(solid), or of its blank_within()   (tests/stock/part_lines_test)
+  ///   law  the segments equal those of mesh_blank(solid), or of its blank_within(), bit for bit   (tests/stock/part_lines_test)
   PartLines(const Mesh& solid, const Lattice& lattice, const std::optional<Box3>& window, int threads);
 
   /// Returns the segments of the whole lattice line that contains line `line` of a brick, in ascending order. The lines of a brick are
   /// numbered as in stock/brick/brick.
   std::span<const LineRange> of(BrickPlace brick, int family, int line) const;
 
-  /// Returns an upper bound of the memory during construction, in bytes.
+  /// Returns an upper bound, in bytes, of the memory that the constructor needs.
   static double bytes(const Mesh& solid, const Lattice& lattice);
 
  private:
@@ -35,7 +35,7 @@ class PartLines {
     int turn;
   };
   struct Family {
-    std::vector<std::size_t> first;  // index in `ranges` of the first segment of each line; one more element at the end
+    std::vector<std::size_t> first;  // index in `ranges` of the first segment of each line; the last element is the number of all segments
     std::vector<LineRange> ranges;
   };
   void find(const Mesh& solid, int family, std::size_t first, std::size_t last, std::vector<Hit>& hits) const;
@@ -43,7 +43,7 @@ class PartLines {
   std::size_t first_from(int axis, double place) const;
 
   double cell_;
-  std::array<std::vector<double>, 3> places_;  // coordinates of the lattice points along each axis
+  std::array<std::vector<double>, 3> places_;  // coordinates of the lattice points along each axis, mm
   std::array<Family, 3> families_;
 };
 

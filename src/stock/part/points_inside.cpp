@@ -1,4 +1,4 @@
-// Sorts the points into squares of the XY plane; then each triangle is tested against the points above or below it. Used by
+// Sorts the points into squares of the XY plane, and then tests each triangle against the points above or below it. Used by
 // stock/part/part_compare.
 
 #include "stock/part/points_inside.h"
@@ -17,19 +17,19 @@ namespace {
 constexpr double points_of_square = 2;
 constexpr std::size_t triangles_at_once_inside = 4096;
 
-/// A point, and two sums of MeshHit::turn: over the triangles that the vertical line through the point meets below the point, and over
-/// those that it meets at the point. The order of the triangles does not matter.
+/// A point, and two sums of MeshHit::turn over the triangles that the vertical line through the point meets: below the point, and exactly
+/// at the point. The sums do not depend on the order of the triangles.
 struct HeldPoint {
   float x, y, z;
   std::uint32_t number;
   std::int32_t below = 0, at = 0;
 };
 
-/// The squares of the XY plane, in rows along X, with the points in each.
+/// The squares of the XY plane in rows along X, and the points in each square.
 struct PointSquares {
   double least_x = 0, least_y = 0, most_x = 0, most_y = 0, per_mm = 0;
   std::size_t columns = 1, rows = 1;
-  std::vector<std::uint32_t> first;  // index in `points` of the first point of each square; one more element at the end
+  std::vector<std::uint32_t> first;  // index in `points` of the first point of each square; the last element is the number of all points
   std::vector<HeldPoint> points;
 
   explicit PointSquares(const std::vector<float>& places);
@@ -60,7 +60,7 @@ PointSquares::PointSquares(const std::vector<float>& places) {
   points.resize(count);
   for (std::size_t i = count; i-- > 0;)
     points[--first[square(i) + 1]] = {places[3 * i], places[3 * i + 1], places[3 * i + 2], std::uint32_t(i)};
-  first.erase(first.begin());  // each entry has been decremented to the index of its square's first point
+  first.erase(first.begin());  // each element has become the index of the first point in its square
   first.push_back(std::uint32_t(count));
 }
 
@@ -83,7 +83,7 @@ void PointSquares::hold(const Mesh& solid, std::size_t number) {
   const std::size_t low = row(triangle.least_v()), high = row(triangle.most_v());
   for (std::size_t r = low; r <= high; ++r) {
     double left = triangle.least_u(), right = triangle.most_u();
-    // a long slanted triangle: only its extent over this row of squares is used, with a small margin
+    // Of a long slanted triangle, only the extent over this row of squares is used, with a small margin.
     if (low < high && right - left > 1 / per_mm) {
       const double hair = 1e-3 / per_mm, begin = least_y + double(r) / per_mm, end = begin + 1 / per_mm;
       const auto extent = triangle.between(r == low ? triangle.least_v() : begin - hair, r == high ? triangle.most_v() : end + hair);

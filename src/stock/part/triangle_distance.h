@@ -1,5 +1,5 @@
 #pragma once
-// Computes the distance of the origin from a triangle.
+// Computes the distance of the origin from a triangle. A caller gives the corners relative to the point whose distance is needed.
 
 #include <algorithm>
 
@@ -9,15 +9,15 @@ namespace kadr {
 
 inline double square_of(const Vec3& v) { return v.x * v.x + v.y * v.y + v.z * v.z; }
 
-/// Returns the squared distance of the origin from the segment between `from` and `from + way`.
+/// Returns the squared distance in mm² of the origin from the segment between `from` and `from + way`.
 inline double square_to_segment(const Vec3& from, const Vec3& way) {
   const double length_squared = square_of(way);
   const double share = length_squared > 0 ? std::clamp(-dot(from, way) / length_squared, 0.0, 1.0) : 0;
   return square_of(from + share * way);
 }
 
-/// Returns the squared distance of the origin from a triangle, mm². It is the distance from the triangle's plane if the origin projects
-/// into the triangle, else the distance from the nearest side.
+/// Returns the squared distance in mm² of the origin from a triangle: the distance from the triangle's plane if the origin projects into
+/// the triangle, else the distance from the nearest side of the triangle.
 inline double square_to_triangle(const Vec3 (&corner)[3]) {
   Vec3 side[3];
   for (int k = 0; k < 3; ++k) side[k] = corner[(k + 1) % 3] - corner[k];

@@ -11,7 +11,7 @@ constexpr std::uint32_t whole_column = (1u << brick_edge) - 1;
 
 float place_of(int i, float cell) { return (float(i) + 0.5f) * cell; }
 
-/// Returns the index of the first lattice point beyond a position.
+/// Returns the index of the first lattice point that is beyond the position.
 int first_beyond(float place, float cell) {
   int i = std::clamp(int(place / cell + 0.5f), 0, brick_edge);
   while (i > 0 && place_of(i - 1, cell) > place) --i;
@@ -19,7 +19,7 @@ int first_beyond(float place, float cell) {
   return i;
 }
 
-/// Returns the index of the first lattice point at or beyond a position.
+/// Returns the index of the first lattice point that is at or beyond the position.
 int first_not_before(float place, float cell) {
   int i = std::clamp(int(place / cell + 0.5f), 0, brick_edge);
   while (i > 0 && place_of(i - 1, cell) >= place) --i;

@@ -1,6 +1,5 @@
 #pragma once
-// Determines for each lattice point of a brick, and of the next layer of points beyond the brick, whether it is material. Used by
-// stock/surface.
+// Determines which lattice points of a brick, and of the next layer of points beyond the brick, are material. Used by stock/surface.
 
 #include <array>
 #include <cstdint>
@@ -11,24 +10,24 @@ namespace kadr {
 
 inline constexpr int signs_edge = brick_edge + 1;
 
-/// A brick and its seven neighbours in the positive directions. In the index of a neighbour bit 1 means along X, 2 along Y, 4 along Z.
-/// Outside the lattice everything is empty.
+/// A brick and its seven neighbours in the positive directions. In the index of a neighbour, bit 1 means the next brick along X, bit 2
+/// along Y, bit 4 along Z. Bricks outside the lattice are empty.
 struct BricksAround {
   BricksAround(const Stock& stock, BrickPlace place);
   std::array<Stock::State, 8> state;
   std::array<const Brick*, 8> brick;
-  bool same;  // all eight are empty, or all are full: there is no surface between them
+  bool same;  // true if all eight bricks are empty, or all are full: no surface is between them
 };
 
-/// One bit per lattice point, grouped in columns along Z, the lowest point in bit 0: 1 means material. Only the intervals on lattice lines
-/// along Z determine this bit. So each point has one state, even where lines of the other directions disagree about a position close to the
-/// surface, and the surface computed from the points is closed.
+/// One bit per lattice point; 1 means material. The bits are grouped in columns along Z, with the lowest point in bit 0. Only the intervals
+/// on lattice lines along Z determine a bit. So each point has one state, even where lines of the other directions disagree about a
+/// position close to the surface, and the surface computed from the points is closed.
 class BrickSigns {
  public:
   void take(const BricksAround& around, float cell);
   std::uint32_t column(int x, int y) const { return columns_[std::size_t(y * signs_edge + x)]; }
   bool at(int x, int y, int z) const { return (column(x, y) >> z & 1) != 0; }
-  /// Returns one bit for each corner of the cell whose lowest corner is x, y, z. stock/surface/sheets.h numbers the corners.
+  /// Returns one bit for each corner of the cell whose lowest corner is x, y, z. The corners are numbered as in stock/surface/sheets.h.
   unsigned corners(int x, int y, int z) const {
     const auto two = [&](int i, int j) { return column(i, j) >> z & 3; };
     const unsigned a = two(x, y), b = two(x + 1, y), c = two(x, y + 1), d = two(x + 1, y + 1);

@@ -1,4 +1,4 @@
-// Fits a vertex to the tangent planes of its crossings by least squares. Used by stock/surface.
+// Computes a vertex that fits the tangent planes of its crossings best, by least squares. Used by stock/surface.
 
 #include "stock/surface/cell_vertex.h"
 
@@ -7,16 +7,17 @@
 namespace kadr {
 namespace {
 
-/// Weight of the mean of the crossings in the least-squares fit; the weight of one tangent plane is 1. Normals that differ by less than the
-/// square root of this weight, about 3°, count as those of a flat surface.
+/// Weight of the mean of the crossings in the least-squares fit; the weight of one tangent plane is 1. If normals differ by less than the
+/// square root of this weight, about 3°, the surface counts as flat.
 constexpr double weight_of_middle = 0.003;
 
-/// Least length of the mean of the unit normals: normals that differ by less than about 40° belong to one smooth face.
+/// Least length of the mean of the unit normals of a smooth face: normals that differ by less than about 40° belong to one face.
 constexpr double smooth_mean = 0.94;
 
-/// In a concave region, the vertex is between the mean of the crossings, which is on a chord (share 0), and the point where the tangent
-/// planes meet (share 1). This constant is the share of the vertex. The true surface is at the share 1/2. Two thirds of the height that the
-/// chord between two vertices cuts off are added, so that the flat faces between the vertices enclose as much volume as the curved surface.
+/// In a concave region, the vertex is between two points: the mean of the crossings, which is on a chord (fraction 0), and the point where
+/// the tangent planes meet (fraction 1). This constant is the fraction for the vertex. The true surface is at the fraction 1/2. Two thirds
+/// of the height that the chord between two vertices cuts off are added, so that the flat faces between the vertices enclose as much volume
+/// as the curved surface.
 constexpr double share_of_tangents = 5.0 / 6;
 
 /// A symmetric matrix, stored as its upper triangle by rows.
@@ -55,7 +56,7 @@ std::array<double, 3> CellVertex::place(const std::array<double, 3>& low, double
   std::array<double, 3> at = centre;
   const double turns = normals_[0] * normals_[0] + normals_[1] * normals_[1] + normals_[2] * normals_[2];
   const bool smooth = turns > smooth_mean * smooth_mean * count_ * count_;
-  for (int round = 0; round < (smooth ? 2 : 4); ++round) {  // each iteration reduces the influence of the mean
+  for (int round = 0; round < (smooth ? 2 : 4); ++round) {  // each iteration reduces the influence of the mean of the crossings
     const std::array<double, 3> there = planes.times(at);
     const std::array<double, 3> step = inverse.times({right_[0] - there[0], right_[1] - there[1], right_[2] - there[2]});
     for (std::size_t d = 0; d < 3; ++d) at[d] += step[d];

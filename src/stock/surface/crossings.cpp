@@ -14,10 +14,11 @@ struct LineEnd {
   float at;
   std::int32_t by;
   bool found = false;
-  bool seam = false;  // the end is between a full and an empty brick, inside the blank: neither brick stores which sweep cut there
+  // True if the end is between a full and an empty brick, inside the blank: neither brick stores the sweep that cut there.
+  bool seam = false;
 };
 
-/// Extent of all bodies of a tool, measured from its tip.
+/// Extent of all bodies of a tool in mm, measured from the tip.
 struct ToolExtent {
   double widest, bottom, top;
 };
@@ -32,7 +33,7 @@ ToolExtent extent_of(const ToolFaces& tool) {
 }  // namespace
 
 struct Crossings::Finder {
-  /// The further intervals of a family, sorted by line; built at the first use.
+  /// The further intervals of one family, sorted by line. The list is built at its first use.
   class FurtherByLine {
    public:
     void forget() { made_ = false; }
@@ -61,15 +62,15 @@ struct Crossings::Finder {
   const Stock& stock;
   const std::vector<ToolFaces>& tools;
   const BricksAround& around;
-  Vec3 corner, from_lattice;  // the brick's corner in the work system, and relative to the lattice's corner
+  Vec3 corner, from_lattice;  // corner of the brick in mm: in work coordinates, and relative to the lattice's corner
   float cell, edge, families_agree;
   std::array<std::array<FurtherByLine, 3>, 8> further{};
 
-  // numbers of the sweeps that may have cut where this brick meets its neighbours; found at the first use
+  // Numbers of the sweeps that may have cut at the faces between this brick and its neighbours; found at the first use.
   std::vector<std::uint32_t> sweeps_near{};
   bool near_known = false;
 
-  /// Returns the directions of the sweep if its tool is tilted, else nullptr.
+  /// Returns the directions of the sweep if the tool is tilted, else nullptr.
   const TiltedEnds* ends_of(std::int32_t by) const {
     return stock.sweep(std::size_t(by)).leans ? &stock.tilted_ends(std::size_t(by)) : nullptr;
   }
@@ -80,8 +81,8 @@ struct Crossings::Finder {
   Crossing crossing_at(const LatticeEdge& e, bool leaves, const LineEnd& end) const;
 };
 
-/// Finds the ends of material intervals on the lattice line of a cell edge. Returns the end that is nearest to the one end point of the
-/// cell edge that is material.
+/// Returns the end of a material interval, on the lattice line of a cell edge, that is nearest to the end point of the cell edge that is
+/// material. Exactly one of the two end points is material.
 LineEnd Crossings::Finder::end_on(const LatticeEdge& e, bool leaves) {
   const int f = e.family, u = (f + 1) % 3, v = (f + 2) % 3;
   const auto p = [&](int axis) { return e.point[std::size_t(axis)]; };
@@ -125,7 +126,7 @@ Vec3 Crossings::Finder::place_of(const LatticeEdge& e, const LineEnd& end) const
   return at;
 }
 
-/// Finds the sweeps that may have cut in or next to the brick, by the boxes around their paths.
+/// Finds the sweeps that may have cut in or next to the brick. The boxes around the paths of the sweeps decide.
 void Crossings::Finder::find_sweeps_near() {
   near_known = true;
   std::vector<ToolExtent> extents;
@@ -133,8 +134,9 @@ void Crossings::Finder::find_sweeps_near() {
   const double room = double(cell), reach = double(edge) + room;
   stock.each_sweep([&](std::size_t i, const KeptSweep& s) {
     const ToolExtent& tool = extents[s.tool];
-    bool near = !stock.tool(s.tool).turns();  // sweeps of turning tools are not searched: ends between bricks keep of_blank
-    const double anywhere = std::max({tool.widest, std::fabs(tool.bottom), std::fabs(tool.top)}) + tool.widest;  // for any tilt
+    bool near = !stock.tool(s.tool).turns();  // sweeps of turning tools are not searched, so ends between bricks keep of_blank
+    // Extent of the tool for any direction of its axis.
+    const double anywhere = std::max({tool.widest, std::fabs(tool.bottom), std::fabs(tool.top)}) + tool.widest;
     for (int d = 0; d < 3 && near; ++d) {
       const double least = double(std::min(s.from[d], s.to[d])) + (s.leans ? -anywhere : d == 2 ? tool.bottom : -tool.widest);
       const double most = double(std::max(s.from[d], s.to[d])) + (s.leans ? anywhere : d == 2 ? tool.top : tool.widest);
@@ -144,8 +146,8 @@ void Crossings::Finder::find_sweeps_near() {
   });
 }
 
-/// An end of material between two bricks belongs to the blank only if the blank ends there. Otherwise a sweep cut there, and the brick that
-/// it emptied no longer stores its number: the first sweep that cut there is used.
+/// Finds the sweep that cut an end of material between two bricks. Such an end belongs to the blank only if the blank ends there. Otherwise
+/// a sweep cut there, but an emptied brick no longer stores the sweep's number: the first sweep that cut there is used.
 void Crossings::Finder::find_cut(const LatticeEdge& e, bool leaves, LineEnd& end) {
   const Vec3 at = place_of(e, end), in_space = at + corner;
   std::vector<LineRange> ranges;
@@ -202,8 +204,8 @@ void Crossings::take(const Stock& stock, const std::vector<ToolFaces>& tools, st
   for (const LatticeEdge& e : lost_) mend(e, signs);
 }
 
-/// A line that lies in a surface may be cut away although the lines along Z, very near to it, are not. Then the crossing of an adjacent
-/// cell edge, with material on the same side, is used.
+/// Completes a crossing for which no interval ends on the lattice line. A line that lies in a surface may be cut away although the lines
+/// along Z close to it are not. In this case the crossing of an adjacent cell edge, with material on the same side, is used.
 void Crossings::mend(const LatticeEdge& e, const BrickSigns& signs) {
   const std::size_t f = std::size_t(e.family);
   const auto sign = [&](const std::array<int, 3>& p) { return signs.at(p[0], p[1], p[2]); };

@@ -11,11 +11,11 @@
 
 namespace kadr {
 
-/// Lengths in mm, from the brick's corner.
+/// A crossing of the surface with the edge of a lattice cell. Lengths are in mm, from the brick's corner.
 struct Crossing {
   std::array<float, 3> at;
-  std::array<float, 3> normal;  // outward
-  std::int32_t by;              // number of the sweep that cut there, or of_blank
+  std::array<float, 3> normal;  // outward normal of the material, a unit vector
+  std::int32_t by;              // number of the sweep that cut this surface; of_blank for the surface of the blank
 };
 
 /// The edge of a lattice cell from the point with the indices `point` to the next point along the axis `family`.
@@ -42,10 +42,11 @@ class Crossings {
 
   std::vector<Crossing> all_;
   std::vector<std::uint16_t> slots_;
-  std::vector<LatticeEdge> lost_;  // edges between material and air on which no interval of a lattice line of the family ends
+  // Edges between material and air on whose lattice line no interval ends, so that the crossing must be estimated.
+  std::vector<LatticeEdge> lost_;
 };
 
-/// Calls visit(edge, starts_in_material) for each cell edge with material at exactly one of its end points. The indices of the point
+/// Calls visit(edge, starts_in_material) for each cell edge with material at exactly one of the two end points. The indices of the point
 /// across the edge go from 0 to `last`.
 template <class Visit>
 void each_unlike_edge(const BrickSigns& signs, int last, const Visit& visit) {

@@ -1,4 +1,5 @@
-// Finds the position on its path at which a tool touched a point, and the tool's normal there. Used by stock/surface/crossings.
+// Finds the position on its path at which a tool touched a point, and the normal of the tool at this point. Used by
+// stock/surface/crossings.
 
 #include "stock/surface/cut_normal.h"
 
@@ -13,23 +14,24 @@ namespace {
 
 using Form = RoundSolid::Form;
 
-/// mm: if the distances of two faces from a point differ by less, it is unknown which face cut there. Compare the 2e-4 mm in the law of
-/// stock/cut/upright_rows.h and level_rows.h.
+/// Limit in mm: if the distances of two faces from a point differ by less, it is unknown which face cut at this point. This limit is a
+/// little more than the 2e-4 mm in the law of stock/cut/upright_rows.h and level_rows.h.
 constexpr double same_spot = 3e-4;
-constexpr double along_the_line = 0.01;  // least component of a normal along the lattice line; with less, the line lies in the face
+// Least component of a normal along the lattice line; if the component is less, the line lies in the face.
+constexpr double along_the_line = 0.01;
 constexpr int max_steps = 60;
-constexpr double same_part = 1e-6;  // mm of path
-constexpr double level = 1e-9;      // a slope of the distance along the path that is below this share of the path length counts as 0
-constexpr double on_axis = 1e-12;   // mm: a point nearer to the tool's axis than this is on the axis
+constexpr double same_part = 1e-6;  // limit in mm: two positions on the path closer than this count as equal
+constexpr double level = 1e-9;      // a slope of the distance along the path counts as 0 if it is below this fraction of the path length
+constexpr double on_axis = 1e-12;   // limit in mm: a point closer to the tool's axis than this counts as on the axis
 
-/// A face of the tool near the point: its distance, and its outward normal in the half plane of radius and height.
+/// A face of the tool near the point: its distance from the point, and its outward normal in the half plane of radius and height.
 struct Near {
   double distance, radial, up;
 };
 
-/// The position of the point relative to the tool, at a share of the path.
+/// The position of the point relative to the tool, with the tool at a given fraction of the path.
 struct Seen {
-  double x, y, radius, height;  // from the tip, mm
+  double x, y, radius, height;  // position relative to the tip, mm
 };
 
 struct Way {
@@ -69,25 +71,25 @@ Near farthest(const BodyFaces& body, const Seen& seen) {
   return best;
 }
 
-/// Returns the normal of the face in the tool's coordinates.
+/// Returns the normal of the face as a vector in the tool's coordinates.
 Vec3 in_space(const Near& face, const Seen& seen) {
   const double per = seen.radius > on_axis ? face.radial / seen.radius : 0;
   return seen.radius > on_axis ? Vec3{seen.x * per, seen.y * per, face.up} : Vec3{face.radial, 0, face.up};
 }
 
-/// The point, and the direction in which its lattice line leaves the material, in the tool's coordinates.
+/// The point, and the direction in which the lattice line through the point leaves the material, in the tool's coordinates.
 struct PlaceSeen {
   Vec3 at, outward;
 };
 
 struct Touching {
   double distance;
-  Vec3 normal;  // outward from the tool
+  Vec3 normal;  // points outward from the tool
 };
 
-/// Returns the distance of the point from the body at the share `part` of the path, and the normal of the nearest face. A line does not
-/// cross a plane in which the line lies. So if several faces of the tool are at about the same distance, the one that the line crosses most
-/// nearly at a right angle is used.
+/// Returns the distance of the point from the body, with the tool at the fraction `part` of the path, and the normal of the nearest face. A
+/// line does not cross a plane in which the line lies. So if several faces of the tool are at about the same distance, the result is the
+/// face that the line crosses most nearly at a right angle.
 Touching at_part(const BodyFaces& body, const Way& way, const PlaceSeen& place, double part) {
   const Seen seen = way.seen(place.at, part);
   const auto square_to = [&](const Vec3& normal) { return -dot(normal, place.outward); };
@@ -105,8 +107,9 @@ Touching at_part(const BodyFaces& body, const Way& way, const PlaceSeen& place, 
 
 double nearest_part(double over, double length_squared) { return length_squared > 0 ? std::clamp(over / length_squared, 0.0, 1.0) : 0; }
 
-/// Solves in closed form for the share of the path at which the tool touched the point. On a level path heights are constant, so it is
-/// the share that is nearest in the XY plane; for a ball, the share at which the centre is nearest. Returns nullopt in other cases.
+/// Returns the fraction of the path at which the tool touched the point, if an exact formula exists. On a level path heights are constant,
+/// so the result is the fraction at which the tool is nearest in the XY plane; for a ball, the fraction at which the centre is nearest.
+/// Returns nullopt in other cases.
 std::optional<double> part_at_once(const BodyFaces& body, const Way& way, const Vec3& at) {
   const Vec3 d = way.along, q = at - way.start;
   const double flat = d.x * d.x + d.y * d.y, over = q.x * d.x + q.y * d.y;
@@ -124,16 +127,16 @@ std::optional<double> part_at_once(const BodyFaces& body, const Way& way, const 
 /// Returns the slope, along the path, of the distance between the point and the tool.
 double growth(const Vec3& normal, const Vec3& way) { return -(normal.x * way.x + normal.y * way.y + normal.z * way.z); }
 
-/// The distance of the tool from the point, at a share of the path.
+/// The distance of the tool from the point, with the tool at the fraction `part` of the path, and the slope of this distance.
 struct Probe {
   double part;
   Touching touching;
   double grows;
 };
 
-/// Returns a share between `before`, where the tool approaches the point, and `after`, where it recedes, at least `apart` from both. The
-/// steps use in turn the intersection of the tangents, which finds corners of the distance function; the zero of the straight line through
-/// both slopes, which finds smooth minima; and the middle.
+/// Returns a fraction of the path between `before`, where the tool approaches the point, and `after`, where the tool moves away from it;
+/// the result is at least `apart` from both. Three methods are used in turn: the intersection of the tangents, which finds corners of the
+/// distance function; the zero of the straight line through both slopes, which finds smooth minima; and the middle.
 double part_between(const Probe& before, const Probe& after, int step, double apart) {
   const double wide = after.part - before.part, bends = after.grows - before.grows;
   double part = before.part + 0.5 * wide;
@@ -169,7 +172,7 @@ Vec3 as_unit(const Vec3& v, const Vec3& otherwise) {
   return size > on_axis ? (1 / size) * v : otherwise;
 }
 
-/// Returns the outward normal of the material, in the tool's coordinates.
+/// Returns the outward normal of the material as a vector in the tool's coordinates.
 Vec3 normal_seen(const Way& way, const ToolFaces& tool, const PlaceSeen& place) {
   double nearest = 1e30;
   Vec3 best = place.outward;
@@ -204,7 +207,8 @@ ToolFaces faces_of(const ToolShape& tool) { return {tool.bodies.begin(), tool.bo
 
 namespace {
 
-/// The point and its path, in the tool's coordinates; for a tilted tool also the axes of the work system, as seen from the tool half way.
+/// The point and its path in the tool's coordinates; for a tilted tool also the axes of the work coordinates, as seen from the tool half
+/// way along the path.
 struct AsSeen {
   Way way;
   PlaceSeen place;

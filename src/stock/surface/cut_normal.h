@@ -1,13 +1,13 @@
 #pragma once
-// Computes the normal of a surface that a sweep has cut: the normal of the tool where the tool touched the point. Used by
+// Computes the normal of a surface that a sweep has cut, which is the normal of the tool where the tool touched the surface. Used by
 // stock/surface/crossings.
 //
 // Each solid body of a tool is convex, so the distance of a point from the moving body is a convex function of the position on the path.
 // The tool touched the point where this distance is least, and the tool's normal in that position is the normal of the surface. The
 // function may have its minimum at a corner, where the nearest point of the tool is on the edge circle between two faces. The edge circle
-// has then swept the surface, and the normal lies between the normals of the two faces, perpendicular to the path.
+// has then cut the surface, and the normal is between the normals of the two faces, perpendicular to the path.
 //
-//   law  perpendicular to every direction in which the distance from the swept tool (stock/tool/round_solid.h) is constant
+//   law  the normal is perpendicular to every direction in which the distance from the swept tool (stock/tool/round_solid.h) is constant
 //        (tests/stock/surface_test)
 
 #include <vector>
@@ -16,13 +16,14 @@
 
 namespace kadr {
 
-/// The faces of revolution of a convex body of a tool. The distance of a point from the body is the greatest of its distances from them.
+/// The faces of revolution of a convex body of a tool. The distance of a point from the body is the greatest of the distances from these
+/// faces.
 struct BodyFaces {
   struct Side {
     RoundSolid::Form form;
-    double radius, height;            // a point of the face; for a ball or torus the centre of its generating circle
-    double normal_radial, normal_up;  // normal of a cylinder or cone
-    double circle;                    // radius of the generating circle of a ball or torus
+    double radius, height;            // a point of the face, mm; for a ball or torus, the centre of the generating circle
+    double normal_radial, normal_up;  // components of the normal of a cylinder or cone
+    double circle;                    // radius in mm of the generating circle of a ball or torus
   };
   explicit BodyFaces(const ConvexBody& body);
 
@@ -31,19 +32,19 @@ struct BodyFaces {
   std::vector<Side> sides;
 };
 
-/// The bodies of a tool.
+/// The bodies of a tool, each as its faces.
 using ToolFaces = std::vector<BodyFaces>;
 ToolFaces faces_of(const ToolShape& tool);
 
-/// A crossing: a point where a lattice line of the direction `family` crosses the surface.
+/// A crossing: a point where a lattice line of the direction `family` crosses the surface of the material.
 struct CutPlace {
-  Vec3 at;  // mm from the lattice's corner
+  Vec3 at;  // position of the point in mm, from the lattice's corner
   int family;
-  bool leaves;  // true if the line leaves the material there, false if it enters
+  bool leaves;  // true if the line leaves the material at this point, false if the line enters the material
 };
 
-/// Returns true if the sweep has cut a surface at this point, and the line crosses that surface.
-///   ends  directions of the tool, if it is tilted
+/// Returns true if the sweep has cut a surface at this point, and the lattice line crosses this surface.
+///   ends  directions of the tool; nullptr if the tool is not tilted
 bool cut_at(const KeptSweep& sweep, const ToolFaces& tool, const CutPlace& place, const TiltedEnds* ends = nullptr);
 
 /// Returns the outward normal of the remaining material at this point.

@@ -1,4 +1,4 @@
-// Removes points by merging each into a neighbour. Used by stock/surface/simplified_surface.
+// Removes points of a surface by merging each point into a neighbour. Used by stock/surface/simplified_surface.
 
 #include "stock/surface/decimation.h"
 
@@ -12,13 +12,13 @@ namespace kadr {
 namespace {
 
 constexpr std::uint32_t no_index = ~std::uint32_t{0};
-constexpr std::uint32_t most_around = 40;  // greatest number of triangles around a point
-constexpr std::size_t max_tried = 3;       // number of neighbours that are tried for each point, the best first
-// multiple of the permitted distance: a neighbour that is farther from the planes around the point is not tried
+constexpr std::uint32_t most_around = 40;  // greatest permitted number of triangles around a point
+constexpr std::size_t max_tried = 3;       // number of neighbours into which a merge of each point is tried, the best neighbour first
+// A neighbour is not tried if its distance from the planes around the point is more than this multiple of the permitted distance.
 constexpr double worth_trying = 3;
 constexpr int max_passes = 60;
-constexpr double least_height = 1e-3;  // triangle height over longest side: thinner triangles have no reliable normal
-constexpr double turned_little = 0.2;  // least cosine of the angle between a triangle's normals before and after a merge
+constexpr double least_height = 1e-3;  // least ratio of a triangle's height to its longest side: thinner triangles have no reliable normal
+constexpr double turned_little = 0.2;  // least cosine of the angle between the normals of a triangle before and after a merge
 
 Vec3 normal_of(const Vec3& a, const Vec3& b, const Vec3& c) { return cross(b - a, c - a); }
 
@@ -63,8 +63,8 @@ bool Decimation::look_around(std::uint32_t u) {
   return star_.size() >= 3 && ring_.size() == star_.size();
 }
 
-/// Returns true if the surface remains a manifold without doubled edges after u is merged into v: the only common neighbours of u and v
-/// must be the two points that form triangles with both.
+/// Returns true if the surface remains a manifold without doubled edges after u is merged into v. The condition is that the only common
+/// neighbours of u and v are the two points that form triangles with both.
 bool Decimation::may_go(std::uint32_t u, std::uint32_t v) {
   if (count_[u] + count_[v] - 4 > most_around) return false;
   ++question_;
@@ -84,7 +84,7 @@ bool Decimation::may_go(std::uint32_t u, std::uint32_t v) {
   return common == 2 && of_both == 2;
 }
 
-/// Builds the new triangles of a merge. Returns false if one of them would be turned over or be too thin.
+/// Builds the new triangles of a merge. Returns false if one of these triangles would be turned over or be too thin.
 bool Decimation::take_fresh(std::uint32_t u, std::uint32_t v) {
   fresh_.clear();
   for (const Around& a : star_) {
@@ -104,7 +104,7 @@ bool Decimation::take_fresh(std::uint32_t u, std::uint32_t v) {
   return !fresh_.empty();
 }
 
-/// Checks that u and all points assigned to its triangles are near enough to the new triangles, and finds for each of these points the
+/// Returns true if u and all points assigned to its triangles are close enough to the new triangles, and finds for each of these points the
 /// nearest new triangle.
 bool Decimation::hold_all(std::uint32_t u, double most_off) {
   held_.clear();
@@ -180,7 +180,8 @@ bool Decimation::try_point(std::uint32_t u, double most_off) {
   return false;
 }
 
-/// Points next to a removed point are not tried again before the next pass, so that the triangles grow evenly and do not form fans.
+/// Removes points in several passes. Points next to a removed point are not tried again before the next pass, so that the triangles grow
+/// evenly and do not form fans.
 void Decimation::go(double most_off, const StopToken& stop) {
   std::fill(waits_.begin(), waits_.end(), std::uint8_t{1});
   for (int pass = 0, any = 1; pass < max_passes && any != 0 && !stop.asked(); ++pass) {

@@ -22,19 +22,19 @@ class Decimation {
   /// Simplifies a closed mesh whose edges are each used by two triangles. Stores a reference to the mesh.
   explicit Decimation(const Mesh& exact);
 
-  /// Removes points until each further removal would put some point farther than `most_off` mm from the simplified surface, or until a
-  /// stop is requested.
+  /// Removes points until each further removal would put some point farther than `most_off` mm from the simplified surface, or until the
+  /// caller requests a stop.
   void go(double most_off, const StopToken& stop);
   Mesh mesh() const;
 
  private:
   struct Around {
     std::uint32_t triangle;
-    Vec3 normal;  // unit vector; {} if the triangle has no area
+    Vec3 normal;  // unit normal; {} if the triangle has no area
   };
   struct Held {
     std::uint32_t point;
-    std::size_t by;  // index in fresh_ of the new triangle that is near enough to the point
+    std::size_t by;  // index in fresh_ of the new triangle nearest to the point
   };
   struct Fresh {
     std::uint32_t triangle;
@@ -55,14 +55,15 @@ class Decimation {
   Vec3 point(std::uint32_t i) const { return exact_.point(i); }
 
   const Mesh& exact_;
-  std::vector<std::uint32_t> corners_;         // three per triangle
-  std::vector<std::uint32_t> first_, count_;   // for each point: first index and number of its entries in around_
-  std::vector<std::uint32_t> around_;          // numbers of the triangles around each point
-  std::vector<std::uint32_t> holds_, next_;    // linked lists: first point assigned to each triangle, next point after each point
-  std::vector<std::uint8_t> waits_, touched_;  // for each point: it is still to be tried; its triangles have changed in this pass
-  std::vector<std::uint32_t> mark_;            // for each point: the number of the last query that visited it
+  std::vector<std::uint32_t> corners_;        // numbers of the three corner points of each triangle
+  std::vector<std::uint32_t> first_, count_;  // for each point: index in around_ of its first triangle, and number of its triangles
+  std::vector<std::uint32_t> around_;         // numbers of the triangles around each point
+  std::vector<std::uint32_t> holds_, next_;   // linked lists: the first point assigned to each triangle, and the point after each point
+  // For each point: whether it must still be tried, and whether its triangles have changed in this pass.
+  std::vector<std::uint8_t> waits_, touched_;
+  std::vector<std::uint32_t> mark_;  // for each point: the number of the last query that visited it
   std::uint32_t question_ = 0;
-  // Data of the point that is being tried:
+  // ---- data of the point that a removal is tried for
   std::vector<Around> star_;
   std::vector<std::uint32_t> ring_;
   std::vector<Candidate> candidates_;

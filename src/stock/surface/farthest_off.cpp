@@ -1,4 +1,4 @@
-// Measures the distance of one mesh from the triangles of another. Used by stock/surface/simplified_surface.
+// Measures the distance of one mesh from the triangles of another mesh. Used by stock/surface/simplified_surface.
 
 #include <algorithm>
 #include <atomic>
@@ -15,7 +15,7 @@ namespace {
 
 constexpr std::size_t triangles_a_share = 256;
 
-/// Visits points of a triangle, including its corners, in rows along its longest side. They are at most `step` mm apart.
+/// Visits points of a triangle, including the corners, in rows along the longest side. Neighbouring points are at most `step` mm apart.
 template <class Visit>
 void each_place(const Mesh& mesh, std::size_t triangle, double step, const Visit& visit) {
   Vec3 p[3];

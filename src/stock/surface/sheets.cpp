@@ -8,7 +8,7 @@
 namespace kadr {
 namespace {
 
-/// Returns the number of the edge between two corners.
+/// Returns the number of the cell edge between two corners.
 int edge_between(int p, int q) {
   const int family = (p ^ q) == 1 ? 0 : (p ^ q) == 2 ? 1 : 2;
   const int u = (family + 1) % 3, v = (family + 2) % 3;
@@ -31,7 +31,7 @@ struct Joined {
   }
 };
 
-/// The pairs of crossed edges that are joined on a face: none, one or two.
+/// The pairs of crossed edges that are joined on a face: no pair, one or two.
 struct Pairs {
   int count = 0;
   std::array<std::array<int, 2>, 2> pair{};
@@ -47,7 +47,7 @@ Pairs pairs_of(unsigned signs, int face, bool parts_air) {
     if (is_material(i) != is_material(i + 1))
       crossed[std::size_t(count++)] = edge_between(round[std::size_t(i)], round[std::size_t((i + 1) & 3)]);
   if (count == 2) pairs = {1, {{{crossed[0], crossed[1]}, {}}}};
-  // Edge i runs from corner i to the next, so corner i lies between the edges i - 1 and i.
+  // Edge i goes from corner i to the next corner, so corner i is between the edges i - 1 and i.
   if (count == 4 && is_material(0) != parts_air) pairs = {2, {{{crossed[3], crossed[0]}, {crossed[1], crossed[2]}}}};
   else if (count == 4) pairs = {2, {{{crossed[0], crossed[1]}, {crossed[2], crossed[3]}}}};
   return pairs;

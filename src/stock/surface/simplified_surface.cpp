@@ -1,5 +1,5 @@
-// Simplifies a surface, measures the distance from the exact one, and repeats with a smaller tolerance if it is too great. Used by
-// cli/cut.
+// Simplifies a surface, measures its distance from the exact surface, and repeats with a smaller tolerance if this distance is too great.
+// Used by cli/cut.
 
 #include "stock/surface/simplified_surface.h"
 
@@ -11,12 +11,14 @@
 namespace kadr {
 namespace {
 
-constexpr double shares_of_tolerance[] = {0.1, 0.35, 1};  // one pass with each, so that flat regions are simplified first
+// Fractions of the tolerance; each fraction is used for one simplification, so that flat regions are simplified first.
+constexpr double shares_of_tolerance[] = {0.1, 0.35, 1};
 constexpr int max_rounds = 4;
-constexpr double of_found = 0.8;   // safety factor for the next tolerance, for which the distance is assumed to be proportional to it
-constexpr double at_points = 1e9;  // mm: a step larger than any triangle means that only vertices are measured
+// Safety factor for the next tolerance, because the distance is only roughly proportional to the tolerance.
+constexpr double of_found = 0.8;
+constexpr double at_points = 1e9;  // step in mm that is larger than any triangle, so that only vertices are measured
 
-/// Memory of the lists of Decimation and its mesh; later, of the search trees of both surfaces.
+/// Memory in bytes per triangle of the lists of Decimation and of its mesh; later, of the search trees of both surfaces.
 constexpr double bytes_a_triangle = 180;
 
 Mesh decimated(const Mesh& exact, double most_off, const StopToken& stop) {

@@ -1,4 +1,4 @@
-// Computes the surface brick by brick, and joins the results to one mesh. Used to show or measure the cut part.
+// Computes the surface of a stock brick by brick, and joins the results to one mesh, with which the cut part is displayed or measured.
 
 #include "stock/surface/surface.h"
 
@@ -14,10 +14,10 @@ namespace {
 
 using Parts = std::vector<std::unique_ptr<SurfacePart>>;
 
-constexpr std::size_t bricks_at_once = 512;                   // number of bricks whose points are computed before they are joined
+constexpr std::size_t bricks_at_once = 512;                   // number of bricks whose points are computed before their points are joined
 constexpr std::size_t points_expected = brick_lines / 2 * 3;  // estimated number of points in a brick with a surface
 
-/// Calls `work` once for each index, in any of the threads.
+/// Calls `work` once for each index; any of the threads may execute the call.
 template <class Work>
 void each_in_parallel(int threads, std::size_t count, const Work& work) {
   std::atomic<std::size_t> next{0};
@@ -37,12 +37,13 @@ struct Joiner {
 };
 
 /// Returns the number, in the whole mesh, of the point for the sheet that contains the edge `edge` of a cell. The indices `cell` are
-/// counted from the corner of `brick`; an index may be -1.
+/// counted from the corner of `brick`; an index of -1 means the neighbouring brick.
 std::uint32_t Joiner::point_of(BrickPlace brick, std::array<int, 3> cell, int edge) const {
   std::array<int*, 3> place{&brick.x, &brick.y, &brick.z};
   for (std::size_t d = 0; d < 3; ++d)
     if (cell[d] < 0) cell[d] += brick_edge, --*place[d];
-  return parts[lattice.at(brick)]->point_of(cell, edge);  // the corners of this cell differ, so the brick has a part and is in the lattice
+  // The brick has a part and is in the lattice, because the corners of this cell differ.
+  return parts[lattice.at(brick)]->point_of(cell, edge);
 }
 
 double Joiner::apart_squared(std::uint32_t a, std::uint32_t b) const {
@@ -50,12 +51,12 @@ double Joiner::apart_squared(std::uint32_t a, std::uint32_t b) const {
   return d.x * d.x + d.y * d.y + d.z * d.z;
 }
 
-/// Appends two triangles between the points of the four cells around the edge, divided along the shorter diagonal.
+/// Appends two triangles between the points of the four cells around the edge. The shorter diagonal divides the area between the points.
 void Joiner::put_face(std::size_t brick, const CrossedEdge& e, std::uint32_t* to) const {
   const int f = e.family;
   const std::size_t u = std::size_t(f + 1) % 3, v = std::size_t(f + 2) % 3;
   std::array<std::uint32_t, 4> round;
-  for (int i = 0; i < 4; ++i) {  // counter-clockwise about the axis of the edge
+  for (int i = 0; i < 4; ++i) {  // the cells are visited counter-clockwise about the axis of the edge
     const int before_u = i == 1 || i == 2, before_v = i >= 2;
     std::array<int, 3> cell{e.x, e.y, e.z};
     cell[u] -= before_u, cell[v] -= before_v;
@@ -68,12 +69,12 @@ void Joiner::put_face(std::size_t brick, const CrossedEdge& e, std::uint32_t* to
   std::copy(corners.begin(), corners.end(), to);
 }
 
-/// Appends the points of a brick's part to the surface, and frees them in the part.
+/// Appends the points of a brick's part to the surface, and deletes them from the part.
 void take_points(SurfacePart& part, Surface& surface) {
   part.base = std::uint32_t(surface.made_by.size());
   surface.points.insert(surface.points.end(), part.points.begin(), part.points.end());
   surface.made_by.insert(surface.made_by.end(), part.made_by.begin(), part.made_by.end());
-  part.points = std::vector<float>(), part.made_by = std::vector<std::int32_t>();  // frees the memory too
+  part.points = std::vector<float>(), part.made_by = std::vector<std::int32_t>();  // a new vector also frees the memory
 }
 
 /// Computes the parts of all bricks, and moves their points to the surface in batches, so that the points are not stored twice.
@@ -83,7 +84,7 @@ Parts parts_of(const Stock& stock, Surface& surface) {
   Parts parts(stock.lattice().size());
   std::size_t cut = 0;
   for (std::size_t i = 0; i < parts.size(); ++i) cut += stock.state(i) == Stock::State::mixed;
-  // Reserved memory costs nothing until it is used, whereas a growing vector leaves freed blocks behind.
+  // Reserved memory costs nothing until it is used, but a vector that grows leaves freed blocks in the heap.
   surface.points.reserve(3 * cut * points_expected), surface.made_by.reserve(cut * points_expected);
   std::vector<PartWork> works(std::size_t(stock.threads()));
   for (std::size_t first = 0; first < parts.size(); first += bricks_at_once) {

@@ -9,16 +9,16 @@
 
 namespace kadr {
 
-/// Lengths in mm, in the work system of the blank.
+/// The surface of a stock. Lengths are in mm, in the work coordinates of the blank.
 struct Surface : Mesh {
-  std::vector<std::int32_t> made_by;  // for each point: number of the last sweep that cut there, or of_blank
+  std::vector<std::int32_t> made_by;  // for each point: number of the last sweep that cut at this point; of_blank if no sweep did
 };
 
-/// Computes the surface by dual contouring with the normals of the tools: each lattice cell that the surface crosses gets one point
-/// for each sheet of surface in the cell, where the tangent planes of the sheet's crossings meet (Ju et al. 2002). Sharp edges stay
-/// sharp. Features thinner than a cell that lie between lattice points are lost.
-///   law     a closed two-manifold: each edge is used once in each direction   (tests/stock/surface_test)
-///   law     bit for bit the same for any number of threads
+/// Computes the surface by dual contouring with the normals of the tools: each lattice cell that the surface crosses gets one point for
+/// each sheet of surface in the cell, where the tangent planes at the sheet's crossings meet (Ju et al. 2002). Sharp edges stay sharp.
+/// Features thinner than a cell that lie between lattice points are lost.
+///   law     the surface is a closed two-manifold: each edge is used once in each direction   (tests/stock/surface_test)
+///   law     the result is the same, bit for bit, for any number of threads
 ///   memory  the result takes 40 bytes per point (there are two triangles per point); the computation needs 20 more per point, and
 ///           200 kB per thread
 Surface surface_of(const Stock& stock);

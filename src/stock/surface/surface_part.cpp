@@ -49,8 +49,8 @@ unsigned PartMaker::corners_in_other_bricks(const std::array<int, 3>& at) const 
   return corners;
 }
 
-/// Returns the sheets of a cell that has a face with both pairs in one sheet. The air is separated on this face if both pairs belong to one
-/// sheet in the cell beyond the face too. In each configuration of corners, at most one face has both pairs in one sheet.
+/// Returns the sheets of a cell with a face whose two pairs both belong to one sheet. The air is separated on this face if, in the cell
+/// beyond the face, both pairs belong to one sheet too. In each configuration of corners, at most one face has both pairs in one sheet.
 Sheets PartMaker::parted(const std::array<int, 3>& at, unsigned corners, unsigned doubled) const {
   const int face = std::countr_zero(doubled);
   std::array<int, 3> beside = at;
@@ -93,7 +93,8 @@ void PartMaker::finish() {
   for (SeveralSheets& s : part.several) s.further = std::uint16_t(s.further + part.made_by.size());
   part.points.insert(part.points.end(), further_points.begin(), further_points.end());
   part.made_by.insert(part.made_by.end(), further_by.begin(), further_by.end());
-  part.points.shrink_to_fit(), part.made_by.shrink_to_fit();  // frees unused memory, as all parts are kept to the end
+  // Frees unused memory, because all parts are stored until the whole surface is computed.
+  part.points.shrink_to_fit(), part.made_by.shrink_to_fit();
   each_unlike_edge(work.signs, brick_edge - 1, [&](const LatticeEdge& e, bool leaves) {
     part.edges.push_back({std::uint16_t(e.point[0] & 15), std::uint16_t(e.point[1] & 15), std::uint16_t(e.point[2] & 15),
                           std::uint16_t(e.family & 3), std::uint16_t(leaves)});

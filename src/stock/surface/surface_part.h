@@ -19,7 +19,7 @@ struct SeveralSheets {
   std::array<std::uint8_t, cell_edges> of_edge;
 };
 
-/// A cell edge that the surface crosses. It becomes a face between the mesh points of the four cells around the edge.
+/// A cell edge that the surface crosses. The mesh gets a face between the points of the four cells around this edge.
 struct CrossedEdge {
   std::uint16_t x : 4, y : 4, z : 4, family : 2, leaves : 1;
 };
@@ -28,23 +28,24 @@ struct SurfacePart {
   std::vector<float> points;
   std::vector<std::int32_t> made_by;
   std::vector<CrossedEdge> edges;
-  // For each column of cells along Z: one bit for each cell that has mesh points, and the number of the point of the first such cell.
-  // Points of further sheets follow after all first ones.
+  // For each column of cells along Z: one bit for each cell that has mesh points, and the number of the point of the first of these cells.
+  // Points of further sheets follow after the first points of all cells.
   std::array<std::uint16_t, brick_lines> cells{}, first{};
-  std::vector<SeveralSheets> several;  // in the order of the cells
+  std::vector<SeveralSheets> several;  // cells with several sheets, in the order of the cells
   std::uint32_t base = 0;              // number of this brick's first point in the whole mesh
 
-  /// Returns the number of the mesh point of the sheet that contains the cell's edge `edge`. `cell` is counted from the brick's corner.
+  /// Returns the number of the mesh point of the sheet that contains the edge `edge` of a cell. The indices `cell` are counted from the
+  /// brick's corner.
   std::uint32_t point_of(const std::array<int, 3>& cell, int edge) const;
 };
 
-/// Buffers of one thread, reused for each brick.
+/// Buffers of one thread, which are reused for each brick.
 struct PartWork {
   BrickSigns signs;
   Crossings crossings;
 };
 
-/// Returns nullptr if the surface crosses no cell of the brick.
+/// Returns the surface in a brick; nullptr if the surface crosses no cell of the brick.
 std::unique_ptr<SurfacePart> surface_part(const Stock& stock, const std::vector<ToolFaces>& tools, std::size_t brick, PartWork& work);
 
 }  // namespace kadr

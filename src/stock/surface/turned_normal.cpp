@@ -10,14 +10,14 @@
 namespace kadr {
 namespace {
 
-/// mm: if the distances of two faces from a point differ by less, it is unknown which face cut there.
+/// Limit in mm: if the distances of two faces from a point differ by less, it is unknown which face cut at this point.
 constexpr double same_face = 3e-4;
-constexpr double on_the_axis = 1e-12;  // mm: a point nearer to the axis of the part than this is on the axis
+constexpr double on_the_axis = 1e-12;  // limit in mm: a point closer to the axis of the part than this counts as on the axis
 
 struct NearFace {
   double distance = 1e30;
   double square = -1;  // component of the normal along the lattice line, positive towards the side without material
-  Vec3 normal;         // outward from the material
+  Vec3 normal;         // unit vector that points outward from the material
 };
 
 double distance_from(const RingSweep::Edge& e, const InsertPoint& p) {
@@ -32,7 +32,8 @@ bool is_within(const RingSweep::Arc& a, const InsertPoint& d) {
   return a.first.x * d.z - a.first.z * d.x >= 0 && d.x * a.last.z - d.z * a.last.x >= 0;
 }
 
-/// Of several faces at about the same distance, keeps the one that the line crosses most nearly at a right angle.
+/// Replaces `best` by `face` if `face` is nearer. If both faces are at about the same distance, the face that the line crosses more nearly
+/// at a right angle is used.
 void take_nearer(NearFace& best, const NearFace& face) {
   if (face.distance < best.distance - same_face || (face.distance < best.distance + same_face && face.square > best.square)) best = face;
 }

@@ -14,10 +14,10 @@ namespace {
 InsertPoint operator+(const InsertPoint& a, const InsertPoint& b) { return {a.x + b.x, a.z + b.z}; }
 InsertPoint operator*(double k, const InsertPoint& p) { return {k * p.x, k * p.z}; }
 
-/// Returns the outward normal of a straight edge that runs in this direction, with the outline's inside on its left.
+/// Returns the outward normal of a straight edge with this direction; the inside of the outline is on the left of the edge.
 InsertPoint right_of(const InsertPoint& direction) { return {direction.z, -direction.x}; }
 
-/// Builds an outline with straight edges in the given directions (of any length), one edge after each corner.
+/// Returns an outline with straight edges in the given directions; the directions may have any length. One edge follows each corner.
 InsertBody body_of(ToolPart part, std::vector<InsertCorner> corners, const std::vector<InsertPoint>& directions) {
   InsertBody body{part, std::move(corners), {}};
   for (const InsertPoint& d : directions) body.outward.push_back(right_of(d));
@@ -42,14 +42,14 @@ InsertBody round_insert(const ToolGeometry& g) {
   return body_of(ToolPart::cutting, {disc, disc, disc}, {{-1, 0}, {half, -root}, {half, root}});
 }
 
-/// Returns the direction of an edge. `from_feed` is the angle, in degrees, between the edge and the direction along z in which the tip
-/// points. The angle is measured away from the direction along x in which the tip points.
+/// Returns the direction of a cutting edge. `from_feed` is the angle, in degrees, between the edge and the direction along z in which the
+/// tip points. The angle is measured away from the direction along x in which the tip points.
 InsertPoint edge_direction(const InsertGeometry& i, double from_feed) {
   const SinCos turn = sincos_deg(from_feed);
   return {i.tip_x > 0 ? -turn.sin : turn.sin, i.tip_z > 0 ? turn.cos : -turn.cos};
 }
 
-/// Builds a parallelogram with a rounded nose. Its two cutting edges have the same length, measured from the sharp corner.
+/// Returns a parallelogram with a rounded nose. The two cutting edges have the same length, measured from the sharp corner.
 InsertBody angular_insert(const ToolGeometry& g, ToolPart part, double edge) {
   const double lead = g.insert.lead.value_or(0);
   InsertPoint first = edge_direction(g.insert, lead), second = edge_direction(g.insert, lead + g.angle);
@@ -60,7 +60,7 @@ InsertBody angular_insert(const ToolGeometry& g, ToolPart part, double edge) {
   return body_of(part, {{centre, g.corner}, {a, 0}, {a + edge * second, 0}, {b, 0}}, {first, second, -1.0 * first, -1.0 * second});
 }
 
-/// Builds a blade of the length `deep`; both corners of its cutting edge are rounded.
+/// Returns a blade of the length `deep` in mm, whose cutting edge has two rounded corners.
 InsertBody grooving_insert(const ToolGeometry& g, ToolPart part, double deep) {
   const InsertGeometry& i = g.insert;
   const bool radial = i.lead != 0;
@@ -68,7 +68,8 @@ InsertBody grooving_insert(const ToolGeometry& g, ToolPart part, double deep) {
   const double back = towards > 0 ? -1 : 1;  // direction from the cutting edge into the blade
   const InsertPoint up = radial ? InsertPoint{back, 0} : InsertPoint{0, back};
   InsertPoint across = radial ? InsertPoint{0, 1} : InsertPoint{1, 0};
-  const InsertPoint edge = (-beside * i.width / 2) * across + (towards == 0 ? -g.corner : 0) * up;  // middle of the cutting edge
+  // Middle of the cutting edge, relative to the programmed point.
+  const InsertPoint edge = (-beside * i.width / 2) * across + (towards == 0 ? -g.corner : 0) * up;
   if (across.x * up.z - across.z * up.x < 0) across = -1.0 * across;
   const double half = i.width / 2, inner = half - g.corner;
   return body_of(part,

@@ -1,6 +1,6 @@
 #pragma once
-// InsertBody: a convex outline of a turning tool (insert or holder) in the half plane through the axis of the part. On a spinning part
-// it removes the ring that it sweeps (stock/cut/ring_sweep.h).
+// InsertBody: a convex outline of a turning tool (insert or holder) in the half plane through the axis of the part. On a spinning part, the
+// outline removes the ring that it sweeps (stock/cut/ring_sweep.h).
 
 #include <vector>
 
@@ -16,13 +16,13 @@ struct InsertCorner {
   double radius = 0;
 };
 
-/// The outline is the convex hull of its corners, listed counter-clockwise (x to the right, z up). The straight edge after corner k has
-/// the outward normal `outward[k]`; the directions of consecutive edges differ by less than 180°. Lengths in mm, relative to the
+/// The outline is the convex hull of the corners, which are listed counter-clockwise (x to the right, z up). The straight edge after corner
+/// k has the outward normal `outward[k]`. The directions of consecutive edges differ by less than 180°. Lengths are in mm, relative to the
 /// programmed point.
 struct InsertBody {
   ToolPart part;
   std::vector<InsertCorner> corners;
-  std::vector<InsertPoint> outward;  // unit vectors
+  std::vector<InsertPoint> outward;  // outward normals of the edges, unit vectors
 };
 
 /// Returns the outlines of the cutting part, of the insert beyond its cutting edges, and of the holder.

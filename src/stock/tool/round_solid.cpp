@@ -8,13 +8,13 @@
 namespace kadr {
 namespace {
 
-/// Returns the distance from a flat face or a cone: in the half plane of radius and height, the distance from the straight line through a
-/// point with this outward normal.
+/// Returns the distance of a point from a flat face or a cone. In the half plane of radius and height, the face is the straight line
+/// through a given point with the given outward normal.
 Away beyond(double radius, double height, double at_radius, double at_height, double normal_radial, double normal_axial) {
   return {(radius - at_radius) * normal_radial + (height - at_height) * normal_axial, normal_radial, normal_axial};
 }
 
-/// Returns the distance from the circle of radius `r` about (x, y), negative inside.
+/// Returns the distance in mm of a point from the circle of radius `r` about (x, y); negative inside the circle.
 Away within_circle(double radius, double height, double x, double y, double r) {
   const double dx = radius - x, dy = height - y, d = std::hypot(dx, dy);
   if (d < 1e-12) return {-r, 0, -1};
@@ -23,7 +23,7 @@ Away within_circle(double radius, double height, double x, double y, double r) {
 
 const Away& farther(const Away& a, const Away& b) { return b.distance > a.distance ? b : a; }
 
-/// Returns the distance from a rounded end: a ball, or a torus with its flat.
+/// Returns the distance of a point from a rounded end: a ball, or a torus with the flat face at its end.
 Away of_end(const RoundSolid& s, double radius, double height) {
   const double flat = s.form == RoundSolid::Form::ball ? 0 : s.bottom_radius;
   if (radius <= flat) return beyond(radius, height, 0, s.bottom, 0, -1);

@@ -12,7 +12,8 @@
 namespace kadr {
 namespace {
 
-constexpr int quarter_steps = 8;  // straight lines per quarter circle: finer than a pixel of the drawing
+// Number of straight lines that replace a quarter circle: the lines are shorter than a pixel of the drawing.
+constexpr int quarter_steps = 8;
 
 /// Appends the quarter circle at the end of a ball or bull-nose tool.
 void add_round(const RoundSolid& s, std::vector<ProfilePoint>& outline) {

@@ -19,14 +19,14 @@ RoundSolid section(const ProfilePoint& a, const ProfilePoint& b, double above) {
   return {low == high ? Form::cylinder : Form::cone, above + a.height, above + b.height, low, high};
 }
 
-/// Adds each section of an outline as a body of its own, since the union of the sections need not be convex.
+/// Adds each part of an outline as a body of its own, because the union of these parts need not be convex.
 void add_outline(std::vector<ConvexBody>& bodies, ToolPart part, const std::vector<ProfilePoint>& outline, double above) {
   for (std::size_t i = 1; i < outline.size(); ++i)
     if (outline[i].height > outline[i - 1].height && std::max(outline[i].diameter, outline[i - 1].diameter) > 0)
       bodies.push_back({part, {section(outline[i - 1], outline[i], above)}});
 }
 
-/// Builds an end that widens from the diameter `blunt` to the tool's diameter, and a cylinder above it.
+/// Returns an end that widens from the diameter `blunt` to the tool's diameter, and a cylinder above this end.
 ConvexBody pointed(const ToolGeometry& g, double blunt, double half_angle) {
   const double end = blunt / 2, radius = g.diameter / 2;
   const double tall = (radius - end) / std::tan(half_angle * rad_per_deg);
@@ -34,8 +34,8 @@ ConvexBody pointed(const ToolGeometry& g, double blunt, double half_angle) {
   return {ToolPart::cutting, {{Form::cone, 0, tall, end, radius}, cylinder(tall, g.flutes, radius)}};
 }
 
-/// A taper tool reaches its diameter at the top of its flutes, where the shank begins. If this would give its end a negative diameter, the
-/// end is a point.
+/// Returns the cutting part of a taper tool, which reaches the tool's diameter at the top of the flutes, where the shank begins. If the end
+/// would have a negative diameter, the end is a point.
 ConvexBody tapered(const ToolGeometry& g) {
   const double end = g.diameter - 2 * g.flutes * std::tan(g.angle * rad_per_deg);
   return pointed(g, std::max(end, 0.0), g.angle);

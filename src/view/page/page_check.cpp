@@ -1,4 +1,4 @@
-// Answers the requests check and explain, about the text of a program. Used by view/page/page_session; tested by tests/serve.py.
+// Answers the requests `check` and `explain`, about the text of a program. Used by view/page/page_session; tested by tests/serve.py.
 
 #include "out/text/explain/line_words.h"
 #include "session/checklist/program_check.h"
@@ -8,11 +8,11 @@ namespace kadr {
 namespace {
 
 constexpr std::size_t max_problems = 1000;
-constexpr std::size_t max_explained = 10'000;  // greatest length of a line that is explained, bytes
+constexpr std::size_t max_explained = 10'000;  // greatest length in bytes of a line that is explained; the rest of a longer line is ignored
 
 }  // namespace
 
-/// Checks the text. Reports what `kadr check` reports for it, in the same order.
+/// Checks the text of the request. The answer contains the findings of `kadr check` for this text, in the same order.
 PageSession::Inside::Answer PageSession::Inside::check(const PageJson& question) {
   auto program = run->opened().program_of(value_in<std::string>(question, "text", ""));
   if (!program) return tl::unexpected(Refusal{program.error()});
@@ -33,7 +33,7 @@ PageSession::Inside::Answer PageSession::Inside::check(const PageJson& question)
   return PageJson{{"problems", std::move(problems)}};
 }
 
-/// Explains the words of a program line. The request contains the line, or its number in the file.
+/// Explains the words of a program line. The request contains the text of the line, or the number of the line in the file.
 PageSession::Inside::Answer PageSession::Inside::explain(const PageJson& question) {
   std::string text;
   if (question.contains("text")) {

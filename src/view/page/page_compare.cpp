@@ -1,4 +1,4 @@
-// Compares two versions of a program. Used by view/page/page_session; tested by tests/serve.py.
+// Answers the request `compare`: compares two versions of a program. Used by view/page/page_session; tested by tests/serve.py.
 
 #include <algorithm>
 
@@ -10,7 +10,8 @@ namespace kadr {
 namespace {
 
 constexpr std::size_t max_differences = 1000;
-constexpr double default_tolerance = 0.001, least_tolerance = 1e-5, greatest_tolerance = 10;  // mm
+// Default and limits of the tolerance in a request, mm.
+constexpr double default_tolerance = 0.001, least_tolerance = 1e-5, greatest_tolerance = 10;
 
 PageJson spot_json(const CourseSpot& from, const CourseSpot& to) {
   return {{"line", from.origin.line},
@@ -48,7 +49,7 @@ PageJson comparison_json(const Comparison& c, double tolerance, Lang lang) {
 }  // namespace
 
 /// Compares the open program with another file, or with another text of the same program, on the same machine with the same set-up. The
-/// path of the other program is sent to the page after the answer.
+/// page receives the path of the other program after the answer.
 PageSession::Inside::Answer PageSession::Inside::compare(const PageJson& question) {
   OpeningRequest request = opened_request;
   request.control = value_in<std::string>(question, "control", request.control.empty() ? run->opened().def->id : request.control);

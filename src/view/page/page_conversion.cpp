@@ -1,5 +1,5 @@
-// Answers the request convert: converts a program for another control and verifies that the result is equivalent. Nothing is saved here;
-// the page saves the result if the user wants. Used by view/page/page_session; tested by tests/serve_convert.py.
+// Answers the request `convert`: converts a program for another control, and verifies that the result is equivalent. The result is not
+// saved here; the page saves it if the user requests that. Used by view/page/page_session; tested by tests/serve_convert.py.
 
 #include <fmt/format.h>
 
@@ -14,7 +14,7 @@
 
 namespace kadr {
 
-/// One conversion. This object owns the data that the conversion's sessions use, and outlives the sessions.
+/// One conversion. This object owns the data that the sessions of the conversion use, and outlives these sessions.
 class PageConversion {
  public:
   PageConversion(OpenedProgram from, std::shared_ptr<const ControlDef> to, StopToken stop)
@@ -67,14 +67,14 @@ class PageConversion {
 
 namespace {
 
-constexpr std::size_t max_converted = std::size_t{8} << 20;  // greatest size of a program before and after the conversion, bytes
-constexpr std::size_t max_written_out = 1000;                // greatest number of rewritten segments of lines that are listed
-constexpr std::size_t most_line = 200;                       // greatest length of a program line that a message quotes, bytes
+constexpr std::size_t max_converted = std::size_t{8} << 20;  // greatest size in bytes of a program, before and after the conversion
+constexpr std::size_t max_written_out = 1000;                // greatest number of rewritten lines or groups of lines that the answer lists
+constexpr std::size_t most_line = 200;                       // greatest length in bytes of a program line that a message quotes
 
 tl::unexpected<Refusal> not_converted(std::string text) { return tl::unexpected(Refusal{std::move(text)}); }
 
-/// Checks that the request contains only known keys and valid values. To ignore an unknown key would be dangerous, since the program will
-/// run on a machine.
+/// Checks that the known keys of the request have values of the right type. A wrong value must not be ignored, because the program will run
+/// on a machine.
 ///   returns  an error sentence; empty if the request is valid
 std::string fault_of_request(const PageJson& question) {
   struct Word {
@@ -124,12 +124,12 @@ PageJson refusal_json(const ConversionTry& one, const ConversionRefusal& why, co
           {"written_text", why.written_line == 0 ? std::string() : line_of_text(whole_text(*one.text), why.written_line)}};
 }
 
-/// Returns the file name of the result: "flange.nc" → "flange-mach3.nc".
+/// Returns the file name for the result, such as "flange-mach3.nc" for "flange.nc".
 std::string name_for(const std::string& file, const ControlDef& to) {
   return fmt::format("{}-{}.nc", std::filesystem::path(file).replace_extension().string(), to.id);
 }
 
-/// Lists the lines that were rewritten as a whole, for a conversion that otherwise replaces only words.
+/// Returns the lines that were rewritten as a whole, in a conversion that otherwise replaces only words.
 PageJson written_out_json(const ConversionTry& one, const ConversionSides& sides) {
   PageJson list = PageJson::array();
   for (const WrittenOut& out : one.written_out) {
@@ -150,8 +150,8 @@ PageJson written_json(const ConversionTry& one, bool is_proven, const Setup& set
 
 }  // namespace
 
-/// Converts the program that the request names, whether or not this page has opened it. A page can therefore convert on a separate
-/// connection, and its other requests need not wait.
+/// Converts the program that the request names; this page need not have opened the program. A page can therefore convert on a separate
+/// connection, so that its other requests need not wait.
 PageSession::Inside::Answer PageSession::Inside::convert(const PageJson& question) {
   if (const std::string fault = fault_of_request(question); !fault.empty()) return not_converted(fault);
   const auto request = opening_request_in(question);

@@ -1,4 +1,5 @@
-// Answers the requests hello, files, read and save, about the served folder. Used by view/page/page_session; tested by tests/serve.py.
+// Answers the requests `hello`, `files`, `read` and `save`, about the served folder. Used by view/page/page_session; tested by
+// tests/serve.py.
 
 #include <fmt/core.h>
 
@@ -10,9 +11,9 @@
 namespace kadr {
 namespace {
 
-constexpr std::size_t max_read = std::size_t{8} << 20;  // greatest size of a file that can be read, bytes
+constexpr std::size_t max_read = std::size_t{8} << 20;  // greatest size in bytes of a file that can be read
 
-/// Returns the contents to be saved, from the request; nullopt if the request has neither text nor bytes, or has both.
+/// Returns the contents to be saved from the request; nullopt if the request has neither text nor bytes, or has both.
 std::optional<std::string> text_to_save(const PageJson& question) {
   const auto text = question.find("text"), bytes = question.find("bytes");
   if ((text == question.end()) == (bytes == question.end())) return std::nullopt;
@@ -45,7 +46,7 @@ PageSession::Inside::Answer PageSession::Inside::files(const PageJson& question)
   return files_json(*list);
 }
 
-/// Returns the text of another file, to be compared or edited.
+/// Answers with the text of another file, which the page compares or edits.
 PageSession::Inside::Answer PageSession::Inside::read(const PageJson& question) {
   const std::string file = value_in<std::string>(question, "file", "");
   const auto found = server.folder.read(file, max_read);
@@ -66,7 +67,7 @@ std::string PageSession::Inside::free_name(const std::string& like, const std::s
   return name;
 }
 
-/// Saves a new file, or a file that this page has opened. The contents are a text, or the rows of a punched tape as base64.
+/// Saves a new file, or a file that this page has opened. The contents are a text, or the rows of a punched tape in base64.
 PageSession::Inside::Answer PageSession::Inside::save(const PageJson& question) {
   if (!may_change) return tl::unexpected(Refusal{translated(texts::page::may_not_save)});
   const std::string file = value_in<std::string>(question, "file", "");

@@ -1,5 +1,5 @@
 #pragma once
-// The implementation of PageSession. The functions that answer requests are in several files, one for each kind of request
+// The implementation of PageSession. The functions that answer requests are in several files, one file for each type of request
 // (docs/panel-protocol.md).
 
 #include <atomic>
@@ -29,7 +29,7 @@ struct Refusal {
 };
 inline tl::unexpected<Refusal> refused(std::string text) { return tl::unexpected(Refusal{std::move(text)}); }
 
-/// Returns a value of the request; `fallback` if the value is missing or has another type.
+/// Returns a value from the request; `fallback` if the value is missing or has another type.
 template <class T>
 T value_in(const PageJson& question, const char* key, T fallback) {
   const auto found = question.find(key);
@@ -38,7 +38,7 @@ T value_in(const PageJson& question, const char* key, T fallback) {
   else return found->is_number() ? found->template get<T>() : fallback;
 }
 
-/// Returns a count or a line number of the request; `fallback` if it is missing or too large.
+/// Returns a count or a line number from the request; `fallback` if the number is missing or too large.
 inline std::uint32_t count_in(const PageJson& question, const char* key, std::uint32_t fallback) {
   const double value = value_in<double>(question, key, fallback);
   return value >= 0 && value <= 4e9 ? std::uint32_t(value) : fallback;
@@ -48,7 +48,7 @@ using PageAnswer = tl::expected<PageJson, Refusal>;
 
 inline PageAnswer not_served(const std::string& what) { return tl::unexpected(Refusal{translated(texts::page::not_served, what)}); }
 
-/// Reads the condition for holding a program from a request.
+/// Returns the condition at which a program must stop, as the request states it.
 StopPoint stop_point_of(const PageJson& question);
 
 struct PageSession::Inside {
@@ -58,37 +58,37 @@ struct PageSession::Inside {
   Answer answer(const std::string& what, const PageJson& question);
   Answer language(const PageJson& question);
   Answer nothing(const PageJson&) { return PageJson::object(); }
-  // the answers in page_folder.cpp
+  // ---- requests that are answered in page_folder.cpp
   Answer hello(const PageJson& question);
   Answer files(const PageJson& question);
   Answer read(const PageJson& question);
   Answer save(const PageJson& question);
-  // the answers in page_program.cpp
+  // ---- requests that are answered in page_program.cpp
   Answer open(const PageJson& question);
   Answer source_lines(const PageJson& question);
   Answer state(const PageJson& question);
   Answer passes(const PageJson& question);
-  // the answers in page_check.cpp
+  // ---- requests that are answered in page_check.cpp
   Answer check(const PageJson& question);
   Answer explain(const PageJson& question);
-  // the answers in page_part.cpp
+  // ---- requests that are answered in page_part.cpp
   Answer cut(const PageJson& question);
   Answer part(const PageJson& question);
   Answer proposals(const PageJson& question);
   void cut_part();
-  // the answers in page_sheet.cpp
+  // ---- requests that are answered in page_sheet.cpp
   Answer sheet(const PageJson& question);
-  // the answers in page_compare.cpp
+  // ---- requests that are answered in page_compare.cpp
   Answer compare(const PageJson& question);
-  // the answers in page_making.cpp and page_tape.cpp
+  // ---- requests that are answered in page_making.cpp and page_tape.cpp
   Answer mill(const PageJson& question);
   Answer tape(const PageJson& question);
   Answer punch(const PageJson& question, std::optional<TapeCode> code) const;
   Answer read_punched(const std::string& file, std::optional<TapeCode> code) const;
-  // the answers in page_conversion.cpp
+  // ---- requests that are answered in page_conversion.cpp
   Answer convert(const PageJson& question);
   Answer conversion_answer(const PageConversion& conversion, const Converted& made, const SourceText& text, const PageJson& question) const;
-  // the answers in page_panel.cpp
+  // ---- requests that are answered in page_panel.cpp
   Answer machines(const PageJson& question);
   Answer machine(const PageJson& question);
   Answer panel(const PageJson& question);
@@ -104,12 +104,12 @@ struct PageSession::Inside {
   void note(const char* kind, const std::string& text, std::uint32_t line) const;
   std::string keep(const char* what, const std::string& text) const;
   tl::expected<std::shared_ptr<PanelHub::HubMachine>, Refusal> switch_on(const std::string& file, const PageJson& question);
-  // the answers in page_tables.cpp
+  // ---- requests that are answered in page_tables.cpp
   Answer tables(const PageJson& question);
   Answer edit(const PageJson& question);
   Answer keep_tables(const PageJson& question);
   Answer shift(const PageJson& question);
-  // the answers in page_restart.cpp
+  // ---- requests that are answered in page_restart.cpp
   Answer restart(const PageJson& question);
   Answer go_there(const PageJson& question);
   Answer lead(const PageJson& question);
@@ -119,14 +119,14 @@ struct PageSession::Inside {
   tl::expected<PanelMachine*, Refusal> held_machine() const;
 
   tl::expected<OpeningRequest, Refusal> opening_request_in(const PageJson& question) const;
-  /// Sets `to` to the path of the file that the request names at `key`. If `may_be_a_name`, the request may also name a built-in control or
-  /// machine.
+  /// Sets `to` to the path of the file that the request names at `key`. If `may_be_a_name` is true, the value may also be the name of a
+  /// built-in control or machine.
   ///   returns  an error sentence; empty if `to` has been set
   std::string place_of(const PageJson& question, const char* key, std::string& to, bool may_be_a_name) const;
-  /// Returns the name of a file that does not exist yet: `like` with the given ending, and a number if needed.
+  /// Returns the name of a file that does not exist yet: the name `like` with the given ending, and a number if the name is already used.
   std::string free_name(const std::string& like, const std::string& ending) const;
   void execute();
-  /// Sends the frames of a piece of the path; `which` is the path's number in the protocol. If the page is closed, the current work ends.
+  /// Sends a segment of the path as frames; `which` is the path's number in the protocol. If the page is closed, the current work ends.
   void send(const ViewPiece& piece, std::uint32_t which, std::uint32_t channel);
   void say(const PageJson& event) { gone = !line.text(dumped(event)) || gone; }
   PageJson problem(const AlarmReport& report) const {
@@ -136,9 +136,9 @@ struct PageSession::Inside {
   }
   bool is_memory_full() const;
   static std::string memory_full_message();
-  /// If all sessions together use too much memory, deletes the data of this session that grow, and reports that to the page.
+  /// If all sessions together use too much memory, deletes the data of this session that grow, and reports this deletion to the page.
   void end_if_memory_is_full();
-  /// Makes the file paths in a list of calls relative to the folder, for display.
+  /// Makes the file paths in a list of calls relative to the served folder, because the page displays them.
   void show_files(PageJson& calls) const;
   PageJson problem_of_channel(const AlarmReport& report, int channel) const;
   void speak(const PageJson& question) { lang = language_named(value_in<std::string>(question, "lang", id_of(lang))).value_or(Lang::en); }
@@ -148,20 +148,21 @@ struct PageSession::Inside {
   PageLine& line;
   Lang lang;
   std::atomic<bool> stops = false;
-  std::function<void()> afterwards;  // work that the request has started; runs after the answer is sent
+  std::function<void()> afterwards;  // work that the request has started; it is executed after the answer has been sent
   bool greeted = false, gone = false;
   std::atomic<bool> may_change = false;
   int mistakes = 0;
-  std::set<std::string> opened_names;  // the files that this page has opened; only these may be overwritten
+  std::set<std::string> opened_names;  // names of the files that this page has opened; the page may overwrite only these files
   OpeningRequest opened_request;
   std::unique_ptr<SourceText> source;
-  std::map<std::uint32_t, std::unique_ptr<SourceText>> called_sources;  // texts of the files with called subprograms, by Origin::file
+  // Texts of the files with called subprograms; the key is Origin::file.
+  std::map<std::uint32_t, std::unique_ptr<SourceText>> called_sources;
   std::unique_ptr<ProgramRun> run;
   std::unique_ptr<Instants> instants;
   StockGuess guess;
-  std::unique_ptr<PartRun> part_run;  // nullptr: nothing has been cut
-  std::uint64_t page = 0;             // number of this page in the hub; 0: the page has not displayed a machine yet
-  std::mutex place_lock;              // protects hub_machine, which another thread uses for an emergency stop
+  std::unique_ptr<PartRun> part_run;  // nullptr if nothing has been cut yet
+  std::uint64_t page = 0;             // number of this page in the hub; 0 if the page has not displayed a machine yet
+  std::mutex place_lock;              // mutex for hub_machine, which another thread uses for an emergency stop
   std::shared_ptr<PanelHub::HubMachine> hub_machine;
 };
 

@@ -24,10 +24,10 @@ const char* name_of_mark(TimeMark::Kind kind) {
 }
 
 PageJson vec(Vec3 v) { return {v.x, v.y, v.z}; }
-/// Returns the box of the statistics if it is the same as the box in the picture; else the box in the picture. The box of the statistics is
-/// exact, but in coordinates of a work offset; that of the picture contains chords instead of arcs.
+/// Returns the box `exact` of the statistics if it is the same as the box `seen` in the picture; else returns `seen`. The box of the
+/// statistics is exact, but in coordinates of a work offset; the box in the picture contains chords instead of arcs.
 Box shown_box(const Box& exact, const Box& seen) {
-  constexpr double alike = 0.01;  // mm; more than the error of the chords that replace arcs
+  constexpr double alike = 0.01;  // limit in mm; it is greater than the error of the chords that replace arcs
   const Vec3 least = exact.least - seen.least, most = exact.most - seen.most;
   const double off =
       std::max({std::fabs(least.x), std::fabs(least.y), std::fabs(least.z), std::fabs(most.x), std::fabs(most.y), std::fabs(most.z)});
@@ -35,7 +35,7 @@ Box shown_box(const Box& exact, const Box& seen) {
 }
 
 PageJson box_json(const Box& box) { return box.empty ? PageJson() : PageJson{vec(box.least), vec(box.most)}; }
-/// Returns a number as JSON. JSON has no NaN or infinity; they become null.
+/// Returns a number as JSON. NaN and infinity become null, because JSON does not have them.
 PageJson number(double value) { return std::isfinite(value) ? PageJson(value) : PageJson(); }
 
 const InForce* find(const std::vector<InForce>& all, InForce::Kind kind, const std::string& name) {
@@ -77,7 +77,7 @@ double value_of(const std::vector<InForce>& all, InForce::Kind kind) {
   return 0;
 }
 
-/// Returns the instant at which a tool first comes into the spindle; 0 if it is there from the start.
+/// Returns the instant in s at which a tool is first put into the spindle; 0 if the tool is in the spindle from the start.
 double first_use(const ProgramRun& run, std::uint32_t tool) {
   const std::string name = "T" + std::to_string(tool);
   for (const TimeMark& m : run.marks())
@@ -85,7 +85,7 @@ double first_use(const ProgramRun& run, std::uint32_t tool) {
   return 0;
 }
 
-/// Adds to the JSON: the axis positions during the block, and the distance from there to the end of the motion.
+/// Adds to the JSON the axis positions during the block, and the distances from these positions to the end of the motion.
 void put_position(PageJson& json, const InstantState& s, const ProgramRun& run) {
   json["position"] = of_axes(s.after, InForce::Kind::position);
   json["machine"] = of_axes(s.after, InForce::Kind::machine);

@@ -1,5 +1,5 @@
 #pragma once
-// Converts values of a run to JSON of the page's protocol (docs/panel-protocol.md).
+// Converts values of a run to JSON for the page (docs/panel-protocol.md).
 
 #include <nlohmann/json_fwd.hpp>
 #include <optional>
@@ -17,11 +17,11 @@ namespace kadr {
 using PageJson = nlohmann::ordered_json;
 
 PageJson files_json(const FolderList& list);
-/// Converts a finding of a check to JSON. `fix`: a proposed correction; nullopt: no correction is certain.
+/// Converts a finding of a check to JSON. `fix` is a proposed correction; nullopt if no correction is certain.
 PageJson problem_json(const Finding& finding, std::uint16_t file, const std::optional<QuickFix>& fix);
 /// Converts a finding of a cut to JSON: adds the time and the position of the collision to `problem`.
 PageJson cut_finding_json(PageJson problem, const CutFinding& finding);
-/// Converts a finding of a cut to a mark on the time line, as JSON. `told`: the finding as problem_json() returns it.
+/// Converts a finding of a cut to a mark on the time line, as JSON. `told` is the same finding as JSON from problem_json().
 PageJson cut_mark_json(const PageJson& told, const CutFinding& finding);
 PageJson call_list_json(const std::vector<AlarmReport::Call>& calls);
 PageJson state_json(const InstantState& state, const ProgramRun& run);
@@ -29,7 +29,7 @@ PageJson state_json(const InstantState& state, const ProgramRun& run);
 PageJson extents_json(const Statistics& statistics);
 PageJson bounds_json(const MachineBounds& space);
 PageJson done_json(const ProgramRun& run, Lang lang);
-/// Converts JSON to text. Strings that are not valid UTF-8 are made valid, since JSON requires UTF-8.
+/// Converts JSON to text. Strings that are not valid UTF-8 are made valid, because JSON requires UTF-8.
 std::string dumped(const PageJson& json);
 
 }  // namespace kadr

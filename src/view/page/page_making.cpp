@@ -1,5 +1,5 @@
-// Answers the request mill: converts a drawing of the folder to a program. Nothing is saved here; the page saves the result if the user
-// wants. Used by view/page/page_session; tested by tests/serve_making.py.
+// Answers the request `mill`: converts a drawing of the served folder to a program. The program is not saved here; the page saves it if the
+// user requests that. Used by view/page/page_session; tested by tests/serve_making.py.
 
 #include <fmt/core.h>
 
@@ -16,9 +16,9 @@
 namespace kadr {
 namespace {
 
-constexpr std::size_t max_made_bytes = std::size_t{8} << 20;  // greatest size of a program or of its picture, bytes
+constexpr std::size_t max_made_bytes = std::size_t{8} << 20;  // greatest size in bytes of a program or of its picture
 
-/// A number in the request. Its key is the name of the option of kadr mill.
+/// A number in the request. The key of the number is the name of an option of `kadr mill`.
 struct MillNumber {
   std::string_view key;
   double MillRequest::*value;
@@ -59,7 +59,7 @@ bool is_one_of(const Names& names, std::string_view name) {
   return std::find(std::begin(names), std::end(names), name) != std::end(names);
 }
 
-/// Stores one value of the JSON request in `request`. Returns false if the key is unknown or the value has the wrong type.
+/// Stores one value of the JSON request in `request`. Returns false if the key is unknown, or the value has the wrong type.
 bool take_word(MillRequest& request, const std::string& key, const PageJson& value) {
   if (const auto row = row_of(mill_numbers, key); row != std::end(mill_numbers)) {
     if (!value.is_number()) return false;
@@ -81,7 +81,7 @@ bool take_word(MillRequest& request, const std::string& key, const PageJson& val
   return true;
 }
 
-/// Reads the request. Refuses unknown keys and invalid values, since the program will run on a machine.
+/// Reads the request. Unknown keys and invalid values are refused, because the program will run on a machine.
 tl::expected<MillRequest, Refusal> mill_request_in(const PageJson& question) {
   MillRequest request;
   for (const auto& [key, value] : question.items())

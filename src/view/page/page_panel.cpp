@@ -1,5 +1,5 @@
-// Answers the requests about a machine at its operator panel: machines, machine, panel, press, switches, enter, undo, jog, stops. Used by
-// view/page/page_session; tested by tests/panel.py.
+// Answers the requests about a machine at its operator panel: `machines`, `machine`, `panel`, `press`, `switches`, `enter`, `undo`, `jog`,
+// `stops`. Used by view/page/page_session; tested by tests/panel.py.
 
 #include <fmt/core.h>
 
@@ -15,7 +15,7 @@ namespace kadr {
 namespace {
 
 constexpr std::size_t max_expression = 200, most_watched = 50;
-// Greatest size of a program that is stored in memory, bytes; longer programs cannot be edited on the page.
+// Greatest size in bytes of a program that is stored in memory; longer programs cannot be edited on the page.
 constexpr std::size_t max_held = std::size_t{8} << 20;
 
 PageAnswer answer_of(const PanelMachine::Answer& answer) {
@@ -23,8 +23,8 @@ PageAnswer answer_of(const PanelMachine::Answer& answer) {
   return PageJson::object();
 }
 
-/// Returns the functions that save the machine's events in the journal. When a line of the operator changes tables, they also add the
-/// change to the tables of the machine's program.
+/// Returns the functions that save the events of a machine in the journal. When a line of the operator changes tables, these functions also
+/// add the change to the tables of the machine's program.
 PanelRecorder keeper_of(PanelJournal& journal, const std::string& name, PanelProgram& program, Lang lang) {
   PanelRecorder keeper;
   const std::shared_ptr<const AlarmTexts> texts = program.opened().texts;
@@ -33,7 +33,8 @@ PanelRecorder keeper_of(PanelJournal& journal, const std::string& name, PanelPro
     return kept ? std::string() : kept.error();
   };
   keeper.event = [&journal, name](const char* kind, const std::string& text, std::uint32_t line) {
-    (void)journal.log(name, log_entry(kind, text, line));  // a failure to save is reported when the location is saved
+    // The result is ignored, because a failure to save is reported when the location is saved.
+    (void)journal.log(name, log_entry(kind, text, line));
   };
   keeper.tables = [&journal, &program, name](const Setup& before, const Setup& after) {
     const auto patch = program.take_by_hand(before, after);
@@ -49,14 +50,14 @@ PanelRecorder keeper_of(PanelJournal& journal, const std::string& name, PanelPro
   return keeper;
 }
 
-/// Reads the program file and stores its text in `program`, when a machine starts.
+/// Reads the program file when a machine starts, and stores the text in `program`.
 void hold_text(const ServedFolder& folder, const std::string& file, PanelProgram& program) {
   if (auto text = folder.read(file, max_held))
     return program.take_text(std::make_shared<const std::string>(std::move(text->bytes)), std::move(text->digest));
   program.take_text(nullptr, folder.digest(file).value_or(""));
 }
 
-/// Returns, as text for the journal, that part of the request that describes how the machine is switched on.
+/// Returns, as text for the journal, the part of the request that describes how the machine is switched on.
 std::string machine_text(const PageJson& question) {
   PageJson kept = PageJson::object();
   for (const char* const key : {"file", "control", "machine", "setup", "encoding"})
@@ -64,7 +65,7 @@ std::string machine_text(const PageJson& question) {
   return dumped(kept);
 }
 
-/// Returns the saved location of a machine as JSON, and whether the program can continue there.
+/// Returns the saved location of a machine as JSON, without the axis positions in "stands".
 PageJson spot_json(const std::string& text) {
   PageJson spot = PageJson::parse(text, nullptr, false);
   if (spot.is_object()) spot.erase("stands");
@@ -86,7 +87,7 @@ PageSession::Inside::Answer PageSession::Inside::machines(const PageJson&) {
   return PageJson{{"machines", std::move(list)}};
 }
 
-/// Switches a machine on, with its edited tables and with the axes at their last positions.
+/// Switches on a machine, with its edited tables and with the axes at their last positions.
 tl::expected<std::shared_ptr<PanelHub::HubMachine>, Refusal> PageSession::Inside::switch_on(const std::string& file,
                                                                                             const PageJson& question) {
   if (!may_change) return refused(translated(texts::panel_page::may_only_look));
@@ -95,7 +96,7 @@ tl::expected<std::shared_ptr<PanelHub::HubMachine>, Refusal> PageSession::Inside
   if (as_kept.is_object()) as_kept.update(question);
   auto request = opening_request_in(as_kept.is_object() ? as_kept : question);
   if (!request) return tl::unexpected(request.error());
-  request->text.reset();  // the machine runs the file on the disk, not the text in the editor
+  request->text.reset();  // the machine runs the file on disk, not the text in the editor
   request->tables = journal.value("tables", file).value_or("");
   auto opened = open_for_page(*request);
   if (!opened) return refused(opened.error());
@@ -122,7 +123,7 @@ tl::expected<std::shared_ptr<PanelHub::HubMachine>, Refusal> PageSession::Inside
   return place;
 }
 
-/// Switches on the machine of a program, or displays it if it is on. A machine has the name of its program.
+/// Switches on the machine of a program, or displays the machine if it is already on. A machine has the same name as its program.
 PageSession::Inside::Answer PageSession::Inside::machine(const PageJson& question) {
   if (server.hub == nullptr || server.journal == nullptr) return not_served("machine");
   const std::string file = value_in<std::string>(question, "file", "");
@@ -147,18 +148,18 @@ PageSession::Inside::Answer PageSession::Inside::machine(const PageJson& questio
       {"stood", stood},      {"lasts", server.journal->lasts()}};
 }
 
-/// Adds an entry to the log of the machine.
+/// Adds an entry to the log of the machine that this page displays.
 void PageSession::Inside::note(const char* kind, const std::string& text, std::uint32_t at_line) const {
   (void)server.journal->log(hub_machine->name, log_entry(kind, text, at_line));
 }
 
-/// Saves a value of the machine. Returns an error sentence if it could not be saved, else an empty string.
+/// Saves a value of the machine. Returns an error sentence if the value could not be saved, else an empty text.
 std::string PageSession::Inside::keep(const char* what, const std::string& text) const {
   const auto kept = server.journal->keep(what, hub_machine->name, text);
   return kept ? std::string() : kept.error();
 }
 
-/// Gives up control of the machine, so that another page can get control.
+/// Gives up the control of the machine, so that another page can take control.
 void PageSession::Inside::leave_machine() {
   std::shared_ptr<PanelHub::HubMachine> place;
   {
@@ -169,7 +170,7 @@ void PageSession::Inside::leave_machine() {
   if (place) place->holder.compare_exchange_strong(mine, 0);
 }
 
-/// Returns the machine that this page displays; refuses if this page does not have control of it.
+/// Returns the machine that this page displays. Refuses the request if this page does not have control of the machine.
 tl::expected<PanelMachine*, Refusal> PageSession::Inside::held_machine() const {
   if (!hub_machine) return refused(translated(texts::panel_page::no_machine));
   if (!may_change) return refused(translated(texts::panel_page::may_only_look));
@@ -178,7 +179,8 @@ tl::expected<PanelMachine*, Refusal> PageSession::Inside::held_machine() const {
 }
 
 PageSession::Inside::Answer PageSession::Inside::panel(const PageJson&) {
-  if (hub_machine && server.hub->find(hub_machine->name) != hub_machine) leave_machine();  // another page has switched the machine off
+  // Another page has switched the machine off, so this page no longer has a machine.
+  if (hub_machine && server.hub->find(hub_machine->name) != hub_machine) leave_machine();
   if (!hub_machine) return refused(translated(texts::panel_page::no_machine));
   const PanelState state = hub_machine->machine->state();
   PageJson json = panel_json(state, hub_machine->machine->axes(), lang);
@@ -192,7 +194,7 @@ PageSession::Inside::Answer PageSession::Inside::panel(const PageJson&) {
   return json;
 }
 
-/// Returns the text of the program that the machine runs. The file on the disk may have changed since.
+/// Returns the text of the program that the machine runs. The file on disk may have changed after the program started.
 PageSession::Inside::Answer PageSession::Inside::machine_source(const PageJson&) {
   if (!hub_machine) return refused(translated(texts::panel_page::no_machine));
   const PanelProgram& program = content_of(*hub_machine).program;
@@ -221,7 +223,7 @@ PageSession::Inside::Answer PageSession::Inside::press(const PageJson& question)
   if (key == "hold") return answer_of((*machine)->hold());
   if (key == "reset") return answer_of((*machine)->reset());
   if (key != "off") return refused(translated(texts::panel_page::no_such_key, key));
-  (*machine)->switch_off();  // before the data are deleted, so that the machine saves nothing afterwards
+  (*machine)->switch_off();  // this call precedes the deletion of the saved data, so that the machine saves nothing afterwards
   note("off", {}, 0);
   const auto forgotten = server.journal->forget(hub_machine->name);
   server.hub->remove(hub_machine->name);
@@ -270,7 +272,7 @@ PageSession::Inside::Answer PageSession::Inside::jog(const PageJson& question) {
                                    value_in<double>(question, "feed", 0), int(count_in(question, "channel", 0))));
 }
 
-/// Answers a question of the program that the machine runs.
+/// Answers a question that the program on the machine has asked the operator.
 PageSession::Inside::Answer PageSession::Inside::answer_to_machine(const PageJson& question) {
   const auto machine = held_machine();
   if (!machine) return tl::unexpected(machine.error());
@@ -293,7 +295,7 @@ PageSession::Inside::Answer PageSession::Inside::watch(const PageJson& question)
   return PageJson{{"values", std::move(list)}};
 }
 
-/// Adds a stop point, or removes the one whose number the request states as `remove`.
+/// Adds a stop point, or removes the stop point whose number is the value of `remove` in the request.
 PageSession::Inside::Answer PageSession::Inside::stops_at(const PageJson& question) {
   const auto machine = held_machine();
   if (!machine) return tl::unexpected(machine.error());
@@ -305,7 +307,7 @@ PageSession::Inside::Answer PageSession::Inside::stops_at(const PageJson& questi
   return PageJson{{"number", *number}};
 }
 
-/// Emergency stop. May be called from any thread.
+/// Stops everything at once (emergency stop). May be called from any thread.
 void PageSession::Inside::stop_machine() {
   std::shared_ptr<PanelHub::HubMachine> place;
   {

@@ -1,4 +1,5 @@
-// Answers the requests cut, part and proposals. Used by view/page/page_session; tested by tests/serve.py.
+// Answers the requests `cut`, `part` and `proposals`, about cutting a blank with the open program. Used by view/page/page_session; tested
+// by tests/serve.py.
 
 #include <fmt/core.h>
 
@@ -14,9 +15,9 @@ namespace {
 
 constexpr std::size_t max_fixtures = 100;
 constexpr std::size_t max_tools_files = 32;                        // greatest number of tools files that are read for proposals
-constexpr std::uint64_t max_tools_bytes = std::uint64_t{1} << 20;  // greatest size of each of these files, bytes
+constexpr std::uint64_t max_tools_bytes = std::uint64_t{1} << 20;  // greatest size in bytes of each of these tools files
 
-/// Returns the description of a solid for body_of(). If it is the name of a mesh file, returns the path of that file.
+/// Returns the description of a solid for body_of(). The name of a mesh file is replaced by the path of this file.
 tl::expected<std::string, Refusal> placed_body(const ServedFolder& folder, const std::string& text) {
   if (!names_mesh_file(text)) return text;
   auto path = folder.path_of(text);
@@ -24,14 +25,14 @@ tl::expected<std::string, Refusal> placed_body(const ServedFolder& folder, const
   return *path;
 }
 
-/// Reads the tools of a request: a list, or the name of a tools file.
+/// Reads the tools in a request: a list of tools, or the name of a tools file.
 tl::expected<ToolLibrary, Refusal> tools_in(const ServedFolder& folder, const PageJson& question) {
   const auto found = question.find("tools");
   if (found != question.end() && found->is_array()) {
     if (found->empty()) return refused(translated(texts::part_run::no_tool_given));
     PageJson list = *found;
     for (PageJson& tool : list)
-      if (tool.is_object()) tool.erase("from"), tool.erase("known");  // only a proposal has these keys
+      if (tool.is_object()) tool.erase("from"), tool.erase("known");  // proposals have these two keys, which a tool must not have
     auto tools = tools_of_list(dumped(list));
     if (!tools) return refused(tools.error());
     return std::move(*tools);
@@ -72,7 +73,7 @@ tl::expected<PartRequest, Refusal> part_request(const ServedFolder& folder, cons
   return request;
 }
 
-/// Returns a message that lists the tools with which the program cuts and that `tools` does not describe; empty if there are none.
+/// Returns a message that lists the tools with which the program cuts but that `tools` does not describe; empty if all tools are described.
 std::string missing_tools_message(const ProgramRun& run, const ToolLibrary& tools) {
   std::string missing;
   for (const std::uint32_t number : tools_cutting(run)) {
@@ -82,7 +83,7 @@ std::string missing_tools_message(const ProgramRun& run, const ToolLibrary& tool
   return missing.empty() ? missing : translated(texts::part_run::tools_without_shape, missing);
 }
 
-/// Returns the names of the tools files next to the program, relative to the served folder.
+/// Returns the names of the tools files in the folder of the program, relative to the served folder.
 std::vector<std::string> tools_files(const ServedFolder& folder, const std::string& program) {
   const std::size_t slash = program.rfind('/');
   const std::string beside = slash == std::string::npos ? "" : program.substr(0, slash);
@@ -165,7 +166,8 @@ PageSession::Inside::Answer PageSession::Inside::part(const PageJson& question) 
                   {"cell", then.cell}};
 }
 
-/// Answers with proposals of blank and tools. `tools`: a tools file to be used instead of those next to the program.
+/// Answers with proposals of a blank and tools. `tools` in the request is a tools file to be used instead of the tools files next to the
+/// program.
 PageSession::Inside::Answer PageSession::Inside::proposals(const PageJson& question) {
   const Vec3 zero = run->path().zero();
   KnownTools named;

@@ -1,4 +1,5 @@
-// Answers the requests open, source, state and passes, about the open program. Used by view/page/page_session; tested by tests/serve.py.
+// Answers the requests `open`, `source`, `state` and `passes`, about the open program. Used by view/page/page_session; tested by
+// tests/serve.py.
 
 #include <fmt/core.h>
 
@@ -8,7 +9,8 @@
 namespace kadr {
 namespace {
 
-constexpr std::uint64_t max_text = std::uint64_t{8} << 20;  // greatest size of a program that can be edited, not only viewed; bytes
+// Greatest size in bytes of a program that the page can edit; a longer program can only be viewed.
+constexpr std::uint64_t max_text = std::uint64_t{8} << 20;
 constexpr std::uint32_t max_lines = 5000;
 constexpr std::size_t max_passes = 1000;
 
@@ -26,7 +28,7 @@ std::string PageSession::Inside::place_of(const PageJson& question, const char* 
   return {};
 }
 
-/// Returns the request, with the paths of the files that it names. The files must be in the folder; a control or machine may also be
+/// Returns the request, with the paths of the files that it names. The files must be in the served folder; a control or machine may also be
 /// built-in.
 tl::expected<OpeningRequest, Refusal> PageSession::Inside::opening_request_in(const PageJson& question) const {
   OpeningRequest request;
@@ -90,7 +92,8 @@ void PageSession::Inside::send(const ViewPiece& piece, std::uint32_t which, std:
   if (gone) stops = true;
 }
 
-/// Converts a problem of another channel to JSON. The line of the problem is in the program of that channel.
+/// Converts a finding about another channel to JSON. The line of the finding is in the program of that channel, so the text contains this
+/// line.
 PageJson PageSession::Inside::problem_of_channel(const AlarmReport& report, int channel) const {
   const Finding finding = finding_of(report, *run->opened().texts, lang);
   PageJson json = problem_json(finding, 0, std::nullopt);
@@ -121,7 +124,7 @@ void PageSession::Inside::execute() {
   say(done);
 }
 
-/// Returns lines of the program, or of a called file. The first request for a called file finds where its lines begin.
+/// Answers with lines of the program, or of a called file. The first request for a called file finds where the lines of this file begin.
 PageSession::Inside::Answer PageSession::Inside::source_lines(const PageJson& question) {
   const std::uint32_t from = count_in(question, "from", 1), count = std::min(count_in(question, "count", max_lines), max_lines);
   const std::uint32_t file = count_in(question, "file", 0);

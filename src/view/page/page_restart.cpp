@@ -1,4 +1,4 @@
-// Answers the requests restart and go_there (continuing in mid-program), and lead (motion by hand along a path). Used by
+// Answers the requests `restart` and `go_there` (to continue in mid-program), and `lead` (to move the axes by hand along a path). Used by
 // view/page/page_session; tested by tests/panel_restart.py.
 
 #include <fmt/core.h>
@@ -11,8 +11,8 @@
 namespace kadr {
 namespace {
 
-constexpr std::size_t max_sheet_variables = 1000;  // greatest number of rows with variables on a restart sheet
-constexpr std::size_t max_way = 100;               // greatest number of motions in a path of a request
+constexpr std::size_t max_sheet_variables = 1000;  // greatest number of variables on a restart sheet
+constexpr std::size_t max_way = 100;               // greatest number of motions in a path that a request contains
 
 PageJson value_json(const std::optional<InForce>& one) {
   if (!one) return PageJson();
@@ -29,7 +29,7 @@ const char* name_of(PanelSheet::By by) {
   }
 }
 
-/// Converts the rows of a restart sheet to JSON. `before`: prefix of each row's key.
+/// Converts the rows of a restart sheet to JSON. `before` is a prefix for the key of each row.
 PageJson rows_json(const std::vector<PanelSheet::Row>& rows, const std::string& before = {}) {
   PageJson list = PageJson::array();
   std::size_t variables = 0;
@@ -74,7 +74,7 @@ PageJson way_json(const std::vector<WayPoint>& way, const std::vector<std::strin
 
 tl::unexpected<std::string> no_way() { return tl::unexpected(translated(texts::panel_page::way_wanted)); }
 
-/// Reads the motions of a path from a request. Returns an error sentence if they are invalid.
+/// Reads the motions of a path from a request. Returns an error sentence if a motion is invalid.
 tl::expected<std::vector<WayPoint>, std::string> way_of(const PageJson& question, const std::vector<std::string>& axes) {
   const auto list = question.find("way");
   std::vector<WayPoint> way;
@@ -96,7 +96,8 @@ tl::expected<std::vector<WayPoint>, std::string> way_of(const PageJson& question
   return way;
 }
 
-/// Reads the paths of a request: that of the own channel, or those of several channels in the order in which they are travelled.
+/// Reads the paths of a request: the path of the program's own channel, or the paths of several channels in the order in which the axes
+/// must travel them.
 tl::expected<std::vector<PanelPath>, std::string> ways_of(const PageJson& question, const PanelMachine& machine) {
   const auto list = question.find("ways");
   if (list == question.end()) {
@@ -125,14 +126,14 @@ PanelSearch::SearchRequest search_request_in(const PageJson& question) {
   return request;
 }
 
-/// Returns the machine position of the work zero, with the tool length applied.
+/// Returns the machine position of the work zero in mm, including the tool length offset.
 PageJson zero_json(const ToolPosition& stand, const std::vector<std::string>& axes) {
   PageJson zero = PageJson::object();
   for (std::size_t a = 0; a < axes.size() && a < max_axes; ++a) zero[axes[a]] = stand.machine[a] - stand.work[a];
   return zero;
 }
 
-/// Converts the states of the other channels to JSON; an empty list if there are none.
+/// Converts the states of the other channels to JSON; an empty list if the machine has only one channel.
 PageJson other_channels_json(const RestartPoint& place, const std::vector<PanelSheet>& sheets, const PanelMachine& machine, Lang lang) {
   PageJson list = PageJson::array();
   for (std::size_t i = 0; i < place.beside.size(); ++i) {
@@ -174,7 +175,7 @@ tl::expected<PanelSearch::Answer, Refusal> PageSession::Inside::find_place(Panel
   return found;
 }
 
-/// Searches for the restart position. If `ready` is false in the answer, the search is still in progress, and the page must ask again.
+/// Searches for the restart position. If `ready` is false in the answer, the search is not complete, and the page must repeat the request.
 PageSession::Inside::Answer PageSession::Inside::restart(const PageJson& question) {
   const auto machine = held_machine();
   if (!machine) return tl::unexpected(machine.error());

@@ -1,4 +1,4 @@
-// PageSession: handles the requests of a page. Used by server/connection; tested by tests/serve.py.
+// Handles the requests of a page (PageSession). Used by server/connection; tested by tests/serve.py.
 
 #include "view/page/page_session.h"
 
@@ -62,8 +62,8 @@ PageSession::Inside::Answer PageSession::Inside::answer(const std::string& what,
   struct Known {
     std::string_view name;
     Answer (Inside::*answer)(const PageJson&);
-    bool of_program;     // true: the request needs an open program
-    bool heavy = false;  // true: the request may need much memory
+    bool of_program;     // true if the request needs an open program
+    bool heavy = false;  // true if the request may need much memory
   };
   static constexpr Known all[] = {
       {"hello", &Inside::hello, false},

@@ -1,6 +1,6 @@
 #pragma once
-// PageSession: the session of one page. It receives requests and emits answers, events and binary frames (docs/panel-protocol.md). It
-// does not use sockets itself.
+// PageSession: the session of one page. It receives requests, and emits answers, events and binary frames (docs/panel-protocol.md). The
+// session does not use sockets itself.
 
 #include <atomic>
 #include <memory>
@@ -17,16 +17,16 @@ class MemoryBound;
 class PanelJournal;
 class ServedFolder;
 
-/// Receives the output of a session. The functions are called by the thread that answers requests.
+/// Receives the output of a session. The thread that answers requests calls these functions.
 class PageLine {
  public:
   virtual ~PageLine() = default;
-  /// Sends a message. Waits while too much output is unsent. Returns false if the page is closed.
+  /// Sends a message to the page. Waits while too much output is unsent. Returns false if the page is closed.
   virtual bool text(std::string message) = 0;
   virtual bool frame(std::string bytes) = 0;
 };
 
-/// The program file that any page of the server has opened last.
+/// The name of the program file that a page of the server has opened last.
 class LastOpened {
  public:
   std::string get() const {
@@ -40,25 +40,25 @@ class LastOpened {
 
  private:
   mutable std::mutex lock_;
-  std::string file_;  // name of the file; empty: no file has been opened
+  std::string file_;  // name of the file; empty if no page has opened a file
 };
 
 /// The data that all pages of a server share.
 struct PageServer {
   const ServedFolder& folder;
-  std::string token;    // secret that a page must send before it may change anything
-  bool all_need_token;  // true: a page without the token may not view anything either
+  std::string token;    // secret that a page must send before it may change files or use machines
+  bool all_need_token;  // true if a page without the token may not view anything either
   Lang lang = Lang::en;
   std::string version;                  // version of Kadr
-  LastOpened* last = nullptr;           // nullptr: the last opened file is not recorded
-  PanelHub* hub = nullptr;              // nullptr: the server has no operator panels
-  PanelJournal* journal = nullptr;      // saved data of the panel machines; set if `hub` is
+  LastOpened* last = nullptr;           // nullptr if the last opened file is not recorded
+  PanelHub* hub = nullptr;              // nullptr if the server has no operator panels
+  PanelJournal* journal = nullptr;      // saved data of the panel machines; must be set if `hub` is set
   const MemoryBound* memory = nullptr;  // memory limit for all sessions together; nullptr: no limit
 };
 
 class PageSession {
  public:
-  static constexpr std::size_t max_message = std::size_t{16} << 20;  // maximum length of a message, bytes
+  static constexpr std::size_t max_message = std::size_t{16} << 20;  // greatest length of a message, bytes
   static constexpr int max_mistakes = 100;
 
   PageSession(const PageServer& server, PageLine& line);
@@ -66,17 +66,17 @@ class PageSession {
   PageSession(const PageSession&) = delete;
   PageSession& operator=(const PageSession&) = delete;
 
-  /// Must be called before take(), in the order in which stop() is called for the messages. The work for a message continues until stop().
-  /// `stopped`: a stop was already requested for this message, whose work then ends at once.
+  /// Starts the work for a message. Must be called before take(), in the same order as stop() is called for the messages. The work
+  /// continues until stop(). `stopped` is true if a stop was already requested for this message; the work then ends at once.
   void begin(bool stopped);
-  /// Answers a message, and performs what the message requests.
+  /// Answers a message, and executes what the message requests.
   ///   returns  false if too many messages were invalid, or the page is closed
   bool take(std::string_view message);
   /// Ends the current work at once. May be called from any thread.
   void stop();
-  /// True if the message requests stop() and nothing else. Such a message must be passed to take() too.
+  /// Returns true if the message requests stop() and nothing else. Such a message must be passed to take() too.
   static bool asks_to_stop(std::string_view message);
-  /// True if the message requests an emergency stop. The caller must then call emergency() at once; any thread may call it.
+  /// Returns true if the message requests an emergency stop. The caller must then call emergency() at once, from any thread.
   static bool asks_for_emergency(std::string_view message);
   void emergency();
 

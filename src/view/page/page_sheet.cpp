@@ -1,4 +1,4 @@
-// Answers the request for the set-up sheet of the open program. Used by view/page/page_session; tested by tests/serve.py.
+// Answers the request `sheet`: the set-up sheet of the open program. Used by view/page/page_session; tested by tests/serve.py.
 
 #include "view/page/page_inside.h"
 #include "view/sheet.h"

@@ -1,5 +1,5 @@
-// Answers the requests tables, edit and keep_tables, about the tables of a machine at its panel, and shift, about its log. Used by
-// view/page/page_session; tested by tests/panel_tables.py.
+// Answers the requests `tables`, `edit` and `keep_tables`, about the tables of a machine at its panel, and `shift`, about the log of the
+// machine. Used by view/page/page_session; tested by tests/panel_tables.py.
 
 #include <algorithm>
 
@@ -54,7 +54,7 @@ PageSession::Inside::Answer PageSession::Inside::tables(const PageJson&) {
                   {"lasts", server.journal != nullptr && server.journal->lasts()}};
 }
 
-/// Checks an edit of tables, saves it, and then applies it. An edit is thus saved before it is confirmed to the page.
+/// Checks an edit of tables, saves it, and then applies it. The page thus receives the confirmation only after the edit is saved.
 PageSession::Inside::Answer PageSession::Inside::edit(const PageJson& question) {
   const auto machine = held_machine();
   if (!machine) return tl::unexpected(machine.error());
@@ -81,7 +81,7 @@ PageSession::Inside::Answer PageSession::Inside::edit(const PageJson& question) 
   return PageJson{{"edited", program.edited()}};
 }
 
-/// Writes the edits of the tables into the set-up file, or into a new file if there is none.
+/// Writes the edits of the tables into the set-up file, or into a new file if the program has no set-up file.
 PageSession::Inside::Answer PageSession::Inside::keep_tables(const PageJson& question) {
   const auto machine = held_machine();
   if (!machine) return tl::unexpected(machine.error());
@@ -104,7 +104,7 @@ PageSession::Inside::Answer PageSession::Inside::keep_tables(const PageJson& que
   return PageJson{{"digest", *saved}};
 }
 
-/// Returns the log of the machine, oldest entry first.
+/// Answers with the log of the machine, the oldest entry first.
 PageSession::Inside::Answer PageSession::Inside::shift(const PageJson& question) {
   const std::string name = value_in<std::string>(question, "file", hub_machine ? hub_machine->name : "");
   if (server.journal == nullptr || name.empty()) return refused(translated(texts::panel_page::no_machine));

@@ -1,5 +1,5 @@
-// Answers the requests about punched tape: converts a program of the folder to the rows of a tape, and a tape to text. Nothing is saved
-// here; the page saves the result if the user wants. Used by view/page/page_session; tested by tests/serve_making.py.
+// Answers the requests about punched tape: converts a program of the served folder to the rows of a tape, or a tape to text. The result is
+// not saved here; the page saves it if the user requests that. Used by view/page/page_session; tested by tests/serve_making.py.
 
 #include <fmt/core.h>
 
@@ -14,7 +14,7 @@
 namespace kadr {
 namespace {
 
-constexpr std::size_t max_rows = std::size_t{8} << 20;  // greatest number of rows of a tape: 21 km
+constexpr std::size_t max_rows = std::size_t{8} << 20;  // greatest number of rows of a tape; so many rows are 21 km long
 constexpr std::size_t max_leader = 100'000;
 constexpr std::size_t max_faults_reported = 100;
 
@@ -37,7 +37,7 @@ PageSession::Inside::Answer PageSession::Inside::tape(const PageJson& question) 
   return no_tape(translated(texts::page::tape_ways));
 }
 
-/// Returns the rows of a tape with the text of the editor, or with the text of the file.
+/// Answers with the rows of a tape, punched with the text of the editor or of the file.
 PageSession::Inside::Answer PageSession::Inside::punch(const PageJson& question, std::optional<TapeCode> said) const {
   const std::string file = value_in<std::string>(question, "file", "");
   const auto found = server.folder.read(file, max_rows);
@@ -46,7 +46,7 @@ PageSession::Inside::Answer PageSession::Inside::punch(const PageJson& question,
   const std::string text = is_edited ? question["text"].get<std::string>() : SourceText(as_text(text_source(found->bytes))).whole();
   if (text.find_first_not_of(" \t\r\n") == std::string::npos) return no_tape(translated(texts::page::empty_for_tape, file));
   const TapeCode code = said.value_or(TapeCode::iso);
-  constexpr std::uint32_t usual_leader = 100;  // rows of blank tape before and after the program
+  constexpr std::uint32_t usual_leader = 100;  // number of blank rows before and after the program
   const std::size_t leader = std::min<std::size_t>(count_in(question, "leader", usual_leader), max_leader);
   const auto rows = encode_tape(text, leader, code);
   if (!rows) return no_tape(not_punched(file, text, rows.error().where, code, lang));

@@ -1,4 +1,5 @@
-// PackedColumns. Used by view/report/page_report; tested by tests/view/packed_columns_test.cpp; web/src/report/data.ts reads the format.
+// Packs the numbers of a report (PackedColumns). Used by view/report/page_report; tested by tests/view/packed_columns_test.cpp;
+// web/src/report/data.ts reads the format.
 
 #include "view/report/packed_columns.h"
 
@@ -12,7 +13,7 @@
 namespace kadr {
 namespace {
 
-constexpr int packing_level = 9;  // zlib's best compression: a report is written once and sent often
+constexpr int packing_level = 9;  // best compression of zlib, because a report is written once and sent often
 constexpr double max_steps = 2e9;
 
 }  // namespace
@@ -56,7 +57,7 @@ tl::expected<std::string, std::string> zlib_packed(std::string_view bytes) {
   std::string packed;
   bool good = true;
   while (good) {
-    const std::size_t most = 1U << 30;  // greatest size, bytes, that fits the counters of zlib
+    const std::size_t most = 1U << 30;  // greatest size in bytes that fits the counters of zlib
     const std::string_view now = bytes.substr(0, most);
     bytes.remove_prefix(now.size());
     stream.next_in = reinterpret_cast<Bytef*>(const_cast<char*>(now.data()));

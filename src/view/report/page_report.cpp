@@ -17,14 +17,16 @@
 namespace kadr {
 namespace {
 
-constexpr double max_file = 5e6;  // greatest size of a report, bytes, for up to the number of blocks in the next line
+constexpr double max_file = 5e6;  // greatest size of a report in bytes, for a program of at most `blocks_of_most_file` blocks
 constexpr double blocks_of_most_file = 1e5;
-constexpr double longest_file = 60e6;           // greatest size of a report, bytes, for any number of blocks
-constexpr double least_path = 2.5e5;            // bytes, compressed, that the path may have even if the program's text is too long
-constexpr std::size_t max_alarms = 2000;        // greatest number of alarms in a report: more than anybody reads
-constexpr std::size_t most_called = 1 << 20;    // greatest size of all texts of called files, bytes
-constexpr std::uint64_t max_source = 64 << 20;  // bytes of a program that a report contains: its beginning, if it is longer
-constexpr std::uint32_t piece_of_part = 3;      // code of data of this kind in the report: the stock
+constexpr double longest_file = 60e6;  // greatest size of a report in bytes, for any number of blocks
+// Compressed size in bytes that the path may have even if the program's text alone exceeds the limit.
+constexpr double least_path = 2.5e5;
+constexpr std::size_t max_alarms = 2000;      // greatest number of alarms in a report, which is more than anybody reads
+constexpr std::size_t most_called = 1 << 20;  // greatest size in bytes of the texts of all called files together
+// Greatest size in bytes of the program's text in a report; of a longer program, only the beginning is included.
+constexpr std::uint64_t max_source = 64 << 20;
+constexpr std::uint32_t piece_of_part = 3;  // code in the report for the data of the stock
 constexpr double base64_by_bytes = 4.0 / 3;
 
 PageJson control_json(const OpenedProgram& o, Lang lang) {
@@ -58,8 +60,8 @@ PageJson problem_of(const ReportAlarm& alarm, const AlarmTexts& texts, Lang lang
   return json;
 }
 
-/// Returns the results of the run with texts in the language `lang`. The run has its texts in one language; for the other language, the
-/// texts of the alarms are created again.
+/// Returns the results of the run with texts in the language `lang`. The run has its texts in only one language; for the other language,
+/// the texts of the alarms are created again.
 PageJson done_in(const ReportContent& c, Lang lang) {
   PageJson done = done_json(c.run, lang);
   auto alarm = c.alarms.begin();
@@ -76,7 +78,7 @@ PageJson finding_json(const ReportPart::Hit& hit, const AlarmTexts& texts, Lang 
   return cut_finding_json(problem_json(finding_of(hit.report, texts, lang), hit.report.origin.file, std::nullopt), hit.finding);
 }
 
-/// Returns the result of the cut, with its findings as marks on the time line.
+/// Returns the result of the cut as JSON, including the findings as marks on the time line.
 PageJson cut_json_of(const ReportPart& part, const AlarmTexts& texts, Lang lang) {
   PageJson json = PageJson::parse(part.result, nullptr, false);
   if (!json.is_object()) return PageJson();
@@ -105,8 +107,8 @@ std::string text_of(const SourceText& source) {
   return text;
 }
 
-/// Returns the texts of the program and of the files that it has called. If the called files are too long together, the last ones are left
-/// out.
+/// Returns the texts of the program and of the files that it has called. If the called files together are too long, the last files are
+/// omitted.
 PageJson sources_json(const ReportContent& c) {
   PageJson list = PageJson::array({{{"file", 0}, {"name", c.file}, {"text", text_of(c.source)}}});
   std::size_t bytes = 0;
@@ -123,7 +125,7 @@ PageJson sources_json(const ReportContent& c) {
   return list;
 }
 
-/// Reads a value from a frame, at a byte offset.
+/// Returns a value of a frame at a byte offset.
 template <class T>
 T value_at(const std::string& frame, std::size_t at) {
   T value{};
@@ -131,7 +133,7 @@ T value_at(const std::string& frame, std::size_t at) {
   return value;
 }
 
-/// Packs the numbers of a frame of kind 3, which contains the surface of the stock, column by column.
+/// Packs column by column the numbers of a frame of kind 3, which contains the surface of the stock.
 std::string part_bytes(const std::string& frame, const ReportQuanta& quanta) {
   constexpr std::size_t head = 16, point = 12, triangle = 12, made_by = 4;
   const std::size_t points = value_at<std::uint32_t>(frame, 8), triangles = value_at<std::uint32_t>(frame, 12);

@@ -14,16 +14,16 @@
 namespace kadr {
 namespace {
 
-constexpr double off_by_cell = 0.1;             // greatest deviation of the triangles from the exact surface, in cell sizes
-constexpr std::size_t max_triangles = 150'000;  // greatest number of triangles; compressed, they have some 1 MB
+constexpr double off_by_cell = 0.1;             // greatest distance of the triangles from the exact surface, in cell sizes
+constexpr std::size_t max_triangles = 150'000;  // greatest number of triangles; their compressed size is some 1 MB
 constexpr int max_simplifications = 3;
 
 using Place = std::array<float, 3>;
 
 Place place_of(const Mesh& mesh, std::size_t i) { return {mesh.points[3 * i], mesh.points[3 * i + 1], mesh.points[3 * i + 2]}; }
 
-/// Adds to each point of `mesh` the sweep (movement of a tool) that has cut it. The points of `mesh` are some of the points of `exact`,
-/// from which the sweeps are copied.
+/// Adds to each point of `mesh` the sweep (movement of a tool) that has cut the point. The points of `mesh` are some of the points of
+/// `exact`, so the sweeps are copied from there.
 Surface with_makers(const Surface& exact, Mesh&& mesh) {
   std::map<Place, std::int32_t> makers;
   for (std::size_t i = 0; i < exact.point_count(); ++i) makers.emplace(place_of(exact, i), exact.made_by[i]);

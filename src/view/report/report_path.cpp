@@ -1,4 +1,4 @@
-// Packs the path for a report. Used by view/report/page_report; tested by tests/view/report_path_test.cpp.
+// Packs the path of a run for a report. Used by view/report/page_report; tested by tests/view/report_path_test.cpp.
 
 #include "view/report/report_path.h"
 
@@ -12,12 +12,13 @@
 namespace kadr {
 namespace {
 
-constexpr std::uint32_t piece_of_path = 1;  // code of data of this kind in the report: a piece of path
-constexpr double first_guess = 12;          // compressed bytes per vertex that the first attempt assumes
-constexpr int max_tries = 4;                // number of attempts; if none fits the limit, further ones follow until one does
+constexpr std::uint32_t piece_of_path = 1;  // code in the report for the data of a segment of the path
+constexpr double first_guess = 12;          // number of compressed bytes per vertex that the first attempt assumes
+// Number of attempts to come close to the limit; more attempts follow if no result is within the limit.
+constexpr int max_tries = 4;
 
-/// The thinnings, from none to a hardly recognisable path. Vertices within blocks are omitted first, so that the end of each program line
-/// keeps its instant.
+/// The thinnings of a path, from no omission to a hardly recognisable path. Vertices within blocks are omitted first, so that the end of
+/// each program line keeps its time.
 constexpr std::array<Thinning, 16> ways = {Thinning{0, 0}, {1, 0}, {2, 0}, {3, 0}, {4, 0}, {5, 0},   {6, 0},   {7, 0},
                                            {8, 0},         {8, 2}, {8, 4}, {8, 6}, {8, 8}, {10, 10}, {12, 12}, {15, 15}};
 
@@ -48,7 +49,7 @@ std::string packed_piece(const DrawnPiece& drawn, const Thinning& thinning, cons
   }
   PackedColumns to;
   to.put_u32(std::uint32_t(kept.size()));
-  to.put_u32(drawn.which), to.put_u32(0);  // numbers of the path and of the channel that the piece belongs to
+  to.put_u32(drawn.which), to.put_u32(0);  // number of the path, and number of the channel
   to.put_u32((piece.directions.empty() ? 0 : 1) + 2 * std::uint32_t(piece.joints()));
   to.put_u32(piece.first);
   to.put_f64(piece.begins);
@@ -98,7 +99,7 @@ double Thinning::off() const {
 
 bool is_left_out(const ViewPiece& piece, std::size_t i, const Thinning& thinning) {
   const PathVertex& v = piece.vertices[i];
-  if (i == 0 || i + 1 == piece.vertices.size()) return false;  // the ends of a piece are kept: pieces join there
+  if (i == 0 || i + 1 == piece.vertices.size()) return false;  // the ends of a segment are not omitted, because segments join there
   return v.level < thinning.any || (v.level < thinning.inner && piece.vertices[i + 1].number == v.number);
 }
 
@@ -131,7 +132,8 @@ tl::expected<ReportPath, std::string> report_path(const std::vector<DrawnPiece>&
     while (way + 1 < ways.size() && double(kept_by(pieces, ways[way])) * by_vertex > most_packed) ++way;
     return way;
   };
-  std::size_t way = way_for(first_guess), too_long = 0;  // index of the coarsest thinning whose result was too long, plus one
+  // The variable too_long is the index of the coarsest thinning whose result was too long, plus 1; 0 if no result was too long.
+  std::size_t way = way_for(first_guess), too_long = 0;
   std::optional<ReportPath> made;
   for (int tries = 0; tries < max_tries || !made; ++tries) {
     ReportPath path{packed_path(pieces, ways[way], quanta), ways[way]};

@@ -1,5 +1,5 @@
 #pragma once
-// Packs the path for a report, with fewer vertices if it would be too long.
+// Packs the path for a report, with fewer vertices if the report would be too long.
 
 #include <string>
 #include <tl/expected.hpp>
@@ -9,43 +9,43 @@
 
 namespace kadr {
 
-/// The units as whole multiples of which the numbers of a path are packed.
+/// The units in which the numbers of a path are packed, as whole multiples.
 struct ReportQuanta {
-  double length = 0.001;  // mm
-  double time = 1e-4;     // s
-  double feed = 0.1;      // mm/min
+  double length = 0.001;  // unit of positions, mm
+  double time = 1e-4;     // unit of times, s
+  double feed = 0.1;      // unit of feeds and speeds, mm/min
   double direction = 1e-5;
   double position = 1e-4;  // unit of joint positions, degrees or mm
 };
 
-/// Says which vertices are omitted: those whose PathVertex::level, set by set_levels(), is below the following levels.
+/// Defines which vertices are omitted: the vertices whose PathVertex::level, set by set_levels(), is less than the following levels.
 struct Thinning {
-  int inner = 0;  // level for a vertex whose next vertex belongs to the same block
-  int any = 0;    // level for every vertex
-  /// Returns by how much the path may deviate because of the omitted vertices, mm.
+  int inner = 0;  // least level of a vertex that is not omitted, if the next vertex belongs to the same block
+  int any = 0;    // least level of any vertex that is not omitted
+  /// Returns the greatest distance in mm by which the path may deviate because of the omitted vertices.
   double off() const;
 };
 
-/// A piece of a path, and which path it belongs to (docs/panel-protocol.md).
+/// A segment of a path, and the number of this path (docs/panel-protocol.md).
 struct DrawnPiece {
   const ViewPiece* piece;
-  std::uint32_t which;  // 0: the path; 2: the contour as programmed
+  std::uint32_t which;  // 0: the path of the tool; 2: the contour as programmed
 };
 std::vector<DrawnPiece> drawn_pieces(const PathRecord& path, const std::vector<ViewPiece>& contour);
 
 ReportQuanta quanta_of(const std::vector<DrawnPiece>& pieces);
 
-/// True if this vertex of `piece` is omitted.
+/// Returns true if this vertex of `piece` is omitted.
 bool is_left_out(const ViewPiece& piece, std::size_t vertex, const Thinning& thinning);
 
 struct ReportPath {
-  std::string bytes;  // the packed pieces, each with its header; the caller compresses them with the other data
+  std::string bytes;  // the packed segments, each with a header; the caller compresses them together with the other data
   Thinning thinning;
 };
 
-/// Packs the path. Omits only as many vertices as necessary for the limit.
-///   most_packed  limit of the compressed size, bytes
-///   returns      an error sentence if zlib is missing on this machine
+/// Packs the path. Only as many vertices as necessary are omitted.
+///   most_packed  greatest compressed size, bytes
+///   returns      the path, or an error sentence if zlib is missing on this computer
 tl::expected<ReportPath, std::string> report_path(const std::vector<DrawnPiece>& pieces, const ReportQuanta& quanta, double most_packed);
 
 }  // namespace kadr
