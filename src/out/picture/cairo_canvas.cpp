@@ -1,4 +1,4 @@
-// CairoCanvas: draws a page as pixels. Used by out/text/page_file.
+// CairoCanvas: draws a page as pixels. It is used by out/text/page_file.
 
 #include "out/picture/cairo_canvas.h"
 

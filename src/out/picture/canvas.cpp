@@ -1,4 +1,4 @@
-// Canvas: an interface for drawing strokes, areas and texts, in the order of the calls. Used by the rest of out.
+// Canvas: an interface for drawing strokes, areas and texts, in the order of the calls. It is used by the rest of out.
 
 #include "out/picture/canvas.h"
 

@@ -1,4 +1,4 @@
-// Converts deviations to colours: blue, grey and red. Used by out/picture/part_page.
+// Converts deviations to colours: blue, grey and red. This file is used by out/picture/part_page.
 
 #include "out/picture/deviation_colour.h"
 

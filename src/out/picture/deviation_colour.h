@@ -1,6 +1,6 @@
 #pragma once
 // Shows the deviation from the target part as a colour: blue where material remains, red where the tool has cut into the part, grey in
-// between. Used by out/picture/part_page.
+// between. This file is used by out/picture/part_page.
 
 #include <cstdint>
 #include <vector>

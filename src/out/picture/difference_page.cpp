@@ -1,4 +1,4 @@
-// Draws the page that compares two programs. Used by compare/difference_plot; tested by tests/diff_plot.py.
+// Draws the page that compares two programs. This file is used by compare/difference_plot and tested by tests/diff_plot.py.
 
 #include "out/picture/difference_page.h"
 

@@ -1,4 +1,5 @@
-// Converts removal rates to colours: blue, yellow and red. Used by out/picture/part_page; tested by tests/out/load_colour_test.cpp.
+// Converts removal rates to colours: blue, yellow and red. This file is used by out/picture/part_page and tested by
+// tests/out/load_colour_test.cpp.
 
 #include "out/picture/load_colour.h"
 
@@ -52,7 +53,7 @@ void draw_load_marks(Canvas& canvas, const std::vector<LoadMark>& marks) {
     const auto covers = [&](const Vec2& other) { return std::hypot(other.x - mark.at.x, other.y - mark.at.y) < 2 * mark_radius; };
     if (std::any_of(drawn.begin(), drawn.end(), covers)) continue;
     drawn.push_back(mark.at);
-    // concentric circles of decreasing radius fill the disc, since a canvas has no filled circle
+    // rings of decreasing radius fill the inside of the circle with white
     for (double radius = mark_radius / 2; radius > 0.5; radius /= 2) canvas.ring(mark.at, radius, colour(0xFFFFFF), 2 * radius);
     canvas.ring(mark.at, mark_radius, colour(mark.rgb), 1.5);
     canvas.text({mark.at.x, mark.at.y + 4.5}, mark.text, {12, colour(mark.rgb), Align::centre, true});

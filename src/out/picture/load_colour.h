@@ -1,6 +1,6 @@
 #pragma once
 // Shows the removal rate (mm³/s) as a colour from blue to red. Also numbers the program lines with the heaviest load, and those with
-// collisions. Used by out/picture/part_page.
+// collisions. This file is used by out/picture/part_page.
 
 #include <cstdint>
 #include <string>

@@ -1,4 +1,4 @@
-// Draws a milled area in plan view, as SVG or PNG: its contours and the path of the tool centre. Used by cli/mill and
+// Draws a milled area in plan view, as SVG or PNG: its contours and the path of the tool centre. This file is used by cli/mill and
 // view/page/page_making.
 
 #include "out/picture/mill_picture.h"

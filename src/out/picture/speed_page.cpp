@@ -1,5 +1,5 @@
 // Draws the picture of `kadr run --plot-speed`. It shows, over the time of the least-time planner, the speed along the path with the
-// commanded feed, and the axes' accelerations and jerks relative to their limits. Used by session/planned.
+// commanded feed, and the axes' accelerations and jerks relative to their limits. This file is used by session/planned.
 
 #include "out/picture/speed_page.h"
 

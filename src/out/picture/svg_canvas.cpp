@@ -1,4 +1,4 @@
-// SvgCanvas: writes a page as SVG while the page is drawn. Only the pen is stored. Used by out/text/page_file.
+// SvgCanvas: writes a page as SVG while the page is drawn. Only the pen is stored. It is used by out/text/page_file.
 
 #include "out/picture/svg_canvas.h"
 

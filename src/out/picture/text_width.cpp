@@ -1,5 +1,5 @@
 // Computes the width of text in a picture without a font library. The layout is therefore the same on every computer and in both file
-// formats. Used by the rest of out.
+// formats. This file is used by the rest of out.
 
 #include "out/picture/text_width.h"
 

@@ -1,5 +1,6 @@
 // Part program: converts moves to the text of a program for one control, with the control's word formats and code table (ControlDef).
-// Compares the moves with those that the control executes from the text. Used by cli/mill; tested by tests/out/part_program_test.cpp.
+// Compares the moves with those that the control executes from the text. This file is used by cli/mill and tested by
+// tests/out/part_program_test.cpp.
 
 #include "out/program/part_program.h"
 

@@ -1,4 +1,4 @@
-// Converts the state that must be set before a program continues to blocks. Used with session/restart; tested by
+// Converts the state that must be set before a program continues to blocks. This file is used together with session/restart and tested by
 // tests/session/restart_test.cpp.
 
 #include "out/program/restart_blocks.h"
@@ -27,7 +27,7 @@ const CodeRow* row_of(const ControlDef& def, const InForce& one) {
   return found == def.codes.end() ? nullptr : &*found;
 }
 
-/// True for linear and rapid motion. The last block of the motions leaves one of the two in force, so neither code is written before.
+/// True for linear and rapid motion. Such a code is written after the motions, since the motions change it.
 bool is_line(const CodeRow& row) { return row.function == Function::linear || row.function == Function::rapid; }
 
 /// True for G90 and G91 (absolute, incremental). These codes are written in separate blocks after the motions, since the motions are

@@ -1,4 +1,4 @@
-// Writes a tools file for the user to complete. Used by cli/setup_command.
+// Writes a tools file for the user to complete. This file is used by cli/setup_command.
 
 #include "out/program/tools_template.h"
 

@@ -1,6 +1,6 @@
 #pragma once
 // Chooses the cell size of the stock's lattice and estimates the memory that the lattice needs, for the whole blank and for a window (a box
-// that is cut again with finer cells). Also compares the result with the wanted part and measures volumes. Used by cli/cut and
+// that is cut again with finer cells). It also compares the result with the target part and measures volumes. It is used by cli/cut and
 // view/part_run.
 
 #include "session/cutting/cutting.h"
@@ -19,14 +19,14 @@ double bytes_of_meshes(const CutJob& job);
 ///   returns     false if the window is outside the blank
 bool find_cells(double resolution, const std::optional<Box3>& window, double max_bytes, CutJob& job);
 
-/// Returns an upper bound of the memory of the stock, its lattice bricks and the meshes, bytes. `held`: the wanted part; nullptr: no part
+/// Returns an upper bound of the memory of the stock, its lattice bricks and the meshes, bytes. `held`: the target part; nullptr: no part
 /// is given.
 double bytes_of_material(const CutJob& job, const Mesh* held);
 
-/// True if the wanted part extends into the window. True also if there is no window.
+/// True if the target part extends into the window. True also if there is no window.
 bool part_meets_window(const CutJob& job, const Mesh& part);
 
-/// Compares the remaining stock with the wanted part. If there is a window, only its inside is compared.
+/// Compares the remaining stock with the target part. If there is a window, only its inside is compared.
 PartComparison compare_with_part(const CutJob& job, const Stock& stock, const Surface& surface, const Mesh& part);
 
 /// Computes the results of the cut, including the volumes that the surfaces enclose. `whole`, `window`: surfaces of the remaining stock in

@@ -1,4 +1,4 @@
-// Plot: draws the tool path as a picture, SVG or PNG, in an isometric view and in three planes. Used by cli and out; tested by
+// Plot: draws the tool path as a picture, SVG or PNG, in an isometric view and in three planes. It is used by cli and out, and tested by
 // tests/out/plot_test.cpp.
 
 #include "out/picture/plot/plot.h"

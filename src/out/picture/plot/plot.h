@@ -94,7 +94,7 @@ class Plot {
   std::set<std::uint16_t> files_;
   ToolPosition programmed_;  // position on the programmed contour, without cutter compensation
   Vec3 programmed_origin_;
-  PlotPath contour_;  // the programmed contour, in the coordinates of the picture
+  PlotPath contour_;  // the programmed contour, in machine coordinates
   bool has_contour_ = false;
 };
 

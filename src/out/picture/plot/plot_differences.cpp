@@ -1,4 +1,4 @@
-// Draws the numbers of the differences between two programs into one view. Used by out/picture/plot/plot_view.
+// Draws the numbers of the differences between two programs into one view. This file is used by out/picture/plot/plot_view.
 
 #include "out/picture/plot/plot_differences.h"
 

@@ -1,4 +1,4 @@
-// Draws the legend of a plot, in two rows: line styles and symbols. Used by out/picture/plot/plot_page.
+// Draws the legend of a plot, in two rows: line styles and symbols. This file is used by out/picture/plot/plot_page.
 
 #include "out/picture/plot/plot_legend.h"
 

@@ -1,4 +1,4 @@
-// Draws the symbols on a path: its start, its end, and the position where an alarm stopped the program. Used by
+// Draws the symbols on a path: its start, its end, and the position where an alarm stopped the program. This file is used by
 // out/picture/plot/plot_legend and out/picture/plot/plot_view.
 
 #include "out/picture/plot/plot_marks.h"

@@ -1,5 +1,5 @@
 // Draws the page of a plot: the title at the top, a large isometric view on the left, the planes on the right, the legend at the bottom.
-// Used by cli and out.
+// This file is used by cli and out.
 
 #include "out/picture/plot/plot_page.h"
 

@@ -1,5 +1,5 @@
 // PlotPath: stores a path as a polyline with a limited number of points. When the limit is reached, points are removed with an increasing
-// tolerance. Used by out/picture/plot/plot_shades.
+// tolerance. It is used by out/picture/plot/plot_shades.
 
 #include "out/picture/plot/plot_path.h"
 
@@ -34,7 +34,7 @@ void PlotPath::go(Vec3 to, Stroke stroke, float shade, ProgramLine line) {
     cutting_box_.take(to);
   }
   ++seen_;
-  // The last point before a change of the stroke type is always added, since without this point the corner would be at a wrong position.
+  // The last point before a change of the stroke type is added, since without this point the corner would be at a wrong position.
   if (pending_ && stroke != last_.stroke && !points_.empty() && distance(points_.back().at, last_.at) > tolerance_ / 4) keep(last_);
   last_ = {to, stroke, shade, line};
   pending_ = tolerance_ > 0 && !points_.empty() && distance(points_.back().at, to) < tolerance_;

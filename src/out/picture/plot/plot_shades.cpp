@@ -1,5 +1,5 @@
 // Colours a path by its speed, or by what limits the speed (kadr run --colour). A motion waits until the least-time planner has computed
-// its times. Then the motion is drawn in segments, each with its own shade. Used by out/picture/plot/plot.
+// its times. Then the motion is drawn in segments, each with its own shade. This file is used by out/picture/plot/plot.
 
 #include "out/picture/plot/plot_shades.h"
 

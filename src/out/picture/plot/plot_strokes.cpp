@@ -1,4 +1,4 @@
-// Draws the strokes of the path in one view. Used by out/picture/plot/plot_page and out/picture/plot/plot_view.
+// Draws the strokes of the path in one view. This file is used by out/picture/plot/plot_page and out/picture/plot/plot_view.
 
 #include "out/picture/plot/plot_strokes.h"
 
@@ -24,7 +24,7 @@ Vec2 within_reach(Vec2 p) { return {std::clamp(p.x, -beyond, beyond), std::clamp
 bool cut_to_reach(Vec2& from, Vec2& to) {
   double first = 0, last = 1;
   const Vec2 start = from, way = to - from;
-  const auto keep = [&](double at, double step) {  // limits t so that at + t·step ≤ beyond, where t is the fraction of the line
+  const auto keep = [&](double at, double step) {  // limits the fraction t of the line so that at + t·step ≤ beyond
     if (step > 0) last = std::min(last, (beyond - at) / step);
     else if (step < 0) first = std::max(first, (beyond - at) / step);
     else if (at > beyond) last = -1;

@@ -1,4 +1,4 @@
-// Draws one view of a plot: a projection of the path into an area of the page, with its axes. Used by the rest of out.
+// Draws one view of a plot: a projection of the path into an area of the page, with its axes. This file is used by the rest of out.
 
 #include "out/picture/plot/plot_view.h"
 
