@@ -135,7 +135,7 @@ void print_count(const Options& options, std::size_t files, Count count, std::si
   type_out("\n");
 }
 
-/// Reads the baseline if --baseline names a file. Prints errors and then returns false.
+/// Reads the baseline if --baseline names a file. If an error occurs, it is printed and the function returns false.
 bool read_baseline(const Options& options, Report& report) {
   constexpr std::size_t longest = std::size_t{256} << 20;  // greatest size of a baseline file, bytes
   if (options.baseline.empty()) return true;
@@ -150,7 +150,7 @@ bool read_baseline(const Options& options, Report& report) {
   return true;
 }
 
-/// Reads the tools file if the user has named one. Prints errors and then returns false.
+/// Reads the tools file if the user has named one. If an error occurs, it is printed and the function returns false.
 bool read_table(const Options& options, std::shared_ptr<const ToolTable>& to) {
   if (options.table.empty()) return true;
   auto tools = load_tools(options.table);

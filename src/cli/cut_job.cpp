@@ -35,7 +35,7 @@ std::optional<double> seconds_of(const std::string& text, std::string& line) {
   return seconds;
 }
 
-/// Reads a solid that the command line describes. Prints errors and then returns nullptr.
+/// Reads a solid that the command line describes. If an error occurs, it is printed and the function returns nullptr.
 std::shared_ptr<const Blank> named_body(const char* option, const std::string& text, double most) {
   const auto named = body_of(text, most);
   if (!named) {
@@ -46,7 +46,7 @@ std::shared_ptr<const Blank> named_body(const char* option, const std::string& t
   return named->body;
 }
 
-/// Reads the target part if --part names its file. Prints errors and then returns false.
+/// Reads the target part if --part names its file. If an error occurs, it is printed and the function returns false.
 bool find_part(const CutOptions& options, std::optional<Mesh>& part) {
   if (options.part.empty()) {
     const char* const lonely = options.allow >= 0                  ? "--allow"
@@ -70,7 +70,7 @@ bool find_part(const CutOptions& options, std::optional<Mesh>& part) {
 }
 
 /// Determines the window from --window, and the cell sizes of the window and of the whole blank. --resolution is the cell size of the
-/// window or, without a window, of the blank. Prints errors and then returns false.
+/// window or, without a window, of the blank. If an error occurs, it is printed and the function returns false.
 bool find_lattices(const CutOptions& options, const std::optional<Mesh>& part, double most, CutJob& job) {
   std::optional<Box3> window;
   if (!options.window.empty()) {
@@ -92,7 +92,7 @@ bool find_lattices(const CutOptions& options, const std::optional<Mesh>& part, d
   return true;
 }
 
-/// Chooses the cell size and creates the stock within the memory limit. Prints errors and then returns false.
+/// Chooses the cell size and creates the stock within the memory limit. If an error occurs, it is printed and the function returns false.
 bool find_material(const CutOptions& options, const std::optional<Mesh>& part, CutJob& job) {
   const double most = options.max_memory * bytes_per_mb;
   job.blank = named_body("--stock", options.stock, most);
@@ -109,7 +109,7 @@ bool find_material(const CutOptions& options, const std::optional<Mesh>& part, C
 }
 
 /// Reads the tools, unless they were guessed before. The tools are read before the stock is created, since the cell size depends on them.
-/// Prints errors and then returns false.
+/// If an error occurs, it is printed and the function returns false.
 bool find_tools(const CutOptions& options, CutJob& job) {
   if (options.tools == guess_word) return true;
   auto tools = load_tools(options.tools);

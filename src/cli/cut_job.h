@@ -10,12 +10,12 @@
 
 namespace kadr::cli {
 
-/// Loads everything that does not come from the program and its set-up. Prints errors and then returns false.
+/// Loads everything that does not come from the program and its set-up. If an error occurs, it is printed and the function returns false.
 ///   options  `run.to` receives the line that --until names
 ///   part     receives the target part if --part names its file
 bool find_cut_job(CutOptions& options, CutJob& job, std::optional<Mesh>& part);
 
-/// Finds the number of the work offset that --stock-zero names. Prints errors and then returns false.
+/// Finds the number of the work offset that --stock-zero names. If an error occurs, it is printed and the function returns false.
 bool find_system(const CutOptions& options, const Job& job, std::optional<std::uint16_t>& system);
 
 }  // namespace kadr::cli

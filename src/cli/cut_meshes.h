@@ -13,7 +13,7 @@ namespace kadr::cli {
 /// True if the meshes can be written in the formats that the file names select. Prints an error otherwise.
 bool can_write_meshes(const CutOptions& options);
 
-/// Writes the meshes to the open files. Prints errors and then returns false.
+/// Writes the meshes to the open files. If an error occurs, it is printed and the function returns false.
 ///   surface  surface of the part after the cut; if --window names a window, the surface in the window
 ///   result   its member `simplified` receives the result of the simplification
 bool write_meshes(const CutOptions& options, const Outputs& outputs, const Surface& surface, const PartComparison& held,

@@ -44,7 +44,7 @@ Options options_of(const DiffOptions& o, bool b) {
   return options;
 }
 
-/// Opens a session for one program. Prints errors and then returns nullptr.
+/// Opens a session for one program. If an error occurs, it is printed and the function returns nullptr.
 std::unique_ptr<Session> open_side(const Options& options, Side& side) {
   side.name = options.programs.front();
   side.job = make_job(options, side.name);
@@ -149,7 +149,7 @@ struct Drawing {
   bool all;  // true: the picture shows the numbers of all differences; false: only the first ones
 };
 
-/// Draws the comparison. Prints errors and then returns false.
+/// Draws the comparison. If an error occurs, it is printed and the function returns false.
 bool draw(const Drawing& to, const Side& a, const Side& b, const Comparison& made) {
   const Lang lang = to.lang;
   const auto control = [lang](const Side& side) { return lang == Lang::ru ? side.job->def->name.ru : side.job->def->name.en; };

@@ -35,7 +35,8 @@ Outputs outputs_of(const ReportOptions& options, const Job& job) {
   return outputs;
 }
 
-/// Reads all of standard input into memory, since the program is read several times. Prints errors and then returns nullopt.
+/// Reads all of standard input into memory, since the program is read several times. If an error occurs, it is printed and the function
+/// returns nullopt.
 std::optional<std::string> text_of_input(const Job& job) {
   OpenedText text = open_text(job.file, job.encoding);
   if (text.source) return SourceText(std::move(text)).whole();
@@ -43,7 +44,7 @@ std::optional<std::string> text_of_input(const Job& job) {
   return std::nullopt;
 }
 
-/// Opens the program in the same way as the web page does. Prints errors and then returns nullopt.
+/// Opens the program in the same way as the web page does. If an error occurs, it is printed and the function returns nullopt.
 std::optional<OpenedProgram> opened_by(const Job& job, const Options& options) {
   OpenedProgram opened;
   opened.path = job.file;
@@ -65,7 +66,7 @@ class ReportRun {
   ReportRun(const Job& job, const Options& options)
       : job_(job), progress_(options.quiet), found_(job.texts(), job.lang, stderr, options.every) {}
 
-  /// Opens the session. Prints errors and then returns false.
+  /// Opens the session. If an error occurs, it is printed and the function returns false.
   bool open(const OpenedProgram& opened) {
     auto run = ProgramRun::make(opened, stop_token());
     if (!run) {
@@ -102,7 +103,7 @@ class ReportRun {
   }
   const ProgramRun& run() const { return *run_; }
 
-  /// Cuts the blank. Prints errors and then returns false.
+  /// Cuts the blank. If an error occurs, it is printed and the function returns false.
   bool cut(const CutOptions& options, const ToolLibrary& tools) {
     PartRequest request{options.stock, options.fixtures, options.fixtures, tools, options.resolution};
     auto part = PartRun::make(run_->opened(), request, stop_token());

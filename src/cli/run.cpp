@@ -1,4 +1,4 @@
-// kadr run: executes a program, or the programs of several channels. Writes the trace, the summary and the pictures.
+// kadr run: executes a program, or the programs of several channels. The command also writes the trace, the summary and the pictures.
 
 #include <fmt/core.h>
 #include <unistd.h>

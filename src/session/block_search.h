@@ -26,8 +26,8 @@ struct BlockSearch {
   std::vector<Code> carried_out;
   /// The M codes that belong to no group, sorted by the block of their last use. The manual does not say whether the control executes them.
   std::vector<Code> of_no_group;
-  /// Spindle and coolant states that were in force before the target and that `carried_out` does not restore. The operator must restore
-  /// them.
+  /// Spindle and coolant states that were in force before the target and that `carried_out` does not restore, so they are missing after the
+  /// search.
   std::vector<InForce> forgotten;
 };
 

@@ -41,7 +41,7 @@ class ProgressDisplay {
   virtual void show(const Control& control) = 0;
 };
 
-/// The functions and options of those who observe a run.
+/// The functions and options with which callers observe a run.
 struct Outlets {
   std::function<void(const Step&)> step{};  // called after the machine has accepted an action; empty: nobody observes the steps
   /// Like `step`, but with the time that the machine really needs if something limits its speed (ChannelRun::look_ahead). This function is
@@ -108,8 +108,9 @@ class ChannelRun {
   void wait_until(double at);
   double waited() const { return now_.waited; }
 
-  /// Plans the speeds by these rules from now on: Outlets::timed receives the steps with the planned times. Only for a single channel:
-  /// several channels wait for each other according to their programmed times, so their speeds are not planned.
+  /// Plans the speeds by these rules from now on: Outlets::timed receives the steps with the planned times. The function may be called only
+  /// if there is a single channel: several channels wait for each other according to their programmed times, so their speeds are not
+  /// planned.
   void look_ahead(const SpeedRules& rules);
   /// Declares that no action follows. Actions that are stored for look-ahead are passed to the outlets as if the program ended here.
   ///   returns  stopped if a stored action raised an alarm

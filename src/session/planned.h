@@ -29,7 +29,7 @@ class Planned {
   /// function after write_samples().
   void write_tips(std::FILE* file);
 
-  /// Ends planning when all requested samples are written. Only for callers without other observers. Call this function after
+  /// Ends planning when all requested samples are written. The function is for callers without other observers. Call this function after
   /// write_samples().
   void end_with_samples() { ends_with_samples_ = true; }
 

@@ -48,7 +48,7 @@ bool move_over_hole(Session& session, Stepping& stepping, std::uint32_t hole, Re
     const bool rises = moved_down && now[normal] > last[normal];
     if (!over && !rises) over = now, holes = 1;
     else if (over && !is_beside(now, *over, axes, normal) && !std::exchange(went_down, true)) level = now[normal];
-    // false at the bottom of a hole, where a sideways motion does not lead to another hole
+    // false at the bottom of a hole: a sideways motion there does not lead to another hole
     const bool is_out = now[normal] >= level - tol::same_point;
     if (went_down && is_out && is_beside(now, *over, axes, normal)) over = now, ++holes, went_down = false;
     if (holes == hole) {

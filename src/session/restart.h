@@ -15,7 +15,7 @@ namespace kadr {
 /// The block from which a program is to continue, and the state that the block requires.
 struct Restart {
   Origin at;                      // location of the block that is executed first after the restart
-  std::vector<InForce> in_force;  // modes, tool, offsets and variables in force before that block
+  std::vector<InForce> in_force;  // modes, tool, offsets and variables in force before the block `at`
   ToolPosition stand;             // tool position that the restart requires
   std::size_t normal = 2;         // index of the axis that is normal to the working plane; the tool approaches along this axis
 };

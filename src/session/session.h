@@ -70,14 +70,15 @@ class Session {
   Outlets& outlets(std::size_t channel) { return outlets_.own[channel]; }
   Outlets& outlets() { return outlets(own_); }
   ChannelOutlets& together() { return outlets_; }
-  /// Limits the speeds from now on: Outlets::timed receives the steps with the time that the machine really needs. Only for a single
-  /// channel.
+  /// Limits the speeds from now on: Outlets::timed receives the steps with the time that the machine really needs. The function may be
+  /// called only if there is a single channel.
   ///   returns  the rules that limit the speed; nullopt if nothing limits it, so that the programmed times are the real ones
   std::optional<SpeedRules> look_ahead();
   /// Creates a planner for the axes of a channel, which plans the motions in least time.
   Planned& plan(std::size_t channel, const StopToken& stop = {});
   Planned* planned(std::size_t channel) { return planned_[channel].get(); }
-  /// Passes this step to the observers when the virtual time of all channels has reached it. Only if there are several channels.
+  /// Passes this step to the observers when the virtual time of all channels has reached it. The function may be called only if there are
+  /// several channels.
   void show(std::size_t channel, const Step& step) { channels_run_->show(channel, step); }
 
   // ---- running the session
@@ -91,8 +92,8 @@ class Session {
   State go_on();
   /// Calls go_on() until the session is held, stopped or ended.
   State run();
-  /// Declares that no step follows. Steps that are stored for look-ahead are passed to the outlets as if the program ended here. Only for a
-  /// single channel.
+  /// Declares that no step follows. Steps that are stored for look-ahead are passed to the outlets as if the program ended here. The
+  /// function may be called only if there is a single channel.
   State stop_here();
   /// Acknowledges the alarm that stopped the run. Then the run continues with the next block, as after a reset of the control.
   void acknowledge() { acknowledge(own_); }
@@ -102,11 +103,11 @@ class Session {
   ///   pre  the session is held, stopped or ended, and not in the middle of a block (Control::in_block)
   void enter(const std::string& line) { enter(line, own_); }
   void enter(const std::string& line, std::size_t channel);
-  /// Lets only this channel continue until it stops or is held again. enter() calls this function for the program's own channel. Only if
-  /// there are several channels.
+  /// Lets only this channel continue until it stops or is held again. enter() calls this function for the program's own channel. The
+  /// function may be called only if there are several channels.
   void alone(std::size_t channel);
-  /// `on`: each channel stays at the block where Control::holds_before holds it, until all channels are held, waiting or ended. Only if
-  /// there are several channels.
+  /// `on`: each channel stays at the block where Control::holds_before holds it, until all channels are held, waiting or ended. The
+  /// function may be called only if there are several channels.
   void hold_each(bool on) {
     if (channels_run_) channels_run_->hold_each(on);
   }

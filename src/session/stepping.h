@@ -141,7 +141,7 @@ class Stepping {
   // names a tool
   std::uint32_t tool_ = 0, tool_before_ = 0;
   std::map<std::size_t, StopPoint> points_;
-  // (file, line) → number of times that the line was reached; only for lines of stop points and targets
+  // (file, line) → number of times that the line was reached; other lines than those of stop points and targets are not counted
   std::map<std::pair<std::uint16_t, std::uint32_t>, std::uint32_t> seen_;
 };
 

@@ -20,7 +20,8 @@
 namespace kadr::cli {
 namespace {
 
-/// Reads the set-up file and then applies the command-line options, which override the file. Prints errors and then returns false.
+/// Reads the set-up file and then applies the command-line options, which override the file. If an error occurs, it is printed and the
+/// function returns false.
 bool take_setup(Job& job, const Options& options) {
   std::vector<SetupSource> sources;
   if (!options.setup.empty()) {

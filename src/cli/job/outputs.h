@@ -39,7 +39,7 @@ class Outputs {
   FileSet all() const;
 
   /// Completes the files and moves them to their final paths, standard output last. If an output is also in `read` (the files that the run
-  /// has read), no output is completed. Prints errors and then returns false.
+  /// has read), no output is completed. If an error occurs, it is printed and the function returns false.
   bool keep(const std::vector<std::string>& read = {});
 
  private:

@@ -10,8 +10,8 @@
 
 namespace kadr::cli {
 
-/// Opens the state file and adds its contents to the set-up of the job. Values that the set-up states have priority. Prints errors and then
-/// returns nullopt.
+/// Opens the state file and adds its contents to the set-up of the job. Values that the set-up states have priority. If an error occurs, it
+/// is printed and the function returns nullopt.
 std::optional<StateFile> open_state(const std::string& path, Job& job);
 
 }  // namespace kadr::cli

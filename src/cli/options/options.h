@@ -128,7 +128,7 @@ struct ServeOptions {
   std::string host = "127.0.0.1";
   int port = 8437;  // TCP port of the server; 0: any free port
   bool no_browser = false;
-  bool open = false;         // true: clients without the access token may watch
+  bool open = false;         // true: clients without the access token may watch the sessions
   double max_memory = 2000;  // memory limit of all sessions together, MB
   std::string lang;
 };

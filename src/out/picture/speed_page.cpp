@@ -27,11 +27,11 @@ using Column = SpeedRecord::Column;
 constexpr double speed_page_width = 1600, speed_page_height = 984, speed_page_margin = 28, left = 96, top = 112;
 constexpr double speed_height = 400, share_height = 130, speed_gap = 42, ribbon_height = 12;
 constexpr Colour feed_ink = colour(0xE69F00);
-/// Colours of the uses of time, in the order of the enum Spent::On.
+/// Colours of the activities for which time is spent, in the order of the enum Spent::On.
 constexpr std::array<unsigned, 4> inks_of_time = {0x0072B2, 0x7A8794, 0xF0C93A, 0xCC79A7};
 constexpr std::array<unsigned, 6> inks_of_axes = {0xD55E00, 0x009E73, 0x6A3D9A, 0x56B4E9, 0xB2182B, 0x8C6D31};
 
-/// Names of the uses of time, in the order of the enum Spent::On.
+/// Names of the activities for which time is spent, in the order of the enum Spent::On.
 constexpr std::array<PlainText, 4> names_of_time = {texts::speed_page::cutting, texts::picture::rapid, texts::speed_page::dwell,
                                                     texts::speed_page::tool_change};
 

@@ -13,7 +13,8 @@ constexpr char32_t replacement = 0xFFFD;
 constexpr double em = 1000;
 
 // Widths of the characters of DejaVu Sans, in thousandths of the font size.
-constexpr char32_t first_ascii = 0x20, first_cyrillic = 0x410;  // blank … ~; А … я
+// the tables of widths contain the characters from blank to ~ and from А to я
+constexpr char32_t first_ascii = 0x20, first_cyrillic = 0x410;
 constexpr std::array<std::uint16_t, 95> ascii = {
     318, 401, 460, 838, 636, 950, 780, 275, 390,  390, 500, 838, 318, 361, 318, 337, 636, 636, 636, 636, 636, 636, 636, 636,
     636, 636, 337, 337, 838, 838, 838, 531, 1000, 684, 686, 698, 770, 632, 575, 775, 752, 295, 295, 656, 557, 863, 748, 787,

@@ -59,7 +59,7 @@ std::string bytes_shown(std::string_view bytes) {
 std::string character_shown(std::string_view character) {
   const auto byte = static_cast<unsigned char>(character[0]);
   const auto second = static_cast<unsigned char>(character.size() > 1 ? character[1] : 0);
-  // true: UTF-8 in a form that is longer than necessary, which is not valid
+  // true: the character has more bytes than UTF-8 permits for it
   const bool too_long_form = (byte == 0xE0 && second < 0xA0) || (byte == 0xF0 && second < 0x90);
   if (character.size() != length_by(byte) || too_long_form) return bytes_shown(character);
   if (byte == 0x7F) return "\xE2\x90\xA1";

@@ -92,7 +92,7 @@ void TextWatch::take_points(const Block& block) {
     } else if (w.counted != 0) {
       ++without_point_;
       if (pointless_.size() >= max_found) continue;
-      // in inch programs the increment of a length is 0.0001 in (spec/fanuc 1.3)
+      // in inch programs the increment of a length is 0.0001 in (spec/fanuc 1.3), so the value is a tenth of that in the word format
       const bool finer = inch_ && def_.address(w.address).unit != WordUnit::angle;
       const std::string read = fmt::format("{:g} {}", finer ? w.value / 10 : w.value,
                                            def_.address(w.address).unit == WordUnit::angle ? "°"

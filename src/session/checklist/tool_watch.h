@@ -26,7 +26,7 @@ class ToolWatch {
     double highest = -1e300;                 // highest Z that the tool has reached, mm
     std::optional<Origin> cuts, cuts_still;  // locations of the tool's first cut, and of its first cut with the spindle stopped
     std::optional<Origin> counter_clockwise;
-    bool mills = false;  // true: the tool mills or drills; false: it is a tap
+    bool mills = false;  // true: the tool mills or drills; false: the tool is a tap
     bool clockwise = false, turned = false, started = false, wet = false;
     std::optional<Origin> without_length;  // location of the tool's first cut, if no length offset was in force there
     Rows lengths, radii, systems;

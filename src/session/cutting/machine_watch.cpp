@@ -230,7 +230,7 @@ void MachineWatch::execute(const Step& step, const InForce& in_force, std::vecto
   };
   if (in_force.known) along_axes_path(step, chord_of_axes, job_.apart, go);
   else go(motion.machine, 1);
-  // a later segment of the motion may deepen a collision that an earlier segment found
+  // a later segment of the motion may deepen a collision of an earlier segment, so the depths at the end of the motion are compared too
   for (std::size_t i = 0; i < new_ones.size(); ++i) {
     double& depth = found[first_new + i].depth;
     depth = std::max(depth, bodies_.depth(new_ones[i].first, new_ones[i].second, at));
