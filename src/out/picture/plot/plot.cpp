@@ -23,8 +23,8 @@ Box box_of(const Chain& chain, const Curve& curve, Vec3 shift) {
   return {chain.tip(extents.least) + shift, chain.tip(extents.most) + shift, false};
 }
 
-/// True if the curve of the step is described in a programmable frame. The axes of the frame differ from those of the picture, so its box
-/// cannot be used.
+/// True if the curve of the step is described in a programmable frame. The axes of the frame differ from those of the picture, so the box
+/// of the curve cannot be used.
 bool has_frame(const Step& step) { return step.from.space && step.from.space->has_frame(); }
 
 Stroke stroke_of(const Motion& motion, Vec3 from, Vec3 to) {
